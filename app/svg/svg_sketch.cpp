@@ -20,6 +20,7 @@ namespace tractus::lines {
 namespace {
 
 constexpr double kPixel_mm = 25.4 / 96;
+constexpr char const* kAnotherStem = "another"; // "another stem".
 
 // An element that is open: what it hands on to those in it.
 struct Surroundings {
@@ -207,12 +208,17 @@ nlohmann::json sketch_of(std::vector<SvgLine> const& lines)
     nlohmann::json sketch = nlohmann::json::object();
     for (auto const& line : lines) {
         auto points = sketch_line(line);
+        if (line.role == kAnotherStem) {
+            sketch["stems"].push_back(nlohmann::json::object({ { "stem", std::move(points) } }));
+            continue;
+        }
+        auto& stem = sketch.contains("stems") ? sketch["stems"].back() : sketch;
         if (!said)
             sketch["strokes"].push_back(std::move(points));
         else if (line.role == "inclination")
-            sketch["inclinations"].push_back(std::move(points));
+            stem["inclinations"].push_back(std::move(points));
         else if (!line.role.empty())
-            sketch[line.role] = std::move(points);
+            stem[line.role] = std::move(points);
     }
     return sketch;
 }
@@ -249,7 +255,8 @@ Result<std::vector<SvgLine>> read_svg_lines(std::string_view text,
 
 Result<nlohmann::json> svg_as_sketch(std::string_view text)
 {
-    return sketch_of(TRY(read_svg_lines(text, { "stem", "left", "right", "inclination" })));
+    return sketch_of(
+        TRY(read_svg_lines(text, { "stem", kAnotherStem, "left", "right", "inclination" })));
 }
 
 } // namespace tractus::lines

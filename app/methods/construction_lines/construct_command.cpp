@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace tractus {
 
@@ -54,13 +55,14 @@ bool is_plant_file(fs::path const& output)
     return std::find(kEndings.begin(), kEndings.end(), output.extension()) != kEndings.end();
 }
 
-Result<lines::Construction> measure(ConstructArguments const& arguments,
-                                    lines::LineDrawing const& drawing)
+using Stems = std::vector<lines::MeasuredStem>;
+
+Result<Stems> measure(ConstructArguments const& arguments, lines::LineDrawing const& drawing)
 {
-    auto result = TRY(lines::measure_sketch(drawing.sketch));
-    result.notes.insert(result.notes.begin(), drawing.notes.begin(), drawing.notes.end());
-    for (auto const& note : result.notes)
-        print_warning(fmt::format("{}: {}", arguments.sketch.string(), note));
+    auto result = TRY(lines::measure_stems(drawing.stems));
+    for (auto const& notes : { drawing.notes, lines::notes_of(result) })
+        for (auto const& note : notes)
+            print_warning(fmt::format("{}: {}", arguments.sketch.string(), note));
     return result;
 }
 
@@ -95,11 +97,11 @@ Result<std::string> write_folder(ConstructArguments const& arguments, LoadModel 
 }
 
 Result<void> make_plant(ConstructArguments const& arguments, lines::Pattern const& pattern,
-                        lines::LineDrawing const& drawing, lines::Construction const& construction)
+                        lines::LineDrawing const& drawing, Stems const& stems)
 {
     bool const to_file = is_plant_file(arguments.output);
     auto const name = model_name(arguments.sketch);
-    auto const model = lines::write_model(construction, pattern, name);
+    auto const model = lines::write_model(stems, pattern, name);
     LoadModel const load { .source = model.source, .includes = model.functions };
     auto const scene = TRY(apply_edit({}, load, make_load_options()));
     auto written = arguments.output.string();
@@ -108,9 +110,12 @@ Result<void> make_plant(ConstructArguments const& arguments, lines::Pattern cons
     else
         written = TRY(write_folder(arguments, load, model, *scene.base));
     if (arguments.report)
-        return print_out(lines::print_report(construction, *scene.base, drawing.roles));
-    return print_out(fmt::format("{}: {} nodes, {} organs\n", written, construction.nodes.size(),
-                                 scene.base->organs.size()));
+        return print_out(lines::print_report(stems, *scene.base, drawing));
+    std::size_t nodes = 0;
+    for (auto const& stem : stems)
+        nodes += stem.construction.nodes.size();
+    return print_out(
+        fmt::format("{}: {} nodes, {} organs\n", written, nodes, scene.base->organs.size()));
 }
 
 Result<void> construct_plant(ConstructArguments const& arguments)
@@ -129,10 +134,10 @@ Result<void> construct_plant(ConstructArguments const& arguments)
         file, arguments.smooth ? lines::Smoothing::Hand : lines::Smoothing::None);
     if (!drawing)
         return about(arguments.sketch, drawing.error());
-    auto const construction = measure(arguments, *drawing);
-    if (!construction)
-        return about(arguments.sketch, construction.error());
-    return make_plant(arguments, file.pattern, *drawing, *construction);
+    auto const stems = measure(arguments, *drawing);
+    if (!stems)
+        return about(arguments.sketch, stems.error());
+    return make_plant(arguments, file.pattern, *drawing, *stems);
 }
 
 void add_options(CLI::App& verb, ConstructArguments& arguments)
@@ -189,7 +194,13 @@ void add_construct_command(CLI::App& root, Action& action, Methods const& method
         "\"right\":\n"
         "the boundaries; \"inclinations\": at least two lines; \"nodes_per_layer\": how many "
         "nodes\n"
-        "stand between one line and the next, a number for each layer.");
+        "stand between one line and the next, a number for each layer; \"stems\": more stems of "
+        "the "
+        "plant,\n"
+        "objects of \"stem\" and, if what grows on the first one does not grow on it, too, lines "
+        "of "
+        "its own.\n"
+        "A stem that begins on another one stands there, on its top as a fork.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return construct_plant(*arguments); }; });
 }

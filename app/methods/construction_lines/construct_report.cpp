@@ -24,8 +24,8 @@ static Report print_functions(Construction const& construction)
     return functions;
 }
 
-std::string print_report(Construction const& construction, Plant const& plant,
-                         std::vector<std::string> const& roles)
+// A stem's numbers.
+static Report print_stem(Construction const& construction)
 {
     Report lines = Report::array();
     for (auto const& line : construction.inclinations)
@@ -33,19 +33,48 @@ std::string print_report(Construction const& construction, Plant const& plant,
     Report node_x = Report::array();
     for (auto const& node : construction.nodes)
         node_x.push_back(node.x);
-    Report leaf_tips = Report::array();
-    for (auto const& tip : organ_tips(construction, plant))
-        leaf_tips.push_back({ tip.x(), tip.y(), tip.z() });
-    Report report { { "stem_length", construction.stem.length_mm() },
+    return Report { { "stem_length", construction.stem.length_mm() },
                     { "lines", lines },
                     { "d1", construction.below() },
                     { "d2", construction.above() },
                     { "node_x", node_x },
-                    { "functions", print_functions(construction) },
-                    { "leaf_tips", leaf_tips },
-                    { "notes", construction.notes } };
-    if (!roles.empty())
-        report["roles"] = roles;
+                    { "functions", print_functions(construction) } };
+}
+
+static Report print_stems(std::span<MeasuredStem const> stems)
+{
+    Report list = Report::array();
+    for (auto const& stem : stems) {
+        auto report = print_stem(stem.construction);
+        report["stands_on"] = stem.bearer ? Report(*stem.bearer + 1) : Report();
+        if (stem.bearer)
+            report["stands_at"] = stem.foot_x;
+        list.push_back(std::move(report));
+    }
+    return list;
+}
+
+std::string print_report(std::span<MeasuredStem const> stems, Plant const& plant,
+                         LineDrawing const& drawing)
+{
+    auto const& first = stems.front().construction;
+    Report leaf_tips = Report::array();
+    for (auto const& tip : organ_tips(first, plant))
+        leaf_tips.push_back({ tip.x(), tip.y(), tip.z() });
+    Report notes = Report::array();
+    for (auto const& text : { drawing.notes, notes_of(stems) })
+        for (auto const& note : text)
+            notes.push_back(note);
+    auto report = print_stem(first);
+    report["leaf_tips"] = leaf_tips;
+    report["notes"] = notes;
+    if (stems.size() > 1)
+        report["stems"] = print_stems(stems);
+    if (!drawing.roles.empty())
+        report["roles"] = drawing.roles;
+    if (!drawing.roles.empty() && stems.size() > 1)
+        for (auto const stem : drawing.stems_of_strokes)
+            report["stroke_stems"].push_back(stem + 1);
     return report.dump() + "\n";
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "engine/methods/construction_lines/construction.h"
+#include "app/methods/construction_lines/line_drawing.h"
 #include "engine/plant/plant.h"
 
+#include <span>
 #include <string>
-#include <vector>
 
 namespace tractus::lines {
 
@@ -23,7 +23,14 @@ namespace tractus::lines {
 //                millimetres in the sketch, node after node
 //   roles        what strokes were taken for, in their order, if they did not say so
 //   notes        what had to be guessed
-std::string print_report(Construction const& construction, Plant const& plant,
-                         std::vector<std::string> const& roles);
+//
+// Of several stems the first five are the first one's, and there are also:
+//
+//   stems         [{…}, …]: the first five of each; stands_on, the number of the stem that bears
+//   it,
+//                 from 1, or null; stands_at, where on that, a share of it
+//   stroke_stems  the number of the stem of each stroke, from 1
+std::string print_report(std::span<MeasuredStem const> stems, Plant const& plant,
+                         LineDrawing const& drawing);
 
 } // namespace tractus::lines

@@ -1,9 +1,10 @@
 #include "app/methods/construction_lines/line_drawing.h"
 
 #include "engine/methods/construction_lines/capture_line.h"
-#include "engine/methods/construction_lines/recognise_line.h"
+#include "engine/methods/construction_lines/recognise_stems.h"
 #include "engine/stroke/polyline.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
 #include <utility>
@@ -30,13 +31,22 @@ std::vector<Vec2> captured(std::vector<Vec2> const& tips)
     return line;
 }
 
-void capture_lines(LineSketch& sketch)
+LineSketch captured(LineSketch sketch)
 {
     sketch.stem = captured(sketch.stem);
     sketch.left = captured(sketch.left);
     sketch.right = captured(sketch.right);
     for (auto& line : sketch.inclinations)
         line = captured(line);
+    return sketch;
+}
+
+// Another stem, on the one on which it begins, if it does.
+void add_stem(std::vector<StemLines>& stems, LineSketch sketch)
+{
+    auto const bearer
+        = sketch.stem.empty() ? std::nullopt : bearer_at(stems, sketch.stem.front().head<2>());
+    stems.push_back({ .sketch = std::move(sketch), .bearer = bearer });
 }
 
 std::string note_of(RecognisedLine const& line, std::size_t number)
@@ -53,8 +63,9 @@ Result<LineDrawing> recognise_strokes(LineSketchFile const& file, Smoothing smoo
     for (auto const& stroke : file.strokes)
         point_count += stroke.size();
     TRY(check_point_count(point_count));
-    LineRecogniser recogniser;
-    LineDrawing drawing { .sketch = {}, .roles = {}, .notes = {} };
+    StemRecogniser recogniser;
+    LineDrawing drawing;
+    std::vector<std::vector<int>> nodes_of_stems { file.sketch.nodes_per_layer };
     for (auto const& stroke : file.strokes) {
         auto const number = drawing.roles.size() + 1;
         auto points = without_repeats(stroke);
@@ -62,13 +73,22 @@ Result<LineDrawing> recognise_strokes(LineSketchFile const& file, Smoothing smoo
             return fail(Fault::User, fmt::format("stroke {} is only a dot: leave it out", number));
         if (smoothing == Smoothing::Hand)
             points = without_repeats(capture_line(points));
-        auto const& line = recogniser.add(points);
-        drawing.roles.push_back(name_of(line.role));
-        if (line.role == Role::Unsure || line.replaces)
-            drawing.notes.push_back(note_of(line, number));
+        auto const stem = file.stem_strokes.find(number - 1);
+        auto const begins = stem != file.stem_strokes.end() ? StemRecogniser::Says::AnotherStem
+                                                            : StemRecogniser::Says::Nothing;
+        auto const& known = recogniser.add(points, begins);
+        if (stem != file.stem_strokes.end()) {
+            nodes_of_stems.resize(known.stem + 1);
+            nodes_of_stems[known.stem] = stem->second;
+        }
+        drawing.roles.push_back(name_of(known.line.role));
+        drawing.stems_of_strokes.push_back(known.stem);
+        if (known.line.role == Role::Unsure || known.line.replaces)
+            drawing.notes.push_back(note_of(known.line, number));
     }
-    drawing.sketch = recogniser.sketch();
-    drawing.sketch.nodes_per_layer = file.sketch.nodes_per_layer;
+    drawing.stems = recogniser.stems();
+    for (std::size_t i = 0; i < drawing.stems.size(); ++i)
+        drawing.stems[i].sketch.nodes_per_layer = nodes_of_stems[i];
     return drawing;
 }
 
@@ -78,9 +98,12 @@ Result<LineDrawing> prepare_drawing(LineSketchFile const& file, Smoothing smooth
 {
     if (!file.strokes.empty())
         return recognise_strokes(file, smoothing);
-    LineDrawing drawing { .sketch = file.sketch, .roles = {}, .notes = {} };
-    if (smoothing == Smoothing::Hand)
-        capture_lines(drawing.sketch);
+    LineDrawing drawing;
+    auto const add = [&](LineSketch const& sketch) {
+        add_stem(drawing.stems, smoothing == Smoothing::Hand ? captured(sketch) : sketch);
+    };
+    add(file.sketch);
+    std::for_each(file.more_stems.begin(), file.more_stems.end(), add);
     return drawing;
 }
 

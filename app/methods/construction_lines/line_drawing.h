@@ -2,8 +2,9 @@
 
 #include "app/methods/construction_lines/line_sketch_file.h"
 #include "engine/base/result.h"
-#include "engine/methods/construction_lines/construction.h"
+#include "engine/methods/construction_lines/several_stems.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@ enum class Smoothing { None, Hand };
 
 // A sketch whose lines are ready to be measured.
 struct LineDrawing {
-    LineSketch sketch;
-    std::vector<std::string> roles; // Of strokes that did not say what they are, in their order.
+    std::vector<StemLines> stems;
+    std::vector<std::string> roles; // Of strokes that did not say what they are, in their order,
+    std::vector<std::size_t> stems_of_strokes; // and the number of the stem of each.
     std::vector<std::string> notes; // Strokes that do not count, and why; a sentence each.
 };
 

@@ -46,7 +46,7 @@ Lines to_be_drawn(BuiltPlant const& plant)
     return result;
 }
 
-template<lines::Role... roles> Lines lines_of(BuiltPlant const& plant)
+template<typename Condition> Lines lines_where(BuiltPlant const& plant, Condition const& is_shown)
 {
     Lines result;
     auto const* const sketch = lines::pen_sketch(*plant.drawn);
@@ -55,27 +55,53 @@ template<lines::Role... roles> Lines lines_of(BuiltPlant const& plant)
     auto const sheet = lines::sheet_of(*plant.drawn, plant.placement.scale);
     Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
     for (auto const& line : sketch->lines)
-        if (((line.role == roles) || ...))
+        if (is_shown(line))
             if (auto points = shown(line, sheet, paper); points.size() > 1)
                 result.push_back(std::move(points));
     return result;
+}
+
+// Stems that follow each other are told apart by colour.
+enum class Turn { First, Second };
+
+template<Turn turn, lines::Role... roles> Lines lines_of(BuiltPlant const& plant)
+{
+    return lines_where(plant, [](lines::SketchLine const& line) {
+        return line.stem % 2 == static_cast<std::size_t>(turn) && ((line.role == roles) || ...);
+    });
+}
+
+Lines unsure_lines(BuiltPlant const& plant)
+{
+    return lines_where(plant, [](lines::SketchLine const& line) { return line.role == Unsure; });
 }
 
 } // namespace
 
 constexpr Layer kStemLayer { .label = "drawn stem",
                              .style = { .color = LayerStyle::Color::Purple },
-                             .lines = lines_of<Stem> };
+                             .lines = lines_of<Turn::First, Stem> };
 constexpr Layer kBoundaryLayer { .label = "boundaries",
                                  .style = { .color = LayerStyle::Color::Purple,
                                             .pattern = LayerStyle::Pattern::Dashed },
-                                 .lines = lines_of<Left, Right> };
+                                 .lines = lines_of<Turn::First, Left, Right> };
 constexpr Layer kInclinationLayer { .label = "inclination lines",
                                     .style = { .color = LayerStyle::Color::Orange },
-                                    .lines = lines_of<Inclination, HalfInclination> };
+                                    .lines = lines_of<Turn::First, Inclination, HalfInclination> };
+constexpr Layer kOtherStemLayer { .label = "every other stem",
+                                  .style = { .color = LayerStyle::Color::Green },
+                                  .lines = lines_of<Turn::Second, Stem> };
+constexpr Layer kOtherBoundaryLayer { .label = "its boundaries",
+                                      .style = { .color = LayerStyle::Color::Green,
+                                                 .pattern = LayerStyle::Pattern::Dashed },
+                                      .lines = lines_of<Turn::Second, Left, Right> };
+constexpr Layer kOtherInclinationLayer { .label = "its inclination lines",
+                                         .style = { .color = LayerStyle::Color::Blue },
+                                         .lines
+                                         = lines_of<Turn::Second, Inclination, HalfInclination> };
 constexpr Layer kUnsureLayer { .label = "unsure lines",
                                .style = { .pattern = LayerStyle::Pattern::Dotted },
-                               .lines = lines_of<Unsure> };
+                               .lines = unsure_lines };
 constexpr Layer kLinesToDrawLayer { .label = "still to be drawn",
                                     .style = { .color = LayerStyle::Color::Blue,
                                                .pattern = LayerStyle::Pattern::Dotted,

@@ -10,6 +10,10 @@ extern Layer const kStemLayer;
 extern Layer const kBoundaryLayer;
 // its inclination lines, and halves of them,
 extern Layer const kInclinationLayer;
+// as much of every other stem, the second, the fourth and so on,
+extern Layer const kOtherStemLayer;
+extern Layer const kOtherBoundaryLayer;
+extern Layer const kOtherInclinationLayer;
 // those of which nobody knows what they are,
 extern Layer const kUnsureLayer;
 // and where lines that it lacks might be (lines_to_draw.h).

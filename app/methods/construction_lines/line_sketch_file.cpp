@@ -18,8 +18,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kKeys { "pattern",      "divergence",      "stem",   "left", "right",
-                             "inclinations", "nodes_per_layer", "strokes" };
+constexpr std::array kStemKeys { "stem", "left", "right", "inclinations", "nodes_per_layer" };
+constexpr std::array kOtherKeys { "pattern", "divergence", "strokes", "stems" };
+constexpr std::size_t kMostStrokes = 100; // And stems.
 
 // Not there, or said to be so.
 bool has(json const& file, char const* key)
@@ -80,9 +81,45 @@ Result<void> read_lines(json const& file, LineSketch& sketch)
     return {};
 }
 
+Result<std::vector<int>> read_nodes(json const& numbers, std::string const& name)
+{
+    if (!numbers.is_array())
+        return fail(Fault::User, fmt::format("{} is no list: write numbers such as [5, 3]", name));
+    std::vector<int> nodes;
+    for (auto const& number : numbers) {
+        double const count = number.is_number() ? number.get<double>() : std::nan("");
+        if (!(std::fabs(count) <= 1e6) || count != std::floor(count))
+            return fail(
+                Fault::User,
+                fmt::format(
+                    "{} has {}: give whole numbers from 0 to {}", name,
+                    number.dump(-1, ' ', true, json::error_handler_t::replace).substr(0, 40),
+                    kMostNodesInLayer));
+        nodes.push_back(static_cast<int>(count));
+    }
+    return nodes;
+}
+
+// A stroke that begins another stem.
+Result<void> read_stem_stroke(json const& stroke, LineSketchFile& result)
+{
+    auto const name = fmt::format("stroke {}", result.strokes.size() + 1);
+    if (!has(stroke, "stem"))
+        return fail(Fault::User,
+                    fmt::format("{} is no line: write [[u, v], [u, v]], or {{\"stem\": [[u, v], "
+                                "[u, v]]}} for another stem",
+                                name));
+    auto nodes = result.sketch.nodes_per_layer;
+    if (has(stroke, "nodes_per_layer"))
+        nodes = TRY(read_nodes(stroke["nodes_per_layer"], "nodes_per_layer of " + name));
+    result.stem_strokes[result.strokes.size()] = std::move(nodes);
+    result.strokes.push_back(TRY(read_line(stroke["stem"], name)));
+    return {};
+}
+
+// After the numbers of nodes.
 Result<void> read_strokes(json const& file, LineSketchFile& result)
 {
-    constexpr std::size_t kMostStrokes = 100;
     if (!has(file, "strokes"))
         return {};
     auto const& strokes = file["strokes"];
@@ -91,39 +128,62 @@ Result<void> read_strokes(json const& file, LineSketchFile& result)
                     fmt::format("strokes is no list of at most {} lines: write [[[u, v], [u, v]], "
                                 "[[u, v], [u, v]]], the stem first",
                                 kMostStrokes));
-    for (auto const* const key : { "stem", "left", "right", "inclinations" })
+    for (auto const* const key : { "stem", "left", "right", "inclinations", "stems" })
         if (has(file, key))
             return fail(
                 Fault::User,
                 fmt::format("strokes are there and {0}, too: leave out {0}, or call each of "
                             "the strokes what it is",
                             key));
-    for (auto const& stroke : strokes)
+    for (auto const& stroke : strokes) {
+        if (stroke.is_object()) {
+            TRY(read_stem_stroke(stroke, result));
+            continue;
+        }
         result.strokes.push_back(
             TRY(read_line(stroke, fmt::format("stroke {}", result.strokes.size() + 1))));
+    }
     return {};
 }
 
-Result<void> read_nodes(json const& file, LineSketch& sketch)
+// After those of the first one, whose numbers of nodes are there where it says none.
+Result<void> read_stems(json const& file, LineSketchFile& result)
+{
+    if (!has(file, "stems"))
+        return {};
+    auto const& stems = file["stems"];
+    if (!stems.is_array() || stems.size() >= kMostStrokes)
+        return fail(Fault::User,
+                    fmt::format("stems is no list of fewer than {} stems: write [{{\"stem\": [[u, "
+                                "v], [u, v]]}}]",
+                                kMostStrokes));
+    for (auto const& stem : stems) {
+        auto const name = fmt::format("stem {}", result.more_stems.size() + 2);
+        if (!stem.is_object() || !has(stem, "stem"))
+            return fail(Fault::User,
+                        fmt::format("{} has no line: write {{\"stem\": [[u, v], [u, v]]}}", name));
+        LineSketch sketch { .stem = {},
+                            .left = {},
+                            .right = {},
+                            .inclinations = {},
+                            .nodes_per_layer = result.sketch.nodes_per_layer };
+        if (auto const lines = read_lines(stem, sketch); !lines)
+            return fail(lines.error().fault, fmt::format("{}: {}", name, lines.error().message));
+        if (has(stem, "nodes_per_layer"))
+            sketch.nodes_per_layer
+                = TRY(read_nodes(stem["nodes_per_layer"], "nodes_per_layer of " + name));
+        result.more_stems.push_back(std::move(sketch));
+    }
+    return {};
+}
+
+Result<void> read_first_nodes(json const& file, LineSketch& sketch)
 {
     if (!has(file, "nodes_per_layer"))
         return fail(Fault::User,
                     "nodes_per_layer is missing: give the number of nodes of each layer "
                     "between two neighbouring inclination lines, such as [5], or --nodes 5");
-    auto const& numbers = file["nodes_per_layer"];
-    if (!numbers.is_array())
-        return fail(Fault::User, "nodes_per_layer is no list: write numbers such as [5, 3]");
-    for (auto const& number : numbers) {
-        double const count = number.is_number() ? number.get<double>() : std::nan("");
-        if (!(std::fabs(count) <= 1e6) || count != std::floor(count))
-            return fail(
-                Fault::User,
-                fmt::format(
-                    "nodes_per_layer has {}: give whole numbers from 0 to {}",
-                    number.dump(-1, ' ', true, json::error_handler_t::replace).substr(0, 40),
-                    kMostNodesInLayer));
-        sketch.nodes_per_layer.push_back(static_cast<int>(count));
-    }
+    sketch.nodes_per_layer = TRY(read_nodes(file["nodes_per_layer"], "nodes_per_layer"));
     return {};
 }
 
@@ -184,12 +244,29 @@ Result<Pattern> read_pattern(json const& file)
     return pattern;
 }
 
+bool is_key_of_stem(std::string const& key)
+{
+    return std::find(kStemKeys.begin(), kStemKeys.end(), key) != kStemKeys.end();
+}
+
 std::vector<std::string> unknown_keys(json const& file)
 {
     std::vector<std::string> result;
     for (auto const& [key, value] : file.items())
-        if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
+        if (!is_key_of_stem(key)
+            && std::find(kOtherKeys.begin(), kOtherKeys.end(), key) == kOtherKeys.end())
             result.push_back(key);
+    for (auto const* const list : { "stems", "strokes" }) {
+        if (!has(file, list))
+            continue;
+        for (auto const& stem : file[list]) {
+            if (!stem.is_object())
+                continue;
+            for (auto const& [key, value] : stem.items())
+                if (!is_key_of_stem(key))
+                    result.push_back(key);
+        }
+    }
     return result;
 }
 
@@ -204,8 +281,10 @@ Result<LineSketchFile> read_sketch(json const& file)
                             .pattern = TRY(read_pattern(file)),
                             .unknown_keys = unknown_keys(file) };
     TRY(read_lines(file, result.sketch));
+    auto nodes = read_first_nodes(file, result.sketch); // What is wrong with strokes comes first.
     TRY(read_strokes(file, result));
-    TRY(read_nodes(file, result.sketch));
+    TRY(std::move(nodes));
+    TRY(read_stems(file, result));
     return result;
 }
 

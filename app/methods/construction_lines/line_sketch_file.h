@@ -4,7 +4,9 @@
 #include "engine/methods/construction_lines/construction.h"
 #include "engine/methods/construction_lines/pattern.h"
 
+#include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,9 +17,13 @@ namespace tractus::lines {
 // A sketch of construction lines, and the pattern in which organs stand.
 struct LineSketchFile {
     LineSketch sketch;
-    // In place of the sketch's lines: strokes in the order in which they were drawn
-    // (LineRecogniser).
+    std::vector<LineSketch> more_stems {}; // Of the same plant, each with its own lines.
+    // In place of all of their lines: strokes in the order in which they were drawn
+    // (StemRecogniser).
     std::vector<std::vector<Vec3>> strokes;
+    // Which of the strokes begin another stem, by their numbers, and how many nodes the layers of
+    // that one have.
+    std::map<std::size_t, std::vector<int>> stem_strokes {};
     Pattern pattern;
     std::vector<std::string> unknown_keys; // What else the file says.
 };
@@ -31,7 +37,10 @@ struct LineSketchFile {
 //   inclinations     [[[u, v], …], …]; may be missing
 //   strokes          [[[u, v], …], …]: all of these lines, the stem first, without saying which is
 //                    which
+//                    which. One that begins another stem is an object {"stem": [[u, v], …]}
 //   nodes_per_layer  [N, …]: one number for each layer between neighbouring inclination lines
+//   stems            [{…}, …]: more stems of the plant, each an object of stem, left, right,
+//                    inclinations and nodes_per_layer, of which only the stem has to be there
 //
 // What is given besides a file counts in place of what the file says.
 //

@@ -13,9 +13,10 @@ namespace tractus {
 namespace {
 
 // In the order of LineTool::Plant.
-constexpr std::array<OptionWord, 2> kPlantWords { {
+constexpr std::array<OptionWord, 3> kPlantWords { {
     { "go_on", "Line" },
-    { "new_stem", "Another stem" },
+    { "another_stem", "Another stem" },
+    { "new_stem", "Another plant" },
 } };
 // In the order of Pattern::Kind.
 constexpr std::array<OptionWord, 5> kPatternWords { {
@@ -59,8 +60,10 @@ lines::AddLine line_drawn(LineTool const& tool, Stroke const& stroke, Scene cons
     edit.stroke = stroke;
     edit.nodes = static_cast<int>(std::lround(tool.nodes));
     edit.pattern = pattern_of(tool);
-    if (tool.plant == LineTool::Plant::GoOn && lines::active_pen_sketch(scene.state))
+    if (tool.plant != LineTool::Plant::NewStem && lines::active_pen_sketch(scene.state)) {
         edit.plant = scene.state.active;
+        edit.another_stem = tool.plant == LineTool::Plant::AnotherStem;
+    }
     if (!scene.plants.empty())
         edit.scale = scene.placement.scale;
     if (!stroke.tips.empty()) {
@@ -83,7 +86,8 @@ constexpr ToolKind LineTool::kKind {
     .title = "Draw a plant's construction lines",
     .done = "The plant follows the line",
     .help = "adds a line to a sketch of stem, boundaries and inclination lines, which a plant "
-            "follows: the stem begins the plant, on the tablet as on paper that stands upright; a "
+            "follows: the stem begins the plant, on the tablet as on paper that stands upright, "
+            "and another_stem stands beside it, or on it where it begins there; a "
             "layer between two inclination lines has so many nodes, and a plant that begins has "
             "this pattern, with a divergence in degrees of spirals and so many organs of whorls",
     .group = "Sketch",

@@ -11,8 +11,9 @@ struct LineTool {
     static ToolKind const kKind;
 
     enum class Plant {
-        GoOn,    // With the active plant if that is a sketch, else with another one.
-        NewStem, // Always with another one.
+        GoOn,        // With the active plant if that is a sketch, else with another one.
+        AnotherStem, // Likewise; it is another stem of that plant.
+        NewStem,     // Always with another one.
     };
     Plant plant = Plant::GoOn;
     double nodes = 8; // In the layer above the line.

@@ -205,10 +205,17 @@ Result<Construction> construction_of(PenSketch const& sketch)
     return measure_sketch(TRY(line_sketch(sketch)), Missing::Guessed);
 }
 
-Result<BentLine> with_angle(PenSketch const& sketch, std::size_t number, StemSide side,
+// What is bent belongs to the stem in hand.
+static Result<PenSketch> drawing_in_hand(PenSketch const& whole)
+{
+    return stem_alone(whole, TRY(stem_in_hand(whole)));
+}
+
+Result<BentLine> with_angle(PenSketch const& whole, std::size_t number, StemSide side,
                             double angle_deg)
 {
     TRY(refuse("an angle", angle_deg, kLeastAngle_deg, kGreatestAngle_deg));
+    auto const sketch = TRY(drawing_in_hand(whole));
     auto const before = TRY(construction_of(sketch));
     auto const missing = [] {
         return fail(Fault::User, "no inclination line is drawn there: draw it across the stem");
@@ -255,9 +262,10 @@ std::vector<double> size_places(Construction const& construction)
     return places;
 }
 
-Result<BentLine> with_size(PenSketch const& sketch, std::size_t place, StemSide side, double size)
+Result<BentLine> with_size(PenSketch const& whole, std::size_t place, StemSide side, double size)
 {
     TRY(refuse("a size", size, kLeastSize, kGreatestSize));
+    auto const sketch = TRY(drawing_in_hand(whole));
     auto const before = TRY(construction_of(sketch));
     auto const* boundary = boundary_of(sketch, side);
     if (!boundary) {

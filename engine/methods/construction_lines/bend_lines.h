@@ -24,14 +24,14 @@ struct BentLine {
     Stroke stroke {};
 };
 
-// The sketch as measure_sketch() takes it with Missing::Guessed.
+// The stem in hand (stem_in_hand()) as measure_sketch() takes it with Missing::Guessed.
 Result<Construction> construction_of(PenSketch const& sketch);
 
 // Turns one half of an inclination line about where it crosses the stem, so that what grows along
 // it leaves the stem at this angle, as it is seen (Inclination). `number` is the line's among the
 // construction's. Where only the other half is drawn, that one is turned. Fails, as the user's
 // fault, where nobody has drawn that line, and where the sketch would give no plant.
-Result<BentLine> with_angle(PenSketch const& sketch, std::size_t number, StemSide side,
+Result<BentLine> with_angle(PenSketch const& whole, std::size_t number, StemSide side,
                             double angle_deg);
 
 // Places along the stem at which sizes can be set: at the inclination lines, and in the middle
@@ -42,6 +42,6 @@ std::vector<double> size_places(Construction const& construction);
 // that its size there is this share of the stem's length; what the boundary is at the next places
 // stays. Where only the other boundary is drawn, that one is moved. Fails like with_angle(), and
 // where the ray misses the boundary.
-Result<BentLine> with_size(PenSketch const& sketch, std::size_t place, StemSide side, double size);
+Result<BentLine> with_size(PenSketch const& whole, std::size_t place, StemSide side, double size);
 
 } // namespace tractus::lines

@@ -80,12 +80,6 @@ Result<Found> find_sketch(DocumentState const& state, ItemId plant)
     return Found { number, *sketch };
 }
 
-SketchLine const& stem_of(PenSketch const& sketch)
-{
-    return *std::find_if(sketch.lines.begin(), sketch.lines.end(),
-                         [](SketchLine const& line) { return line.role == Role::Stem; });
-}
-
 // Where the pen came down for a line, on the tablet then, and on the sheet.
 Vec2 begin_on_tablet(SketchLine const& line)
 {
@@ -104,8 +98,8 @@ void put_sketch(DocumentState& state, Found found)
 {
     auto const& before = *state.plants[found.number];
     auto const sheet = sheet_of(before, state.scale);
-    auto const& stem = stem_of(found.sketch);
-    bool const is_other = stem.id != stem_of(*pen_sketch(before)).id;
+    auto const& stem = first_stem(found.sketch);
+    bool const is_other = stem.id != first_stem(*pen_sketch(before)).id;
     Vec2 const foot_mm = sheet.on_tablet(begin_on_sheet(stem));
     change_plant(state, found.number, [&](PlantState& plant) {
         if (is_other && plant.paper_mm) {
@@ -121,6 +115,9 @@ void put_sketch(DocumentState& state, Found found)
 void list(Fields& fields, AddLine& edit)
 {
     fields.sparse_field("plant", &edit.plant);
+    int another_stem = edit.another_stem ? 1 : 0;
+    fields.sparse_field("another_stem", &another_stem);
+    edit.another_stem = another_stem != 0;
     fields.field("nodes", &edit.nodes);
     list(fields, edit.pattern);
     fields.field("scale", &edit.scale);
@@ -160,11 +157,12 @@ Result<DocumentState> applied(DocumentState state, AddLine const& edit, SceneBui
         return begun(std::move(state), edit);
     auto found = TRY(find_sketch(state, edit.plant));
     auto const sheet = sheet_of(*state.plants[found.number], state.scale);
-    found.sketch = TRY(with_line(std::move(found.sketch),
-                                 { .id = take_id(state, edit.id),
-                                   .stroke = edit.stroke,
-                                   .sheet = sheet,
-                                   .nodes = edit.nodes }));
+    auto const add = edit.another_stem ? with_stem : with_line;
+    found.sketch = TRY(add(std::move(found.sketch),
+                           { .id = take_id(state, edit.id),
+                             .stroke = edit.stroke,
+                             .sheet = sheet,
+                             .nodes = edit.nodes }));
     put_sketch(state, std::move(found));
     return state;
 }
@@ -174,8 +172,9 @@ std::string described(AddLine const& edit)
     if (edit.plant == 0)
         return fmt::format("begins a plant of construction lines, {}: {}", describe(edit.pattern),
                            describe_stroke(edit.stroke));
-    return fmt::format("adds a construction line to plant {}: {}", name_of(edit.plant),
-                       describe_stroke(edit.stroke));
+    return fmt::format("adds {} to plant {}: {}",
+                       edit.another_stem ? "another stem" : "a construction line",
+                       name_of(edit.plant), describe_stroke(edit.stroke));
 }
 
 void list(Fields& fields, SetLayerNodes& edit)
@@ -288,7 +287,7 @@ SheetPlacement sheet_of(PlantState const& plant, std::optional<double> scale)
 {
     auto const& sketch = *pen_sketch(plant);
     double const size = sketch.scale / scale.value_or(sketch.scale);
-    Vec2 const foot_mm = begin_on_sheet(stem_of(sketch));
+    Vec2 const foot_mm = begin_on_sheet(first_stem(sketch));
     return { foot_mm - size * plant.paper_mm.value_or(foot_mm), size };
 }
 

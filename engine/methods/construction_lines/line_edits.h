@@ -15,7 +15,9 @@ struct AddLine {
 
     ItemId plant = 0; // 0: the line is the stem of another plant, which becomes the active one.
     Stroke stroke {}; // World frame.
-    int nodes = 8;    // In the layer above the line, if it bounds one; see SketchLine.
+    // The line is another stem of the plant: beside the others, or where it begins on one, on that.
+    bool another_stem = false;
+    int nodes = 8; // In the layer above the line, if it bounds one; see SketchLine.
     // Of a plant that begins. Its scale as of sketch::GrowAlongStroke: world millimetres per plant
     // millimetre, which a document whose scale nobody has set keeps.
     Pattern pattern {};

@@ -3,9 +3,11 @@
 #include "engine/lsystem/language/model.h"
 #include "engine/methods/construction_lines/construction.h"
 #include "engine/methods/construction_lines/pattern.h"
+#include "engine/methods/construction_lines/several_stems.h"
 #include "engine/plant/plant.h"
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,8 +29,16 @@ struct LineModel {
 LineModel write_model(Construction const& construction, Pattern const& pattern,
                       std::string const& name);
 
+// The plant of several stems, at least one, for which the rules are there once: tables say where
+// each stem stands and which functions are its own, and stems with the same organs share theirs.
+// Those that stand on another come with its nodes: where a stem is to bear one, it takes a step for
+// it. A stem is no thicker than what bears it. With a single stem it is the text of that one.
+LineModel write_model(std::span<MeasuredStem const> stems, Pattern const& pattern,
+                      std::string const& name);
+
 // Where the tips of a plant's organs are in the sketch: (u, v, depth), millimetres, in the plant's
-// order. The plant is the model's, at ten times a turtle's unit a millimetre.
+// order. The plant is the model's, at ten times a turtle's unit a millimetre, and the construction
+// that of its first stem.
 std::vector<Vec3> organ_tips(Construction const& construction, Plant const& plant);
 
 } // namespace tractus::lines

@@ -19,25 +19,30 @@ namespace {
 
 constexpr double kModelScale = 0.1; // Of a model's text: a millimetre drawn is a centimetre grown.
 
-Result<LineRecogniser> recogniser_of(PenSketch const& sketch)
+Result<StemRecogniser> recogniser_of(PenSketch const& sketch)
 {
-    LineRecogniser recogniser;
+    StemRecogniser recogniser;
     for (auto const& line : sketch.lines)
-        recogniser.add_known(TRY(points_on_sheet(line)), line.role);
+        recogniser.add_known(
+            TRY(points_on_sheet(line)),
+            { .line = { .role = line.role }, .stem = line.stem, .bearer = line.bearer });
     return recogniser;
 }
 
-LineSketch sketch_of(LineRecogniser const& recogniser, PenSketch const& sketch)
+std::vector<StemLines> stems_of(StemRecogniser const& recogniser, PenSketch const& sketch)
 {
-    auto result = recogniser.sketch();
-    auto const strokes = recogniser.inclination_strokes();
-    for (auto const stroke : strokes)
-        result.nodes_above.push_back(sketch.lines[stroke].nodes);
-    if (strokes.size() < 2) {
-        result.nodes_above = { 0 };
+    auto result = recogniser.stems();
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        auto const strokes = recogniser.inclination_strokes(i);
+        auto& nodes = result[i].sketch.nodes_above;
+        for (auto const stroke : strokes)
+            nodes.push_back(sketch.lines[stroke].nodes);
+        if (strokes.size() >= 2)
+            continue;
+        nodes = { 0 };
         for (auto const& line : sketch.lines)
-            if (line.role == Role::Stem)
-                result.nodes_above = { line.nodes };
+            if (line.role == Role::Stem && line.stem == i)
+                nodes = { line.nodes };
     }
     return result;
 }
@@ -74,9 +79,10 @@ Result<void> check_stem(LineSketch const& sketch)
 // A sketch that gives a plant.
 Result<PenSketch> checked(PenSketch sketch)
 {
-    auto const lines = TRY(line_sketch(sketch));
-    TRY(check_stem(lines));
-    TRY(measure_sketch(lines, Missing::Guessed));
+    auto const stems = TRY(stem_sketches(sketch));
+    for (auto const& stem : stems)
+        TRY(check_stem(stem.sketch));
+    TRY(measure_stems(stems, Missing::Guessed));
     return sketch;
 }
 
@@ -94,7 +100,8 @@ bool same(SketchLine const& one, SketchLine const& other)
 {
     return one.id == other.id && one.stroke.tips.id() == other.stroke.tips.id()
         && one.sheet.offset_mm == other.sheet.offset_mm && one.sheet.size == other.sheet.size
-        && one.role == other.role && one.nodes == other.nodes;
+        && one.role == other.role && one.nodes == other.nodes && one.stem == other.stem
+        && one.bearer == other.bearer;
 }
 
 bool same(PenSketch const& one, PenSketch const& other)
@@ -108,11 +115,11 @@ bool same(PenSketch const& one, PenSketch const& other)
                       });
 }
 
-// What a model's measured stem alone has.
-Pattern pattern_of(PenSketch const& sketch, LineSketch const& lines)
+// Measured stems alone have none.
+Pattern pattern_of(PenSketch const& sketch, std::vector<StemLines> const& stems)
 {
     auto pattern = sketch.pattern;
-    if (!has_boundary(lines))
+    if (!has_boundary(stems))
         pattern.kind = Pattern::Kind::Bare;
     return pattern;
 }
@@ -160,33 +167,51 @@ Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line)
     return points;
 }
 
-Result<PenSketch> with_line(PenSketch sketch, SketchLine line)
+static Result<PenSketch> with_stroke(PenSketch sketch, SketchLine line, StemRecogniser::Says says)
 {
     constexpr std::size_t kMostLines = 100;
     if (sketch.lines.size() >= kMostLines)
         return fail(Fault::User,
                     fmt::format("the sketch has {} lines already: begin another stem", kMostLines));
     auto recogniser = TRY(recogniser_of(sketch));
-    auto const& known = recogniser.add(TRY(points_on_sheet(line)));
-    line.role = known.role;
-    if (known.replaces) {
-        line.nodes = sketch.lines[*known.replaces].nodes;
-        sketch.lines.erase(sketch.lines.begin() + static_cast<std::ptrdiff_t>(*known.replaces));
+    auto const& known = recogniser.add(TRY(points_on_sheet(line)), says);
+    line.role = known.line.role;
+    line.stem = known.stem;
+    line.bearer = known.bearer;
+    if (auto const replaced = known.line.replaces) {
+        line.nodes = sketch.lines[*replaced].nodes;
+        sketch.lines.erase(sketch.lines.begin() + static_cast<std::ptrdiff_t>(*replaced));
     }
     sketch.lines.push_back(std::move(line));
     return checked(std::move(sketch));
+}
+
+Result<PenSketch> with_line(PenSketch sketch, SketchLine line)
+{
+    return with_stroke(std::move(sketch), std::move(line), StemRecogniser::Says::Nothing);
+}
+
+Result<PenSketch> with_stem(PenSketch sketch, SketchLine line)
+{
+    return with_stroke(std::move(sketch), std::move(line), StemRecogniser::Says::AnotherStem);
 }
 
 Result<PenSketch> with_role(PenSketch sketch, ItemId line, Role role)
 {
     TRY(check_line(sketch, line));
     bool const is_one = role == Role::Stem || role == Role::Left || role == Role::Right;
-    for (auto& other : sketch.lines) {
-        if (is_one && other.role == role)
+    auto const stem = find_line(sketch, line)->stem;
+    std::optional<std::size_t> bearer;
+    for (auto& other : sketch.lines)
+        if (is_one && other.role == role && other.stem == stem) {
             other.role = Role::Unsure;
-        if (other.id == line)
+            bearer = std::exchange(other.bearer, std::nullopt);
+        }
+    for (auto& other : sketch.lines)
+        if (other.id == line) {
             other.role = role;
-    }
+            other.bearer = role == Role::Stem ? bearer : std::nullopt;
+        }
     return checked(std::move(sketch));
 }
 
@@ -199,19 +224,51 @@ Result<PenSketch> with_other_stroke(PenSketch sketch, ItemId line, Stroke stroke
     return checked(std::move(sketch));
 }
 
-Result<LineSketch> line_sketch(PenSketch const& sketch, Unit unit)
+Result<std::vector<StemLines>> stem_sketches(PenSketch const& sketch, Unit unit)
 {
-    auto result = sketch_of(TRY(recogniser_of(sketch)), sketch);
+    auto result = stems_of(TRY(recogniser_of(sketch)), sketch);
     if (unit == Unit::Plant && sketch.scale != kModelScale)
-        scale_lines(result, kModelScale / sketch.scale);
+        for (auto& stem : result)
+            scale_lines(stem.sketch, kModelScale / sketch.scale);
     return result;
+}
+
+Result<std::size_t> stem_in_hand(PenSketch const& sketch)
+{
+    auto const sources = function_sources(TRY(stem_sketches(sketch)));
+    return sketch.lines.empty() ? 0 : sources.at(sketch.lines.back().stem);
+}
+
+PenSketch stem_alone(PenSketch const& sketch, std::size_t stem)
+{
+    PenSketch alone { .lines = {}, .pattern = sketch.pattern, .scale = sketch.scale };
+    for (auto const& line : sketch.lines)
+        if (line.stem == stem) {
+            alone.lines.push_back(line);
+            alone.lines.back().stem = 0;
+            alone.lines.back().bearer.reset();
+        }
+    return alone;
+}
+
+SketchLine const& first_stem(PenSketch const& sketch)
+{
+    return *std::find_if(sketch.lines.begin(), sketch.lines.end(), [](SketchLine const& line) {
+        return line.role == Role::Stem && line.stem == 0;
+    });
+}
+
+Result<LineSketch> line_sketch(PenSketch const& sketch)
+{
+    auto stems = TRY(stem_sketches(sketch));
+    return std::move(stems.at(TRY(stem_in_hand(sketch))).sketch);
 }
 
 Result<LineModel> model_of(PenSketch const& sketch)
 {
-    auto const lines = TRY(line_sketch(sketch, Unit::Plant));
-    auto const construction = TRY(measure_sketch(lines, Missing::Guessed));
-    return write_model(construction, pattern_of(sketch, lines), "lines");
+    auto const lines = TRY(stem_sketches(sketch, Unit::Plant));
+    auto const stems = TRY(measure_stems(lines, Missing::Guessed));
+    return write_model(stems, pattern_of(sketch, lines), "lines");
 }
 
 Result<BuiltSource> build_pen_sketch(PenSketch const& sketch, LoadOptions const& options)
@@ -221,27 +278,52 @@ Result<BuiltSource> build_pen_sketch(PenSketch const& sketch, LoadOptions const&
         { .source = std::move(model.source), .includes = std::move(model.functions) }, options);
 }
 
-Result<std::vector<Layer>> layers_of(PenSketch const& sketch)
+// Of a sketch of one stem.
+static Result<std::vector<Layer>> layers_of_one(PenSketch const& sketch)
 {
     auto const recogniser = TRY(recogniser_of(sketch));
-    auto const lines = sketch_of(recogniser, sketch);
+    auto const lines = stems_of(recogniser, sketch).front().sketch;
     auto const construction = TRY(measure_sketch(lines, Missing::Guessed));
-    auto const strokes = recogniser.inclination_strokes();
-    auto const stem = std::find_if(sketch.lines.begin(), sketch.lines.end(),
-                                   [](SketchLine const& line) { return line.role == Role::Stem; });
+    auto const strokes = recogniser.inclination_strokes(0);
+    auto const& stem = first_stem(sketch);
     std::vector<Layer> layers;
     for (std::size_t i = 0; i + 1 < construction.inclinations.size(); ++i) {
         auto const& below = construction.inclinations[i];
-        auto const& line = strokes.size() < 2 ? *stem : sketch.lines[strokes[below.drawn]];
+        auto const& line = strokes.size() < 2 ? stem : sketch.lines[strokes[below.drawn]];
         layers.push_back({ line.id, below.x, construction.inclinations[i + 1].x, line.nodes });
     }
     return layers;
 }
 
+Result<std::vector<Layer>> layers_of(PenSketch const& sketch)
+{
+    return layers_of_one(stem_alone(sketch, TRY(stem_in_hand(sketch))));
+}
+
+// The nearest stem to a place of those with lines of their own.
+static std::size_t nearest_stem(std::vector<StemLines> const& stems, Vec2 const& place_mm)
+{
+    auto const sources = function_sources(stems);
+    double least_mm = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < stems.size(); ++i) {
+        DrawnStem const stem(stems[i].sketch.stem);
+        auto const& seen = stem.seen();
+        double const away_mm = (seen.point(seen.nearest_mm(place_mm)) - place_mm).norm();
+        if (sources[i] == i && away_mm < least_mm) {
+            least_mm = away_mm;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
 Result<Layer> layer_at(PenSketch const& sketch, Vec2 const& place_mm)
 {
-    DrawnStem const stem(TRY(line_sketch(sketch)).stem);
-    auto const layers = TRY(layers_of(sketch));
+    auto const stems = TRY(stem_sketches(sketch));
+    auto const nearest = nearest_stem(stems, place_mm);
+    DrawnStem const stem(stems[nearest].sketch.stem);
+    auto const layers = TRY(layers_of_one(stem_alone(sketch, nearest)));
     double const x = stem.place(stem.seen().nearest_mm(place_mm));
     auto const above = std::find_if(layers.begin(), layers.end(),
                                     [&](Layer const& layer) { return x < layer.to_x; });

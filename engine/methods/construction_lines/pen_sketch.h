@@ -4,6 +4,7 @@
 #include "engine/methods/construction_lines/line_model.h"
 #include "engine/methods/construction_lines/pattern.h"
 #include "engine/methods/construction_lines/recognise_line.h"
+#include "engine/methods/construction_lines/recognise_stems.h"
 #include "engine/scene/anchored.h"
 #include "engine/scene/plant_source.h"
 #include "engine/stroke/stroke.h"
@@ -33,12 +34,17 @@ struct SketchLine {
     // In the layer above it, of an inclination line, 0 to kMostNodesInLayer. Of the stem: in the
     // only layer of a sketch with fewer than two of those.
     int nodes = 0;
+    std::size_t stem = 0; // The number of the stem to which it belongs; of a stem, its own.
+    std::optional<std::size_t> bearer {}; // Of a stem: see StemLines.
 };
 
 // A plant that is drawn with construction lines: the source that its base plant is built from. It
 // gives a plant at every stage. The stem alone is a bare stem, since nothing says yet how far
 // organs reach; one boundary counts on both sides, one inclination line all along the stem, and
 // without any organs lean by 45 degrees. Lines that nobody knows have no effect.
+//
+// It may have several stems, each with lines of its own; one without a boundary bears what another
+// one does (several_stems.h). What follows speaks of one stem where it says so.
 struct PenSketch {
     // In the order in which they were drawn; one that was drawn again has given its place up. At
     // least the stem.
@@ -62,19 +68,36 @@ Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line);
 // with which the sketch gives no plant (measure_sketch()).
 Result<PenSketch> with_line(PenSketch sketch, SketchLine line);
 
-// The sketch in which a line has the role that somebody says it has. The line that had it before is
-// unsure from then on, but for inclination lines, of which there are many. Fails, as the user's
-// fault, for a line that is not there, if no stem would be left, and if it gives no plant.
+// The sketch with another stem: beside the others, or on the one on which it begins.
+Result<PenSketch> with_stem(PenSketch sketch, SketchLine line);
+
+// The sketch in which a line has the role that somebody says it has. The line of its stem that had
+// it before is unsure from then on, but for inclination lines, of which there are many. Fails, as
+// the user's fault, for a line that is not there, if no stem would be left, and if it gives no
+// plant.
 Result<PenSketch> with_role(PenSketch sketch, ItemId line, Role role);
 
 // The sketch in which a line has another stroke, drawn on the same sheet. Fails, as the user's
 // fault, for a line that is not there, and if it gives no plant.
 Result<PenSketch> with_other_stroke(PenSketch sketch, ItemId line, Stroke stroke);
 
-// The lines that count, as measure_sketch() takes them with Missing::Guessed. In millimetres of the
-// sheet, or so that their plant is as large in the document as they were drawn.
+// The lines that count, of each stem, as measure_stems() takes them with Missing::Guessed. In
+// millimetres of the sheet, or so that their plant is as large in the document as they were drawn.
 enum class Unit { Sheet, Plant };
-Result<LineSketch> line_sketch(PenSketch const& sketch, Unit unit = Unit::Sheet);
+Result<std::vector<StemLines>> stem_sketches(PenSketch const& sketch, Unit unit = Unit::Sheet);
+
+// Whose lines one changes who goes on with the sketch: those by which organs stand on the stem that
+// was drawn last, or to which the newest line belongs.
+Result<std::size_t> stem_in_hand(PenSketch const& sketch);
+
+// The sketch of one of its stems alone.
+PenSketch stem_alone(PenSketch const& sketch, std::size_t stem);
+
+// The line that is the first stem; the plant stands at its foot.
+SketchLine const& first_stem(PenSketch const& sketch);
+
+// The lines that count of the stem in hand, as measure_sketch() takes them with Missing::Guessed.
+Result<LineSketch> line_sketch(PenSketch const& sketch);
 
 // The sketch's plant as a model in cpfg's language, called "lines".
 Result<LineModel> model_of(PenSketch const& sketch);
@@ -89,10 +112,11 @@ struct Layer {
     int nodes = 0;
 };
 
-// From below, at least one.
+// Of the stem in hand, from below, at least one.
 Result<std::vector<Layer>> layers_of(PenSketch const& sketch);
 
-// The layer beside a place on the sheet: of places below or above all of them the nearest one.
+// The layer beside a place on the sheet, of the nearest stem that has lines of its own: of places
+// below or above all of them the nearest one.
 Result<Layer> layer_at(PenSketch const& sketch, Vec2 const& place_mm);
 
 // The line nearest to a place on the sheet, if one is within 15 mm of it.

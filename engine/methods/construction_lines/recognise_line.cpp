@@ -273,23 +273,41 @@ RecognisedLine LineRecogniser::recognise(DrawnLine const& stroke) const
     if (!stem_index)
         return { .role = Role::Stem };
     if (auto const earlier = line_drawn_again(stroke))
-        return { .role = lines_[*earlier].role, .replaces = earlier };
+        return { .role = lines_[*earlier].role, .replaces = earlier, .is_drawn_again = true };
     auto const stem = sampled(strokes_[*stem_index]);
     auto const lie = lie_of(stroke, stem);
     if (is_half(lie, stroke.length_mm() / stem.length_mm()))
         return { .role = Role::HalfInclination };
     if (is_boundary(lie)) {
         auto const side = lie.left_share > 0.5 ? Role::Left : Role::Right;
-        return { .role = side, .replaces = newest(side) };
+        return { .role = side, .replaces = newest(side), .is_along_stem = lie.along > kWholeStem };
     }
     if (is_inclination(lie))
         return { .role = Role::Inclination };
     return { .role = Role::Unsure, .reason = reason_for(lie) };
 }
 
+RecognisedLine LineRecogniser::recognised(std::vector<Vec3> const& stroke) const
+{
+    return recognise(sampled(stroke));
+}
+
+double LineRecogniser::distance_mm(std::vector<Vec3> const& stroke) const
+{
+    auto const stem_index = newest(Role::Stem);
+    if (!stem_index)
+        return 0;
+    DrawnLine const stem(flat(strokes_[*stem_index]));
+    auto const line = sampled(stroke);
+    double sum_mm = 0;
+    for (auto const& point : line.points())
+        sum_mm += (stem.point(stem.nearest_mm(point)) - point).norm();
+    return sum_mm / static_cast<double>(line.points().size());
+}
+
 RecognisedLine const& LineRecogniser::add(std::vector<Vec3> const& stroke)
 {
-    auto line = recognise(sampled(stroke));
+    auto line = recognised(stroke);
     lines_.push_back(std::move(line));
     strokes_.push_back(stroke);
     return lines_.back();

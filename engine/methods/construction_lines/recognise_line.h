@@ -26,6 +26,8 @@ std::string name_of(Role role);
 struct RecognisedLine {
     Role role = Role::Unsure;
     std::optional<std::size_t> replaces {}; // The stroke that it stands for from now on.
+    bool is_drawn_again = false;            // It lies on the one whose place it takes.
+    bool is_along_stem = false;             // A boundary that goes along most of it.
     std::string reason {};                  // Unsure: a sentence that says what to draw instead.
 };
 
@@ -38,6 +40,12 @@ public:
     // The next stroke, (u, v, depth) in millimetres: at least two points, no two neighbours at one
     // place of the sheet; all finite.
     RecognisedLine const& add(std::vector<Vec3> const& stroke);
+
+    // What add() would say of a stroke.
+    RecognisedLine recognised(std::vector<Vec3> const& stroke) const;
+
+    // How far a stroke's points are from the stem on average; 0 where there is none yet.
+    double distance_mm(std::vector<Vec3> const& stroke) const;
 
     // A stroke of which somebody has said, or it was found out before, what it is.
     void add_known(std::vector<Vec3> const& stroke, Role role);

@@ -7,6 +7,14 @@ namespace tractus::lines {
 
 namespace {
 
+// Of which a plant has several.
+std::string what_stem_it_is(SketchLine const& line)
+{
+    if (line.bearer)
+        return "a stem that stands on another one";
+    return line.stem == 0 ? "the stem" : "another stem";
+}
+
 std::string what_it_is(Role role)
 {
     switch (role) {
@@ -53,12 +61,24 @@ std::string reason_of(PenSketch sketch)
 {
     auto const line = sketch.lines.back();
     sketch.lines.pop_back();
-    LineRecogniser recogniser;
+    StemRecogniser recogniser;
     for (auto const& known : sketch.lines)
         if (auto const points = points_on_sheet(known))
-            recogniser.add_known(*points, known.role);
+            recogniser.add_known(
+                *points,
+                { .line = { .role = known.role }, .stem = known.stem, .bearer = known.bearer });
     auto const points = points_on_sheet(line);
-    return points ? recogniser.add(*points).reason : "";
+    return points ? recogniser.add(*points).line.reason : "";
+}
+
+// Of the newest line.
+std::string what_is_missing(PenSketch const& sketch)
+{
+    auto const stem = stem_in_hand(sketch);
+    if (stem && *stem != sketch.lines.back().stem)
+        return "what grows on the other one grows on it, too, until you draw a boundary beside it";
+    auto const lines = line_sketch(sketch);
+    return lines ? what_is_missing(*lines) : "";
 }
 
 } // namespace
@@ -67,12 +87,13 @@ std::string said_of(PenSketch const& sketch)
 {
     if (sketch.lines.empty())
         return "";
-    auto const role = sketch.lines.back().role;
-    if (role == Role::Unsure)
+    auto const& line = sketch.lines.back();
+    if (line.role == Role::Unsure)
         return fmt::format("It has no effect: {}", reason_of(sketch));
-    auto const lines = line_sketch(sketch);
-    auto const missing = lines ? what_is_missing(*lines) : "";
-    return fmt::format("This is {}{}{}", what_it_is(role), missing.empty() ? "" : ": ", missing);
+    auto const missing = what_is_missing(sketch);
+    return fmt::format("This is {}{}{}",
+                       line.role == Role::Stem ? what_stem_it_is(line) : what_it_is(line.role),
+                       missing.empty() ? "" : ": ", missing);
 }
 
 } // namespace tractus::lines

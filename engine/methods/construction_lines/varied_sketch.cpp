@@ -72,8 +72,10 @@ double length_of(std::vector<TipSample> const& tips)
 PenSketch varied_sketch(PenSketch sketch, SourceVariation const& variation)
 {
     constexpr std::uint32_t kStream = 0x6C69;
-    auto const stem = std::find_if(sketch.lines.begin(), sketch.lines.end(),
-                                   [](SketchLine const& line) { return line.role == Role::Stem; });
+    auto const stem
+        = std::find_if(sketch.lines.begin(), sketch.lines.end(), [](SketchLine const& line) {
+              return line.role == Role::Stem && line.stem == 0;
+          });
     auto const drawn = stem == sketch.lines.end() ? fail(Fault::User, "there is no stem")
                                                   : stem->stroke.tips.in_memory();
     if (!drawn || drawn->empty())

@@ -2,6 +2,7 @@
 #include "tests/corpus.h"
 #include "tests/file_bytes.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -76,6 +77,111 @@ TEST_F(ConstructCommand, TheExportedTextGivesTheSamePlant)
         EXPECT_GT(written.size(), 1'000U);
         EXPECT_TRUE(written == file_bytes(path("again.glb"))) << name;
     }
+}
+
+// A frond, a smaller one beside it, a lateral axis on that, and a fork of the first.
+constexpr char const* kStems = R"({"pattern":"PATTERN","nodes_per_layer":[5],
+    "stem":[[0,0],[4,100],[0,200]],"left":[[-60,0],[-40,120],[-5,220]],
+    "right":[[50,0],[40,120],[5,220]],
+    "inclinations":[[[-60,70],[2,40],[60,80]],[[-40,190],[1,160],[40,190]]],
+    "stems":[{"stem":[[120,-10],[130,50],[150,110]]},
+             {"stem":[[132,50],[180,70],[200,100]]},
+             {"stem":[[1,198],[-30,240],[-40,280]]},
+             {"stem":[[0,201],[40,235],[50,270]],"left":[[20,240],[40,290]],
+              "right":[[40,205],[70,260]],"nodes_per_layer":[2]}]})";
+
+std::string stems_in(std::string const& pattern)
+{
+    std::string text(kStems);
+    return text.replace(text.find("PATTERN"), 7, pattern);
+}
+
+TEST_F(ConstructCommand, TheExportedTextOfSeveralStemsGivesTheSamePlant)
+{
+    for (std::string const pattern : { "distichous", "decussate", "spiral", "whorled(4)" }) {
+        std::ofstream(folder_ / "stems.json") << stems_in(pattern);
+        ASSERT_EQ(
+            run({ "construct", path("stems.json"), "-o", path(pattern), "--report" }).exit_code, 0);
+        ASSERT_EQ(run({ "construct", path("stems.json"), "-o", path("once.glb") }).exit_code, 0);
+        auto const text = path(pattern + "/stems.l");
+        auto const checked = run({ "lsystem", "check", text });
+        EXPECT_EQ(checked.err, "");
+        auto const again = run({ "grow", text, "-o", path("again.glb") });
+        ASSERT_EQ(again.exit_code, 0) << again.err;
+        auto const written = file_bytes(path("once.glb"));
+        EXPECT_GT(written.size(), 1'000U);
+        EXPECT_TRUE(written == file_bytes(path("again.glb"))) << pattern;
+    }
+}
+
+TEST_F(ConstructCommand, ReportsEachStem)
+{
+    std::ofstream(folder_ / "stems.json") << stems_in("distichous");
+    auto const outcome = run({ "construct", path("stems.json"), "-o", path("out"), "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const report = nlohmann::json::parse(outcome.out);
+    auto const& stems = report["stems"];
+    ASSERT_EQ(stems.size(), 5U);
+    EXPECT_EQ(stems[0]["stem_length"], report["stem_length"]);
+    EXPECT_TRUE(stems[1]["stands_on"].is_null());
+    EXPECT_EQ(stems[1]["lines"], stems[0]["lines"]) << "the first one's, since it has none";
+    EXPECT_EQ(stems[2]["stands_on"], 2);
+    EXPECT_NEAR(stems[2]["stands_at"].get<double>(), 0.5, 0.02);
+    EXPECT_EQ(stems[3]["stands_on"], 1);
+    EXPECT_EQ(stems[3]["stands_at"], 1);
+    EXPECT_EQ(stems[4]["node_x"].size(), 3U) << "its own: no inclination lines, two nodes";
+    // Six nodes on the first four stems.
+    EXPECT_EQ(report["leaf_tips"].size(), 2U * (4 * 6 + 3));
+}
+
+TEST_F(ConstructCommand, TellsTheStrokesOfSeveralStems)
+{
+    std::ofstream(folder_ / "strokes.json")
+        << R"({"pattern":"distichous","nodes_per_layer":[4],"strokes":[[[0,0],[0,200]],
+               {"stem":[[140,0],[140,150]]},[[-60,160],[40,160]],[[40,80],[0,40],[-60,100]],
+               [[180,0],[170,170]],[[-50,0],[-50,300]],{"stem":[[2,120],[90,170]]}]})";
+    auto const outcome = run({ "construct", path("strokes.json"), "-o", path("told"), "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const told = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(told["roles"],
+              (std::vector<std::string> { "stem", "stem", "inclination", "inclination", "right",
+                                          "left", "stem" }));
+    EXPECT_EQ(told["stroke_stems"], (std::vector<int> { 1, 2, 1, 1, 2, 1, 3 }));
+    EXPECT_EQ(told["stems"][2]["stands_on"], 1);
+    EXPECT_EQ(told["stems"][2]["node_x"], told["stems"][0]["node_x"]);
+}
+
+TEST_F(ConstructCommand, SaysWhatIsWrongWithAStem)
+{
+    EXPECT_EQ(refusal(R"({"pattern":"spiral","nodes_per_layer":[3],"stem":[[0,0],[0,9]],
+                          "left":[[-3,0],[-3,9]],"stems":[{"left":[[0,0],[0,9]]}]})"),
+              "stem 2 has no line: write {\"stem\": [[u, v], [u, v]]}\n");
+    EXPECT_EQ(refusal(R"({"pattern":"spiral","nodes_per_layer":[3],"stem":[[0,0],[0,9]],
+                          "left":[[-3,0],[-3,9]],"stems":[{"stem":[[4,4],[4,4]]}]})"),
+              "stem 2: the stem is missing or only a dot: draw it from the plant's foot to its "
+              "top, as the first line\n");
+    EXPECT_EQ(refusal(R"({"pattern":"spiral","nodes_per_layer":[3],"strokes":[{"left":[]}]})"),
+              "stroke 1 is no line: write [[u, v], [u, v]], or {\"stem\": [[u, v], [u, v]]} for "
+              "another stem\n");
+}
+
+// Lines of an SVG drawing belong to the stem before them.
+TEST_F(ConstructCommand, ReadsSeveralStemsFromAnSvgDrawing)
+{
+    std::ofstream(folder_ / "drawn.svg")
+        << R"(<svg xmlns="http://www.w3.org/2000/svg" width="100mm" viewBox="0 0 100 300">
+              <path id="stem" d="M0 0V-200"/><path id="left" d="M-50 0V-300"/>
+              <path id="another-stem" d="M100 0V-100"/><path id="right2" d="M130 0V-150"/></svg>)";
+    auto const drawn = run({ "construct", path("drawn.svg"), "--pattern", "distichous", "--nodes",
+                             "4", "-o", path("drawn"), "--report" });
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    auto const report = nlohmann::json::parse(drawn.out);
+    ASSERT_EQ(report["stems"].size(), 2U);
+    // 45 degrees to a boundary at a quarter, and at three tenths, of the stem.
+    EXPECT_NEAR(report["stems"][0]["functions"]["left_size"][9].get<double>(),
+                0.25 * std::sqrt(2.0), 1e-6);
+    EXPECT_NEAR(report["stems"][1]["functions"]["right_size"][9].get<double>(),
+                0.3 * std::sqrt(2.0), 1e-6);
 }
 
 TEST_F(ConstructCommand, WritesAGraphThatIsAPlant)

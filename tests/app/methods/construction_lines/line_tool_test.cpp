@@ -64,6 +64,8 @@ TEST(LineTool, SaysItsOptionsInLogs)
                                  .divergence_deg = 99.5,
                                  .organs = 5 }),
               "construction_line new_stem whorled nodes=12 divergence=99.5 organs=5");
+    EXPECT_EQ(line_of(LineTool { .plant = LineTool::Plant::AnotherStem }),
+              "construction_line another_stem");
     EXPECT_EQ(line_of(Tool(LinePatternTool {}).done_at_once()), "line_pattern now");
     EXPECT_EQ(line_of(Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once()),
               "layer_nodes fewer now");
@@ -73,6 +75,21 @@ TEST(LineTool, SaysItsOptionsInLogs)
                   .error()
                   .message.find("from 0 to 500"),
               std::string::npos);
+}
+
+Tool another_stem()
+{
+    return LineTool { .plant = LineTool::Plant::AnotherStem, .nodes = 6 };
+}
+
+// A frond, another one beside it, and a lateral axis on the first.
+void draw_two_stems_and_a_lateral(Document& document)
+{
+    draw_frond(document);
+    document.draw(
+        { stroke_through({ { 50, -60, 50 }, { 52, 0, 50 }, { 58, 40, 50 } }), another_stem() });
+    document.draw(
+        { stroke_through({ { -39, 20, 50 }, { 0, 30, 50 }, { 30, 50, 50 } }), another_stem() });
 }
 
 TEST(LineTool, BeginsAPlantAndGoesOnWithIt)
@@ -91,6 +108,57 @@ TEST(LineTool, BeginsAPlantAndGoesOnWithIt)
     EXPECT_EQ(after.base->organs.size(), 7U);
     document.draw({ frond()[0], LineTool { .plant = LineTool::Plant::NewStem } });
     EXPECT_EQ(document.newest()->scene.plants.size(), 3U);
+}
+
+TEST(LineTool, DrawsSeveralStemsOfOnePlant)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    draw_two_stems_and_a_lateral(document);
+    auto const drawn = document.take_drawn();
+    for (auto const& stroke : drawn)
+        EXPECT_EQ(stroke.refusal, "");
+    auto const& after = document.newest()->scene;
+    ASSERT_EQ(after.plants.size(), 1U);
+    EXPECT_EQ(after.base->organs.size(), 3U * 7) << "seven nodes on each";
+    EXPECT_EQ(drawn[5].said,
+              "This is another stem: what grows on the other one grows on it, too, until you draw "
+              "a boundary beside it");
+    EXPECT_EQ(drawn[6].said.substr(0, 42), "This is a stem that stands on another one:");
+    auto const& axes = after.base->axes;
+    ASSERT_EQ(axes.size(), 3U);
+    EXPECT_EQ(axes[0].parent_axis, kNone);
+    EXPECT_EQ(axes[1].parent_axis, 0U) << "the lateral axis";
+    EXPECT_EQ(axes[2].parent_axis, kNone);
+    // Where it was drawn, upright.
+    Vec3 const top_mm = after.placement.world_of_plant(after.base->positions(axes[2]).back());
+    EXPECT_NEAR((top_mm - Vec3(58, 0, 100)).norm(), 0, 0.5);
+    EXPECT_EQ(kStemLayer.lines(after).size(), 2U);
+    EXPECT_EQ(kOtherStemLayer.lines(after).size(), 1U);
+    document.undo();
+    EXPECT_EQ(document.newest()->scene.base->organs.size(), 2U * 7);
+    document.undo();
+    EXPECT_EQ(document.newest()->scene.base->organs.size(), 7U);
+    document.redo();
+    document.redo();
+    EXPECT_EQ(document.newest()->scene.base->node_position_mm, after.base->node_position_mm);
+}
+
+// A line beside the second stem is its own, in the colours of every other stem; then each has its
+// own functions.
+TEST(LineTool, GivesLinesToTheStemBesideWhichTheyAreDrawn)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    draw_two_stems_and_a_lateral(document);
+    document.draw({ stroke_through({ { 80, -58, 50 }, { 84, 0, 50 }, { 75, 45, 50 } }), spiral() });
+    auto const& scene = document.newest()->scene;
+    auto const& sketch = *lines::active_pen_sketch(scene.state);
+    EXPECT_EQ(sketch.lines.back().role, Role::Right);
+    EXPECT_EQ(sketch.lines.back().stem, 1U);
+    EXPECT_EQ(kBoundaryLayer.lines(scene).size(), 2U);
+    EXPECT_EQ(kOtherBoundaryLayer.lines(scene).size(), 1U);
+    EXPECT_EQ(lines::stem_in_hand(sketch).value(), 1U);
+    EXPECT_EQ(lines::model_of(sketch)->functions.size(), 3U * 2 + 2 * 5);
+    EXPECT_EQ(kLinesToDrawLayer.lines(scene).size(), 3U) << "of the stem in hand";
 }
 
 // The plant is the model that the command writes of the same strokes.
@@ -214,10 +282,10 @@ TEST_F(LineToolAndCommand, GiveTheSamePlantFromALog)
 }
 
 // Draws in a session, and gives what the document amounts to at the end.
-Scene drawn_in(Session session)
+Scene drawn_in(Session session, void (*draw)(Document& document) = draw_frond)
 {
     Document document(std::move(session), Document::Working::AtOnce);
-    draw_frond(document);
+    draw(document);
     document.draw({ {}, Tool(LinePatternTool {}).done_at_once() });
     document.draw({ {}, Tool(LayerNodesTool { LayerNodesTool::What::More }).done_at_once() });
     document.draw(
@@ -254,6 +322,64 @@ TEST_F(LineToolAndCommand, ASessionKeepsTheSketch)
     EXPECT_NE(log.out.find("begins a plant of construction lines, spiral"), std::string::npos)
         << log.out << log.err;
     EXPECT_NE(log.out.find("alternate, 180 degrees"), std::string::npos) << log.out;
+}
+
+TEST_F(LineToolAndCommand, ASessionKeepsStemsAndWhatTheyStandOn)
+{
+    auto const options = session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; });
+    auto const before
+        = drawn_in(Session::create(path("stems.tractus"), { .plant = "small.l", .program = "1" },
+                                   std::vector<Edit> { small_model() }, options)
+                       .value(),
+                   draw_two_stems_and_a_lateral);
+    auto const again = Session::open(path("stems.tractus"), options).value();
+    EXPECT_EQ(again.unknown().count, 0U);
+    ASSERT_EQ(again.scene().plants.size(), 2U);
+    EXPECT_EQ(again.scene().base->axes.size(), 3U);
+    EXPECT_EQ(again.scene().base->node_position_mm, before.base->node_position_mm);
+    auto const log = run({ "session", "log", path("stems.tractus") });
+    EXPECT_NE(log.out.find("adds another stem to plant"), std::string::npos) << log.out << log.err;
+}
+
+TEST_F(LineToolAndCommand, GiveTheSameTextOfSeveralStems)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    draw_two_stems_and_a_lateral(document);
+    nlohmann::json file { { "pattern", "spiral" }, { "nodes_per_layer", { 6 } } };
+    for (auto const& drawn : document.take_drawn()) {
+        nlohmann::json line;
+        for (auto const& tip : drawn.stroke.tips)
+            line.push_back({ tip.position_mm.x(), tip.position_mm.y() });
+        auto& strokes = file["strokes"];
+        if (strokes.size() < 5)
+            strokes.push_back(line);
+        else
+            strokes.push_back(nlohmann::json::object({ { "stem", line } }));
+    }
+    ASSERT_TRUE(write_file(path("lines.json"), file.dump()));
+    auto const outcome
+        = run({ "construct", path("lines.json"), "--smooth", "--report", "-o", path("out") });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const model
+        = lines::model_of(*lines::active_pen_sketch(document.newest()->scene.state)).value();
+    EXPECT_EQ(model.source.text, read_file(path("out/lines.l")).value());
+    EXPECT_EQ(model.source.view_text, read_file(path("out/lines.v")).value());
+    ASSERT_EQ(model.functions.size(), 3U * 2 + 5);
+    for (auto const& [name, text] : model.functions)
+        EXPECT_EQ(text, read_file(path("out/" + name)).value()) << name;
+}
+
+// A recording says which strokes begin a stem.
+TEST(LineTool, BeginsStemsInARecording)
+{
+    auto log = recorded_sketch();
+    log.tools[1].arguments = "another_stem nodes=7";
+    auto const replay = replayed(log);
+    ASSERT_EQ(replay.strokes.size(), 5U);
+    for (auto const& drawn : replay.strokes)
+        EXPECT_EQ(drawn.refusal, "");
+    EXPECT_EQ(replay.scene.base->axes.size(), 2U);
+    EXPECT_EQ(replay.scene.base->organs.size(), 2U * 8);
 }
 
 // Each line is a step.

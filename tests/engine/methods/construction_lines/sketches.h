@@ -26,6 +26,14 @@ inline LineSketch hand_sketch()
              .nodes_per_layer = { 4 } };
 }
 
+inline std::vector<Vec3> line(std::vector<Vec2> const& points)
+{
+    std::vector<Vec3> result;
+    for (auto const& point : points)
+        result.emplace_back(point.x(), point.y(), 0);
+    return result;
+}
+
 // A circle's arc about (radius, 0), from straight up to the right.
 inline std::vector<Vec3> arc(double radius_mm, double angle_deg, int pieces)
 {

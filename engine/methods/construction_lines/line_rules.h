@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/methods/construction_lines/pattern.h"
+
+#include <string>
+
+namespace tractus::lines {
+
+// Whether a model has one stem, or several, whose numbers are then parameters of its modules.
+enum class Stems { One, Several };
+
+// A model's rules behind its axiom: the apex, the stem and the organs. They read LEN, STEM, DX,
+// ROLL and LAYERS, DIVERGENCE and WHORL of patterns that have them, and the arrays at and nodes;
+// those of several stems the arrays foot, bears, taper, low, own and organs, too
+// (several_stem_model.cpp).
+std::string stem_rules(Pattern const& pattern, Stems stems);
+
+} // namespace tractus::lines

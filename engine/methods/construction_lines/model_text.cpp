@@ -1,0 +1,101 @@
+#include "engine/methods/construction_lines/model_text.h"
+
+#include "engine/methods/construction_lines/function_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tractus::lines {
+
+std::string number_text(double value)
+{
+    auto text = fmt::format("{:.6g}", value + 0.0);
+    return text.front() == '-' ? "(" + text + ")" : text;
+}
+
+std::string array_text(char const* name, std::vector<double> const& values)
+{
+    std::string text;
+    for (auto const value : values)
+        text += fmt::format("{}{:.6g}", text.empty() ? "" : ", ", value);
+    return fmt::format("array {}[{}] = {{{}}}", name, values.size(), text);
+}
+
+// Where the stem turns more than a little within a piece, pieces have to be shorter.
+double longest_piece(DrawnStem const& stem)
+{
+    constexpr int kSteps = 100;
+    constexpr double kCurved_deg = 2; // Within a hundredth of the stem.
+    constexpr double kCorner_deg = 5;
+    if (stem.sharpest_deg() > kCorner_deg)
+        return kShortPiece;
+    for (int i = 1; i <= kSteps; ++i) {
+        auto const before = stem.course((i - 1.0) / kSteps);
+        auto const after = stem.course(static_cast<double>(i) / kSteps);
+        if (std::fabs(after.heading_deg - before.heading_deg) > kCurved_deg
+            || std::fabs(after.pitch_deg - before.pitch_deg) > kCurved_deg)
+            return kShortPiece;
+    }
+    return kLongPiece;
+}
+
+std::string definitions_text(StemDefinitions const& stem, Pattern const& pattern)
+{
+    bool const flat = pattern.kind == Pattern::Kind::Distichous;
+    auto text = fmt::format(
+        "#define LEN        {}    /* of {}, cm */\n"
+        "#define STEM       {}    /* the stem's diameter at its foot, cm */\n"
+        "#define DX         {}    /* the longest piece the stem is drawn in, by LEN */\n"
+        "#define ROLL       {}    /* of organs: 0 flat as in a frond, (-90) upper side up */\n"
+        "#define LAYERS     {}\n",
+        stem.length, stem.of, stem.width, stem.longest_piece, flat ? "0" : "(-90)", stem.layers);
+    if (pattern.kind == Pattern::Kind::Spiral || pattern.kind == Pattern::Kind::Alternate)
+        text += fmt::format("#define DIVERGENCE {}    /* from organ to organ, degrees */\n",
+                            number_text(pattern.divergence_deg));
+    if (pattern.kind == Pattern::Kind::Whorled)
+        text += fmt::format("#define WHORL      {}    /* how many organs stand at a node */\n",
+                            pattern.whorl);
+    return text;
+}
+
+std::size_t count_steps(Construction const& construction)
+{
+    auto const& layers = construction.nodes_per_layer;
+    return construction.nodes.size()
+        + static_cast<std::size_t>(std::count(layers.begin(), layers.end(), 0));
+}
+
+static std::string view_text(std::vector<std::pair<std::string, std::string>> const& functions,
+                             Pattern const& pattern)
+{
+    constexpr double kBroad = 0.4;
+    constexpr double kSlender = 0.25; // Leaflets of a frond, side by side.
+    std::string text = "angle increment: 45\n"
+                       "initial line width: 1\n"
+                       "initial color: 1\n";
+    for (auto const& function : functions)
+        text += fmt::format("function: {} {}\n", function.first, kFunctionSamples);
+    text += "material: 1 stem kind=stem color=0.36,0.46,0.20 roughness=0.7\n"
+            "material: 2 leaf kind=leaf color=0.26,0.46,0.16 roughness=0.5 translucency=0.45\n";
+    return text
+        + fmt::format("organ: l leaf kind=blade material=2 length=1 width={} petiole=0 widest=0.4 "
+                      "tip=0.8 base=0.5 fold=8 curl=0\n",
+                      pattern.kind == Pattern::Kind::Distichous ? kSlender : kBroad);
+}
+
+LineModel model_with(std::string text,
+                     std::vector<std::pair<std::string, std::string>> const& functions,
+                     Pattern const& pattern, std::string const& name)
+{
+    LineModel model;
+    for (auto const& [file, curve] : functions)
+        model.functions[file] = curve;
+    model.source.name = name + ".l";
+    model.source.view_name = name + ".v";
+    model.source.view_text = view_text(functions, pattern);
+    model.source.text = std::move(text);
+    return model;
+}
+
+} // namespace tractus::lines

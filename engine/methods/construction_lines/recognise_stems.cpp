@@ -1,0 +1,106 @@
+#include "engine/methods/construction_lines/recognise_stems.h"
+
+#include <utility>
+
+namespace tractus::lines {
+
+namespace {
+
+// How well a stroke belongs to a stem for which it has a meaning: what is less is better. What goes
+// along all of a stem is its boundary, also where it crosses another one.
+enum class Rank { DrawnAgain, AlongStem, AtStem, OpenSide, TakenSide, Unknown };
+
+Rank rank_of(RecognisedLine const& line)
+{
+    if (line.is_drawn_again)
+        return Rank::DrawnAgain;
+    switch (line.role) {
+    case Role::Left:
+    case Role::Right:
+        if (line.replaces)
+            return Rank::TakenSide;
+        return line.is_along_stem ? Rank::AlongStem : Rank::OpenSide;
+    case Role::Stem:
+    case Role::Inclination:
+    case Role::HalfInclination:
+        return Rank::AtStem;
+    case Role::Unsure:
+        break;
+    }
+    return Rank::Unknown;
+}
+
+} // namespace
+
+KnownLine StemRecogniser::nearest(std::vector<Vec3> const& stroke) const
+{
+    KnownLine best;
+    std::optional<std::pair<Rank, double>> least;
+    for (std::size_t i = 0; i < stems_.size(); ++i) {
+        auto const& stem = stems_[i];
+        auto const line = stem.lines.recognised(stroke);
+        std::pair const its_rank(rank_of(line), stem.lines.distance_mm(stroke));
+        if (least && *least <= its_rank)
+            continue;
+        least = its_rank;
+        best = { .line = line, .stem = i, .bearer = std::nullopt };
+        if (line.replaces)
+            best.line.replaces = stem.strokes[*line.replaces];
+        if (line.role == Role::Stem)
+            best.bearer = stem.bearer;
+    }
+    return best;
+}
+
+KnownLine StemRecogniser::recognise(std::vector<Vec3> const& stroke, Says says) const
+{
+    if (stems_.empty())
+        return { .line = { .role = Role::Stem } };
+    if (says == Says::AnotherStem)
+        return { .line = { .role = Role::Stem },
+                 .stem = stems_.size(),
+                 .bearer = bearer_at(stems(), stroke.front().head<2>()) };
+    return nearest(stroke);
+}
+
+KnownLine const& StemRecogniser::add(std::vector<Vec3> const& stroke, Says says)
+{
+    auto const known = recognise(stroke, says);
+    if (known.stem == stems_.size())
+        stems_.emplace_back().bearer = known.bearer;
+    auto& stem = stems_[known.stem];
+    stem.lines.add(stroke);
+    stem.strokes.push_back(lines_.size());
+    return lines_.emplace_back(known);
+}
+
+void StemRecogniser::add_known(std::vector<Vec3> const& stroke, KnownLine line)
+{
+    if (line.stem >= stems_.size())
+        stems_.resize(line.stem + 1);
+    auto& stem = stems_[line.stem];
+    if (line.line.role == Role::Stem)
+        stem.bearer = line.bearer;
+    stem.lines.add_known(stroke, line.line.role);
+    stem.strokes.push_back(lines_.size());
+    lines_.push_back(std::move(line));
+}
+
+std::vector<StemLines> StemRecogniser::stems() const
+{
+    std::vector<StemLines> result;
+    for (auto const& stem : stems_)
+        result.push_back({ .sketch = stem.lines.sketch(), .bearer = stem.bearer });
+    return result;
+}
+
+std::vector<std::size_t> StemRecogniser::inclination_strokes(std::size_t stem) const
+{
+    auto const& its = stems_[stem];
+    auto strokes = its.lines.inclination_strokes();
+    for (auto& stroke : strokes)
+        stroke = its.strokes[stroke];
+    return strokes;
+}
+
+} // namespace tractus::lines
