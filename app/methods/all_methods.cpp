@@ -79,7 +79,7 @@ Methods all_methods()
         all.insert(all.end(),
                    { &lines::AddLine::kKind, &lines::SetLayerNodes::kKind,
                      &lines::SetLinePattern::kKind, &lines::SetLineRole::kKind,
-                     &lines::RedrawLine::kKind });
+                     &lines::RedrawLine::kKind, &lines::BendStem::kKind });
         all.insert(
             all.end(),
             { &leaf::AddLeafLine::kKind, &leaf::EraseLeafLine::kKind, &leaf::FormLeaf::kKind });

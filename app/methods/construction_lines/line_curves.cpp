@@ -38,14 +38,14 @@ constexpr Column kAngles { 0.56, 0.98, 150 };
 constexpr double kSizesFrom = 0.18;
 constexpr double kSizesTo = 0.52;
 
-enum class What { Angle, Size, Fewer, More };
-constexpr std::size_t kWhats = 4;
+enum class What { Angle, Size, Fewer, More, Heading, Internode };
+constexpr std::size_t kWhats = 6;
 
 // A handle's number says what it is.
 struct HandleName {
     What what = What::Angle;
     StemSide side = StemSide::Left;
-    std::size_t number = 0; // Number of the line, the place, or the layer.
+    std::size_t number = 0; // Of the line, the place, or the layer.
 
     std::size_t id() const
     {
@@ -133,16 +133,30 @@ template<typename Value> Glyph::Line curve_of(Value const& value, LayerStyle::Co
     return curve;
 }
 
+double heading_at(Shown const& shown, double x)
+{
+    return lines::values_at(shown.construction, x).heading_deg;
+}
+
+// Greater ones stay at the edge of the column.
+double place_of_heading(double heading_deg)
+{
+    return std::clamp(-kHeadingHalf * heading_deg / kHeadingRange_deg, -kHeadingHalf, kHeadingHalf);
+}
+
 void add_stem(Glyph& glyph, Shown const& shown)
 {
     glyph.lines.push_back(axis_at(0));
-    glyph.lines.push_back(curve_of(
-        [&](double x) {
-            double const heading_deg = lines::values_at(shown.construction, x).heading_deg;
-            return std::clamp(-kHeadingHalf * heading_deg / kHeadingRange_deg, -kHeadingHalf,
-                              kHeadingHalf);
-        },
-        LayerStyle::Color::Green));
+    glyph.lines.push_back(curve_of([&](double x) { return place_of_heading(heading_at(shown, x)); },
+                                   LayerStyle::Color::Green));
+    for (std::size_t i = 0; i < lines::kHeadingPlaces.size(); ++i) {
+        double const x = lines::kHeadingPlaces[i];
+        double const heading_deg = heading_at(shown, x);
+        glyph.handles.push_back({ .id = HandleName { What::Heading, StemSide::Left, i }.id(),
+                                  .place = { place_of_heading(heading_deg), height_of(x) },
+                                  .says = fmt::format("Stem: {:.0f}\u00b0", heading_deg),
+                                  .is_small = true });
+    }
     constexpr double kTick = 0.03;
     for (auto const& node : shown.construction.nodes)
         glyph.lines.push_back(
@@ -210,6 +224,20 @@ void add_layer(Glyph& glyph, lines::Layer const& layer, std::size_t number)
               .is_small = true });
 }
 
+// At the layer's second node, as far above its first as each is above the one below.
+void add_internode(Glyph& glyph, lines::Layer const& layer, std::size_t number)
+{
+    constexpr double kBeside = 0.05;
+    if (layer.nodes == 0)
+        return;
+    double const internode = (layer.to_x - layer.from_x) / layer.nodes;
+    glyph.handles.push_back({ .id = HandleName { What::Internode, StemSide::Right, number }.id(),
+                              .place = { kBeside, height_of(layer.from_x + internode) },
+                              .says = fmt::format("Layer {}: a node every {:.1f} % of the stem",
+                                                  number + 1, 100 * internode),
+                              .is_small = true });
+}
+
 void add_labels(Glyph& glyph)
 {
     constexpr double kBelow = kLow - 0.03;
@@ -238,8 +266,10 @@ std::optional<Glyph> show(Scene const& scene)
         add_handles(glyph, *shown, side);
     }
     if (auto const layers = lines::layers_of(shown->active.sketch))
-        for (std::size_t i = 0; i < layers->size(); ++i)
+        for (std::size_t i = 0; i < layers->size(); ++i) {
             add_layer(glyph, (*layers)[i], i);
+            add_internode(glyph, (*layers)[i], i);
+        }
     return glyph;
 }
 
@@ -253,6 +283,32 @@ Result<std::vector<Edit>> with_other_count(ActiveSketch const& active, std::size
     return std::vector<Edit> { lines::SetLayerNodes { active.plant, layer.line, nodes } };
 }
 
+// As many nodes as fit with the second one there.
+Result<std::vector<Edit>> with_internode(ActiveSketch const& active, std::size_t number, double x)
+{
+    auto const layers = TRY(lines::layers_of(active.sketch));
+    if (number >= layers.size())
+        return fail(Fault::User, "the sketch has no such layer any more");
+    auto const& layer = layers[number];
+    double const length = layer.to_x - layer.from_x;
+    double const internode
+        = std::clamp(x - layer.from_x, length / lines::kMostNodesInLayer, length);
+    return std::vector<Edit> { lines::SetLayerNodes {
+        active.plant, layer.line, static_cast<int>(std::lround(length / internode)) } };
+}
+
+Result<std::vector<Edit>> with_other_heading(Shown const& shown, std::size_t place, double to)
+{
+    if (place >= lines::kHeadingPlaces.size())
+        return fail(Fault::User, "the stem has no such place");
+    auto const stem = TRY(lines::stem_in_hand(shown.active.sketch));
+    double const heading_deg = std::round(-kHeadingRange_deg * to / kHeadingHalf);
+    return std::vector<Edit> { lines::BendStem {
+        shown.active.plant, lines::first_stem(lines::stem_alone(shown.active.sketch, stem)).id,
+        static_cast<int>(place),
+        std::clamp(heading_deg, -lines::kGreatestHeading_deg, lines::kGreatestHeading_deg) } };
+}
+
 // Whole degrees, and whole hundredths of the stem.
 Result<std::vector<Edit>> drag(Scene const& scene, std::size_t handle, Vec2 const& to)
 {
@@ -260,6 +316,10 @@ Result<std::vector<Edit>> drag(Scene const& scene, std::size_t handle, Vec2 cons
     auto const [what, side, number] = HandleName::of(handle);
     if (what == What::Fewer || what == What::More)
         return with_other_count(shown.active, number, what == What::More ? 1 : -1);
+    if (what == What::Heading)
+        return with_other_heading(shown, number, to.x());
+    if (what == What::Internode)
+        return with_internode(shown.active, number, (to.y() - kLow) / (kHigh - kLow));
     double const outwards = sign_of(side) * to.x();
     auto const& sketch = shown.active.sketch;
     auto const bent

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace tractus::lines {
@@ -198,6 +200,109 @@ SketchLine const* boundary_of(PenSketch const& sketch, StemSide side)
     return found == sketch.lines.rend() ? nullptr : &*found;
 }
 
+// A stem that is bent about one of the places: how much it turns along it.
+class BentStem {
+public:
+    BentStem(DrawnLine stem, std::size_t place, double by_deg)
+        : before_(std::move(stem))
+        , place_(place)
+        , by_deg_(by_deg)
+        , after_(bent())
+    {
+    }
+
+    DrawnLine const& before() const { return before_; }
+
+    // Where a place beside the stem comes to that goes along with it so far from its foot.
+    Vec2 moved(Vec2 const& place_mm, double along_mm) const
+    {
+        return after_.point(along_mm)
+            + turned_about(Vec2(0, 0), place_mm - before_.point(along_mm), turn_deg(along_mm));
+    }
+    Vec2 moved(Vec2 const& place_mm) const { return moved(place_mm, before_.nearest_mm(place_mm)); }
+
+private:
+    double turn_deg(double along_mm) const
+    {
+        double const x = along_mm / before_.length_mm();
+        double const off = std::fabs(x - kHeadingPlaces[place_]) / kHeadingPlaces[1];
+        return by_deg_ * (1 + std::cos(std::numbers::pi * std::min(1.0, off))) / 2;
+    }
+
+    DrawnLine bent() const
+    {
+        auto const points = before_.points();
+        auto const at_mm = before_.at_mm();
+        std::vector<Vec2> result { points.front() };
+        for (std::size_t i = 1; i < points.size(); ++i)
+            result.push_back(result.back()
+                             + turned_about(Vec2(0, 0), points[i] - points[i - 1],
+                                            turn_deg((at_mm[i - 1] + at_mm[i]) / 2)));
+        return DrawnLine(std::move(result));
+    }
+
+    DrawnLine before_;
+    std::size_t place_;
+    double by_deg_;
+    DrawnLine after_;
+};
+
+// The stem through which a line goes along with another one: that one itself, or one that stands on
+// it and bears the line's. No value: it stands by itself.
+std::optional<std::size_t> carried_by(PenSketch const& sketch, std::size_t of, std::size_t stem)
+{
+    for (std::size_t steps = 0; steps <= sketch.lines.size(); ++steps) {
+        if (of == stem)
+            return of;
+        auto const line
+            = std::find_if(sketch.lines.begin(), sketch.lines.end(), [&](SketchLine const& each) {
+                  return each.role == Role::Stem && each.stem == of;
+              });
+        if (line == sketch.lines.end() || !line->bearer)
+            return std::nullopt;
+        if (*line->bearer == stem)
+            return of;
+        of = *line->bearer;
+    }
+    return std::nullopt;
+}
+
+// Where along the stem a line comes nearest to it, so where it crosses it or begins.
+double meets_mm(DrawnLine const& stem, DrawnLine const& line)
+{
+    auto const points = line.points();
+    auto const away
+        = [&](Vec2 const& point) { return (stem.point(stem.nearest_mm(point)) - point).norm(); };
+    return stem.nearest_mm(
+        *std::min_element(points.begin(), points.end(),
+                          [&](Vec2 const& a, Vec2 const& b) { return away(a) < away(b); }));
+}
+
+// Inclination lines and stems that stand on it turn with it where they meet it; what goes along it
+// bends as it does.
+Result<PenSketch> bent_with(PenSketch sketch, std::size_t stem, BentStem const& bent)
+{
+    std::map<std::size_t, double> feet_mm; // Of stems that stand on it.
+    for (auto const& line : sketch.lines)
+        if (line.role == Role::Stem && line.bearer == stem)
+            feet_mm[line.stem] = bent.before().nearest_mm(TRY(flat_line(line)).points().front());
+    auto const before = sketch;
+    for (auto& line : sketch.lines) {
+        auto const by = carried_by(before, line.stem, stem);
+        if (!by)
+            continue;
+        std::optional<double> at_mm;
+        if (*by != stem)
+            at_mm = feet_mm[*by];
+        else if (is_inclination(line))
+            at_mm = meets_mm(bent.before(), TRY(flat_line(line)));
+        line.stroke = TRY(moved(line, [&](Vec2 const& place) {
+            return at_mm ? bent.moved(place, *at_mm) : bent.moved(place);
+        }));
+    }
+    return sketch;
+}
+
 } // namespace
 
 Result<Construction> construction_of(PenSketch const& sketch)
@@ -296,6 +401,31 @@ Result<BentLine> with_size(PenSketch const& whole, std::size_t place, StemSide s
                            side);
     }
     return bent;
+}
+
+Result<PenSketch> with_heading(PenSketch sketch, ItemId stem, std::size_t place, double heading_deg)
+{
+    TRY(refuse("a direction", heading_deg, -kGreatestHeading_deg, kGreatestHeading_deg));
+    auto const* const found = find_line(sketch, stem);
+    if (!found || found->role != Role::Stem || place >= kHeadingPlaces.size())
+        return fail(Fault::User, "there is no stem to bend: draw one");
+    auto const drawn = TRY(flat_line(*found));
+    auto const number = found->stem;
+    auto const heading = [&](DrawnLine const& line) {
+        return line.heading_deg(kHeadingPlaces[place] * line.length_mm());
+    };
+    auto const before = sketch;
+    double by_deg = 0;
+    double measured_deg = heading(drawn);
+    for (int round = 0; round < kMostRounds && std::fabs(heading_deg - measured_deg) > 0.01;
+         ++round) {
+        by_deg += heading_deg - measured_deg;
+        sketch = TRY(bent_with(before, number, BentStem(drawn, place, by_deg)));
+        measured_deg = heading(TRY(flat_line(*find_line(sketch, stem))));
+    }
+    auto const stems = TRY(stem_sketches(sketch));
+    TRY(measure_stems(stems, Missing::Guessed));
+    return sketch;
 }
 
 } // namespace tractus::lines

@@ -3,6 +3,7 @@
 #include "engine/base/result.h"
 #include "engine/methods/construction_lines/pen_sketch.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -43,5 +44,17 @@ std::vector<double> size_places(Construction const& construction);
 // stays. Where only the other boundary is drawn, that one is moved. Fails like with_angle(), and
 // where the ray misses the boundary.
 Result<BentLine> with_size(PenSketch const& whole, std::size_t place, StemSide side, double size);
+
+// Places along a stem at which its direction can be set: shares of it, from its foot to its top.
+constexpr std::array kHeadingPlaces { 0.0, 1.0 / 3, 2.0 / 3, 1.0 };
+constexpr double kGreatestHeading_deg = 90; // To either side.
+
+// Bends a stem so that at one of those places it has this direction as it is seen, from up, to the
+// left positive; it stays what it is at the next places. The sheet bends with it: its lines cross
+// it where they did and reach as far, and stems that stand on it stay as they are at its side. Its
+// foot stays, and so does its length. Fails, as the user's fault, for a line that is no stem, and
+// where the sketch would give no plant.
+Result<PenSketch> with_heading(PenSketch sketch, ItemId stem, std::size_t place,
+                               double heading_deg);
 
 } // namespace tractus::lines

@@ -1,5 +1,6 @@
 #include "engine/methods/construction_lines/line_edits.h"
 
+#include "engine/methods/construction_lines/bend_lines.h"
 #include "engine/scene/edit_words.h"
 #include "engine/scene/make_edit_kind.h"
 
@@ -270,6 +271,31 @@ std::string described(RedrawLine const& edit)
                        name_of(edit.plant), describe_stroke(edit.stroke));
 }
 
+void list(Fields& fields, BendStem& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.field("line", &edit.line);
+    fields.field("place", &edit.place);
+    fields.field("heading", &edit.heading_deg);
+}
+
+Result<DocumentState> applied(DocumentState state, BendStem const& edit, SceneBuilder&)
+{
+    auto found = TRY(find_sketch(state, edit.plant));
+    found.sketch
+        = TRY(with_heading(std::move(found.sketch), edit.line,
+                           static_cast<std::size_t>(std::max(0, edit.place)), edit.heading_deg));
+    put_sketch(state, std::move(found));
+    return state;
+}
+
+std::string described(BendStem const& edit)
+{
+    return fmt::format("bends stem {} of plant {} to {:g} degrees at place {} of {}",
+                       name_of(edit.line), name_of(edit.plant), edit.heading_deg, edit.place + 1,
+                       kHeadingPlaces.size());
+}
+
 } // namespace
 
 PenSketch const* pen_sketch(PlantState const& plant)
@@ -302,6 +328,9 @@ constexpr EditKind SetLinePattern::kKind
 
 constexpr EditKind RedrawLine::kKind
     = make_edit_kind<RedrawLine, list, applied, described>("redraw_construction_line");
+
+constexpr EditKind BendStem::kKind
+    = make_edit_kind<BendStem, list, applied, described>("bend_stem");
 
 constexpr EditKind SetLineRole::kKind
     = make_edit_kind<SetLineRole, list, applied, described>("set_line_role");

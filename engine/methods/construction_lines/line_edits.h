@@ -61,6 +61,16 @@ struct RedrawLine {
     Stroke stroke {}; // World frame.
 };
 
+// Bends a stem: see with_heading().
+struct BendStem {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    ItemId line = 0; // The stem.
+    int place = 0;   // Its number among kHeadingPlaces.
+    double heading_deg = 0;
+};
+
 // The sketch that a plant is drawn with; null for a plant of another kind.
 PenSketch const* pen_sketch(PlantState const& plant);
 

@@ -1,8 +1,10 @@
 #include "app/methods/construction_lines/line_curves.h"
 
 #include "app/document/document.h"
+#include "app/methods/all_methods.h"
 #include "app/methods/construction_lines/line_tool.h"
 #include "app/methods/construction_lines/touched_sketch.h"
+#include "app/session/edit_record.h"
 #include "app/tools/tool.h"
 #include "engine/methods/construction_lines/bend_lines.h"
 #include "tests/app/small_model.h"
@@ -54,7 +56,8 @@ TEST(LineCurves, HaveHandlesOnTheCurves)
     auto const scene = frond_scene();
     auto const glyph = kLineCurves.show(scene);
     ASSERT_TRUE(glyph);
-    EXPECT_EQ(glyph->handles.size(), 2u * 2 + 2 * 3 + 2) << "two lines, three places, one layer";
+    EXPECT_EQ(glyph->handles.size(), 2u * 2 + 2 * 3 + 2 + 1 + 4)
+        << "two lines, three places, one layer and its internode, four places of the stem";
     std::set<std::size_t> ids;
     for (auto const& handle : glyph->handles) {
         EXPECT_TRUE(ids.insert(handle.id).second);
@@ -111,11 +114,62 @@ TEST(LineCurves, HaveButtonsForALayersNodes)
     EXPECT_FALSE(kLineCurves.drag(small_scene(), 0, Vec2(0, 0)));
 }
 
+// Half of the heading's column is a right angle.
+TEST(LineCurves, BendTheStemToAWholeDegree)
+{
+    auto const scene = frond_scene();
+    auto const glyph = kLineCurves.show(scene).value();
+    auto const stem = handle_that_says(glyph, "Stem: ");
+    EXPECT_EQ(stem.says, "Stem: 0\u00b0");
+    auto const changed = dragged(scene, stem.id, Vec2(-0.0441, stem.place.y()));
+    auto const headings
+        = [&](double x) { return lines::values_at(measured(changed), x).heading_deg; };
+    EXPECT_NEAR(headings(0), std::round(90 * 0.0441 / 0.13), 0.3) << "to the left";
+    EXPECT_NEAR(headings(0.5), 0, 1);
+    EXPECT_EQ(changed.base->organs.size(), scene.base->organs.size());
+    auto const far = dragged(scene, stem.id, Vec2(1, stem.place.y()));
+    EXPECT_NEAR(lines::values_at(measured(far), 0).heading_deg, -90, 0.5);
+}
+
+// In a session it is one step, which says what it did.
+TEST(LineCurves, ABentStemIsKept)
+{
+    auto const scene = frond_scene();
+    auto const handle = handle_that_says(kLineCurves.show(scene).value(), "Stem: ");
+    auto const edits = kLineCurves.drag(scene, handle.id, Vec2(-0.05, -0.9)).value();
+    ASSERT_EQ(edits.size(), 1u);
+    auto const record = record_of(edits[0]);
+    auto const again = edit_of(record, all_methods().edits).value();
+    EXPECT_EQ(record_of(again).fields, record.fields);
+    EXPECT_EQ(again.describe().substr(0, 11), "bends stem ");
+    EXPECT_EQ(apply_edits(scene, std::vector { again }).value().base->node_position_mm,
+              apply_edits(scene, edits).value().base->node_position_mm);
+}
+
+TEST(LineCurves, SetALayersNodesByTheWayFromOneToTheNext)
+{
+    auto const scene = frond_scene();
+    auto const glyph = kLineCurves.show(scene).value();
+    auto const internode = handle_that_says(glyph, "Layer 1: a node every");
+    auto const of = measured(scene);
+    double const from = of.inclinations[0].x;
+    double const length = of.inclinations[1].x - from;
+    auto const nodes_with = [&](double share) {
+        double const y = -0.9 + 1.8 * (from + share * length);
+        return measured(dragged(scene, internode.id, Vec2(0, y))).nodes_per_layer[0];
+    };
+    EXPECT_NEAR(internode.place.y(), -0.9 + 1.8 * (from + length / 6), 1e-9);
+    EXPECT_EQ(nodes_with(0.25), 4);
+    EXPECT_EQ(nodes_with(0.1), 10);
+    EXPECT_EQ(nodes_with(2), 1) << "above the layer";
+    EXPECT_EQ(nodes_with(-1), lines::kMostNodesInLayer);
+}
+
 // What is not there any more is refused, whatever its number.
 TEST(LineCurves, RefuseHandlesThatNothingHas)
 {
     auto const scene = frond_scene();
-    for (std::size_t const handle : { 8u * 50, 8u * 50 + 2, 8u * 50 + 4 })
+    for (std::size_t handle = 400; handle < 412; ++handle)
         EXPECT_FALSE(kLineCurves.drag(scene, handle, Vec2(0.3, 0)));
 }
 
