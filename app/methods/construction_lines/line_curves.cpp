@@ -227,12 +227,14 @@ void add_layer(Glyph& glyph, lines::Layer const& layer, std::size_t number)
 // At the layer's second node, as far above its first as each is above the one below.
 void add_internode(Glyph& glyph, lines::Layer const& layer, std::size_t number)
 {
-    constexpr double kBeside = 0.05;
+    constexpr double kBeside = 0.15;
     if (layer.nodes == 0)
         return;
     double const internode = (layer.to_x - layer.from_x) / layer.nodes;
+    double const height = height_of(layer.from_x + internode);
+    glyph.lines.push_back({ .points = { { 0, height }, { kBeside, height } }, .width = 0.006 });
     glyph.handles.push_back({ .id = HandleName { What::Internode, StemSide::Right, number }.id(),
-                              .place = { kBeside, height_of(layer.from_x + internode) },
+                              .place = { kBeside, height },
                               .says = fmt::format("Layer {}: a node every {:.1f} % of the stem",
                                                   number + 1, 100 * internode),
                               .is_small = true });
