@@ -46,7 +46,7 @@ std::vector<double> size_places(Construction const& construction);
 Result<BentLine> with_size(PenSketch const& whole, std::size_t place, StemSide side, double size);
 
 // Places along a stem at which its direction can be set: shares of it, from its foot to its top.
-constexpr std::array kHeadingPlaces { 0.0, 1.0 / 3, 2.0 / 3, 1.0 };
+inline constexpr std::array kHeadingPlaces { 0.0, 1.0 / 3, 2.0 / 3, 1.0 };
 constexpr double kGreatestHeading_deg = 90; // To either side.
 
 // Bends a stem so that at one of those places it has this direction as it is seen, from up, to the
