@@ -15,23 +15,24 @@
 namespace tractus {
 
 // A tool is mostly in hand for many strokes, and what shows them keeps something between them.
-std::vector<SkeletonLine> StationView::Previewing::lines(WantedPreview const& wanted)
+StationView::Preview StationView::Previewing::show(WantedPreview const& wanted)
 {
     auto* const make = wanted.tool.kind().previewer;
     if (!make)
-        return {};
+        return { .stroke = wanted.stroke };
     if (made_by != make) {
         previewer = make();
         made_by = make;
     }
-    return previewer->show({ wanted.scene, wanted.tool, wanted.ink, wanted.orders });
+    auto lines = previewer->show({ wanted.scene, wanted.tool, wanted.ink, wanted.orders });
+    return { std::move(lines), previewer->note(), wanted.stroke };
 }
 
 StationView::StationView(Station const& station, Document const& document)
     : preview_(std::make_unique<NewestJob<WantedPreview, Preview>>(
         // Shared by the copies of the function, of which one is called.
         [previewing = std::make_shared<Previewing>()](WantedPreview const& wanted) {
-            return Preview { previewing->lines(wanted), wanted.stroke };
+            return previewing->show(wanted);
         }))
     , proposal_(std::make_unique<NewestJob<WantedProposal, std::shared_ptr<Scene const>>>(
           [](WantedProposal const& wanted) -> std::shared_ptr<Scene const> {
@@ -197,13 +198,14 @@ void StationView::propose_outcome(Station const& station)
 void StationView::take_preview()
 {
     if (auto made = preview_->take(); made && is_drawing_ && made->stroke == finished_strokes_)
-        set_preview(std::move(made->lines));
+        set_preview(*std::move(made));
 }
 
-void StationView::set_preview(std::vector<SkeletonLine> lines)
+void StationView::set_preview(Preview preview)
 {
-    state_.preview_revision += !(lines.empty() && state_.preview.empty());
-    state_.preview = std::move(lines);
+    state_.preview_revision += !(preview.lines.empty() && state_.preview.empty());
+    state_.preview = std::move(preview.lines);
+    state_.preview_note = std::move(preview.note);
 }
 
 // While a pen selects, its path so far, and what is undetermined, are seen in their own colours.

@@ -70,16 +70,17 @@ private:
         std::uint32_t orders = 0; // Only branches of lower orders than this are looked at.
         std::size_t stroke = 0;   // Which it is, by its number.
     };
+    struct Preview {
+        std::vector<SkeletonLine> lines {};
+        std::string note {};
+        std::size_t stroke = 0; // Of which stroke, by its number.
+    };
     // What shows strokes under way, on the thread that does.
     struct Previewing {
-        std::vector<SkeletonLine> lines(WantedPreview const& wanted);
+        Preview show(WantedPreview const& wanted);
 
         std::unique_ptr<StrokePreviewer> (*made_by)() = nullptr;
         std::unique_ptr<StrokePreviewer> previewer {};
-    };
-    struct Preview {
-        std::vector<SkeletonLine> lines;
-        std::size_t stroke = 0; // Of which stroke, by its number.
     };
 
     struct WantedProposal {
@@ -111,7 +112,7 @@ private:
     void show_variations();
     void show_preview(Station const& station);
     void take_preview();
-    void set_preview(std::vector<SkeletonLine> lines);
+    void set_preview(Preview preview);
     void list_orphans(Scene const& scene);
     void show_selecting(Station const& station);
     void show_skeleton(ShownSkeleton::Touched const& touched = {});

@@ -157,6 +157,7 @@ struct WindowState {
     // Plant frame.
     std::uint64_t preview_revision = 0;
     std::vector<SkeletonLine> preview;
+    std::string preview_note; // Stands in place of the status; empty: there is nothing to say.
 
     // Strokes and indicators that do nothing until their branch comes back. Changes with
     // skeleton_revision.

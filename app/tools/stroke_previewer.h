@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tractus {
@@ -28,6 +29,10 @@ public:
 
     // None for a stroke that would be refused.
     virtual std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) = 0;
+
+    // A sentence about what was shown last: what it leaves out, say. Empty: there is nothing to
+    // say.
+    virtual std::string note() const { return {}; }
 };
 
 } // namespace tractus

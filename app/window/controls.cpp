@@ -155,7 +155,8 @@ bool Controls::button(char const* text, float width, bool is_on) const
 void Controls::show_status(WindowState const& state) const
 {
     if (state.trouble.empty())
-        ImGui::TextUnformatted(as_sentence(state.status).c_str());
+        ImGui::TextUnformatted(
+            (state.preview_note.empty() ? as_sentence(state.status) : state.preview_note).c_str());
     else
         ImGui::TextColored(theme::imgui_color(theme::palette().indicator), "%s",
                            as_sentence(state.trouble).c_str());

@@ -3,6 +3,7 @@
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <optional>
 
 namespace tractus {
@@ -40,10 +41,28 @@ Result<BuiltSource> drawn_axis_of(sketch::GrowAlongStroke const& edit)
     return BuiltSource { std::move(plant) };
 }
 
+// What the rule's limit cuts, and what the preview leaves out of that besides.
+std::string note_of_depth(sketch::Rule const& whole, sketch::Rule const& shown, Plant const& plant)
+{
+    auto const segments = static_cast<int>(plant.axes.front().segment_count);
+    int const depth = sketch::depth_within_limit(whole, segments);
+    std::string note;
+    if (depth < sketch::kUncutDepth)
+        note = fmt::format("Laterals fork at most {} times: more were over {:.0f} internodes",
+                           depth, whole.most_internodes);
+    if (sketch::depth_within_limit(shown, segments) < depth)
+        note += note.empty() ? "The finest forks come when the pen is lifted"
+                             : "; the finest come when the pen is lifted";
+    return note;
+}
+
 class SketchPreviewer final : public StrokePreviewer {
 public:
+    std::string note() const override { return note_; }
+
     std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
     {
+        note_.clear();
         auto const& tool = *stroke.tool.get<SketchTool>();
         Stroke const ink { std::vector(stroke.ink.begin(), stroke.ink.end()) };
         auto const again = tool.place == SketchTool::Place::Again
@@ -52,6 +71,7 @@ public:
         if (!again)
             return {};
         auto edit = *again;
+        auto const rule = edit.rule;
         edit.leaves = sketch::Leaves::Bare;
         LoadOptions options;
         if (edit.model.is_set())
@@ -64,10 +84,14 @@ public:
         if (!place)
             return {};
         auto built = sketch::build_sketch(edit, options);
-        if (!built && edit.model.is_set())
+        if (!built && edit.model.is_set()) {
             built = drawn_axis_of(edit);
+            note_ = "The axis alone is shown while you draw";
+        }
         if (!built)
             return {};
+        if (!edit.model.is_set())
+            note_ = note_of_depth(rule, edit.rule, built->plant);
         auto const& branch = *place;
         DeskPlacement const placement { .scale = edit.scale,
                                         .origin_mm
@@ -97,6 +121,7 @@ private:
         return *place_;
     }
 
+    std::string note_;
     std::optional<Result<std::optional<BranchPlace>>> place_; // For what follows.
     StrokeSurface surface_ = StrokeSurface::Decided;
     Vec3 begin_mm_ = Vec3::Zero();

@@ -222,6 +222,30 @@ TEST(SketchTool, ShowsThePlantThatItWillGrow)
     EXPECT_TRUE(sketch_previewer()->show({ scene, tool, too_short.tips.vector(), 99 }).empty());
 }
 
+// As long as it is whole nothing is said.
+TEST(SketchTool, SaysWhatAPreviewLeavesOut)
+{
+    auto const scene = std::make_shared<Scene const>(small_scene());
+    auto const previewer = sketch_previewer();
+    auto const note = [&](SketchTool const& tool, Vec3 const& end_mm) {
+        auto const stroke = stroke_through({ { 0, 0, 0 }, end_mm });
+        EXPECT_FALSE(previewer->show({ scene, tool, stroke.tips.vector(), 99 }).empty());
+        return previewer->note();
+    };
+    SketchTool const forking { .first_length_mm = 8, .length_ratio = 1, .lateral_length = 0.9 };
+    EXPECT_EQ(note(forking, { 0, 0, 30 }), "");
+    EXPECT_EQ(note(forking, { 0, 0, 110 }), "The finest forks come when the pen is lifted");
+    EXPECT_EQ(note(forking, { 0, 0, 240 }),
+              "Laterals fork at most 12 times: more were over 200000 internodes; the finest come "
+              "when the pen is lifted");
+    auto const rule = grown_along(forking, rising_stroke(), *scene).rule;
+    EXPECT_LE(sketch::count_internodes(rule, 30, 12), 200'000);
+    EXPECT_GT(sketch::count_internodes(rule, 30, 13), 200'000);
+    EXPECT_EQ(note({ .card = SketchTool::Card::Conifer }, { 0, 0, 1500 }),
+              "The axis alone is shown while you draw");
+    EXPECT_EQ(note(forking, { 0, 0, 30 }), "") << "it is about the last one";
+}
+
 // Lines of the plant that the previewer shows, against the plant of the finished stroke. The first
 // axes of a plant with a part are those of what bears it. The part's stem begins on its branch,
 // which the pen need not have met.
