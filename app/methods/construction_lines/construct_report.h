@@ -24,12 +24,11 @@ namespace tractus::lines {
 //   roles        what strokes were taken for, in their order, if they did not say so
 //   notes        what had to be guessed
 //
-// Of several stems the first five are the first one's, and there are also:
+// A plant of several stems has the first five members of its first stem, and besides:
 //
-//   stems         [{…}, …]: the first five of each; stands_on, the number of the stem that bears
-//   it,
-//                 from 1, or null; stands_at, where on that, a share of it
-//   stroke_stems  the number of the stem of each stroke, from 1
+//   stems        [{…}, …]: for each stem those five; stands_on, the number of the stem that bears
+//                it, from 1, or null; stands_at, where on that, a share of its length
+//   stroke_stems the number of the stem of each stroke, from 1
 std::string print_report(std::span<MeasuredStem const> stems, Plant const& plant,
                          LineDrawing const& drawing);
 

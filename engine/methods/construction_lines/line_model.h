@@ -31,7 +31,7 @@ LineModel write_model(Construction const& construction, Pattern const& pattern,
 
 // The plant of several stems, at least one, for which the rules are there once: tables say where
 // each stem stands and which functions are its own, and stems with the same organs share theirs.
-// Those that stand on another come with its nodes: where a stem is to bear one, it takes a step for
+// Stems that stand on another come with its nodes: where a stem is to bear one, it takes a step for
 // it. A stem is no thicker than what bears it. With a single stem it is the text of that one.
 LineModel write_model(std::span<MeasuredStem const> stems, Pattern const& pattern,
                       std::string const& name);
