@@ -112,7 +112,7 @@ struct Layer {
     int nodes = 0;
 };
 
-// Of the stem in hand, from below, at least one.
+// The layers of the stem in hand, from below; at least one.
 Result<std::vector<Layer>> layers_of(PenSketch const& sketch);
 
 // The layer beside a place on the sheet, of the nearest stem that has lines of its own: of places

@@ -71,7 +71,7 @@ std::string reason_of(PenSketch sketch)
     return points ? recogniser.add(*points).line.reason : "";
 }
 
-// Of the newest line.
+// What the stem with the newest line lacks; empty: nothing.
 std::string what_is_missing(PenSketch const& sketch)
 {
     auto const stem = stem_in_hand(sketch);

@@ -237,7 +237,7 @@ TEST(CompressedGlb, IsReadSafelyWhereItIsDamaged)
     std::memcpy(&json_bytes, glb.data() + 12, sizeof json_bytes);
     Random random({ .seed = 1 });
     std::size_t read_count = 0;
-    for (int i = 0; i < 200; ++i) { // A fuzzer reads a thousand times as many.
+    for (int i = 0; i < 600; ++i) {
         std::string bytes = glb;
         for (std::uint32_t k = 0; k <= random.next_u32() % 4; ++k) {
             auto const at = random.next_u32() % (i % 2 == 0 ? bytes.size() : 20 + json_bytes);
@@ -252,7 +252,7 @@ TEST(CompressedGlb, IsReadSafelyWhereItIsDamaged)
         for (auto const& surface : mesh->surfaces)
             expect_sound(surface);
     }
-    EXPECT_GT(read_count, 7u);
+    EXPECT_GT(read_count, 20u);
 }
 
 } // namespace

@@ -244,13 +244,8 @@ protected:
 
     static Scene draw(Scene const& before, Part part, std::vector<Vec2> const& points)
     {
-        auto after = apply_edit(before,
-                                DrawTree { .part = part,
-                                           .stroke = stroke_of(points),
-                                           .search = Search::AnyLevel,
-                                           .plant = before.state.active });
-        EXPECT_TRUE(after) << after.error().message;
-        return after.value_or(Scene {});
+        return draw_on(before,
+                       { .part = part, .stroke = stroke_of(points), .search = Search::AnyLevel });
     }
 
     static OutlinedTree const& tree(Scene const& scene) { return *outlined_tree(*scene.drawn); }

@@ -3,6 +3,8 @@
 #include "engine/base/random.h"
 #include "engine/methods/silhouettes/bumps.h"
 #include "engine/methods/silhouettes/outline.h"
+#include "engine/methods/silhouettes/tree_edits.h"
+#include "engine/scene/scene.h"
 #include "engine/stroke/stroke.h"
 #include "tests/corpus.h"
 
@@ -29,6 +31,15 @@ inline Stroke stroke_of(std::vector<Vec2> const& points)
                                 .position_mm = { point.x(), point.y(), 140 },
                                 .touching = true });
     return stroke;
+}
+
+// The document after an edit that draws on its active plant, or a new plant where there is none.
+inline Scene draw_on(Scene const& before, DrawTree edit)
+{
+    edit.plant = before.state.active;
+    auto after = apply_edit(before, edit);
+    EXPECT_TRUE(after) << after.error().message;
+    return after.value_or(Scene {});
 }
 
 inline std::vector<Vec2> upright(double low, double high)

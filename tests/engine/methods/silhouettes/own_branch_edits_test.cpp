@@ -15,13 +15,7 @@ protected:
     static Scene draw(Scene const& before, Part part, std::vector<Vec2> const& points,
                       StyleTo style_to = StyleTo::None)
     {
-        auto after = apply_edit(before,
-                                DrawTree { .part = part,
-                                           .stroke = stroke_of(points),
-                                           .style_to = style_to,
-                                           .plant = before.state.active });
-        EXPECT_TRUE(after) << after.error().message;
-        return after.value_or(Scene {});
+        return draw_on(before, { .part = part, .stroke = stroke_of(points), .style_to = style_to });
     }
 
     static Scene tree(Drawing const& lines)
