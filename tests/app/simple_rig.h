@@ -1,8 +1,6 @@
 #pragma once
 
-#include "app/methods/all_methods.h"
 #include "app/station/station.h"
-#include "tests/app/drawing_station.h"
 #include "tests/app/small_model.h"
 #include "tests/drivers/devices.h"
 
@@ -48,8 +46,8 @@ inline std::vector<std::byte> height_report(int counts)
     return report;
 }
 
-// A station with the simple pen, whose surface stays at 100 mm.
-inline Station flat_station(std::optional<Tool> const& tool = {})
+// A station with the simple pen and these tools, whose surface stays at 100 mm.
+inline Station flat_station(ToolKinds tools, std::optional<Tool> const& tool)
 {
     StationOptions options;
     options.scripted_height = ScriptedHeight {
@@ -57,15 +55,9 @@ inline Station flat_station(std::optional<Tool> const& tool = {})
         .first_pen = {},
         .last_pen = {},
     };
-    options.tools = all_methods().tools;
+    options.tools = tools;
     options.tool = tool;
     return Station::create(std::vector { simple_pen() }, options).value();
-}
-
-// Returns such a station, and what it draws on.
-inline DrawingStation station_on(Scene scene, std::optional<Tool> const& tool = {})
-{
-    return { flat_station(tool), std::move(scene) };
 }
 
 // A stroke of the simple pen across the middle of the tablet: twenty samples, 5 ms apart, from

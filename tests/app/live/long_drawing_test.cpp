@@ -4,7 +4,7 @@
 #include "tests/app/document/step_of.h"
 #include "tests/app/full_disk.h"
 #include "tests/app/session/same_edit.h"
-#include "tests/app/simple_rig.h"
+#include "tests/app/flat_station.h"
 #include "tests/engine/scene/edits.h"
 
 #include <algorithm>

@@ -1,8 +1,10 @@
 #include "app/station/station.h"
 
+#include "app/methods/all_methods.h"
 #include "app/methods/indicators/indicate_tool.h"
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/draw_tool.h"
+#include "tests/app/drawing_station.h"
 #include "tests/app/simple_rig.h"
 #include "tests/drivers/bytes.h"
 

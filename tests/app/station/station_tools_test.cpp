@@ -5,7 +5,7 @@
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/erase_tool.h"
 #include "app/tools/select_tool.h"
-#include "tests/app/simple_rig.h"
+#include "tests/app/flat_station.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -9,13 +9,25 @@
 #include "app/tools/select_tool.h"
 #include "engine/plant/join_axes.h"
 #include "tests/app/document/step_of.h"
+#include "tests/app/drawing_station.h"
 #include "tests/app/simple_rig.h"
 #include "tests/engine/scene/edits.h"
 
+#include <array>
 #include <gtest/gtest.h>
+#include <optional>
 
 namespace tractus {
 namespace {
+
+// Such a station with the tools of this test alone, for the thread sanitizer need not see all methods.
+DrawingStation station_on(Scene scene, std::optional<Tool> const& tool = {})
+{
+    static constexpr std::array kTools { &DrawInOrderTool::kKind, &DrawTool::kKind,
+                                         &SelectTool::kKind, &EraseTool::kKind,
+                                         &IndicateTool::kKind };
+    return { flat_station(kTools, tool), std::move(scene) };
+}
 
 // It bends: a straight one would leave the straight trunk as it is.
 void begin_stroke(DrawingStation& station)

@@ -11,7 +11,7 @@
 #include "drivers/file.h"
 #include "engine/methods/construction_lines/line_model.h"
 #include "tests/app/replayed.h"
-#include "tests/app/simple_rig.h"
+#include "tests/app/flat_station.h"
 #include "tests/app/simulated_drawing.h"
 #include "tests/app/verbs/outcome.h"
 

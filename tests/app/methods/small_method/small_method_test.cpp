@@ -1,4 +1,5 @@
 #include "app/document/logged_step.h"
+#include "app/methods/all_methods.h"
 #include "app/session/session.h"
 #include "app/session/session_file.h"
 #include "app/station/station_view.h"

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "app/methods/all_methods.h"
+#include "tests/app/drawing_station.h"
+#include "tests/app/simple_rig.h"
+
+#include <optional>
+#include <utility>
+
+namespace tractus {
+
+// A station with the simple pen and the tools of all methods, whose surface stays at 100 mm.
+inline Station flat_station(std::optional<Tool> const& tool = {})
+{
+    return flat_station(all_methods().tools, tool);
+}
+
+// Returns such a station, and what it draws on.
+inline DrawingStation station_on(Scene scene, std::optional<Tool> const& tool = {})
+{
+    return { flat_station(tool), std::move(scene) };
+}
+
+} // namespace tractus
