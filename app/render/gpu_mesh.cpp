@@ -17,7 +17,7 @@ namespace {
 constexpr float kRhombusBelow_px = 11;   // Shorter organs are drawn as rhombi.
 constexpr float kSmallestArea_px = 2.5f; // Smaller rhombi are drawn fewer and larger,
 constexpr float kSmallestShare = 0.02f;  // but no fewer than this share of them.
-constexpr int kPictureUnit = 2;          // The sun's shadow has those before (sun_shadow.h).
+constexpr int kPictureUnit = 2;          // The first of five; the sun's shadow has those before.
 constexpr std::uint32_t kShuffleStream = 0x72656e64;
 
 struct InstanceVertex {
@@ -149,11 +149,23 @@ void draw_from_afar(GpuMesh::Part const& part, Shader const& shader, float pixel
                             std::min(count, part.instance_count));
 }
 
-// Whether organs of a part are drawn with their picture, or by its mean as what stands for them.
+// Whether organs of a part are drawn with their pictures, or by their mean as what stands for them.
 enum class Picture { Drawn, Mean };
 
-// Uniforms: base_color, linear; with a picture pictured, picture and masked, too.
-void set_color(GpuMesh::Part const& part, Shader const& shader, Picture how)
+// Uniforms: a picture's sampler, and how much it counts; 0 where there is none.
+void set_picture(Shader const& shader, int index, SurfacePicture const* picture, char const* name,
+                 char const* strength_name, float strength)
+{
+    shader.set(strength_name, picture ? strength : 0.0f);
+    // A sampler without a picture may not share its unit with one of another kind.
+    shader.set(name, kPictureUnit + index);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kPictureUnit + index));
+    glBindTexture(GL_TEXTURE_2D, picture ? picture->texture.name() : 0);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+// Uniforms: base_color, linear, and what the material's pictures are.
+void set_pictures(GpuMesh::Part const& part, Shader const& shader, Picture how)
 {
     auto const& textures = part.material.textures;
     bool const replaces = textures.color == MaterialTextures::Color::Replaced;
@@ -163,14 +175,16 @@ void set_color(GpuMesh::Part const& part, Shader const& shader, Picture how)
         color = color.cwiseProduct(part.picture->mean_color);
     bool const is_drawn = part.picture && how == Picture::Drawn;
     shader.set("base_color", color);
-    shader.set("pictured", is_drawn ? 1.0f : 0.0f);
-    if (!is_drawn)
-        return;
-    shader.set("masked", textures.alpha == MaterialTextures::Alpha::Mask ? 1.0f : 0.0f);
-    shader.set("picture", kPictureUnit);
-    glActiveTexture(GL_TEXTURE0 + kPictureUnit);
-    glBindTexture(GL_TEXTURE_2D, part.picture->texture.name());
-    glActiveTexture(GL_TEXTURE0);
+    bool const is_masked = is_drawn && textures.alpha == MaterialTextures::Alpha::Mask;
+    shader.set("masked", is_masked ? 1.0f : 0.0f);
+    auto const seen
+        = [&](SurfacePicture const* picture) { return how == Picture::Drawn ? picture : nullptr; };
+    set_picture(shader, 0, seen(part.picture), "picture", "pictured", 1);
+    set_picture(shader, 1, seen(part.normal), "normals", "bumped", textures.normal_strength);
+    set_picture(shader, 2, seen(part.occlusion), "occlusions", "occluded",
+                textures.occlusion_strength);
+    set_picture(shader, 3, seen(part.roughness), "roughnesses", "roughened", 1);
+    set_picture(shader, 4, seen(part.translucency), "passings", "passing", 1);
 }
 
 // A mesh's own mistake, not a file's: readers check their indices.
@@ -199,7 +213,13 @@ GpuMesh::Part GpuMesh::make_part(Material const& material, TriangleMesh const& t
 {
     Part part;
     part.material = material;
-    part.picture = pictures_.find_or_add(material.textures.base_color);
+    using Meaning = SurfacePictures::Meaning;
+    auto const& textures = material.textures;
+    part.picture = pictures_.find_or_add(textures.base_color, Meaning::Color);
+    part.normal = pictures_.find_or_add(textures.normal, Meaning::Numbers);
+    part.occlusion = pictures_.find_or_add(textures.occlusion, Meaning::Numbers);
+    part.roughness = pictures_.find_or_add(textures.roughness, Meaning::Numbers);
+    part.translucency = pictures_.find_or_add(textures.translucency, Meaning::Numbers);
     part.index_count = static_cast<GLsizei>(triangles.indices.size());
     add_triangles(part, part.vertex_array, triangles);
     return part;
@@ -248,8 +268,9 @@ void GpuMesh::add_organ(Material const& material, InstancedMesh const& organ,
 void GpuMesh::draw(Part const& part, Shader const& shader, float pixel_mm) const
 {
     bool const is_far = part.rhombus && part.rhombus->length_mm < kRhombusBelow_px * pixel_mm;
-    set_color(part, shader, is_far ? Picture::Mean : Picture::Drawn);
+    set_pictures(part, shader, is_far ? Picture::Mean : Picture::Drawn);
     shader.set("instance_growth", Vec3f(1, 1, 1));
+    shader.set("is_instanced", part.instance_count > 0 ? 1.0f : 0.0f);
     if (part.instance_count == 0) {
         draw_surface(part);
     } else if (is_far) {

@@ -25,7 +25,12 @@ public:
     // One draw call: the triangles of one material, once or in many places.
     struct Part {
         Material material;
-        SurfacePicture const* picture = nullptr; // The mesh's; null: the material's colour alone.
+        // The mesh's pictures of the material; null where it has none.
+        SurfacePicture const* picture = nullptr;
+        SurfacePicture const* normal = nullptr;
+        SurfacePicture const* occlusion = nullptr;
+        SurfacePicture const* roughness = nullptr;
+        SurfacePicture const* translucency = nullptr;
         GLsizei index_count = 0;
         GLsizei tube_index_count = 0; // The first ones; drawn from outside only.
         GLsizei instance_count = 0;   // 0: drawn once, where it is.
@@ -46,8 +51,8 @@ public:
 
     // Draws one part with `shader`, which is in use. Attributes: 0 position, 1 normal, 2 texture
     // coordinate, 3 sky visibility of the vertex; of the instance 4 translation, 5 rotation (a
-    // quaternion, scalar last), 6 scale, 7 sky visibility. Uniforms: instance_growth, and what
-    // set_color() gives.
+    // quaternion, scalar last), 6 scale, 7 sky visibility. Uniforms: instance_growth,
+    // is_instanced, and those of the material's colour and pictures.
     //
     // `pixel_mm` is what a pixel shows. Organs of a few pixels are drawn as rhombi, and where these
     // are smaller than pixels, some of them for all, larger by as much (Cook, Halstead, Planck, Ryu

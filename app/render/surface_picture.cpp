@@ -26,10 +26,11 @@ Vec3f mean_color(Image const& image)
     return count > 0 ? (sum / static_cast<double>(count)).cast<float>().eval() : Vec3f::Ones();
 }
 
-void upload(SurfacePicture const& picture, Image const& image, TexturePicture::Edges edges)
+void upload(SurfacePicture const& picture, Image const& image, GLint format,
+            TexturePicture::Edges edges)
 {
     glBindTexture(GL_TEXTURE_2D, picture.texture.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width(), image.height(), 0, GL_RGBA,
+    glTexImage2D(GL_TEXTURE_2D, 0, format, image.width(), image.height(), 0, GL_RGBA,
                  GL_UNSIGNED_BYTE, image.pixels().data());
     glGenerateMipmap(GL_TEXTURE_2D);
     GLint const wrap = edges == TexturePicture::Edges::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
@@ -41,19 +42,21 @@ void upload(SurfacePicture const& picture, Image const& image, TexturePicture::E
 
 } // namespace
 
-SurfacePicture const* SurfacePictures::find_or_add(TextureSlot const& slot)
+SurfacePicture const* SurfacePictures::find_or_add(TextureSlot const& slot, Meaning meaning)
 {
     if (!slot)
         return nullptr;
-    auto const [place, is_new] = pictures_.try_emplace(slot);
+    auto const [place, is_new] = pictures_.try_emplace({ slot, meaning });
     if (is_new) {
-        auto const image = read_picture(slot->png);
+        auto const image = read_picture(slot->bytes);
         GLint most = 0;
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
         if (image && image->width() <= most && image->height() <= most) {
             place->second = std::make_unique<SurfacePicture>();
-            place->second->mean_color = mean_color(*image);
-            upload(*place->second, *image, slot->edges);
+            bool const is_color = meaning == Meaning::Color;
+            if (is_color)
+                place->second->mean_color = mean_color(*image);
+            upload(*place->second, *image, is_color ? GL_SRGB8_ALPHA8 : GL_RGBA8, slot->edges);
         }
     }
     return place->second.get();

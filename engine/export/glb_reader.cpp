@@ -2,8 +2,8 @@
 
 #include "engine/export/glb_accessor.h"
 #include "engine/export/gltf_frame.h"
-#include "engine/export/gltf_material.h"
 #include "engine/export/gltf_scene.h"
+#include "engine/export/read_materials.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,56 +20,6 @@ namespace tractus {
 namespace {
 
 constexpr std::size_t kMostVertices = std::size_t { 1 } << 26; // After expanding.
-
-// Null where there is none of that number.
-template<typename T> T const* item_of(std::vector<T> const& items, int index)
-{
-    return index >= 0 && static_cast<std::size_t>(index) < items.size()
-        ? &items[static_cast<std::size_t>(index)]
-        : nullptr;
-}
-
-// The PNG file that a texture shows; null where it is of another kind, or not in this file.
-TextureSlot picture_of(tinygltf::Model const& model, int texture)
-{
-    auto const* const from = item_of(model.textures, texture);
-    auto const* const image = from ? item_of(model.images, from->source) : nullptr;
-    auto const* const view = image ? item_of(model.bufferViews, image->bufferView) : nullptr;
-    auto const* const buffer = view ? item_of(model.buffers, view->buffer) : nullptr;
-    if (!buffer || image->mimeType != "image/png" || view->byteOffset > buffer->data.size()
-        || view->byteLength > buffer->data.size() - view->byteOffset)
-        return nullptr;
-    auto const* const sampler = item_of(model.samplers, from->sampler);
-    bool const is_clamped = sampler && sampler->wrapS == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
-    TexturePicture picture;
-    if (is_clamped)
-        picture.edges = TexturePicture::Edges::Clamp;
-    auto const* const bytes = reinterpret_cast<char const*>(buffer->data.data());
-    picture.png.assign(bytes + view->byteOffset, view->byteLength);
-    return std::make_shared<TexturePicture const>(std::move(picture));
-}
-
-Material material_of(tinygltf::Model const& model, tinygltf::Material const& from)
-{
-    Material material;
-    material.name = from.name;
-    auto const& surface = from.pbrMetallicRoughness;
-    for (std::size_t i = 0; i < 3 && i < surface.baseColorFactor.size(); ++i)
-        material.base_color[static_cast<Eigen::Index>(i)] = static_cast<float>(
-            srgb_from_linear(std::clamp(surface.baseColorFactor[i], 0.0, 1.0)));
-    material.roughness = static_cast<float>(std::clamp(surface.roughnessFactor, 0.0, 1.0));
-    material.textures.base_color = picture_of(model, surface.baseColorTexture.index);
-    if (from.alphaMode == "MASK")
-        material.textures.alpha = MaterialTextures::Alpha::Mask;
-    material.kind = from.doubleSided ? Material::Kind::Leaf : Material::Kind::Solid;
-    if (!from.extras.IsObject())
-        return material;
-    if (auto const& kind = from.extras.Get("kind"); kind.IsString())
-        material.kind = kind_of_word(kind.Get<std::string>()).value_or(material.kind);
-    if (auto const& share = from.extras.Get("translucency"); share.IsNumber())
-        material.translucency = static_cast<float>(std::clamp(share.GetNumberAsDouble(), 0.0, 1.0));
-    return material;
-}
 
 void compute_normals(TriangleMesh& mesh)
 {
@@ -167,8 +117,7 @@ public:
     explicit Builder(tinygltf::Model const& model)
         : model_(model)
     {
-        for (auto const& material : model.materials)
-            mesh_.materials.push_back(material_of(model, material));
+        mesh_.materials = read_materials(model);
     }
 
     Result<Mesh> build(std::vector<std::vector<Affine>> const& places)

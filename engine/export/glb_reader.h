@@ -11,10 +11,7 @@ namespace tractus {
 // taken to our frame (millimetres, +z up). A mesh that stands in several places, by nodes or by
 // EXT_mesh_gpu_instancing, becomes instances; one that stands once becomes part of the surfaces.
 //
-// Materials keep their name, base colour and roughness, in our own files kind and translucency too;
-// in others' files what is double-sided is taken for leaves and the rest for solids. Pictures of
-// their colour are read where the file holds them as PNG, with their mask; other pictures, skins,
-// animations, points and lines are not.
+// Materials keep what read_materials.h says. Skins, animations, points and lines are not read.
 //
 // Fails, as the user's fault, on what is no such file, is truncated or contradicts itself, needs an
 // extension that changes geometry in a way not known here, or expands to more than 67 million

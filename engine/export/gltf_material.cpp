@@ -26,6 +26,11 @@ double srgb_from_linear(double linear)
     return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
+Vec3 linear_color(Vec3f const& srgb)
+{
+    return srgb.cwiseMax(0.0f).cwiseMin(1.0f).cast<double>().unaryExpr(&linear_from_srgb);
+}
+
 std::string_view kind_word(Material::Kind kind)
 {
     for (auto const& [known, word] : kKindWords)

@@ -46,24 +46,25 @@ std::size_t GltfMaterials::index_of(Material const& material)
     MaterialTextures textures;
     if (has_textures_)
         textures = textures_of(material);
-    bool const is_replaced
-        = textures.base_color && textures.color == MaterialTextures::Color::Replaced;
-    Vec3f const own = is_replaced ? Vec3f::Ones().eval() : material.base_color;
-    auto const color = own.cwiseMax(0.0f).cwiseMin(1.0f).cast<double>().eval();
+    Vec3 const color
+        = has_textures_ ? multiplied_color(material) : linear_color(material.base_color);
     Json made {
         { "name", material.name },
         { "pbrMetallicRoughness",
           { { "baseColorFactor",
-              { six_digits(linear_from_srgb(color.x())), six_digits(linear_from_srgb(color.y())),
-                six_digits(linear_from_srgb(color.z())), 1 } },
+              { six_digits(color.x()), six_digits(color.y()), six_digits(color.z()), 1 } },
             { "metallicFactor", 0 },
             { "roughnessFactor", six_digits(std::clamp(material.roughness, 0.0f, 1.0f)) } } },
     };
     auto& pbr = made["pbrMetallicRoughness"];
     refer(pbr, "baseColorTexture", textures.base_color);
-    refer(pbr, "metallicRoughnessTexture", textures.occlusion_roughness);
+    refer(pbr, "metallicRoughnessTexture", textures.roughness);
     refer(made, "normalTexture", textures.normal);
-    refer(made, "occlusionTexture", textures.occlusion_roughness);
+    if (textures.normal && textures.normal_strength != 1)
+        made["normalTexture"]["scale"] = six_digits(textures.normal_strength);
+    refer(made, "occlusionTexture", textures.occlusion);
+    if (textures.occlusion && textures.occlusion_strength != 1)
+        made["occlusionTexture"]["strength"] = six_digits(textures.occlusion_strength);
     if (textures.alpha == MaterialTextures::Alpha::Mask)
         made["alphaMode"] = "MASK";
     if (is_thin(material.kind))
@@ -88,20 +89,21 @@ void GltfMaterials::refer(Json& to, char const* name, TextureSlot const& slot)
 {
     if (!slot)
         return;
-    auto const known = textures_.find(slot->png);
+    auto const known = textures_.find(slot->bytes);
     auto const index
-        = known != textures_.end() ? known->second : add_texture(slot->png, slot->edges);
-    textures_.emplace(slot->png, index);
+        = known != textures_.end() ? known->second : add_texture(slot->bytes, slot->edges);
+    textures_.emplace(slot->bytes, index);
     to[name] = { { "index", index } };
 }
 
-std::size_t GltfMaterials::add_texture(std::string_view png, TexturePicture::Edges edges)
+std::size_t GltfMaterials::add_texture(std::string_view bytes, TexturePicture::Edges edges)
 {
     int const wrap = edges == TexturePicture::Edges::Repeat ? kRepeat : kClampToEdge;
-    auto block = stream_.open_block(png.size());
-    stream_.write(block, std::as_bytes(std::span(png)));
-    auto const image = json_.images.add(
-        { { "bufferView", add_view(json_, block) }, { "mimeType", "image/png" } });
+    auto block = stream_.open_block(bytes.size());
+    stream_.write(block, std::as_bytes(std::span(bytes)));
+    bool const is_jpeg = bytes.starts_with("\xff\xd8");
+    auto const image = json_.images.add({ { "bufferView", add_view(json_, block) },
+                                          { "mimeType", is_jpeg ? "image/jpeg" : "image/png" } });
     auto const sampler = json_.samplers.add({ { "magFilter", kLinear },
                                               { "minFilter", kLinearMipmapLinear },
                                               { "wrapS", wrap },

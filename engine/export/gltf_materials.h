@@ -25,7 +25,7 @@ public:
     std::size_t add_picture(std::string_view png);
 
 private:
-    std::size_t add_texture(std::string_view png, TexturePicture::Edges edges);
+    std::size_t add_texture(std::string_view bytes, TexturePicture::Edges edges);
     void refer(Json& to, char const* name, TextureSlot const& slot);
 
     GltfJson& json_;

@@ -184,7 +184,7 @@ public:
                 out_ << "map_d " << picture << '\n';
         }
         if (textures.normal) {
-            auto const picture = add_picture(name + "-normal", textures.normal->png);
+            auto const picture = add_picture(name + "-normal", textures.normal->bytes);
             out_ << "norm " << picture << "\nmap_Bump " << picture << '\n'; // Blender's name.
         }
     }

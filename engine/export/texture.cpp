@@ -76,9 +76,34 @@ MaterialTextures textures_of(Material const& material)
         textures.base_color = bark;
     if (!textures.normal)
         textures.normal = bark_normals();
-    if (!textures.occlusion_roughness)
-        textures.occlusion_roughness = bark_occlusion();
+    if (!textures.occlusion)
+        textures.occlusion = bark_occlusion();
+    if (!textures.roughness)
+        textures.roughness = bark_occlusion();
     return textures;
+}
+
+// The linear light of a picture in the mean, 1 for white.
+static double mean_light(GreyPicture const& picture)
+{
+    double sum = 0;
+    for (auto const level : picture.pixels)
+        sum += linear_from_srgb(static_cast<double>(level) / 255);
+    return sum / static_cast<double>(picture.pixels.size());
+}
+
+Vec3 multiplied_color(Material const& material)
+{
+    auto const& textures = material.textures;
+    if (textures.base_color && textures.color == MaterialTextures::Color::Replaced)
+        return Vec3::Ones();
+    Vec3 const own = linear_color(material.base_color);
+    bool const is_bark = material.kind == Material::Kind::Bark;
+    if (textures.base_color || (!is_bark && material.kind != Material::Kind::Leaf))
+        return own;
+    static double const bark = mean_light(bark_picture());
+    static double const leaf = mean_light(leaf_picture());
+    return own * std::min(1 / (is_bark ? bark : leaf), 1 / std::max(own.maxCoeff(), 1e-6));
 }
 
 bool has_relief(Material const& material)
@@ -89,18 +114,17 @@ bool has_relief(Material const& material)
 std::string colored_picture(Material const& material)
 {
     if (material.textures.base_color)
-        return material.textures.base_color->png;
+        return material.textures.base_color->bytes;
     bool const is_bark = material.kind == Material::Kind::Bark;
     if (!is_bark && material.kind != Material::Kind::Leaf)
         return {};
     auto const grey = is_bark ? bark_picture() : leaf_picture();
     // Light multiplies light: sRGB numbers would give other colours than a .glb has.
+    Vec3 const color = multiplied_color(material);
     std::array<std::array<std::uint8_t, 3>, 256> shades {};
     for (std::size_t level = 0; level < shades.size(); ++level)
         for (int k = 0; k < 3; ++k) {
-            double const own = std::clamp(double { material.base_color[k] }, 0.0, 1.0);
-            double const light
-                = linear_from_srgb(own) * linear_from_srgb(static_cast<double>(level) / 255);
+            double const light = color[k] * linear_from_srgb(static_cast<double>(level) / 255);
             shades[level][static_cast<std::size_t>(k)]
                 = static_cast<std::uint8_t>(std::lround(255 * srgb_from_linear(light)));
         }

@@ -27,6 +27,12 @@ GreyPicture leaf_picture();
 // the usual ones of its kind.
 MaterialTextures textures_of(Material const& material);
 
+// Returns the colour, linear, that the picture of its colour multiplies in textures_of(): white
+// where that picture stands for it, and lighter than the material's own where the picture is a
+// usual one of its kind, as far as white: then the surface is as light in the mean as without a
+// picture.
+Vec3 multiplied_color(Material const& material);
+
 // Whether a normal map is among them.
 bool has_relief(Material const& material);
 

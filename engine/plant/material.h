@@ -11,9 +11,9 @@ namespace tractus {
 // Index into Plant::materials.
 using MaterialId = std::uint16_t;
 
-// A picture on a surface, as the bytes of a PNG file, and what is beyond its edges.
+// A picture on a surface, and what is beyond its edges.
 struct TexturePicture {
-    std::string png;
+    std::string bytes; // Of a PNG file; of a JPEG file where another program made it.
     enum class Edges { Repeat, Clamp } edges = Edges::Repeat;
 };
 
@@ -23,10 +23,13 @@ using TextureSlot = std::shared_ptr<TexturePicture const>;
 // Pictures that say more of a surface than its numbers do, and multiply them. In the texture
 // coordinates of meshes (engine/mesh/mesh.h), rows along v, the first at v = 0.
 struct MaterialTextures {
-    TextureSlot base_color {};          // sRGB, and alpha if the picture has it.
-    TextureSlot normal {};              // Normals in tangent space; green points against v.
-    TextureSlot occlusion_roughness {}; // Red: sky that is seen; green: roughness; blue: metal.
-    TextureSlot translucency {};        // Alpha: how much light passes.
+    TextureSlot base_color {};    // sRGB, and alpha if the picture has it.
+    TextureSlot normal {};        // Normals in tangent space; green points against v.
+    TextureSlot occlusion {};     // Red: sky that is seen. Mostly the picture of roughness.
+    TextureSlot roughness {};     // Green: roughness; blue: metal.
+    TextureSlot translucency {};  // Alpha: how much light passes.
+    float normal_strength = 1;    // Multiplies the slopes of normal.
+    float occlusion_strength = 1; // Share of occlusion that counts, 0 to 1.
 
     // Whether what is less than half there by base_color's alpha is not there at all.
     enum class Alpha { Opaque, Mask } alpha = Alpha::Opaque;

@@ -328,12 +328,14 @@ private:
         if (!options_.channels.is_gltf)
             return material;
         auto const texture = [&](std::size_t i) {
-            return std::make_shared<TexturePicture const>(
-                TexturePicture { .png = files[i].front(), .edges = TexturePicture::Edges::Clamp });
+            return std::make_shared<TexturePicture const>(TexturePicture {
+                .bytes = files[i].front(), .edges = TexturePicture::Edges::Clamp });
         };
+        auto const roughness = texture(2);
         material.textures = { .base_color = texture(0),
                               .normal = texture(1),
-                              .occlusion_roughness = texture(2),
+                              .occlusion = roughness,
+                              .roughness = roughness,
                               .alpha = MaterialTextures::Alpha::Mask };
         return material;
     }

@@ -116,7 +116,7 @@ namespace {
 template<std::size_t N> TextureSlot texture(std::vector<std::array<std::uint8_t, N>> const& pixels)
 {
     return std::make_shared<TexturePicture const>(
-        TexturePicture { .png = packed_map(pixels), .edges = TexturePicture::Edges::Clamp });
+        TexturePicture { .bytes = packed_map(pixels), .edges = TexturePicture::Edges::Clamp });
 }
 
 } // namespace
@@ -140,6 +140,7 @@ Result<Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf, leaf::LeafPictur
                     = (frame.pixel(leaf.flat[corner]) / picture.side).cast<float>();
             }
     mesh.surfaces = { std::move(surface) };
+    auto const roughness = texture(picture.roughness);
     mesh.materials = { { .name = "leaf",
                          .kind = Material::Kind::Petal,
                          .base_color = { 1, 1, 1 },
@@ -147,7 +148,8 @@ Result<Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf, leaf::LeafPictur
                          .translucency = 0.4f,
                          .textures = { .base_color = texture(picture.color),
                                        .normal = texture(picture.normal),
-                                       .occlusion_roughness = texture(picture.roughness),
+                                       .occlusion = roughness,
+                                       .roughness = roughness,
                                        .alpha = MaterialTextures::Alpha::Mask } } };
     return mesh;
 }

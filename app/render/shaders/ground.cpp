@@ -90,11 +90,23 @@ void main()
 
 std::string_view const kShadowVertex = R"(
 uniform mat4 T_clip_plant;
-void main() { gl_Position = T_clip_plant * vec4(plant_position(), 1.0); }
+out vec2 coordinate;
+void main()
+{
+    coordinate = texture_coordinate;
+    gl_Position = T_clip_plant * vec4(plant_position(), 1.0);
+}
 )";
 
 std::string_view const kShadowFragment = R"(
-void main() { }
+in vec2 coordinate;
+uniform float masked; // 1: where the picture is less than half there, the surface is not.
+uniform sampler2D picture;
+void main()
+{
+    if (masked > 0.0 && texture(picture, coordinate).a < 0.5)
+        discard;
+}
 )";
 
 std::string_view const kGroundShadowFragment = R"(

@@ -29,7 +29,8 @@ out vec3 world;
 out vec3 world_normal;
 out vec2 coordinate;
 out float sky;
-flat out vec2 individual; // Random per instance, 0 to 1.
+flat out vec2 individual; // Random per instance, 0 to 1; the middle of what is no instance.
+uniform float is_instanced;
 
 void main()
 {
@@ -41,7 +42,7 @@ void main()
     uint h = uint(gl_InstanceID) * 0x9e3779b9u;
     h = (h ^ (h >> 16)) * 0x7feb352du;
     h = (h ^ (h >> 15)) * 0x846ca68bu;
-    individual = vec2(float(h & 0xffffu), float(h >> 16)) / 65535.0;
+    individual = mix(vec2(0.5), vec2(float(h & 0xffffu), float(h >> 16)) / 65535.0, is_instanced);
     gl_Position = T_clip_world * place;
 }
 )";
@@ -59,6 +60,14 @@ uniform vec3 base_color; // Linear; times the picture, if there is one.
 uniform float pictured;  // 0: there is none.
 uniform float masked;    // 1: where the picture is less than half there, the surface is not.
 uniform sampler2D picture;
+uniform float bumped; // Strength of the picture of normals; 0: there is none. The next ones likewise.
+uniform sampler2D normals;
+uniform float occluded;
+uniform sampler2D occlusions; // Red.
+uniform float roughened;
+uniform sampler2D roughnesses; // Green.
+uniform float passing;
+uniform sampler2D passings; // Alpha.
 uniform float roughness;
 uniform float translucency;
 uniform float veins;
@@ -86,6 +95,38 @@ vec3 surface_color()
 
 vec4 own_color(vec3 color) { return vec4(pow(clamp(color, 0.0, 1.0), vec3(1.0 / 2.2)), coverage); }
 
+float surface_roughness() { return roughened > 0.0 ? roughness * texture(roughnesses, coordinate).g : roughness; }
+
+float surface_translucency() { return passing > 0.0 ? translucency * texture(passings, coordinate).a : translucency; }
+
+// Share of the sky that the surface's own relief leaves.
+float surface_openness() { return occluded > 0.0 ? mix(1.0, texture(occlusions, coordinate).r, occluded) : 1.0; }
+
+// The directions in which u and v grow on the surface, of length 1 and square to its normal. They follow from
+// the screen's derivatives.
+void find_tangents(vec3 n, out vec3 along_u, out vec3 along_v)
+{
+    vec2 step_x = dFdx(coordinate);
+    vec2 step_y = dFdy(coordinate);
+    float turn = sign(step_x.x * step_y.y - step_x.y * step_y.x);
+    vec3 u = (dFdx(world) * step_y.y - dFdy(world) * step_x.y) * turn;
+    vec3 v = (dFdy(world) * step_x.x - dFdx(world) * step_y.x) * turn;
+    along_u = normalize(u - n * dot(u, n) + vec3(1e-9));
+    along_v = normalize(v - n * dot(v, n) + vec3(1e-9));
+}
+
+// The normal by the picture of normals, whose green points against v.
+vec3 bumped_normal(vec3 n)
+{
+    if (bumped == 0.0)
+        return n;
+    vec3 along_u;
+    vec3 along_v;
+    find_tangents(n, along_u, along_v);
+    vec3 leaning = texture(normals, coordinate).xyz * 2.0 - 1.0;
+    return normalize(n * max(leaning.z, 0.05) + (along_u * leaning.x - along_v * leaning.y) * bumped);
+}
+
 // Light that one place gets, before it meets the surface's colour.
 struct Light {
     vec3 front;    // On the side that is seen.
@@ -105,14 +146,15 @@ float mirrored(vec3 n, vec3 view, float rough)
 Light light_at(vec3 n, vec3 view)
 {
     float sun = sunlit(world, n);
-    float open = sky * sky * 0.25 + sky * 0.75;
+    float rough = surface_roughness();
+    float open = (sky * sky * 0.25 + sky * 0.75) * surface_openness();
     float facing = dot(n, sun_direction);
     vec3 filtered = mix(vec3(0.80, 0.92, 0.52), vec3(1.0), sky); // Light between leaves is greener.
     Light light;
     light.front = kSunColor * max(facing, 0.0) * sun + ambient(n) * open * filtered;
     light.through = kSunColor * max(-facing, 0.0) * sun + ambient(-n) * open * filtered;
-    float rim = pow(1.0 - max(dot(n, view), 0.0), 4.0) * (1.0 - roughness) * 0.35;
-    light.gloss = kSunColor * mirrored(n, view, roughness) * sun + kSkyColor * rim * open;
+    float rim = pow(1.0 - max(dot(n, view), 0.0), 4.0) * (1.0 - rough) * 0.35;
+    light.gloss = kSunColor * mirrored(n, view, rough) * sun + kSkyColor * rim * open;
     return light;
 }
 
@@ -136,19 +178,18 @@ void main()
     float detail = 1.0 - smoothstep(0.008, 0.032, footprint);
     float height = bark_height(coordinate);
 
-    // Bumps: the normal leans against the height's slope. The directions around and along the branch
-    // follow from the screen's derivatives; the slope itself is taken on the surface, since screen
+    // Bumps: the normal leans against the height's slope. The slope is taken on the surface, since screen
     // derivatives of the height would show the 2 x 2 pixels that share one.
-    vec2 step_x = dFdx(coordinate);
-    vec2 step_y = dFdy(coordinate);
-    float turn = step_x.x * step_y.y - step_x.y * step_y.x;
-    vec3 around = (dFdx(world) * step_y.y - dFdy(world) * step_x.y) * sign(turn);
-    around = normalize(around - n * dot(around, n) + vec3(1e-9));
-    vec3 along = cross(n, around);
-    const float reach = 0.006;
-    float slope_around = bark_height(coordinate + vec2(reach, 0.0)) - height;
-    float slope_along = bark_height(coordinate + vec2(0.0, reach)) - height;
-    n = normalize(n - (around * slope_around + along * slope_along) * (detail * 0.055 / reach));
+    if (bumped == 0.0) {
+        vec3 around;
+        vec3 along;
+        find_tangents(n, around, along);
+        const float reach = 0.006;
+        float slope_around = bark_height(coordinate + vec2(reach, 0.0)) - height;
+        float slope_along = bark_height(coordinate + vec2(0.0, reach)) - height;
+        n = normalize(n - (around * slope_around + along * slope_along) * (detail * 0.055 / reach));
+    }
+    n = bumped_normal(n);
 
     vec3 color = surface_color() * mix(0.95, mix(0.50, 1.40, smoothstep(0.30, 0.95, height)), detail * (1.0 - pictured));
     color = mix(color, vec3(dot(color, vec3(0.33))) * vec3(1.05, 1.0, 0.92), 0.25 * height * detail * (1.0 - pictured));
@@ -177,6 +218,7 @@ void main()
     vec3 n = normalize(world_normal);
     vec3 view = normalize(eye - world);
     bool underside = dot(n, view) < 0.0;
+    n = bumped_normal(n);
     if (underside)
         n = -n;
     float change = individual.x - 0.5;
@@ -192,7 +234,8 @@ void main()
     }
     vec3 shining = color * mix(vec3(1.25), vec3(1.75, 1.45, 0.42), veins) * (1.0 - vein * 0.45);
     Light light = light_at(n, view);
-    vec3 sum = color * light.front * (1.0 - 0.45 * translucency) + shining * light.through * translucency
+    float passes = surface_translucency();
+    vec3 sum = color * light.front * (1.0 - 0.45 * passes) + shining * light.through * passes
         + light.gloss * (underside ? 0.3 : 1.0);
     pixel = vec4(display(sum), coverage);
 }
@@ -201,7 +244,7 @@ void main()
 #ifdef PLAIN
 void main()
 {
-    vec3 n = normalize(world_normal);
+    vec3 n = bumped_normal(normalize(world_normal));
     vec3 view = normalize(eye - world);
     vec3 color = surface_color() * (0.92 + 0.16 * individual.y);
     if (is_lit == 0.0) {

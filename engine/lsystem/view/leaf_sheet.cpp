@@ -164,7 +164,7 @@ double leaf_age(LeafOrder const& order, int number)
 TextureSlot leaf_page(std::string png)
 {
     return std::make_shared<TexturePicture const>(
-        TexturePicture { .png = std::move(png), .edges = TexturePicture::Edges::Clamp });
+        TexturePicture { .bytes = std::move(png), .edges = TexturePicture::Edges::Clamp });
 }
 
 MaterialTextures leaf_textures(LeafSheet const& sheet)
@@ -226,8 +226,8 @@ std::string print_leaf_sheet(LeafSheet const& sheet)
 {
     std::string text
         = fmt::format("mean {} {} {}\ncolor {}\nnormal {}\nleaves {}\n", sheet.mean_color.x(),
-                      sheet.mean_color.y(), sheet.mean_color.z(), base64(sheet.color->png),
-                      base64(sheet.normal->png), sheet.leaves.size());
+                      sheet.mean_color.y(), sheet.mean_color.z(), base64(sheet.color->bytes),
+                      base64(sheet.normal->bytes), sheet.leaves.size());
     for (auto const& leaf : sheet.leaves) {
         text += fmt::format("leaf {} {} {} {} {}\n", leaf->corners.size(), leaf->triangles.size(),
                             leaf->stem_in_picture.x(), leaf->stem_in_picture.y(),

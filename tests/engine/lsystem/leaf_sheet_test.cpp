@@ -29,8 +29,8 @@ TEST(LeafSheet, IsReadAsItWasWritten)
         auto const sheet = sheet_of(size);
         auto const read = parse_leaf_sheet("a.leaf-sheet", print_leaf_sheet(sheet));
         ASSERT_TRUE(read) << read.error().message;
-        EXPECT_EQ(read->color->png, sheet.color->png);
-        EXPECT_EQ(read->normal->png, sheet.normal->png);
+        EXPECT_EQ(read->color->bytes, sheet.color->bytes);
+        EXPECT_EQ(read->normal->bytes, sheet.normal->bytes);
         EXPECT_EQ(read->mean_color, sheet.mean_color);
         ASSERT_EQ(read->leaves.size(), 2u);
         EXPECT_EQ(read->leaves[1]->corners, sheet.leaves[1]->corners);
@@ -105,7 +105,7 @@ TEST(LeafOfAView, StandsForAnOrgansBlade)
     EXPECT_EQ(leaves[1].material, 2);
     auto const& material = view->materials.at(2);
     EXPECT_EQ(material.base_color, Vec3f(0.25f, 0.5f, 0.125f));
-    EXPECT_EQ(material.textures.base_color->png, sheet_of().color->png);
+    EXPECT_EQ(material.textures.base_color->bytes, sheet_of().color->bytes);
     EXPECT_EQ(material.textures.alpha, MaterialTextures::Alpha::Mask);
 }
 

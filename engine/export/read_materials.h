@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/export/tinygltf.h"
+#include "engine/plant/material.h"
+
+#include <vector>
+
+namespace tractus {
+
+// The materials of a glTF file, in its order: name, base colour, roughness, how much light passes
+// (KHR_materials_diffuse_transmission), and the pictures of each, those of the normals and of
+// occlusion too, where the file holds them as PNG or JPEG and the first texture coordinates place
+// them. A picture that several materials or slots show is one picture.
+//
+// Kind and translucency are kept in our own files' extras; in others' files what is double-sided is
+// taken for leaves and the rest for solids. What blends is shown where it is more than half there.
+std::vector<Material> read_materials(tinygltf::Model const& model);
+
+} // namespace tractus
