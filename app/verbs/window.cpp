@@ -17,6 +17,7 @@
 #include "app/verbs/checks.h"
 #include "app/verbs/device_sources.h"
 #include "app/verbs/shared_options.h"
+#include "app/verbs/window_look.h"
 #include "app/window/window.h"
 #include "calib/rig_file.h"
 #include "drivers/clock.h"
@@ -28,8 +29,10 @@
 #include <array>
 #include <fmt/core.h>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tractus {
@@ -52,9 +55,9 @@ struct WindowArguments {
     std::string height;
     std::string picture; // To be laid behind what is drawn.
     bool fills_display = false;
-    std::string display; // The one to fill; empty: as `fills_display` says.
-    bool is_light = false;
-    bool is_left_handed = false;
+    std::string display;                   // The one to fill; empty: as `fills_display` says.
+    std::optional<bool> is_light {};       // No value: as the person chose it last.
+    std::optional<bool> is_left_handed {}; // Likewise.
     double scale = 0;
     int frames = 0;
     std::string screenshot;
@@ -73,14 +76,41 @@ Result<std::filesystem::path> model_of(WindowArguments const& arguments)
     return find_model(arguments.model.empty() ? kUsualModel : arguments.model);
 }
 
+// What a program looks at, or a film, is the same for everybody.
+bool keeps_look(WindowArguments const& arguments)
+{
+    return arguments.frames == 0 && arguments.film.empty() && arguments.screenshot.empty()
+        && !user_look_path().empty();
+}
+
+// As the arguments say, else as the person chose it last.
+WindowLook look_for(WindowArguments const& arguments)
+{
+    WindowLook look;
+    if (keeps_look(arguments)) {
+        if (auto const kept = load_look(user_look_path()))
+            look = *kept;
+        else
+            print_warning(fmt::format("{}: the window looks as usual", kept.error().message));
+    }
+    look.is_light = arguments.is_light.value_or(look.is_light);
+    look.is_left_handed = arguments.is_left_handed.value_or(look.is_left_handed);
+    return look;
+}
+
 WindowOptions window_options(WindowArguments const& arguments, std::string title)
 {
     WindowOptions options;
     options.title = std::move(title);
     if (arguments.fills_display || !arguments.display.empty())
         options.full_screen = arguments.display;
-    options.is_light = arguments.is_light;
-    options.is_left_handed = arguments.is_left_handed;
+    options.look = look_for(arguments);
+    if (keeps_look(arguments))
+        options.keep_look = [warned = false](WindowLook const& look) mutable {
+            auto const saved = save_look(user_look_path(), look);
+            if (!saved && !std::exchange(warned, true))
+                print_warning(saved.error().message);
+        };
     options.scale = arguments.scale;
     options.frames = arguments.frames;
     options.should_close = ClosingSignals::have_come;
@@ -297,9 +327,18 @@ void add_look_options(CLI::App& verb, WindowArguments& arguments)
     verb.add_option("--display", arguments.display,
                     "Fill this display: its number, or a part of its name")
         ->type_name("DISPLAY");
-    verb.add_flag("--light", arguments.is_light, "Light colours, for a bright room");
-    verb.add_flag("--left-handed", arguments.is_left_handed,
-                  "The menu on the left and the scale of heights on the right");
+    auto const add_choice
+        = [&](char const* name, std::optional<bool>& chosen, bool value, char const* help) {
+              return verb.add_flag_callback(
+                  name, [&chosen, value] { chosen = value; }, help);
+          };
+    add_choice("--light", arguments.is_light, true, "Light colours, for a bright room")
+        ->excludes(add_choice("--dark", arguments.is_light, false,
+                              "Dark ones; without either, as chosen last in the window"));
+    add_choice("--left-handed", arguments.is_left_handed, true,
+               "The menu on the left and the scale of heights on the right")
+        ->excludes(add_choice("--right-handed", arguments.is_left_handed, false,
+                              "The other way round; without either, as chosen last in the window"));
     verb.add_option("--scale", arguments.scale,
                     "How large letters and buttons are; 0 takes the display's own scale")
         ->type_name("X")

@@ -117,7 +117,7 @@ Result<void> Host::open(WindowOptions const& options)
     ImGui::GetIO().IniFilename = nullptr; // Leaves no file behind.
     if (options.scale > 0)
         scale_ = static_cast<float>(options.scale);
-    theme::set_light(options.is_light);
+    theme::set_light(options.look.is_light);
     title_font_ = theme::apply(scale_);
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");

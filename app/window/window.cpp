@@ -3,6 +3,7 @@
 #include "app/window/host.h"
 #include "app/window/layout.h"
 #include "app/window/lost_display.h"
+#include "app/window/theme.h"
 #include "drivers/file.h"
 
 #define GLFW_INCLUDE_NONE
@@ -155,6 +156,11 @@ void fill_as_wished(Host& host, WindowState const& state, Workbench& bench)
     bench.filled_display = host.filled_display();
 }
 
+WindowLook look_of(Layout& layout)
+{
+    return { theme::palette().is_light, layout.bench().is_left_handed };
+}
+
 } // namespace
 
 // Shows the model until the window closes, and writes the pictures that were asked for.
@@ -164,7 +170,7 @@ static Result<void> show_window(Host& host, WindowModel& model, WindowOptions co
     auto renderer = TRY(Renderer::create());
     TRY(fill_at_first(host, model.state(), options));
     Layout layout(host.title_font(), host.scale());
-    layout.bench().is_left_handed = options.is_left_handed;
+    layout.bench().is_left_handed = options.look.is_left_handed;
     PenPointer pen;
     auto const draw_frame = [&] {
         auto const step_s = counts_frames(options)
@@ -180,6 +186,7 @@ static Result<void> show_window(Host& host, WindowModel& model, WindowOptions co
     };
     Events events;
     Changes changes;
+    auto kept_look = options.look;
     double last_s = glfwGetTime();
     auto const closes = [&] {
         bool const of_desktop = host.take_wish_to_close();
@@ -194,6 +201,8 @@ static Result<void> show_window(Host& host, WindowModel& model, WindowOptions co
         if (!changes.any(model) && !may_differ && !pen.has_more())
             continue;
         draw_frame();
+        if (auto const look = look_of(layout); options.keep_look && look != kept_look)
+            options.keep_look(kept_look = look);
         if (auto const path = picture_of_film(frame, options))
             TRY(write_picture(host, *path));
         host.show_frame();

@@ -10,6 +10,14 @@
 
 namespace tractus {
 
+// What a person chooses of the window's look.
+struct WindowLook {
+    bool is_light = false;       // For a bright room.
+    bool is_left_handed = false; // As of Workbench.
+
+    bool operator==(WindowLook const&) const = default;
+};
+
 struct WindowOptions {
     std::string title = "tractus";
     int width = 1600; // Pixels, at first; a person may change it.
@@ -23,9 +31,11 @@ struct WindowOptions {
     // tablet's own, else the one that the window is on. No value: a window among others.
     std::optional<std::string> full_screen {};
 
-    bool is_light = false;       // For a bright room.
-    bool is_left_handed = false; // As of Workbench.
-    double scale = 0;            // Of letters and buttons; 0: the display's.
+    WindowLook look {}; // At first.
+    double scale = 0;   // Of letters and buttons; 0: the display's.
+
+    // Called with each look that the person chooses. May be empty.
+    std::function<void(WindowLook const&)> keep_look {};
 
     // Asked before each frame: true closes the window.
     std::function<bool()> should_close {};
