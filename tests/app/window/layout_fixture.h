@@ -1,0 +1,355 @@
+#pragma once
+
+#include "app/methods/all_methods.h"
+#include "app/render/offscreen_context.h"
+#include "app/tools/tool_choices.h"
+#include "app/window/layout.h"
+#include "app/window/theme.h"
+#include "tests/app/window/small_state.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <epoxy/gl.h>
+#include <fmt/core.h>
+#include <functional>
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What the window draws without a display, for tests of where things lie.
+namespace tractus::layout_tests {
+
+// A page of so many recent drawings, and with pictures as large as those of models.
+class CardsModel : public StartPageModel {
+public:
+    explicit CardsModel(std::size_t recent)
+    {
+        auto const picture = std::make_shared<Image const>(360, 300, Color { 90, 120, 60 });
+        StartCard const model { "Broadleaf", "A broadleaf tree like a young lime", picture };
+        StartCard const drawing { "Lombardy poplar", "28 February, 23:59", picture };
+        StartCard const sheet {
+            "Along a stroke", "A rule grows along the stroke", {}, "5095 5050", 'K'
+        };
+        state_.groups = { { "An empty sheet", std::vector<StartCard>(3, sheet), {} },
+                          { "From a model", std::vector<StartCard>(14, model), {} } };
+        if (recent > 0)
+            state_.groups.insert(
+                state_.groups.begin() + 1,
+                { "Recent drawings", std::vector<StartCard>(recent, drawing), "Earlier drawings" });
+    }
+
+    StartPageState const& state() const override { return state_; }
+    void choose(std::size_t group, std::size_t card) override { chosen.emplace_back(group, card); }
+    void show_study()
+    {
+        auto const picture = std::make_shared<Image const>(64, 64, Color { 90, 120, 60 });
+        StartStudy::Picture const shown { "light through", picture };
+        state_.study
+            = StartStudy { .large = shown,
+                           .details = std::vector<StartStudy::Picture>(4, shown),
+                           .others = std::vector<StartStudy::Picture>(6, shown),
+                           .sliders = std::vector<StartStudy::Slider>(7, { "spots 100 %", 1, 0.2 }),
+                           .accept = "Put on the plant" };
+    }
+    void slide(std::size_t slider, double value) override { slid.emplace_back(slider, value); }
+    void accept() override { ++accepted; }
+    void say(std::string note) { state_.note = std::move(note); }
+
+    std::vector<std::pair<std::size_t, std::size_t>> chosen {};
+    std::vector<std::pair<std::size_t, double>> slid {};
+    int accepted = 0;
+
+private:
+    StartPageState state_;
+};
+
+class DrawingModel : public WindowModel {
+public:
+    DrawingModel()
+        : methods_(all_methods())
+        , mesh_(post_with_leaves())
+    {
+        state_ = small_state();
+        state_.plant = &mesh_;
+        state_.plant_revision = 1;
+        state_.tools = methods_.tools;
+        state_.hand = Tool(*state_.tools.front());
+        state_.is_live = true;
+        state_.mouse_draws = true;
+        state_.has_session = true;
+        state_.may_calibrate = true;
+    }
+
+    void advance(Duration) override { }
+    WindowState const& state() const override { return state_; }
+    StartPageModel* start_page() override { return start ? &*start : nullptr; }
+    void perform(WindowCommand const& command) override
+    {
+        if (auto const* const choice = std::get_if<ChooseTool>(&command))
+            state_.hand = choice->tool;
+        if (auto const* const adjusted = std::get_if<AdjustTool>(&command)) {
+            bool const moves = adjusted->slider == ChangeGrowth::Slider::Moving;
+            if (!moves)
+                state_.hand = adjusted->tool;
+            (moves ? moved : released).push_back(adjusted->tool);
+        }
+        if (auto const* const pen = std::get_if<MoveMousePen>(&command))
+            touches += std::any_of(pen->path.begin(), pen->path.end(),
+                                   [](MousePen const& moment) { return moment.touching; });
+    }
+
+    void add_card(ToolCard card) { state_.cards.push_back(std::move(card)); }
+
+    std::vector<Tool> moved {};    // What tools in hand are adjusted to,
+    std::vector<Tool> released {}; // and left as.
+    std::size_t touches = 0;
+
+    std::optional<CardsModel> start {};
+
+private:
+    Methods methods_;
+    Mesh mesh_;
+    WindowState state_;
+};
+
+struct Box {
+    float left = 0;
+    float top = 0;
+    float right = 0;
+    float bottom = 0;
+    std::string panel {}; // Name of ImGui's window.
+
+    float width() const { return right - left; }
+    float height() const { return bottom - top; }
+};
+
+inline std::string text_of(Box const& box)
+{
+    return fmt::format("{} {:.0f},{:.0f} to {:.0f},{:.0f}", box.panel, box.left, box.top, box.right,
+                       box.bottom);
+}
+
+inline bool overlap(Box const& one, Box const& other)
+{
+    constexpr float kTouch_px = 1.5f; // Edges are smoothed.
+    return std::min(one.right, other.right) - std::max(one.left, other.left) > kTouch_px
+        && std::min(one.bottom, other.bottom) - std::max(one.top, other.top) > kTouch_px;
+}
+
+Box cut(Box box, ImVec4 const& clip)
+{
+    box.left = std::max(box.left, clip.x);
+    box.top = std::max(box.top, clip.y);
+    box.right = std::min(box.right, clip.z);
+    box.bottom = std::min(box.bottom, clip.w);
+    return box;
+}
+
+// What a frame has drawn: as the graphics card gets it, not as the program means it.
+struct DrawnFrame {
+    struct Button {
+        Box whole;
+        Box visible;
+    };
+    std::vector<Button> buttons {};
+    std::vector<Box> pictures {}; // The views.
+};
+
+constexpr ImU32 kWithoutAlpha = ~IM_COL32_A_MASK;
+
+inline bool is_button(ImU32 color)
+{
+    auto const is = [&](ImGuiCol what) {
+        return (color & kWithoutAlpha) == (ImGui::GetColorU32(what) & kWithoutAlpha);
+    };
+    return is(ImGuiCol_Button) || is(ImGuiCol_CheckMark) || is(ImGuiCol_ButtonHovered);
+}
+
+// Runs of neighbouring vertices in a button's colour are a button each.
+inline void find_drawn(ImDrawList const& list, DrawnFrame& drawn)
+{
+    auto const font = ImGui::GetIO().Fonts->TexID;
+    for (auto const& command : list.CmdBuffer) {
+        std::optional<Box> box;
+        bool was_button = false;
+        auto const end_run = [&] {
+            auto const found = std::exchange(box, std::nullopt);
+            if (!found)
+                return;
+            auto const visible = cut(*found, command.ClipRect);
+            if (command.TextureId != font)
+                drawn.pictures.push_back(visible);
+            else if (was_button && found->height() > 8)
+                drawn.buttons.push_back({ *found, visible });
+        };
+        for (unsigned i = 0; i < command.ElemCount; ++i) {
+            auto const index
+                = list.IdxBuffer[static_cast<int>(command.IdxOffset + i)] + command.VtxOffset;
+            auto const& vertex = list.VtxBuffer[static_cast<int>(index)];
+            bool const is_one = command.TextureId == font && is_button(vertex.col);
+            if (is_one != was_button)
+                end_run();
+            was_button = is_one;
+            if (!is_one && command.TextureId == font)
+                continue;
+            if (!box)
+                box = Box { vertex.pos.x, vertex.pos.y, vertex.pos.x, vertex.pos.y,
+                            list._OwnerName };
+            box->left = std::min(box->left, vertex.pos.x);
+            box->top = std::min(box->top, vertex.pos.y);
+            box->right = std::max(box->right, vertex.pos.x);
+            box->bottom = std::max(box->bottom, vertex.pos.y);
+        }
+        end_run();
+    }
+}
+
+class LayoutTest : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        auto context = OffscreenContext::create();
+        ASSERT_TRUE(context) << context.error().message;
+        context_.emplace(std::move(*context));
+        renderer_.emplace(Renderer::create().value());
+        glEnable(GL_RASTERIZER_DISCARD); // Where things lie is looked at, not their pixels.
+    }
+
+    using Prepare = std::function<void(Layout&, DrawingModel&)>;
+    using Check = std::function<void(DrawnFrame const&, ImVec2 const&)>; // Of a window so large.
+
+    // Shows a window of that many points; `prepare` before the last frames.
+    void show(ImVec2 const& points, float scale, Prepare const& prepare, Check const& check)
+    {
+        ImGui::CreateContext();
+        {
+            auto& io = ImGui::GetIO();
+            io.IniFilename = nullptr;
+            io.DisplaySize = { std::round(points.x * scale), std::round(points.y * scale) };
+            io.DeltaTime = 0.02f;
+            io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+            auto* const title = theme::apply(scale);
+            io.Fonts->Build();
+            io.Fonts->TexID = reinterpret_cast<ImTextureID>(std::uintptr_t { 0xF0F0 });
+            Layout layout(title, scale);
+            DrawingModel model;
+            PenPointer const pen;
+            for (int frame = 0; frame < 4; ++frame) {
+                if (frame == 1)
+                    prepare(layout, model);
+                ImGui::NewFrame();
+                layout.show(model, *renderer_, pen, {});
+                ImGui::Render();
+            }
+            DrawnFrame drawn;
+            auto const* const data = ImGui::GetDrawData();
+            for (int i = 0; i < data->CmdListsCount; ++i)
+                find_drawn(*data->CmdLists[i], drawn);
+            check(drawn, io.DisplaySize);
+        }
+        ImGui::DestroyContext();
+    }
+
+    // Where ImGui's mouse is, and whether its button is down, in each of the frames; the keys that
+    // are pressed in the first.
+    struct Moment {
+        ImVec2 place_px;
+        bool is_down = false;
+        HandInput input {};
+    };
+
+    // Shows the page in a window of that many points, and what a hand does there.
+    void work(
+        ImVec2 const& points, std::vector<Moment> const& moments, DrawingModel& model,
+        std::function<void(Layout&)> const& prepare = [](Layout&) {})
+    {
+        ImGui::CreateContext();
+        {
+            auto& io = ImGui::GetIO();
+            io.IniFilename = nullptr;
+            io.DisplaySize = points;
+            io.DeltaTime = 0.02f;
+            auto* const title = theme::apply(1);
+            io.Fonts->Build();
+            Layout layout(title, 1);
+            prepare(layout);
+            PenPointer const pen;
+            for (auto const& moment : moments) {
+                io.MousePos = moment.place_px;
+                io.MouseDown[0] = moment.is_down;
+                ImGui::NewFrame();
+                layout.show(model, *renderer_, pen, moment.input);
+                ImGui::Render();
+            }
+        }
+        ImGui::DestroyContext();
+    }
+
+    std::optional<OffscreenContext> context_;
+    std::optional<Renderer> renderer_;
+};
+
+struct Size {
+    float width;
+    float height;
+    float scale;
+};
+
+// Points, on displays of up to 3840 x 2160.
+inline std::vector<Size> sizes()
+{
+    std::vector<Size> all;
+    for (auto const& [width, height] :
+         std::array<std::pair<float, float>, 8> { { { 533, 400 },
+                                                    { 640, 480 },
+                                                    { 800, 600 },
+                                                    { 799, 450 },
+                                                    { 1000, 560 },
+                                                    { 1280, 720 },
+                                                    { 1600, 900 },
+                                                    { 1920, 1080 } } })
+        for (float const scale : { 1.0f, 2.0f })
+            if (width * scale <= 3840 && height * scale <= 2160)
+                all.push_back({ width, height, scale });
+    return all;
+}
+
+// What does not fit is reached by dragging, up and down.
+inline bool scrolls(Box const& box)
+{
+    return box.panel.find("meanings") != std::string::npos || box.panel == "menu"
+        || box.panel.find("cards") != std::string::npos
+        || box.panel.find("study") != std::string::npos;
+}
+
+inline void check_buttons(DrawnFrame const& drawn, ImVec2 const& size_px)
+{
+    constexpr float kEdge_px = 1.5f;
+    EXPECT_GT(drawn.buttons.size(), 5u);
+    for (auto const& [whole, visible] : drawn.buttons) {
+        EXPECT_GE(whole.left, -kEdge_px) << text_of(whole);
+        EXPECT_LE(whole.right, size_px.x + kEdge_px) << text_of(whole);
+        EXPECT_GE(visible.width(), whole.width() - kEdge_px) << text_of(whole) << " is cut";
+        if (scrolls(whole))
+            continue;
+        EXPECT_GE(whole.top, -kEdge_px) << text_of(whole);
+        EXPECT_LE(whole.bottom, size_px.y + kEdge_px) << text_of(whole);
+        EXPECT_GE(visible.height(), whole.height() - kEdge_px) << text_of(whole) << " is cut";
+    }
+    for (std::size_t i = 0; i < drawn.buttons.size(); ++i)
+        for (std::size_t j = i + 1; j < drawn.buttons.size(); ++j)
+            EXPECT_FALSE(overlap(drawn.buttons[i].visible, drawn.buttons[j].visible)
+                         && drawn.buttons[i].visible.height() > 0
+                         && drawn.buttons[j].visible.height() > 0)
+                << text_of(drawn.buttons[i].whole) << " and " << text_of(drawn.buttons[j].whole);
+}
+
+inline std::string text_of(Size const& size)
+{
+    return fmt::format("{} x {} points at {}", size.width, size.height, size.scale);
+}
+
+} // namespace tractus::layout_tests
