@@ -17,6 +17,14 @@ std::vector<HeightCapture> captures_without(std::span<HeightCapture const> captu
     return rest;
 }
 
+ReadingRange reading_range(std::span<HeightCapture const> captures)
+{
+    auto const [low, high]
+        = std::minmax_element(captures.begin(), captures.end(),
+                              [](auto const& a, auto const& b) { return a.counts < b.counts; });
+    return { low->counts, high->counts };
+}
+
 namespace {
 
 constexpr std::size_t kLeastReadings = 20;

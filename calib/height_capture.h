@@ -41,6 +41,17 @@ struct HeightCapture {
 std::vector<HeightCapture> captures_without(std::span<HeightCapture const> captures,
                                             std::span<std::size_t const> left_out);
 
+// The least and the greatest of captures' readings.
+struct ReadingRange {
+    double low = 0;
+    double high = 0;
+    double width() const { return high - low; }
+    bool operator==(ReadingRange const&) const = default;
+};
+
+// Of at least one capture.
+ReadingRange reading_range(std::span<HeightCapture const> captures);
+
 // The width of a bin of HeightCapture::scatter for a converter: a count of 12 bits, or as much of a
 // finer one.
 double noise_bin_counts(std::int32_t full_scale_counts);

@@ -105,13 +105,15 @@ std::size_t distinct_readings(Captures captures)
 }
 
 // Fits with the number of knots that leaves the least variance. Where the captures are too few to
-// tell one (asked for all the same), through all of them.
+// tell one (asked for all the same), through all of them. No curve tells what lies beyond its
+// captures, so that the lowest and the highest one are never left out.
 std::optional<RobustFit> fit_best_monotone(Captures captures, HeightFitOptions const& options)
 {
     auto const kind = HeightModelKind::Monotone;
+    auto const range = reading_range(captures);
     auto const with_knots = [&](std::size_t knots) {
         return fit_robustly(kind, captures, options, [=](Captures some) -> std::optional<ModelFit> {
-            if (some.size() < knots)
+            if (some.size() < knots || reading_range(some) != range)
                 return std::nullopt;
             return fit_monotone(some, { knots });
         });
@@ -354,15 +356,9 @@ double pooled_noise(Captures captures)
 
 void tell_range(Captures captures, HeightFit& fit)
 {
-    bool is_first = true;
-    for (std::size_t i = 0; i < captures.size(); ++i) {
-        if (std::binary_search(fit.slipped.begin(), fit.slipped.end(), i))
-            continue;
-        double const counts = captures[i].counts;
-        fit.low_counts = is_first ? counts : std::min(fit.low_counts, counts);
-        fit.high_counts = is_first ? counts : std::max(fit.high_counts, counts);
-        is_first = false;
-    }
+    auto const range = reading_range(captures_without(captures, fit.slipped));
+    fit.low_counts = range.low;
+    fit.high_counts = range.high;
     auto const one = height_mm(fit.model, fit.low_counts);
     auto const other = height_mm(fit.model, fit.high_counts);
     CHECK(one && other); // The captures were fitted.

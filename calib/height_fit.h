@@ -112,7 +112,8 @@ double height_error_mm(HeightFit const& fit, double counts);
 // that is greater. It is left out and named, and counts as a parameter in the test (the mean shift
 // model of R. Cook and S. Weisberg, "Residuals and Influence in Regression", 1982). So it goes on
 // with the worst one, for at most a fifth of the captures, and as long as more are left than the
-// model has parameters.
+// model has parameters. A monotone curve leaves out neither the lowest nor the highest capture: it
+// could be anywhere there.
 //
 // Standard errors are those of the linear approximation, times the greater one of the ruler's error
 // and the residuals' own standard deviation.

@@ -25,22 +25,6 @@ constexpr double kSpoolBelow_mm = 1250;
 // Standard deviations of the bend, in parts of what the data sheet says.
 constexpr std::array kDeviations { 0.0, 0.25, 0.5, 1.0, 2.0 };
 
-struct ReadingRange {
-    double low = 0;
-    double high = 0;
-    double width() const { return high - low; }
-};
-
-ReadingRange reading_range(Captures captures)
-{
-    ReadingRange range { captures.front().counts, captures.front().counts };
-    for (auto const& capture : captures) {
-        range.low = std::min(range.low, capture.counts);
-        range.high = std::max(range.high, capture.counts);
-    }
-    return range;
-}
-
 // The bend's knots, and what takes independent numbers of variance one to their shifts.
 struct Track {
     Eigen::VectorXd counts {};
