@@ -393,8 +393,22 @@ void bend_track(Captures captures, HeightFitOptions const& options, HeightFit& f
     fit.capture_error_mm = std::sqrt(variance_mm2);
     fit.covariance
         = bent->covariance * variance_mm2 / (options.ruler_error_mm * options.ruler_error_mm);
-    fit.rms_mm = std::sqrt(bent->sum_of_squares_mm2 / static_cast<double>(used.size()));
     fit.bend_percent = 100 * bent->deviation;
+}
+
+void tell_residuals(Captures captures, HeightFit& fit)
+{
+    double squares = 0;
+    for (std::size_t i = 0; i < captures.size(); ++i) {
+        double const height = height_mm(fit.model, captures[i].counts).value_or(0);
+        double const residual = fit.residuals_mm.emplace_back(captures[i].ruler_mm - height);
+        if (std::binary_search(fit.slipped.begin(), fit.slipped.end(), i))
+            continue;
+        fit.max_mm = std::max(fit.max_mm, std::abs(residual));
+        squares += residual * residual;
+    }
+    auto const used = captures.size() - fit.slipped.size();
+    fit.rms_mm = std::sqrt(squares / static_cast<double>(used));
 }
 
 HeightFit describe(Captures captures, Choice choice, HeightFitOptions const& options)
@@ -408,15 +422,9 @@ HeightFit describe(Captures captures, Choice choice, HeightFitOptions const& opt
         std::max(options.ruler_error_mm * options.ruler_error_mm, choice.fit.variance_mm2()));
     fit.apart_mm = fit.capture_error_mm;
     fit.covariance = choice.fit.fit.unit_covariance * fit.capture_error_mm * fit.capture_error_mm;
-    fit.rms_mm = choice.fit.rms_mm();
     bend_track(captures, options, fit);
     fit.parameters = parameters_with_errors(fit.model, fit.covariance);
-    for (std::size_t i = 0; i < captures.size(); ++i) {
-        double const height = height_mm(fit.model, captures[i].counts).value_or(0);
-        fit.residuals_mm.push_back(captures[i].ruler_mm - height);
-        if (!std::binary_search(fit.slipped.begin(), fit.slipped.end(), i))
-            fit.max_mm = std::max(fit.max_mm, std::abs(fit.residuals_mm.back()));
-    }
+    tell_residuals(captures, fit);
     fit.hysteresis = hysteresis_of(captures, fit);
     fit.noise_counts = pooled_noise(captures);
     tell_range(captures, fit);

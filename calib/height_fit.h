@@ -116,7 +116,10 @@ double height_error_mm(HeightFit const& fit, double counts);
 // could be anywhere there.
 //
 // Standard errors are those of the linear approximation, times the greater one of the ruler's error
-// and the residuals' own standard deviation.
+// (known before, of type B as the "Guide to the expression of uncertainty in measurement", JCGM
+// 100:2008, has it) and the residuals' own standard deviation. What the track may bend by, and what
+// up and down differ by, are part of them wherever a bend is fitted; then some seven captures leave
+// the residuals no say, and the errors are as true as the ruler's.
 //
 // Fails, as the user's fault, with a sentence that says what to do: fewer captures than parameters
 // or than two, heights all the same, heights that do not follow one direction, readings that stay

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace tractus {
@@ -24,6 +25,8 @@ constexpr double kSpoolNear_mm = 500;   // How far from the table a spool may we
 constexpr double kSpoolBelow_mm = 1250;
 // Standard deviations of the bend, in parts of what the data sheet says.
 constexpr std::array kDeviations { 0.0, 0.25, 0.5, 1.0, 2.0 };
+constexpr double kNoPlayBefore = 0.5; // Chance that up and down are alike before the captures.
+constexpr std::array kPlays_mm { 0.0, 0.3, 1.0 }; // Standard deviations of their difference.
 
 // The bend's knots, and what takes independent numbers of variance one to their shifts.
 struct Track {
@@ -55,41 +58,71 @@ Track track_over(ReadingRange const& range, double deviation)
     return { counts, deviation * range.width() * Eigen::MatrixXd(covariance.llt().matrixL()) };
 }
 
+// What a fit takes to be beside the law.
+struct Besides {
+    std::optional<Track> track {}; // Its bend is part of the fit; no value: it is straight.
+    double play_mm = 0; // Standard deviation of what up and down differ by; 0: they are alike.
+
+    Eigen::Index bend_numbers() const { return track ? kBendKnots : 0; }
+    Eigen::Index numbers() const { return bend_numbers() + (play_mm > 0 ? 1 : 0); }
+};
+
 struct FittedBend {
     HeightModel model {};
     LeastSquares fit {};
-    Track track {};
+    Besides besides {};
     double log_evidence = 0;
 };
 
-HeightModel model_of(HeightModel const& law, Track const& track, Eigen::VectorXd const& numbers)
+HeightModel model_of(HeightModel const& law, Besides const& besides, Eigen::VectorXd const& numbers)
 {
     auto const count = parameters_of(law).size();
     auto const model = with_parameters(law, numbers.head(count));
     return with_bend(model,
-                     numbers.size() > count ? track.bend(numbers.tail(kBendKnots)) : TrackBend());
+                     besides.track ? besides.track->bend(numbers.segment(count, kBendKnots))
+                                   : TrackBend());
 }
 
-// Misfits in errors of the ruler, and what is known before: the bend's numbers, and that a string's
-// spool stands somewhere near the table.
-std::optional<Eigen::VectorXd> misfits(HeightModel const& model, Eigen::VectorXd const& bend,
-                                       Captures captures, double ruler_error_mm)
+// +1 where the carriage came from below, -1 from above.
+double side_of(HeightCapture const& capture)
+{
+    return capture.from == HeightCapture::From::Below ? 1
+        : capture.from == HeightCapture::From::Above  ? -1
+                                                      : 0;
+}
+
+// Whether captures tell up from down.
+bool have_both_sides(Captures captures)
+{
+    constexpr int kEnough = 2;
+    auto const from = [&](double side) {
+        return std::count_if(captures.begin(), captures.end(),
+                             [=](auto const& capture) { return side_of(capture) == side; });
+    };
+    return from(1) >= kEnough && from(-1) >= kEnough;
+}
+
+// Misfits in errors of the ruler, and what is known before: `numbers` of what is beside the law,
+// and that a string's spool stands somewhere near the table.
+std::optional<Eigen::VectorXd> misfits(HeightModel const& model, Eigen::VectorXd const& numbers,
+                                       double play_mm, Captures captures, double ruler_error_mm)
 {
     if (!is_valid(model))
         return std::nullopt;
     auto const count = static_cast<Eigen::Index>(captures.size());
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(count + bend.size() + 2);
+    double const half_play_mm = play_mm > 0 ? play_mm / 2 * numbers[numbers.size() - 1] : 0;
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(count + numbers.size() + 2);
     for (Eigen::Index i = 0; i < count; ++i) {
         auto const& capture = captures[static_cast<std::size_t>(i)];
         auto const height = height_mm(model, capture.counts);
         if (!height)
             return std::nullopt;
-        result[i] = (*height - capture.ruler_mm) / ruler_error_mm;
+        result[i] = (*height - side_of(capture) * half_play_mm - capture.ruler_mm) / ruler_error_mm;
     }
-    result.segment(count, bend.size()) = bend;
+    result.segment(count, numbers.size()) = numbers;
     if (auto const* string = std::get_if<StringHeight>(&model)) {
-        result[count + bend.size()] = string->offset_mm / kSpoolNear_mm;
-        result[count + bend.size() + 1] = string->base_mm / kSpoolBelow_mm;
+        result[count + numbers.size()] = string->offset_mm / kSpoolNear_mm;
+        result[count + numbers.size() + 1] = string->base_mm / kSpoolBelow_mm;
     }
     return result;
 }
@@ -104,26 +137,25 @@ double log_determinant(Eigen::MatrixXd const& jacobian)
     return sum;
 }
 
-std::optional<FittedBend> fit_with(HeightModel const& law, Track const& track, bool is_bent,
+std::optional<FittedBend> fit_with(HeightModel const& law, Besides const& besides,
                                    Captures captures, double ruler_error_mm)
 {
     auto const of_law = parameters_of(law);
-    auto const of_bend = is_bent ? kBendKnots : 0;
-    Eigen::VectorXd start = Eigen::VectorXd::Zero(of_law.size() + of_bend);
+    Eigen::VectorXd start = Eigen::VectorXd::Zero(of_law.size() + besides.numbers());
     start.head(of_law.size()) = of_law;
     Eigen::VectorXd steps = Eigen::VectorXd::Constant(start.size(), 1e-4);
     steps.head(of_law.size()) = 1e-6 * of_law.cwiseAbs().cwiseMax(1e-4);
     auto const fit = fit_least_squares(
         [&](Eigen::VectorXd const& numbers) {
-            return misfits(model_of(law, track, numbers), numbers.tail(of_bend), captures,
-                           ruler_error_mm);
+            return misfits(model_of(law, besides, numbers), numbers.tail(besides.numbers()),
+                           besides.play_mm, captures, ruler_error_mm);
         },
         start, steps);
     if (!fit)
         return std::nullopt;
-    return FittedBend { .model = model_of(law, track, fit->parameters),
+    return FittedBend { .model = model_of(law, besides, fit->parameters),
                         .fit = *fit,
-                        .track = track,
+                        .besides = besides,
                         .log_evidence
                         = -0.5 * (fit->sum_of_squares() + log_determinant(fit->jacobian)) };
 }
@@ -131,34 +163,68 @@ std::optional<FittedBend> fit_with(HeightModel const& law, Track const& track, b
 // Covariance of the law's parameters, followed by the shifts of the bend's knots.
 Eigen::MatrixXd covariance_of(FittedBend const& fitted)
 {
-    auto const& unit = fitted.fit.unit_covariance;
-    Eigen::MatrixXd to_shifts = Eigen::MatrixXd::Identity(unit.rows(), unit.cols());
-    to_shifts.bottomRightCorner(kBendKnots, kBendKnots) = fitted.track.half_covariance;
+    auto const count = parameters_of(fitted.model).size() + kBendKnots;
+    Eigen::MatrixXd const unit = fitted.fit.unit_covariance.topLeftCorner(count, count);
+    Eigen::MatrixXd to_shifts = Eigen::MatrixXd::Identity(count, count);
+    to_shifts.bottomRightCorner(kBendKnots, kBendKnots) = fitted.besides.track->half_covariance;
     return to_shifts * unit * to_shifts.transpose();
 }
 
-// The root of the mean square of the deviation, over what the captures make of each one.
-double likely_deviation(HeightModel const& law, Captures captures, double ruler_error_mm,
-                        double linearity)
+// Standard deviations of what is beside the law.
+struct LikelyBesides {
+    double bend = 0; // Of the range.
+    double play_mm = 0;
+};
+
+// The chance of the first of so many deviations, or of another one, before the captures.
+double chance_before(std::size_t i, double of_first, std::size_t count)
 {
-    std::vector<double> logs;
-    for (double const part : kDeviations) {
-        double const deviation = part * linearity;
-        auto const fit = fit_with(law, track_over(reading_range(captures), deviation),
-                                  deviation > 0, captures, ruler_error_mm);
-        double const prior
-            = deviation > 0 ? (1 - kStraightBefore) / (kDeviations.size() - 1) : kStraightBefore;
-        logs.push_back(fit ? fit->log_evidence + std::log(prior) : -1e300);
-    }
-    double const most = *std::max_element(logs.begin(), logs.end());
+    return i == 0 ? of_first : (1 - of_first) / static_cast<double>(count - 1);
+}
+
+struct BesidesTrial {
+    LikelyBesides deviations {};
+    double log_weight = 0;
+};
+
+std::vector<BesidesTrial> try_besides(HeightModel const& law, Captures captures,
+                                      double ruler_error_mm, double linearity)
+{
+    std::size_t const plays = have_both_sides(captures) ? kPlays_mm.size() : 1;
+    std::vector<BesidesTrial> trials;
+    for (std::size_t i = 0; i < kDeviations.size(); ++i)
+        for (std::size_t k = 0; k < plays; ++k) {
+            LikelyBesides const deviations { kDeviations[i] * linearity, kPlays_mm[k] };
+            Besides besides { .play_mm = deviations.play_mm };
+            if (deviations.bend > 0)
+                besides.track = track_over(reading_range(captures), deviations.bend);
+            auto const fit = fit_with(law, besides, captures, ruler_error_mm);
+            if (!fit)
+                continue;
+            double const before = chance_before(i, kStraightBefore, kDeviations.size())
+                * chance_before(k, kNoPlayBefore, kPlays_mm.size());
+            trials.push_back({ deviations, fit->log_evidence + std::log(before) });
+        }
+    return trials;
+}
+
+// The roots of the mean squares of the deviations, over what the captures make of each pair.
+LikelyBesides mean_deviations(std::vector<BesidesTrial> const& trials)
+{
+    double most = -std::numeric_limits<double>::infinity();
+    for (auto const& trial : trials)
+        most = std::max(most, trial.log_weight);
     double sum = 0;
-    double squares = 0;
-    for (std::size_t i = 0; i < logs.size(); ++i) {
-        double const weight = std::exp(logs[i] - most);
+    LikelyBesides squares;
+    for (auto const& [deviations, log_weight] : trials) {
+        double const weight = std::exp(log_weight - most);
         sum += weight;
-        squares += weight * kDeviations[i] * kDeviations[i];
+        squares.bend += weight * deviations.bend * deviations.bend;
+        squares.play_mm += weight * deviations.play_mm * deviations.play_mm;
     }
-    return linearity * std::sqrt(squares / sum);
+    return trials.empty()
+        ? LikelyBesides()
+        : LikelyBesides { std::sqrt(squares.bend / sum), std::sqrt(squares.play_mm / sum) };
 }
 
 } // namespace
@@ -168,10 +234,12 @@ std::optional<BentFit> fit_track_bend(HeightModel const& law, Captures captures,
 {
     if (std::holds_alternative<MonotoneHeight>(law) || captures.empty())
         return std::nullopt;
-    double const deviation
-        = likely_deviation(law, captures, ruler_error_mm, linearity_percent / 100);
-    auto const track = track_over(reading_range(captures), deviation);
-    auto const fitted = fit_with(law, track, true, captures, ruler_error_mm);
+    auto const likely
+        = mean_deviations(try_besides(law, captures, ruler_error_mm, linearity_percent / 100));
+    auto const fitted = fit_with(
+        law,
+        { .track = track_over(reading_range(captures), likely.bend), .play_mm = likely.play_mm },
+        captures, ruler_error_mm);
     if (!fitted)
         return std::nullopt;
     auto const rows = static_cast<Eigen::Index>(captures.size());
@@ -182,7 +250,7 @@ std::optional<BentFit> fit_track_bend(HeightModel const& law, Captures captures,
                          * ruler_error_mm * ruler_error_mm,
                      .covariance = covariance_of(*fitted),
                      .effective_parameters = (jacobian * unit * jacobian.transpose()).trace(),
-                     .deviation = deviation };
+                     .deviation = likely.bend };
 }
 
 double error_beside_bend_mm(Captures captures, double ruler_error_mm, double linearity_percent)
@@ -202,7 +270,7 @@ std::optional<ModelFit> fit_law_of_bent_track(HeightModel const& law, Captures c
     if (std::holds_alternative<MonotoneHeight>(law) || captures.empty())
         return std::nullopt;
     auto const track = track_over(reading_range(captures), linearity_percent / 100);
-    auto const fitted = fit_with(law, track, true, captures, error_mm);
+    auto const fitted = fit_with(law, { .track = track }, captures, error_mm);
     if (!fitted)
         return std::nullopt;
     double const variance_mm2 = error_mm * error_mm;

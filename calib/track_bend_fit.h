@@ -13,7 +13,7 @@ namespace tractus {
 // A law together with the bend of its potentiometer's track.
 struct BentFit {
     HeightModel model {};
-    double sum_of_squares_mm2 = 0;
+    double sum_of_squares_mm2 = 0; // Beside what up and down differ by.
 
     // Covariance of parameters_of(model), followed by the shifts of the bend's knots.
     Eigen::MatrixXd covariance {};
@@ -33,6 +33,11 @@ struct BentFit {
 // deviation is a quarter to twice `linearity_percent` of that range, as the captures' evidence
 // tells (Laplace's approximation); one track in five is straight to begin with. The ruler's error
 // is above 0 and stands for what is known of a capture, however well a few of them agree.
+//
+// Captures from below and from above, where there are two of each, may differ by a slack in the
+// string; the model lies midway. The difference is part of the fit, of a standard deviation of 0 to
+// 1 mm, as their evidence tells, too: a string that errs the same way each time is not a person who
+// reads a ruler badly.
 //
 // No value if the law is monotone, or if nothing fits.
 std::optional<BentFit> fit_track_bend(HeightModel const& law,

@@ -162,19 +162,39 @@ TEST(HeightFit, NamesACaptureThatSlipped)
     EXPECT_LT(fit.max_mm, 0.1) << "of the others";
 }
 
-TEST(HeightFit, TellsHysteresis)
+// Captures of a plumb string with slack, up the table's way and down again.
+std::vector<HeightCapture> captures_up_and_down(double slack_mm)
 {
     std::vector<HeightCapture> captures;
     for (double const height : { 0.0, 100.0, 200.0, 300.0, 400.0 })
-        captures.push_back(capture(height, 150 + (height + 0.4) / 0.12));
+        captures.push_back(capture(height, 150 + (height + slack_mm / 2) / 0.12));
     for (double const height : { 300.0, 200.0, 100.0, 0.0 })
-        captures.push_back(capture(height, 150 + (height - 0.4) / 0.12));
+        captures.push_back(capture(height, 150 + (height - slack_mm / 2) / 0.12));
     tell_directions(captures);
-    auto const fit = fit_height(captures).value();
+    return captures;
+}
+
+TEST(HeightFit, TellsHysteresis)
+{
+    auto const fit = fit_height(captures_up_and_down(0.8)).value();
     ASSERT_TRUE(fit.hysteresis);
     EXPECT_NEAR(fit.hysteresis->mm, 0.8, 0.1);
     EXPECT_GT(fit.hysteresis->standard_error_mm, 0.2) << "four captures to a side";
     EXPECT_LT(fit.hysteresis->standard_error_mm, 0.4);
+}
+
+// A slack that errs the same way each time does not make the ruler a worse one.
+TEST(HeightFit, TakesHysteresisForNoErrorOfTheRuler)
+{
+    auto const tight = fit_height(captures_up_and_down(0)).value();
+    auto const slack = fit_height(captures_up_and_down(1)).value();
+    EXPECT_EQ(slack.capture_error_mm, 0.3) << "the ruler's";
+    EXPECT_NEAR(slack.rms_mm, 0.5, 0.05) << "half of the slack";
+    for (double const height : { 50.0, 150.0, 250.0, 350.0 }) {
+        double const counts = 150 + height / 0.12;
+        EXPECT_NEAR(*height_mm(slack.model, counts), height, 0.15);
+        EXPECT_LT(height_error_mm(slack, counts), 1.25 * height_error_mm(tight, counts));
+    }
 }
 
 TEST(HeightFit, DoesWhatItIsAskedFor)
