@@ -74,6 +74,7 @@ Methods all_methods()
                      &sketch::ShortenSketch::kKind, &sketch::RedrawSketch::kKind });
         all.push_back(&silhouette::DrawTree::kKind);
         all.push_back(&silhouette::EraseTreePart::kKind);
+        all.push_back(&silhouette::DeclareLeaf::kKind);
         all.push_back(&silhouette::ChooseStyles::kKind);
         all.push_back(&silhouette::FormTree::kKind);
         all.insert(all.end(),

@@ -8,6 +8,7 @@ namespace tractus {
 
 namespace {
 
+using silhouette::BumpTouch;
 using silhouette::DrawTree;
 using silhouette::EraseTreePart;
 
@@ -21,8 +22,8 @@ bool runs_over(Stroke const& eraser, std::vector<Vec2> const& line)
     });
 }
 
-// Branches before what bears them, and their outlines before the crown's: where lines meet, the
-// smaller one is meant.
+// Touches on bumps first, then branches before what bears them, and their outlines before the
+// crown's: where lines meet, the smaller one is meant.
 Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& scene)
 {
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
@@ -33,6 +34,15 @@ Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& 
     auto const drawing = TRY(silhouette::drawing_of(*tree));
     auto const plant = scene.drawn->id;
     std::vector<Edit> edits;
+    for (std::size_t i = 0; i < drawing.touches.size(); ++i)
+        if (runs_over(stroke, { drawing.touches[i].place }))
+            edits.push_back(EraseTreePart { plant,
+                                            tree->touches[i].kind == BumpTouch::Kind::Split
+                                                ? DrawTree::Part::Split
+                                                : DrawTree::Part::Join,
+                                            tree->touches[i].id });
+    if (!edits.empty())
+        return edits;
     for (std::size_t i = 0; i < drawing.own_branches.size(); ++i)
         if (runs_over(stroke, drawing.own_branches[i].line))
             edits.push_back(
@@ -66,7 +76,8 @@ constexpr ToolKind EraseOutlineTool::kKind {
     .title = "Erase lines of the tree's drawing",
     .done = "The line is erased",
     .help
-    = "takes away what was drawn of a tree where the stroke runs over it on paper: a branch "
+    = "takes away what was drawn of a tree where the stroke runs over it on paper: the split or "
+      "join of bumps, else a branch "
       "on a branch, else a branch, else a branch's own outline, else its trunk or the outline of "
       "its crown",
     .group = "Sketch",

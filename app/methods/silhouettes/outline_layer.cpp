@@ -39,6 +39,26 @@ Lines outline_of(BuiltPlant const& plant)
     return lines;
 }
 
+// A cross where a bump is split, a bar where two are joined.
+void add_mark(silhouette::DrawnTouch const& touch, BuiltPlant const& plant, Lines& lines)
+{
+    constexpr double kArm_mm = 2;
+    auto const place = silhouette::place_of(touch);
+    if (!place || !plant.drawn->paper_mm)
+        return;
+    Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
+    auto const add_arm = [&](Vec2 const& arm) {
+        lines.push_back({ paper.world_of_sheet(*place - arm).cast<float>(),
+                          paper.world_of_sheet(*place + arm).cast<float>() });
+    };
+    if (touch.kind == silhouette::BumpTouch::Kind::Join) {
+        add_arm({ kArm_mm, 0 });
+        return;
+    }
+    add_arm({ kArm_mm, kArm_mm });
+    add_arm({ kArm_mm, -kArm_mm });
+}
+
 Lines trunk_of(BuiltPlant const& plant)
 {
     Lines lines;
@@ -48,6 +68,8 @@ Lines trunk_of(BuiltPlant const& plant)
             add(branch.stroke, plant, lines);
         for (auto const& own : tree->own_branches)
             add(own.stroke, plant, lines);
+        for (auto const& touch : tree->touches)
+            add_mark(touch, plant, lines);
     }
     return lines;
 }

@@ -30,9 +30,14 @@ public:
         if (stroke.ink.size() < 2)
             return {};
         auto const& scene = *stroke.scene;
-        if (stroke.tool.get<OutlineTool>()->what == OutlineTool::What::Carry)
+        auto const what = stroke.tool.get<OutlineTool>()->what;
+        if (what == OutlineTool::What::Carry)
             return carried(stroke.ink, scene);
-        auto const ink = is_coming_back(stroke.ink)
+        // A line that does not come back declares an outline a leaf, at its end.
+        if (what == OutlineTool::What::Leaf && !is_coming_back(stroke.ink))
+            return {};
+        bool const is_touch = what == OutlineTool::What::Split || what == OutlineTool::What::Join;
+        auto const ink = !is_touch && is_coming_back(stroke.ink)
             ? closed(stroke.ink)
             : Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) };
         auto const edit = drawn_tree(*stroke.tool.get<OutlineTool>(), ink, scene);
@@ -50,8 +55,11 @@ public:
         // Branches with outlines of their own have those in them, too.
         std::vector<SkeletonLine> lines { line_of(skeleton->systems[0].whole_trunk(), scene) };
         for (auto const& system : skeleton->systems)
-            for (auto const& branch : system.branches)
+            for (auto const& branch : system.branches) {
                 lines.push_back(line_of(branch.path.curve.points(9), scene));
+                if (branch.leaf)
+                    lines.push_back(line_of(branch.crown, scene));
+            }
         return lines;
     }
 

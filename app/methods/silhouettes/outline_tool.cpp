@@ -21,10 +21,13 @@ using Part = silhouette::DrawTree::Part;
 using What = OutlineTool::What;
 
 // In the order of What.
-constexpr std::array<OptionWord, 5> kWords { {
+constexpr std::array<OptionWord, 8> kWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },
     { "carry", "Carry a style" },
+    { "split", "Split a bump", "Touch a bump to split it" },
+    { "join", "Join bumps", "Touch between two bumps to join them" },
+    { "leaf", "Leaf", "Outline a leaf, or touch an outline" },
     { "form", "To this tree", nullptr, true },
     { "reseed", "Another one", nullptr, true },
 } };
@@ -132,6 +135,13 @@ std::optional<Part> part_on(silhouette::Drawing const& tree, Vec2 const& foot,
     return std::nullopt;
 }
 
+// A stroke that is no line: the pen touched the paper.
+bool is_touch(std::vector<Vec2> const& points)
+{
+    constexpr double kLongest_mm = 4;
+    return points.size() < 2 || silhouette::box_of(points).diagonal() <= kLongest_mm;
+}
+
 silhouette::Search search_of(OutlineTool::Branches branches)
 {
     return branches == OutlineTool::Branches::OfAny ? silhouette::Search::AnyLevel
@@ -228,6 +238,8 @@ std::string said_of_branch(OutlinedTree const& tree, std::uint64_t last_edit)
     constexpr std::array kFollow { "", "; its siblings follow",
                                    "; its siblings follow, and what is below" };
     auto const* const follow = kFollow[static_cast<std::size_t>(drawn->style_to)];
+    if (own && own->is_leaf)
+        return fmt::format("The branch ends in the leaf{}", follow);
     if (!own)
         return fmt::format("The branch bears {} that you drew{}",
                            counted_branches(static_cast<std::size_t>(std::count_if(
@@ -270,6 +282,8 @@ std::string said_of_tree(Tool const& tool, Scene const& after)
         return {};
     if (tree->outline.tips.empty())
         return "A trunk stands: draw the outline of its crown around it, back to where you began";
+    if (tree->is_leaf)
+        return "The crown is a leaf: touch it once more as a leaf, and it has branches again";
     if (tool.get<OutlineTool>()->what == What::Carry)
         return said_of_styles(*tree);
     if (auto said = said_of_branch(*tree, after.state.last_edit); !said.empty())
@@ -288,6 +302,9 @@ Result<std::vector<Edit>> draw(Tool const& tool, Stroke const& stroke, Scene con
         return form_active(options, scene);
     if (options.what == What::Carry)
         return std::vector<Edit> { TRY(carried_styles(stroke, scene)) };
+    if (options.what == What::Leaf)
+        if (auto const declared = TRY(declared_leaf(stroke, scene)))
+            return std::vector<Edit> { *declared };
     return std::vector<Edit> { TRY(drawn_tree(options, stroke, scene)) };
 }
 
@@ -295,11 +312,18 @@ Result<std::vector<Edit>> draw(Tool const& tool, Stroke const& stroke, Scene con
 
 Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke, Scene const& scene)
 {
+    if (tool.what == What::Split || tool.what == What::Join) {
+        TRY(active_tree(scene));
+        return DrawTree { .part = tool.what == What::Split ? Part::Split : Part::Join,
+                          .stroke = stroke,
+                          .search = search_of(tool.branches),
+                          .plant = scene.drawn->id };
+    }
     auto const points = points_of(stroke);
     if (points.size() < 2)
         return fail(Fault::User,
                     "a dot is no part of a tree: draw its trunk, or the outline of its crown");
-    DrawTree edit { .stroke = stroke };
+    DrawTree edit { .stroke = stroke, .is_leaf = tool.what == What::Leaf };
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
     if (tree && tool.what != What::New)
         if (auto const part = TRY(part_of_tree(*tree, stroke, tool.branches))) {
@@ -320,6 +344,24 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke, Scene
     edit.stands_at_mm = paper_of(scene.state).world_of_sheet(foot_mm);
     edit.stands_at_mm.z() = 0;
     return edit;
+}
+
+Result<std::optional<silhouette::DeclareLeaf>> declared_leaf(Stroke const& stroke,
+                                                             Scene const& scene)
+{
+    auto const points = points_of(stroke);
+    if (!is_touch(points) && silhouette::comes_back(points))
+        return std::nullopt;
+    auto const* const tree = TRY(active_tree(scene));
+    auto const id = TRY(silhouette::outline_around(*tree, stroke));
+    if (!id)
+        return fail(Fault::User,
+                    "the touch lies in no outline of the tree: touch inside one, or draw around "
+                    "the leaf, back to where you began");
+    bool is_leaf = tree->is_leaf && *id == 0;
+    for (auto const& own : tree->own_outlines)
+        is_leaf = is_leaf || (own.id == *id && own.is_leaf);
+    return silhouette::DeclareLeaf { scene.drawn->id, *id, !is_leaf };
 }
 
 Result<silhouette::ChooseStyles> carried_styles(Stroke const& stroke, Scene const& scene)
@@ -345,7 +387,9 @@ constexpr ToolKind OutlineTool::kKind {
             "its beginning the outline of a crown, a smaller one around a branch that branch's "
             "own outline, a line from a trunk inside it a branch, and one from a branch a branch "
             "of that if lines are of what they begin on; what is drawn on a branch may be a style "
-            "for its siblings, or a line carries a branch's style to those that it runs over; in a "
+            "for its siblings, or a line carries a branch's style to those that it runs over; a "
+            "touch on a bump of an outline splits it in two, one between two bumps joins them, and "
+            "an outline may be a leaf, which a touch inside declares it or takes back; in a "
             "ready form, or with so many levels of branches, so many times "
             "as many as usual that nobody draws, so many leaves on a twig; a new tree at each "
             "line, or at once these numbers, or other chance, for the tree that is there",

@@ -3,6 +3,8 @@
 #include "app/tools/tool.h"
 #include "engine/methods/silhouettes/tree_edits.h"
 
+#include <optional>
+
 namespace tractus {
 
 // Draws a tree by its trunk and the outline of its crown (Wither, Boudon, Cani, Godin 2009).
@@ -21,6 +23,9 @@ struct OutlineTool {
         GoOn,   // What is drawn is the active tree's where it lies on that, else a new tree's.
         New,    // It is a new tree's.
         Carry,  // A line carries the style of a branch of the active tree to others.
+        Split,  // A touch on a bump of the active tree's outlines splits it,
+        Join,   // or one between two joins them.
+        Leaf,   // An outline is a leaf, and a touch inside of one declares it that, or none.
         Form,   // At once: the active tree gets the numbers.
         Reseed, // At once: what the active tree's drawing leaves open is decided anew.
     } what
@@ -39,6 +44,12 @@ struct OutlineTool {
 // (own_branch.h).
 Result<silhouette::DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
                                         Scene const& scene);
+
+// What a stroke with the tool does to a leaf where it does not come back: the smallest outline of
+// the active tree around its middle becomes a leaf, or is none any more. No value: the stroke is an
+// outline. Fails, as the user's fault, where it lies in no outline.
+Result<std::optional<silhouette::DeclareLeaf>> declared_leaf(Stroke const& stroke,
+                                                             Scene const& scene);
 
 // The styles that a stroke with the tool carries, in the active tree (carried_by(),
 // chosen_style.h). Fails, as the user's fault, where there is no such tree, and like that.

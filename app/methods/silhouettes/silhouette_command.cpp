@@ -1,7 +1,7 @@
 #include "app/methods/silhouettes/silhouette_command.h"
 
-#include "app/methods/silhouettes/outline_tool.h"
 #include "app/methods/silhouettes/silhouette_file.h"
+#include "app/methods/silhouettes/silhouette_lines.h"
 #include "app/methods/silhouettes/silhouette_report.h"
 #include "app/plants/model_file.h"
 #include "app/plants/plant_file.h"
@@ -12,10 +12,7 @@
 #include "app/verbs/checks.h"
 #include "app/verbs/glb_options.h"
 #include "drivers/file.h"
-#include "engine/methods/silhouettes/chosen_style.h"
 #include "engine/methods/silhouettes/measured_style.h"
-#include "engine/methods/silhouettes/own_branch.h"
-#include "engine/methods/silhouettes/own_outline.h"
 #include "engine/methods/silhouettes/ready_form.h"
 #include "engine/methods/silhouettes/tree_edits.h"
 #include "engine/scene/scene.h"
@@ -133,102 +130,19 @@ Result<std::string> write_tree(SilhouetteArguments const& arguments, fs::path co
     return base.string() + ".png, .glb";
 }
 
-Stroke stroke_along(std::vector<Vec2> const& points)
-{
-    constexpr std::int64_t kStep_ns = 5'000'000;
-    Stroke stroke;
-    std::int64_t time_ns = 0;
-    for (auto const& point : points)
-        stroke.tips.push_back({ .time = timestamp_ns(time_ns += kStep_ns),
-                                .position_mm = { point.x(), point.y(), 0 },
-                                .pressure = 0.5,
-                                .touching = true });
-    return stroke;
-}
-
-// What a pen does that draws the tree.
-Result<std::vector<Edit>> edits_of(SilhouetteArguments const& arguments,
-                                   silhouette::SilhouetteFile const& file,
-                                   silhouette::Skeleton const& skeleton)
-{
-    using silhouette::DrawTree;
-    auto const& drawing = file.drawing;
-    if (drawing.outline.size() != 1)
-        return fail(Fault::User,
-                    fmt::format("the outline has {} strokes: draw it in one for a session",
-                                drawing.outline.size()));
-    double const scale = silhouette::drawn_height(skeleton) / (1000 * arguments.height_m);
-    DrawTree edit { .form = form_of(arguments), .scale = scale };
-    std::vector<Edit> edits;
-    auto const draw = [&](DrawTree::Part part, std::vector<Vec2> const& points) {
-        edit.part = part;
-        edit.stroke = stroke_along(points);
-        edit.id = item_id(edits.size() + 1, 0);
-        edits.push_back(edit);
-        edit.plant = item_id(1, 0);
-    };
-    if (!drawing.trunk.empty())
-        draw(DrawTree::Part::Trunk, drawing.trunk);
-    draw(DrawTree::Part::Outline, drawing.outline[0]);
-    for (auto const& branch : drawing.branches)
-        draw(DrawTree::Part::Branch, branch);
-    edit.style_to = arguments.style_to;
-    edit.search = silhouette::Search::AnyLevel;
-    for (auto const& part : file.parts)
-        draw(silhouette::comes_back(part) ? DrawTree::Part::OwnOutline : DrawTree::Part::OwnBranch,
-             part);
-    for (auto const& line : file.styles) {
-        auto const scene = TRY(apply_edits({}, edits));
-        edits.push_back(TRY(carried_styles(stroke_along(line), scene)));
-    }
-    return edits;
-}
-
 Result<std::string> write_session(SilhouetteArguments const& arguments, fs::path const& file,
                                   silhouette::SilhouetteFile const& drawing,
                                   silhouette::Skeleton const& skeleton)
 {
-    auto edits = edits_of(arguments, drawing, skeleton);
+    double const scale = silhouette::drawn_height(skeleton) / (1000 * arguments.height_m);
+    silhouette::DrawTree const first { .form = form_of(arguments), .scale = scale };
+    auto edits = silhouette::edits_of_lines(drawing, first, arguments.style_to);
     if (!edits)
         return about_drawing(file, edits.error());
     auto path = arguments.output / file.stem();
     path += ".tractus";
     TRY(begin_session(path, *std::move(edits), arguments.methods.edits));
     return path.filename().string();
-}
-
-tl::unexpected<Error> about_line(char const* what, std::size_t number, Error const& error)
-{
-    return fail(error.fault, fmt::format("{} {}: {}", what, number + 1, error.message));
-}
-
-// Gives branches the style that a line of the file carries to them.
-Result<void> carry_style(silhouette::SilhouetteFile& file, std::vector<Vec2> const& line,
-                         silhouette::SkeletonOptions const& options)
-{
-    auto const skeleton = TRY(silhouette::infer_skeleton(file.drawing, options));
-    auto const carried = TRY(silhouette::carried_by(skeleton, line));
-    return silhouette::choose_styles(file.drawing.styles, carried, skeleton);
-}
-
-// Each of the file's parts goes to the branch that it lies around or begins on, as by a pen.
-Result<silhouette::Skeleton> inferred(silhouette::SilhouetteFile& file,
-                                      silhouette::SkeletonOptions const& options,
-                                      silhouette::StyleTo style_to)
-{
-    constexpr auto kSearch = silhouette::Search::AnyLevel;
-    for (std::size_t i = 0; i < file.parts.size(); ++i) {
-        auto const& part = file.parts[i];
-        auto const added = silhouette::comes_back(part)
-            ? silhouette::add_own_outline(file.drawing, part, options, style_to, kSearch)
-            : silhouette::add_own_branch(file.drawing, part, style_to, options, kSearch);
-        if (!added)
-            return about_line("part", i, added.error());
-    }
-    for (std::size_t i = 0; i < file.styles.size(); ++i)
-        if (auto const carried = carry_style(file, file.styles[i], options); !carried)
-            return about_line("style", i, carried.error());
-    return silhouette::infer_skeleton(file.drawing, options);
 }
 
 Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& drawing,
@@ -239,7 +153,8 @@ Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& 
         print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so", drawing.string(),
                                   key.substr(0, 40)));
     auto const form = form_of(arguments);
-    auto const skeleton = inferred(file, silhouette::skeleton_options(form), arguments.style_to);
+    auto const skeleton
+        = silhouette::infer_lines(file, silhouette::skeleton_options(form), arguments.style_to);
     if (!skeleton)
         return about_drawing(drawing, skeleton.error());
     for (auto const& note : skeleton->systems[0].notes)
@@ -403,9 +318,11 @@ void add_silhouette_command(CLI::App& root, Action& action, Methods const& metho
         "which\n"
         "may be missing. \"parts\", strokes around parts of the crown, are outlines of single "
         "branches,\n"
-        "or, from a branch on, branches of that branch. \"styles\" are strokes from a branch over "
-        "others,\n"
-        "which branch as that one does.");
+        "or, from a branch on, branches of that branch. \"leaves\" are parts that are leaves. "
+        "\"splits\" and\n"
+        "\"joins\" are points on bumps of an outline, and between two, that make two of one, or "
+        "one of two.\n"
+        "\"styles\" are strokes from a branch over others, which branch as that one does.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return make_trees(*arguments); }; });
 }

@@ -20,8 +20,9 @@ constexpr std::string_view kExample = "write [[x, y], [x, y], …] in millimetre
 // Those that say nothing of the drawing are for other readers.
 bool is_known(std::string const& key)
 {
-    constexpr std::array kKeys { "outline", "trunk",  "branches", "parts",     "styles", "what",
-                                 "unit",    "closed", "expected", "tolerance", "name" };
+    constexpr std::array kKeys { "outline", "trunk",    "branches",  "parts", "leaves",
+                                 "splits",  "joins",    "styles",    "what",  "unit",
+                                 "closed",  "expected", "tolerance", "name" };
     return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
 }
 
@@ -66,13 +67,33 @@ Result<std::vector<std::vector<Vec2>>> read_strokes(json const& file, char const
     return strokes;
 }
 
-Result<SilhouetteFile> read_drawing(json const& file)
+// The places of touches, if the file has some.
+Result<void> read_touches(json const& file, char const* key, BumpTouch::Kind kind,
+                          SilhouetteFile& result)
 {
-    if (!file.is_object() || !file.contains("outline"))
+    if (!file.contains(key))
+        return {};
+    auto const places = TRY(read_stroke(file[key], key));
+    if (places.size() > kMostStrokes)
         return fail(Fault::User,
-                    "it is no drawing: write {\"outline\": [[x, y], …], \"trunk\": [[x, y], …]}");
-    SilhouetteFile result;
-    auto const& outline = file["outline"];
+                    fmt::format("there are more than {} {}: give fewer", kMostStrokes, key));
+    for (auto const& place : places)
+        result.touches.push_back({ kind, place });
+    return {};
+}
+
+// Without an outline the first leaf is the crown.
+void settle_crown(SilhouetteFile& file)
+{
+    if (!file.drawing.outline.empty() || file.leaves.empty())
+        return;
+    file.drawing.outline.push_back(std::move(file.leaves.front()));
+    file.drawing.is_leaf = true;
+    file.leaves.erase(file.leaves.begin());
+}
+
+Result<void> read_outline(json const& outline, SilhouetteFile& result)
+{
     if (holds_strokes(outline)) {
         if (outline.size() > kMostStrokes)
             return fail(Fault::User,
@@ -84,6 +105,21 @@ Result<SilhouetteFile> read_drawing(json const& file)
     } else {
         result.drawing.outline.push_back(TRY(read_stroke(outline, "outline")));
     }
+    return {};
+}
+
+Result<SilhouetteFile> read_drawing(json const& file)
+{
+    if (!file.is_object() || (!file.contains("outline") && !file.contains("leaves")))
+        return fail(Fault::User,
+                    "it is no drawing: write {\"outline\": [[x, y], …], \"trunk\": [[x, y], …]}");
+    SilhouetteFile result;
+    if (file.contains("outline"))
+        TRY(read_outline(file["outline"], result));
+    result.leaves = TRY(read_strokes(file, "leaves", "leaf"));
+    settle_crown(result);
+    TRY(read_touches(file, "splits", BumpTouch::Kind::Split, result));
+    TRY(read_touches(file, "joins", BumpTouch::Kind::Join, result));
     result.drawing.branches = TRY(read_strokes(file, "branches", "branch"));
     result.parts = TRY(read_strokes(file, "parts", "part"));
     result.styles = TRY(read_strokes(file, "styles", "style"));
@@ -112,8 +148,8 @@ double straightness(std::vector<Vec2> const& line)
 
 Result<SilhouetteFile> read_svg(std::string_view text)
 {
-    auto lines
-        = TRY(lines::read_svg_lines(text, { "trunk", "outline", "branch", "part", "style" }));
+    auto lines = TRY(lines::read_svg_lines(
+        text, { "trunk", "outline", "branch", "part", "leaf", "split", "join", "style" }));
     SilhouetteFile result;
     bool const said = std::any_of(lines.begin(), lines.end(),
                                   [](auto const& line) { return !line.role.empty(); });
@@ -127,6 +163,8 @@ Result<SilhouetteFile> read_svg(std::string_view text)
         if (straightness(trunk->points_mm) > 0.5)
             trunk->role = "trunk";
     }
+    std::vector<BumpTouch> splits;
+    std::vector<BumpTouch> joins;
     for (auto& line : lines) {
         if (line.role == "trunk")
             result.drawing.trunk = std::move(line.points_mm);
@@ -136,9 +174,18 @@ Result<SilhouetteFile> read_svg(std::string_view text)
             result.drawing.branches.push_back(std::move(line.points_mm));
         else if (line.role == "part")
             result.parts.push_back(std::move(line.points_mm));
+        else if (line.role == "leaf")
+            result.leaves.push_back(std::move(line.points_mm));
+        else if (line.role == "split")
+            splits.push_back({ BumpTouch::Kind::Split, resampled_line(line.points_mm, 3)[1] });
+        else if (line.role == "join")
+            joins.push_back({ BumpTouch::Kind::Join, resampled_line(line.points_mm, 3)[1] });
         else if (line.role == "style")
             result.styles.push_back(std::move(line.points_mm));
     }
+    result.touches = std::move(splits);
+    result.touches.insert(result.touches.end(), joins.begin(), joins.end());
+    settle_crown(result);
     return result;
 }
 

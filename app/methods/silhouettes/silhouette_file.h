@@ -15,6 +15,10 @@ struct SilhouetteFile {
     Drawing drawing;
     // Outlines of branches, around which they lie, and branches on branches, on which they begin.
     std::vector<std::vector<Vec2>> parts {};
+    // Touches on the bumps of the crown and of parts (bump_touch.h): splits, then joins.
+    std::vector<BumpTouch> touches {};
+    // Outlines of branches that are leaves.
+    std::vector<std::vector<Vec2>> leaves {};
     // Lines from a branch over others, to which its style goes (chosen_style.h).
     std::vector<std::vector<Vec2>> styles {};
     std::vector<std::string> unknown_keys; // What else the file says.
@@ -27,6 +31,10 @@ struct SilhouetteFile {
 //   branches  [[[x, y], …], …]: from the trunk on; may be missing
 //   parts     [[[x, y], …], …]: each once around a branch's own crown, or from a branch on, of
 //             which it is a branch; may be missing
+//   leaves    [[[x, y], …], …]: parts that are leaves; may be missing. Without an outline the
+//             first one is the crown's
+//   splits    [[x, y], …]: each on a bump of an outline; may be missing
+//   joins     [[x, y], …]: each between two bumps; may be missing
 //   styles    [[[x, y], …], …]: each from a branch over others; may be missing
 //
 // Fails, as the user's fault, with file, place and what to write.
@@ -34,7 +42,8 @@ Result<SilhouetteFile> parse_silhouette(std::string_view text, std::string const
 
 // The same from a file of at most 2 MiB, which may also be an SVG drawing (.svg): lines whose id,
 // class or label, or that of a group around them, begins with "trunk", "outline", "branch",
-// "part" or "style". Where none does, the straightest is the trunk, if its ends are farther apart
+// "part", "leaf", "split", "join" or "style"; of a split and a join the line's middle counts. Where
+// none does, the straightest is the trunk, if its ends are farther apart
 // than half of its length, and the others are the outline.
 Result<SilhouetteFile> load_silhouette(std::filesystem::path const& path);
 

@@ -28,11 +28,14 @@ static char const* word_of(Role role)
 
 static Report bump_json(Bump const& bump)
 {
-    return { { "E", point_json(bump.end) },
-             { "r", bump.radius },
-             { "tip", point_json(bump.tip) },
-             { "tangent", point_json(bump.tangent) },
-             { "role", word_of(bump.role) } };
+    Report report { { "E", point_json(bump.end) },
+                    { "r", bump.radius },
+                    { "tip", point_json(bump.tip) },
+                    { "tangent", point_json(bump.tangent) },
+                    { "role", word_of(bump.role) } };
+    if (bump.touch)
+        report["touched"] = true;
+    return report;
 }
 
 // What a branch bears that somebody drew on, or that has the style of one.
@@ -77,9 +80,14 @@ static Report branch_json(Skeleton const& skeleton, std::size_t i)
         report["outlined"] = true;
         report["bears"] = skeleton.branches_on({ 0, i });
     }
+    if (branch.leaf)
+        report["leaf"] = true;
     auto const below = skeleton.system_of[0][i];
-    if (below == kNoSystem)
+    if (below == kNoSystem) {
+        if (branch.leaf && !branch.style_from.empty())
+            report["style_from"] = branch.style_from;
         return report;
+    }
     auto const& system = skeleton.systems[below];
     if (branch.is_refined() || system.is_in_siblings_style)
         report["bearing"] = bearing_json(branch, system);
@@ -98,14 +106,17 @@ static Report refined_json(Skeleton const& skeleton)
         for (std::size_t b = 0; b < skeleton.systems[s].branches.size(); ++b) {
             auto const& branch = skeleton.systems[s].branches[b];
             auto const below = skeleton.system_of[s][b];
-            if (s == 0 || below == kNoSystem || !branch.is_refined())
+            if (s == 0 || !branch.is_refined() || (below == kNoSystem && !branch.leaf))
                 continue;
             Report report { { "path", skeleton.path_of({ s, b }) },
                             { "base", point_json(branch.path.curve.base) },
                             { "end", point_json(branch.path.curve.end) } };
             if (branch.is_outlined())
                 report["outlined"] = true;
-            report["bearing"] = bearing_json(branch, skeleton.systems[below]);
+            if (branch.leaf)
+                report["leaf"] = true;
+            else
+                report["bearing"] = bearing_json(branch, skeleton.systems[below]);
             refined.push_back(std::move(report));
         }
     return refined;
@@ -189,6 +200,8 @@ std::string print_report(Skeleton const& skeleton, Tree const& tree,
         { "branches", tree.plant.axes.size() - 1 + tree.sprays },
         { "notes", system.notes }
     };
+    if (system.leaf)
+        report["leaf"] = true;
     if (auto refined = refined_json(skeleton); !refined.empty())
         report["refined"] = std::move(refined);
     if (style) {

@@ -1,5 +1,7 @@
 #include "engine/methods/silhouettes/branching_system.h"
 
+#include "engine/methods/silhouettes/bump_touch.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -260,6 +262,7 @@ Result<BranchingSystem> infer_system(Drawing const& drawing, InferenceOptions co
                     "the trunk is wholly outside of the outline: draw it into the crown");
     system.inside = *run;
     system.bumps = find_bumps(axis, options.bumps);
+    system.touches_taken = take_touches(system.bumps, system.outline, clean.touches);
     auto const goes_on = set_roles(system.bumps, system.outline, system.trunk, *run);
     system.trunk_goes_on_to = apex_ahead(system);
     auto angles = options.angles;

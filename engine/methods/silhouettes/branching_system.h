@@ -38,6 +38,9 @@ struct BranchingSystem {
     std::vector<std::string> notes;
     // Its outline is one that was drawn for a branch, or it follows such a system's style.
     bool is_of_own_outline = false;
+    std::size_t touches_taken = 0; // Of those on its bumps, which found theirs (bump_touch.h).
+    // All of it is one leaf, and there are no branches; no value: it is none.
+    std::optional<LeafBlade> leaf {};
     // It has a sibling's style, or siblings have its: no other style is for it (sibling_style.h).
     bool is_in_siblings_style = false;
 

@@ -104,23 +104,11 @@ private:
     std::vector<std::array<double, 3>> strength_; // Below 0: not looked at yet.
 };
 
-// Whether the half circle on a chord holds all that lies beyond.
-bool holds_cap(ChordalAxis const& axis, Chord const& chord)
-{
-    Vec2 const middle = (axis.first_of(chord) + axis.last_of(chord)) / 2;
-    double const reach = axis.length_of(chord) / 2 * (1 + 1e-9);
-    bool holds = true;
-    for_inner_points(axis.outline(), axis.beyond(chord), [&](Vec2 const& point) {
-        holds = holds && (point - middle).squaredNorm() <= reach * reach;
-    });
-    return holds;
-}
-
 // The innermost chord from `base` outwards whose half circle holds its cap.
 Chord end_chord(ChordalAxis const& axis, Chord base)
 {
     auto const points = axis.outline().size();
-    while (!holds_cap(axis, base)) {
+    while (!holds_cap(axis.outline(), axis.beyond(base))) {
         auto const next = axis.onward(base);
         if (next.empty())
             break;
@@ -131,43 +119,10 @@ Chord end_chord(ChordalAxis const& axis, Chord base)
     return base;
 }
 
-Bump describe_bump(ChordalAxis const& axis, Chord const& base, double strength)
+Bump bump_beyond(ChordalAxis const& axis, Chord const& base, double strength)
 {
-    auto const chord = end_chord(axis, base);
-    auto const& a = axis.first_of(chord);
-    auto const& b = axis.last_of(chord);
-    double const half = (b - a).norm() / 2;
-    Vec2 const middle = (a + b) / 2;
-    Vec2 const outwards = direction_of(Vec2((b - a).y(), -(b - a).x()));
-    Bump bump { .arc = axis.beyond(base),
-                .cap = axis.beyond(chord),
-                .end = middle,
-                .tangent = outwards,
-                .radius = half,
-                .tip = a,
-                .strength = strength };
-    double height = 0;
-    Vec2 sum = a + b;
-    double count = 2;
-    for_inner_points(axis.outline(), bump.cap, [&](Vec2 const& point) {
-        height = std::max(height, (point - middle).dot(outwards));
-        sum += point;
-        count += 1;
-    });
-    if (height < half && height > 0)
-        bump.radius = std::min((half * half + height * height) / (2 * height), 4 * half);
-    Vec2 const way = sum / count - middle;
-    if (way.norm() > 1e-9)
-        bump.tangent = direction_of(way);
-    double farthest = -std::numeric_limits<double>::infinity();
-    for_inner_points(axis.outline(), bump.cap, [&](Vec2 const& point) {
-        double const far = (point - middle).dot(bump.tangent);
-        if (far > farthest) {
-            farthest = far;
-            bump.tip = point;
-        }
-    });
-    return bump;
+    return describe_bump(axis.outline(), axis.beyond(base), axis.beyond(end_chord(axis, base)),
+                         strength);
 }
 
 // Beyond the longest chord each way, of an outline without junctions.
@@ -181,16 +136,65 @@ std::vector<Bump> spindle_ends(ChordalAxis const& axis)
                 longest = Chord { k, e };
     if (!longest)
         return {};
-    return { describe_bump(axis, *longest, 0), describe_bump(axis, axis.reversed(*longest), 0) };
+    return { bump_beyond(axis, *longest, 0), bump_beyond(axis, axis.reversed(*longest), 0) };
 }
 
 } // namespace
+
+bool holds_cap(std::span<Vec2 const> outline, Arc const& arc)
+{
+    Vec2 const middle = (outline[arc.first] + outline[arc.last]) / 2;
+    double const reach = (outline[arc.last] - outline[arc.first]).norm() / 2 * (1 + 1e-9);
+    bool holds = true;
+    for_inner_points(outline, arc, [&](Vec2 const& point) {
+        holds = holds && (point - middle).squaredNorm() <= reach * reach;
+    });
+    return holds;
+}
+
+Bump describe_bump(std::span<Vec2 const> outline, Arc const& arc, Arc const& cap, double strength)
+{
+    auto const& a = outline[cap.first];
+    auto const& b = outline[cap.last];
+    double const half = (b - a).norm() / 2;
+    Vec2 const middle = (a + b) / 2;
+    Vec2 const outwards = direction_of(Vec2((b - a).y(), -(b - a).x()));
+    Bump bump { .arc = arc,
+                .cap = cap,
+                .end = middle,
+                .tangent = outwards,
+                .radius = half,
+                .tip = a,
+                .strength = strength };
+    double height = 0;
+    Vec2 sum = a + b;
+    double count = 2;
+    for_inner_points(outline, bump.cap, [&](Vec2 const& point) {
+        height = std::max(height, (point - middle).dot(outwards));
+        sum += point;
+        count += 1;
+    });
+    if (height < half && height > 0)
+        bump.radius = std::min((half * half + height * height) / (2 * height), 4 * half);
+    Vec2 const way = sum / count - middle;
+    if (way.norm() > 1e-9)
+        bump.tangent = direction_of(way);
+    double farthest = -std::numeric_limits<double>::infinity();
+    for_inner_points(outline, bump.cap, [&](Vec2 const& point) {
+        double const far = (point - middle).dot(bump.tangent);
+        if (far > farthest) {
+            farthest = far;
+            bump.tip = point;
+        }
+    });
+    return bump;
+}
 
 std::vector<Bump> find_bumps(ChordalAxis const& axis, BumpThresholds const& thresholds)
 {
     std::vector<Bump> bumps;
     for (auto const& limb : Pruner(axis, thresholds).run())
-        bumps.push_back(describe_bump(axis, limb.chord, limb.strength));
+        bumps.push_back(bump_beyond(axis, limb.chord, limb.strength));
     if (bumps.empty())
         bumps = spindle_ends(axis);
     std::sort(bumps.begin(), bumps.end(),

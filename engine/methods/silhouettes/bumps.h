@@ -25,6 +25,7 @@ struct Bump {
     Vec2 tip = Vec2::Zero();     // The cap's farthest point along `tangent`.
     double strength = 0;         // How far it rises over the least that counts; 0: no junction.
     Role role = Role::Lateral;
+    std::optional<std::size_t> touch {}; // Which touch made it (bump_touch.h); no value: none.
 };
 
 // How much a limb has to rise over the circle around its junction to count.
@@ -37,6 +38,12 @@ struct BumpThresholds {
 // weakest first, each of which may make its junction a sleeve. Where no junction is left, as in an
 // ellipse, there are two: beyond the longest chord, each way. Roles are not set.
 std::vector<Bump> find_bumps(ChordalAxis const& axis, BumpThresholds const& thresholds = {});
+
+// Whether the half circle over the ends of an arc holds all of it.
+bool holds_cap(std::span<Vec2 const> outline, Arc const& arc);
+
+// A bump by its arc and its cap.
+Bump describe_bump(std::span<Vec2 const> outline, Arc const& arc, Arc const& cap, double strength);
 
 // Samples from one to another, both among them.
 struct Run {

@@ -25,6 +25,11 @@ Result<void> check_target(std::string const& path, Skeleton const& skeleton)
                     fmt::format("branches were drawn on branch {}: it keeps them, and takes no "
                                 "other one's style",
                                 path));
+    if (skeleton.systems[at->system].branches[at->branch].is_drawn_leaf())
+        return fail(Fault::User,
+                    fmt::format("branch {} is a leaf as it was drawn: it takes no other one's "
+                                "style",
+                                path));
     return {};
 }
 
@@ -34,7 +39,8 @@ Result<void> check_source(std::string const& path, std::string const& target,
     auto const at = skeleton.at(path);
     if (!at)
         return fail(Fault::User, fmt::format("the tree has no branch {}", path));
-    if (skeleton.system_of[at->system][at->branch] == kNoSystem)
+    if (skeleton.system_of[at->system][at->branch] == kNoSystem
+        && !skeleton.systems[at->system].branches[at->branch].leaf)
         return fail(Fault::User,
                     fmt::format("branch {} bears no branches: it has no style for others", path));
     if (level_of(path) > level_of(target))
@@ -119,7 +125,8 @@ Result<ChosenStyles> carried_by(Skeleton const& skeleton, std::span<Vec2 const> 
             auto const& branch = skeleton.systems[s].branches[b];
             auto target = skeleton.path_of({ s, b });
             if (target == path || level_of(target) != level_of(path)
-                || branch.origin == Branch::Origin::Apex || !branch.own_branches.empty())
+                || branch.origin == Branch::Origin::Apex || !branch.own_branches.empty()
+                || branch.is_drawn_leaf())
                 continue;
             if (runs_over(places, branch, near))
                 styles[std::move(target)] = path;

@@ -2,6 +2,7 @@
 
 #include "engine/methods/silhouettes/branch.h"
 #include "engine/methods/silhouettes/coverage_grid.h"
+#include "engine/methods/silhouettes/leaf_blade.h"
 #include "engine/methods/silhouettes/outline.h"
 
 #include <cstddef>
@@ -39,10 +40,15 @@ struct Branch {
     std::vector<std::vector<Vec2>> own_branches {};
     StyleTo style_to = StyleTo::None;
     std::string style_from {}; // Of a chosen style the source's path (chosen_style.h).
+    // Touches on the bumps of its own outline (bump_touch.h).
+    std::vector<BumpTouch> touches {};
+    // It ends in a leaf, and bears nothing; no value: it does not.
+    std::optional<LeafBlade> leaf {};
     // The stroke that it is on another branch; none: it runs along its curve.
     std::vector<Vec2> stroke {};
 
     bool is_outlined() const { return !own_outline.empty(); }
+    bool is_drawn_leaf() const { return is_outlined() && leaf; }
     bool is_refined() const { return is_outlined() || !own_branches.empty(); }
     // Whether it runs as somebody drew it on another branch.
     bool is_stroke() const { return origin == Origin::Drawn && !stroke.empty(); }

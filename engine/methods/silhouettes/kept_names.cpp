@@ -49,6 +49,8 @@ void move_below(Drawing& drawing, std::string const& from, std::string const& to
     for (auto& own : drawing.own_branches)
         if (own.branch != from)
             own.branch = moved_path(own.branch, from, to);
+    for (auto& touch : drawing.touches)
+        touch.branch = moved_path(touch.branch, from, to);
     ChosenStyles styles;
     for (auto const& [target, source] : drawing.styles)
         styles.emplace(moved_path(target, from, to), moved_path(source, from, to));
@@ -156,6 +158,21 @@ void KeptNames::name(NewSystem const& made, Drawing& drawing)
     }
     settle_outlines(drawing, made);
     settle_branches(drawing, made, partners);
+}
+
+Result<BranchNames> kept_names(DrawingToInfer const& before, Drawing& after,
+                               SkeletonOptions options, std::string const& fresh)
+{
+    auto drawing = before.drawing;
+    drawing.is_leaf = false;
+    SystemRecord record;
+    auto const earlier = TRY(infer_skeleton(drawing, before.options, record));
+    KeptNames kept(earlier, record, fresh);
+    options.names.clear();
+    bool const is_leaf = std::exchange(after.is_leaf, false);
+    TRY(infer_skeleton(after, options, kept));
+    after.is_leaf = is_leaf;
+    return kept.names();
 }
 
 void FoundAgain::name(NewSystem const& made, Drawing& drawing)

@@ -55,6 +55,18 @@ private:
     std::vector<Partners> partners_;                     // Of its branches.
 };
 
+// A drawing, and how its branches are inferred.
+struct DrawingToInfer {
+    Drawing const& drawing;
+    SkeletonOptions const& options;
+};
+
+// The names of a drawing's branches where its lines have changed, by the ones that they had before.
+// Says in the later drawing of which branches its lines are. A crown that is a leaf has the names
+// that it would have without. Fails like infer_skeleton().
+Result<BranchNames> kept_names(DrawingToInfer const& before, Drawing& after,
+                               SkeletonOptions options, std::string const& fresh);
+
 // Finds branches again for what was drawn on them, where the tree had no crown for a while: names
 // say nothing of those of the trunk before.
 class FoundAgain final : public BranchNamer {

@@ -11,7 +11,9 @@ static Result<BranchingSystem> system_with_strokes(Branch const& bearer, Inferen
     options.drawn_bases = InferenceOptions::DrawnBases::Anywhere;
     auto const trunk = bearer.line(17);
     auto const& crown = bearer.is_outlined() ? bearer.own_outline : bearer.crown;
-    auto system = infer_system({ { crown }, trunk, bearer.own_branches }, options);
+    Drawing drawing { { crown }, trunk, bearer.own_branches };
+    drawing.touches = bearer.touches;
+    auto system = infer_system(drawing, options);
     if (!system)
         system = infer_system({ { lens_around(bearer.path.curve) }, trunk, bearer.own_branches },
                               options);
@@ -32,13 +34,29 @@ static void keep_drawn(BranchingSystem& system)
     system.coverage_after = coverage_of(system);
 }
 
+Result<BranchingSystem> system_of_crown(Drawing const& drawing, InferenceOptions const& options)
+{
+    auto system = TRY(infer_system(drawing, options));
+    if (!drawing.is_leaf)
+        return system;
+    system.leaf = leaf_along(system.outline, system.trunk);
+    system.bumps.clear();
+    system.branches.clear();
+    system.touches_taken = 0;
+    system.trunk_goes_on_to.reset();
+    system.coverage_before = system.coverage_after = 1;
+    return system;
+}
+
 Result<BranchingSystem> system_below(Branch const& branch, LevelInference const& how)
 {
     auto const& options = branch.is_outlined() ? how.outlined : how.usual;
     auto const& crown = branch.is_outlined() ? branch.own_outline : branch.crown;
     bool const has_strokes = !branch.own_branches.empty();
+    Drawing drawing { { crown }, branch.line(17) };
+    drawing.touches = branch.touches;
     auto system = has_strokes ? TRY(system_with_strokes(branch, options))
-                              : TRY(infer_system({ { crown }, branch.line(17), {} }, options));
+                              : TRY(infer_system(drawing, options));
     system.is_of_own_outline = branch.is_outlined();
     system.is_in_siblings_style = branch.style_to != StyleTo::None;
     if (has_strokes && !branch.is_outlined() && how.besides == LevelInference::Besides::Nothing)

@@ -20,6 +20,10 @@ struct LevelInference {
     enum class Besides { Nothing, Inferred } besides = Besides::Inferred;
 };
 
+// Infers the branches of the trunk, or nothing in a crown that is a leaf. Fails like
+// infer_system().
+Result<BranchingSystem> system_of_crown(Drawing const& drawing, InferenceOptions const& options);
+
 // Infers what a branch bears, with what was drawn on it, as that was drawn. Fails like
 // infer_system().
 Result<BranchingSystem> system_below(Branch const& branch, LevelInference const& how);

@@ -33,6 +33,8 @@ Result<void> check_points(Drawing const& drawing)
     for (auto const* const strokes : { &drawing.outline, &drawing.branches })
         for (auto const& stroke : *strokes)
             look_at(stroke);
+    for (auto const& touch : drawing.touches)
+        look_at({ touch.place });
     if (count > kMostDrawnPoints)
         return fail(
             Fault::User,
@@ -281,6 +283,11 @@ Result<CleanDrawing> clean_drawing(Drawing const& drawing, OutlineOptions const&
                         "a branch is only a dot: draw it from the trunk to where it ends");
         result.branches.push_back(std::move(branch));
     }
+    for (auto touch : drawing.touches)
+        if (touch.branch.empty()) {
+            touch.place = in_frame({ touch.place }, frame).front();
+            result.touches.push_back(std::move(touch));
+        }
     return result;
 }
 

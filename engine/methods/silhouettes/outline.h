@@ -22,6 +22,7 @@ struct OwnOutline {
     std::string branch; // The path of the branch that has it (Skeleton::at(), skeleton.h).
     std::vector<Vec2> outline;
     StyleTo style_to = StyleTo::None; // Of the branch.
+    bool is_leaf = false;             // It ends the recursion (leaf_blade.h).
 };
 
 // A branch that was drawn on a branch (own_branch.h).
@@ -29,6 +30,17 @@ struct OwnBranch {
     std::string branch; // The path of its bearer.
     std::vector<Vec2> line;
     StyleTo style_to = StyleTo::None; // Of its bearer.
+};
+
+// A touch on the bumps of an outline that somebody drew (bump_touch.h).
+struct BumpTouch {
+    enum class Kind {
+        Split, // Two branches in place of one.
+        Join,  // One in place of two.
+    } kind
+        = Kind::Split;
+    Vec2 place = Vec2::Zero();
+    std::string branch {}; // The path of the branch whose own outline it is; "": the crown.
 };
 
 // Branches that somebody gave the style of another one (chosen_style.h): their paths, and its.
@@ -44,6 +56,8 @@ struct Drawing {
     std::vector<OwnOutline> own_outlines {};
     std::vector<OwnBranch> own_branches {}; // On branches.
     ChosenStyles styles {};
+    std::vector<BumpTouch> touches {}; // One after the other.
+    bool is_leaf = false;              // The crown's outline ends the recursion.
 
     bool is_refined() const { return !own_outlines.empty() || !own_branches.empty(); }
 };
@@ -69,6 +83,7 @@ struct CleanDrawing {
     std::vector<Vec2> outline;
     std::vector<Vec2> trunk;                    // 64 points at equal distances, base first.
     std::vector<std::vector<Vec2>> branches {}; // As drawn; none is a dot.
+    std::vector<BumpTouch> touches {};          // Those of this outline.
     Similarity to_sheet;                        // Back to the drawing's millimetres.
     std::vector<std::string> notes; // What had to be guessed or was left out, a sentence each.
 };

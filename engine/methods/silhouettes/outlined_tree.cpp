@@ -28,6 +28,15 @@ bool same_on_branches(std::vector<DrawnOnBranch> const& one,
     return std::equal(one.begin(), one.end(), other.begin(), other.end(),
                       [](DrawnOnBranch const& a, DrawnOnBranch const& b) {
                           return a.id == b.id && a.branch == b.branch && a.style_to == b.style_to
+                              && a.is_leaf == b.is_leaf && same_ink(a.stroke, b.stroke);
+                      });
+}
+
+bool same_touches(std::vector<DrawnTouch> const& one, std::vector<DrawnTouch> const& other)
+{
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                      [](DrawnTouch const& a, DrawnTouch const& b) {
+                          return a.id == b.id && a.branch == b.branch && a.kind == b.kind
                               && same_ink(a.stroke, b.stroke);
                       });
 }
@@ -42,7 +51,8 @@ bool same(OutlinedTree const& one, OutlinedTree const& other)
                       })
         && one.names == other.names && one.form == other.form && one.scale == other.scale
         && same_on_branches(one.own_outlines, other.own_outlines)
-        && same_on_branches(one.own_branches, other.own_branches) && one.styles == other.styles;
+        && same_on_branches(one.own_branches, other.own_branches) && one.styles == other.styles
+        && same_touches(one.touches, other.touches) && one.is_leaf == other.is_leaf;
 }
 
 Result<std::vector<Vec2>> points_of(Stroke const& stroke)
@@ -61,6 +71,14 @@ Result<std::vector<Vec2>> line_of(Stroke const& stroke)
     if (points.size() > kMostPoints)
         points = resampled_line(points, kMostPoints);
     return points;
+}
+
+Result<Vec2> middle_of(Stroke const& stroke)
+{
+    auto const points = TRY(points_of(stroke));
+    if (points.empty())
+        return fail(Fault::User, "the touch has no place: touch the paper again");
+    return points.size() < 2 ? points.front() : resampled_line(points, 3)[1];
 }
 
 Result<void> check_scale(double scale)
@@ -113,10 +131,14 @@ Result<Drawing> drawing_of(OutlinedTree const& tree)
     for (auto const& branch : tree.branches)
         drawing.branches.push_back(TRY(line_of(branch.stroke)));
     for (auto const& own : tree.own_outlines)
-        drawing.own_outlines.push_back({ own.branch, TRY(line_of(own.stroke)), own.style_to });
+        drawing.own_outlines.push_back(
+            { own.branch, TRY(line_of(own.stroke)), own.style_to, own.is_leaf });
     for (auto const& own : tree.own_branches)
         drawing.own_branches.push_back({ own.branch, TRY(line_of(own.stroke)), own.style_to });
     drawing.styles = tree.styles;
+    for (auto const& touch : tree.touches)
+        drawing.touches.push_back({ touch.kind, TRY(place_of(touch)), touch.branch });
+    drawing.is_leaf = tree.is_leaf;
     return drawing;
 }
 
@@ -159,11 +181,12 @@ Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke,
 {
     auto drawing = TRY(drawing_of(tree));
     auto points = TRY(line_of(stroke));
-    TRY(add_own_outline(drawing, std::move(points), options_of(tree), line.style_to, line.search));
-    auto const& branch = drawing.own_outlines.back().branch;
+    TRY(add_own_outline(drawing, std::move(points), options_of(tree), line.style_to, line.search,
+                        line.is_leaf));
+    auto const& own = drawing.own_outlines.back();
     std::erase_if(tree.own_outlines,
-                  [&](DrawnOnBranch const& own) { return own.branch == branch; });
-    tree.own_outlines.push_back({ line.id, stroke, branch, line.style_to });
+                  [&](DrawnOnBranch const& other) { return other.branch == own.branch; });
+    tree.own_outlines.push_back({ line.id, stroke, own.branch, line.style_to, own.is_leaf });
     return tree;
 }
 
@@ -198,52 +221,96 @@ Result<OutlinedTree> with_styles(OutlinedTree tree, ChosenStyles const& chosen)
     return tree;
 }
 
+Result<Vec2> place_of(DrawnTouch const& touch)
+{
+    return middle_of(touch.stroke);
+}
+
+Result<OutlinedTree> with_touch(OutlinedTree tree, DrawnTouch touch, Search search)
+{
+    if (tree.outline.tips.empty())
+        return fail(Fault::User,
+                    "the tree has no outline yet: draw the outline of its crown first");
+    auto const drawing = TRY(drawing_of(tree));
+    auto const place = TRY(place_of(touch));
+    auto const found = TRY(touched(drawing, { touch.kind, place }, options_of(tree), search));
+    if (found.taken_back) {
+        tree.touches.erase(tree.touches.begin() + static_cast<std::ptrdiff_t>(*found.taken_back));
+        return tree;
+    }
+    touch.branch = found.added.branch;
+    tree.touches.push_back(std::move(touch));
+    return tree;
+}
+
+Result<std::optional<ItemId>> outline_around(OutlinedTree const& tree, Stroke const& stroke)
+{
+    auto const place = TRY(middle_of(stroke));
+    std::optional<ItemId> smallest;
+    double least = 1e300;
+    auto const look_at = [&](std::vector<Vec2> const& outline, ItemId id) {
+        double const area = outline.size() < 3 ? 0 : std::fabs(signed_area(outline));
+        if (area >= least || outline.size() < 3 || !is_inside(outline, place))
+            return;
+        least = area;
+        smallest = id;
+    };
+    look_at(TRY(line_of(tree.outline)), 0);
+    for (auto const& own : tree.own_outlines)
+        look_at(TRY(line_of(own.stroke)), own.id);
+    return smallest;
+}
+
 Result<std::size_t> count_waiting(OutlinedTree const& tree)
 {
-    if (!tree.is_refined() && tree.styles.empty())
+    if (!tree.is_refined() && tree.styles.empty() && tree.touches.empty())
         return 0;
     if (tree.outline.tips.empty())
-        return tree.own_outlines.size() + tree.own_branches.size() + tree.styles.size();
-    auto const skeleton = TRY(skeleton_of(tree));
-    std::size_t count = 0;
-    for (auto const* const drawn : { &tree.own_outlines, &tree.own_branches })
-        for (auto const& own : *drawn)
-            count += !skeleton.at(own.branch);
+        return tree.own_outlines.size() + tree.own_branches.size() + tree.styles.size()
+            + tree.touches.size();
+    auto const drawing = TRY(drawing_of(tree));
+    auto const skeleton = TRY(infer_skeleton(drawing, options_of(tree)));
+    std::size_t count = touches_waiting(drawing, skeleton);
+    for (auto const& own : tree.own_outlines)
+        count += !skeleton.at(own.branch);
+    for (auto const& own : tree.own_branches) {
+        auto const at = skeleton.at(own.branch);
+        count += !at || skeleton.systems[at->system].branches[at->branch].leaf;
+    }
     for (auto const& [target, source] : tree.styles)
         count += !skeleton.at(target) || !skeleton.at(source);
     return count;
 }
 
-// Infers a tree whose lines are of the branches then that the namer says.
-static Result<void> place_lines(OutlinedTree& tree, BranchNamer& namer)
+// Of which branches the tree's lines are, as its drawing says.
+static void place_lines(OutlinedTree& tree, Drawing const& drawing)
 {
-    auto drawing = TRY(drawing_of(tree));
-    TRY(infer_skeleton(drawing, options_of(tree), namer));
     for (std::size_t i = 0; i < tree.own_outlines.size(); ++i)
         tree.own_outlines[i].branch = drawing.own_outlines[i].branch;
     for (std::size_t i = 0; i < tree.own_branches.size(); ++i)
         tree.own_branches[i].branch = drawing.own_branches[i].branch;
+    for (std::size_t i = 0; i < tree.touches.size(); ++i)
+        tree.touches[i].branch = drawing.touches[i].branch;
     tree.styles = drawing.styles;
-    return {};
 }
 
 Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::string const& fresh)
 {
     if (after.outline.tips.empty())
         return {};
+    auto drawing = TRY(drawing_of(after));
     if (before.outline.tips.empty()) {
         if (!after.is_refined())
             return {};
         FoundAgain again;
-        return place_lines(after, again);
+        TRY(infer_skeleton(drawing, options_of(after), again));
+        place_lines(after, drawing);
+        return {};
     }
-    auto drawing = TRY(drawing_of(before));
-    SystemRecord record;
-    auto const earlier = TRY(infer_skeleton(drawing, options_of(before), record));
-    KeptNames kept(earlier, record, fresh);
-    after.names.clear();
-    TRY(place_lines(after, kept));
-    after.names = kept.names();
+    auto const earlier = TRY(drawing_of(before));
+    after.names
+        = TRY(kept_names({ earlier, options_of(before) }, drawing, options_of(after), fresh));
+    place_lines(after, drawing);
     return {};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/methods/silhouettes/bump_touch.h"
 #include "engine/methods/silhouettes/outline.h"
 #include "engine/methods/silhouettes/own_branch.h"
 #include "engine/methods/silhouettes/skeleton.h"
@@ -29,6 +30,16 @@ struct DrawnOnBranch {
     Stroke stroke {};
     std::string branch {};
     StyleTo style_to = StyleTo::None;
+    bool is_leaf = false; // An outline: it ends the recursion (leaf_blade.h).
+};
+
+// A touch on a bump, by the edit that brought it. The path of the branch whose outline has the bump
+// is found when it is drawn; where there is no such bump any more, it waits.
+struct DrawnTouch {
+    ItemId id = 0;
+    Stroke stroke {}; // Its middle counts.
+    BumpTouch::Kind kind = BumpTouch::Kind::Split;
+    std::string branch {}; // "": it is on the crown's outline.
 };
 
 // A tree as it is drawn on paper: strokes whose x and y are tablet-centred millimetres; how high
@@ -45,6 +56,8 @@ struct OutlinedTree {
     std::vector<DrawnOnBranch> own_outlines {}; // Of branches, one for each.
     std::vector<DrawnOnBranch> own_branches {}; // On them, as many as were drawn.
     ChosenStyles styles {};                     // Where branches are gone, styles wait.
+    std::vector<DrawnTouch> touches {};         // On bumps, one after the other.
+    bool is_leaf = false;                       // The crown's outline is one.
 
     bool is_refined() const { return !own_outlines.empty() || !own_branches.empty(); }
 };
@@ -68,6 +81,7 @@ struct LineOnBranch {
     ItemId id = 0;
     StyleTo style_to = StyleTo::None;
     Search search = Search::OnTrunk;
+    bool is_leaf = false; // An outline, which is declared one.
 };
 
 // The tree with the outline as a branch's own, in place of the one that it had. Fails, as the
@@ -86,8 +100,19 @@ Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke,
 Result<ChosenStyles> styles_carried_by(OutlinedTree const& tree, Stroke const& stroke);
 Result<OutlinedTree> with_styles(OutlinedTree tree, ChosenStyles const& chosen);
 
-// How many lines that were drawn on branches, and chosen styles, wait for theirs. Fails like
-// infer_system().
+// The tree with a touch on a bump, or without the one that this takes back. Fails like touched()
+// (bump_touch.h).
+Result<OutlinedTree> with_touch(OutlinedTree tree, DrawnTouch touch, Search search);
+
+// Where a touch is on the paper: the middle of its stroke.
+Result<Vec2> place_of(DrawnTouch const& touch);
+
+// The id of the smallest outline that somebody drew around a stroke's middle; 0: it is the crown's,
+// no value: there is none.
+Result<std::optional<ItemId>> outline_around(OutlinedTree const& tree, Stroke const& stroke);
+
+// How many lines that were drawn on branches, touches on bumps and chosen styles wait for theirs.
+// Fails like infer_system().
 Result<std::size_t> count_waiting(OutlinedTree const& tree);
 
 // Keeps the names of a tree's branches where its lines have changed, and of which branches lines

@@ -73,6 +73,7 @@ void follow_model(BranchingSystem const& system, Branch& copy, double area_befor
     }
     copy.from_model = as_large(low);
     copy.crown = copy.from_model.points(model.crown);
+    copy.leaf = model.leaf ? std::optional(moved(*model.leaf, copy.from_model)) : std::nullopt;
     copy.path.curve = copy.from_model.cubic(model.path.curve);
     copy.path.length = length_of(copy.path.curve.points(17));
 }
@@ -131,6 +132,8 @@ void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outl
         branch.style_to = own.style_to;
         branch.model.reset();
         branch.from_model = {};
+        if (own.is_leaf)
+            branch.leaf = leaf_along(branch.crown, branch.line(17));
     }
     for (auto const& [i, area_before] : taken)
         for (auto& copy : system.branches)
@@ -174,7 +177,8 @@ Result<std::optional<std::string>> branch_outlined_by(Drawing const& drawing,
 }
 
 Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke,
-                             SkeletonOptions const& options, StyleTo style_to, Search search)
+                             SkeletonOptions const& options, StyleTo style_to, Search search,
+                             bool is_leaf)
 {
     auto const branch = TRY(branch_outlined_by(drawing, stroke, options, search));
     if (!branch)
@@ -183,9 +187,11 @@ Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke,
                     "smaller than the crown");
     OutlineOptions const any_size { .least_area_mm2 = 0 };
     TRY(clean_drawing({ { stroke }, {} }, any_size));
-    std::erase_if(drawing.own_outlines,
-                  [&](OwnOutline const& own) { return own.branch == *branch; });
-    drawing.own_outlines.push_back({ *branch, std::move(stroke), style_to });
+    std::erase_if(drawing.own_outlines, [&](OwnOutline const& own) {
+        is_leaf = is_leaf || (own.branch == *branch && own.is_leaf);
+        return own.branch == *branch;
+    });
+    drawing.own_outlines.push_back({ *branch, std::move(stroke), style_to, is_leaf });
     return {};
 }
 

@@ -37,11 +37,12 @@ std::optional<std::size_t> branch_in(BranchingSystem const& system, std::span<Ve
 void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outlines);
 
 // Adds a closed stroke to a drawing as the own outline of the branch that it lies around, in place
-// of the one that this has. Fails, as the user's fault, where it lies around none, and like
-// infer_system() and clean_drawing().
+// of the one that this has, and declares it a leaf if it is to be one; one that is a leaf stays
+// one. Fails, as the user's fault, where it lies around none, and like infer_system() and
+// clean_drawing().
 Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke,
                              SkeletonOptions const& options = {}, StyleTo style_to = StyleTo::None,
-                             Search search = Search::OnTrunk);
+                             Search search = Search::OnTrunk, bool is_leaf = false);
 
 // The path of the branch that add_own_outline() would give the stroke to; no value: none.
 Result<std::optional<std::string>> branch_outlined_by(Drawing const& drawing,

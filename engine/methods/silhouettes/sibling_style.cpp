@@ -180,6 +180,8 @@ Branch copied(Branch const& child, Similarity const& way, Side side, double u)
     copy.path.length *= way.turn.norm();
     copy.crown = way.points(child.crown);
     copy.stroke = way.points(child.stroke);
+    if (child.leaf)
+        copy.leaf = moved(*child.leaf, way);
     copy.cone_deg = child.cone_deg;
     return copy;
 }
@@ -271,12 +273,70 @@ void take_style(BranchingSystem& system, Branch const& bearer, std::span<BearerS
         }
         branches.push_back(std::move(copy));
     }
-    if (system.has_apex_branch())
+    if (system.has_apex_branch()) {
         branches.push_back(system.branches.back());
+        auto const count = branches.size();
+        if (count > 1 && branches[count - 2].leaf)
+            take_leaf(branches.back(), branches[count - 2], system.outline);
+    }
     system.branches = std::move(branches);
     system.coverage_after = coverage_of(system);
     system.is_of_own_outline = source.is_of_own_outline;
     system.is_in_siblings_style = true;
+}
+
+void take_leaf(Branch& branch, Branch const& source, std::span<Vec2 const> outline)
+{
+    constexpr int kTries = 8;
+    constexpr double kSmaller = 0.87; // At each: a third in the end.
+    auto const& leaf = *source.leaf;
+    auto way = between(source, branch);
+    way.from = leaf.base;
+    way.to = Line(branch.line(17)).at(leaf.stalk);
+    way.turn *= std::min(1.0, 1 / std::max(way.turn.norm(), 1e-300));
+    auto crown = way.points(source.crown);
+    for (int i = 0; i < kTries; ++i) {
+        auto const outside = std::count_if(crown.begin(), crown.end(), [&](Vec2 const& point) {
+            return !is_inside(outline, point);
+        });
+        if (10 * static_cast<std::size_t>(outside) <= crown.size())
+            break;
+        way.turn *= kSmaller;
+        crown = way.points(source.crown);
+    }
+    branch.leaf = moved(leaf, way);
+    branch.crown = std::move(crown);
+    branch.model.reset();
+    branch.from_model = {};
+}
+
+void spread_leaves(BranchingSystem& system, std::function<bool(Branch const&)> const& may)
+{
+    std::vector<Branch> examples;
+    for (auto const& branch : system.branches)
+        if (branch.style_to != StyleTo::None)
+            examples.push_back(branch);
+    auto const is_leaf = [](Branch const& branch) { return branch.leaf.has_value(); };
+    if (std::none_of(examples.begin(), examples.end(), is_leaf))
+        return;
+    for (auto& branch : system.branches) {
+        if (branch.is_refined() || !may(branch))
+            continue;
+        auto const nearest
+            = std::min_element(examples.begin(), examples.end(), [&](auto const& a, auto const& b) {
+                  return std::fabs(a.path.t - branch.path.t) < std::fabs(b.path.t - branch.path.t);
+              });
+        if (nearest->leaf)
+            take_leaf(branch, *nearest, system.outline);
+    }
+    system.coverage_after = coverage_of(system);
+}
+
+bool bears_leaves_alone(BranchingSystem const& system)
+{
+    return !system.branches.empty()
+        && std::all_of(system.branches.begin(), system.branches.end(),
+                       [](Branch const& branch) { return branch.leaf.has_value(); });
 }
 
 } // namespace tractus::silhouette

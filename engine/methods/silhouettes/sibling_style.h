@@ -3,6 +3,7 @@
 #include "engine/methods/silhouettes/skeleton.h"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -46,5 +47,18 @@ BearerStyle bearer_style(Branch const& bearer, BranchingSystem const& system);
 // `sources` are at least one, in order of t.
 void take_style(BranchingSystem& system, Branch const& bearer, std::span<BearerStyle const> sources,
                 std::uint64_t seed);
+
+// Ends a branch in the leaf of another one, in the same place on it: as large, on a shorter branch
+// as much smaller as that is, and smaller where more than a tenth of it would leave the outline,
+// down to a third.
+void take_leaf(Branch& branch, Branch const& source, std::span<Vec2 const> outline);
+
+// Ends branches of a system in leaves: those that nobody drew on and for which `may` says so, where
+// the nearest along the bearer of the branches whose style is for their siblings is a leaf. The
+// system's own end is among them.
+void spread_leaves(BranchingSystem& system, std::function<bool(Branch const&)> const& may);
+
+// Whether all of a system's branches are leaves, of which it has some.
+bool bears_leaves_alone(BranchingSystem const& system);
 
 } // namespace tractus::silhouette

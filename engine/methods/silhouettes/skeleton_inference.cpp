@@ -22,7 +22,7 @@ std::vector<Drawn> drawn_on(std::vector<Drawn> const& lines, std::string_view be
 {
     std::vector<Drawn> result;
     for (auto const& own : lines)
-        if (bearer_in(own.branch) == bearer) {
+        if (!own.branch.empty() && bearer_in(own.branch) == bearer) {
             result.push_back(own);
             result.back().branch = last_name_in(own.branch);
         }
@@ -39,10 +39,25 @@ void name_branches(BranchingSystem& system, BranchNames const& names, std::strin
         system.branches[i].name = found->second[i];
 }
 
+// Touches are on outlines that somebody drew; those on others wait.
+void give_touches(BranchingSystem& system, std::vector<BumpTouch> const& touches)
+{
+    for (auto touch : touches) {
+        auto const i = number_of(system, std::exchange(touch.branch, ""));
+        if (i && system.branches[*i].is_outlined() && !system.branches[*i].leaf)
+            system.branches[*i].touches.push_back(std::move(touch));
+    }
+}
+
 void take_lines(BranchingSystem& system, Drawing const& drawing, std::string const& bearer)
 {
     take_own_outlines(system, drawn_on(drawing.own_outlines, bearer));
     take_own_branches(system, drawn_on(drawing.own_branches, bearer));
+    give_touches(system, drawn_on(drawing.touches, bearer));
+    spread_leaves(system, [&](Branch const& branch) {
+        auto const name = name_of(branch);
+        return !drawing.styles.contains(bearer.empty() ? name : bearer + kPathSeparator + name);
+    });
 }
 
 class Inference {
@@ -56,7 +71,8 @@ public:
 
     Result<Skeleton> run()
     {
-        add(TRY(infer_system(drawing_, styled(options_.tree, options_.styles, 0))), kNoBearer, {});
+        add(TRY(system_of_crown(drawing_, styled(options_.tree, options_.styles, 0))), kNoBearer,
+            {});
         auto below = options_.below;
         auto outlined = options_.outlined;
         below.outline.least_area_mm2 = 0;
@@ -140,7 +156,7 @@ private:
             auto const source = skeleton_.at(source_of(drawing_.styles, path));
             if (!at || !source || at->system < level.first || at->system >= level.last
                 || skeleton_.bearers[at->system] != bearer_in(path)
-                || !branch(*at).own_branches.empty())
+                || !branch(*at).own_branches.empty() || branch(*at).is_drawn_leaf())
                 continue;
             targets_.push_back({ *at, *source });
         }
@@ -178,7 +194,7 @@ private:
     bool is_wanted(BranchAt const& at, Which which) const
     {
         auto const& branch = skeleton_.systems[at.system].branches[at.branch];
-        if (branch.model)
+        if (branch.model || branch.leaf)
             return false;
         if (is_target(at))
             return which == Which::All && with_copies(at).size() > 1;
@@ -274,7 +290,8 @@ private:
         auto const count = skeleton_.systems[s].branches.size();
         std::vector<std::optional<BranchingSystem>> made(count);
         auto const follows = [&](std::size_t i) {
-            return !branch({ s, i }).is_refined() && !is_target({ s, i });
+            auto const& one = branch({ s, i });
+            return !one.is_refined() && !one.leaf && !is_target({ s, i });
         };
         parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
             for (auto i = begin; i < end; ++i)
@@ -309,6 +326,9 @@ private:
         for (std::size_t i = 0; i < made.size(); ++i) {
             branch(targets_[i].at).style_from = skeleton_.path_of(targets_[i].source);
             stand_alone(targets_[i].at, std::move(made[i]));
+            if (branch(targets_[i].source).leaf)
+                take_leaf(branch(targets_[i].at), branch(targets_[i].source),
+                          skeleton_.systems[targets_[i].at.system].outline);
         }
     }
 
@@ -332,7 +352,7 @@ private:
 
 Result<BranchingSystem> infer_on_trunk(Drawing const& drawing, SkeletonOptions const& options)
 {
-    auto tree = TRY(infer_system(drawing, styled(options.tree, options.styles, 0)));
+    auto tree = TRY(system_of_crown(drawing, styled(options.tree, options.styles, 0)));
     name_branches(tree, options.names, "");
     take_lines(tree, drawing, "");
     return tree;

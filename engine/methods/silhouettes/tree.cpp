@@ -1,7 +1,9 @@
 #include "engine/methods/silhouettes/tree.h"
 
 #include "engine/methods/silhouettes/crowd.h"
+#include "engine/methods/silhouettes/leaf_blade.h"
 #include "engine/methods/silhouettes/line.h"
+#include "engine/methods/silhouettes/sibling_style.h"
 #include "engine/methods/silhouettes/styled_crowd.h"
 #include "engine/plant/pipe_model.h"
 
@@ -56,7 +58,11 @@ public:
         space.linear() << scale, 0, 0, 0, 0, -scale, 0, scale, 0;
         space.translation() = -(space.linear() * Vec3(foot.x(), foot.y(), 0));
         add_looks();
-        grow({ .system = 0, .space = space, .line = Line(tree.whole_trunk()) });
+        if (tree.leaf)
+            grow_leaf({ .space = space, .line = Line(stalk_of(*tree.leaf, tree.trunk)) },
+                      *tree.leaf);
+        else
+            grow({ .system = 0, .space = space, .line = Line(tree.whole_trunk()) });
         apply_pipe_model(tree_.plant, 2.2, options_.tip_radius_of_height * options_.height_mm);
         for (auto& [level, places] : told_)
             tree_.arrangements.push_back(std::move(places));
@@ -116,7 +122,9 @@ private:
             crowd = &crowd_of(bearer.system, bearer.level);
         auto const places = node_places(bearer, crowd);
         auto const axis = add_axis(bearer, places);
-        if (!crowd || bearer.level > 0)
+        bool const has_twigs
+            = !crowd || (bearer.level > 0 && !bears_leaves_alone(skeleton_.systems[bearer.system]));
+        if (has_twigs)
             add_sprays(bearer, axis, places, crowd ? 0.5 : 0.0);
         if (!crowd)
             return;
@@ -126,6 +134,40 @@ private:
                 ++node;
             grow_branch(bearer, axis, standing, node);
         }
+    }
+
+    // Its stalk, and the leaf.
+    void grow_leaf(Bearer const& stalk, LeafBlade const& leaf)
+    {
+        auto const axis = add_axis(stalk, node_places(stalk, nullptr));
+        Vec2 const way = leaf.tip - leaf.base;
+        Vec2 const across = (leaf.mirrors ? -1 : 1) * Vec2(way.y(), -way.x());
+        Vec3 const heading = stalk.space.linear() * Vec3(way.x(), way.y(), 0);
+        Eigen::Matrix3d frame;
+        frame.col(0) = (stalk.space.linear() * Vec3(across.x(), across.y(), 0)).normalized();
+        frame.col(1) = heading.normalized();
+        frame.col(2) = frame.col(0).cross(frame.col(1));
+        auto const& [first, segments]
+            = std::pair(tree_.plant.axes[axis].first_segment, tree_.plant.axes[axis].segment_count);
+        tree_.plant.organs.push_back(
+            { .shape = shape_of(leaf),
+              .segment = first + segments - 1,
+              .position_mm = stalk.space * Vec3(leaf.base.x(), leaf.base.y(), 0),
+              .orientation = Quat(frame).normalized(),
+              .scale = Vec3f::Constant(static_cast<float>(heading.norm())) });
+        ++tree_.leaves;
+    }
+
+    // Leaves of one outline are organs of one shape.
+    OrganShapeId shape_of(LeafBlade const& leaf)
+    {
+        auto& shapes = tree_.plant.organ_shapes;
+        for (auto const& [outline, shape] : leaf_shapes_)
+            if (outline == leaf.outline)
+                return shape;
+        leaf_shapes_.emplace_back(leaf.outline, static_cast<OrganShapeId>(shapes.size()));
+        shapes.push_back(leaf_organ(leaf.outline, 1));
+        return leaf_shapes_.back().second;
     }
 
     void grow_branch(Bearer const& bearer, AxisId axis, Standing const& standing,
@@ -143,6 +185,18 @@ private:
         around.linear() = turn.toRotationMatrix();
         around.translation() = pivot - around.linear() * pivot;
         Space const own = around * bearer.space * in_space(standing.way);
+        auto const name = bearer.name.empty() ? standing.name : bearer.name + "/" + standing.name;
+        auto const parent = tree_.plant.axes[axis].first_segment + static_cast<SegmentId>(segment);
+        if (branch.leaf) {
+            grow_leaf({ .space = own,
+                        .line = Line(stalk_of(*branch.leaf, branch.line(17))),
+                        .name = name,
+                        .parent_segment = parent,
+                        .parent_axis = axis,
+                        .level = bearer.level + 1 },
+                      *branch.leaf);
+            return;
+        }
         // A copy's own branches are its model's, seen through the way from there.
         auto const below = skeleton_.system_of[bearer.system][standing.branch];
         auto const& model = branch.model ? system.branches[*branch.model] : branch;
@@ -151,9 +205,8 @@ private:
                .space = to_model,
                .line = Line(maker_.line_of(model, below)),
                .crown = model.crown,
-               .name = bearer.name.empty() ? standing.name : bearer.name + "/" + standing.name,
-               .parent_segment
-               = tree_.plant.axes[axis].first_segment + static_cast<SegmentId>(segment),
+               .name = name,
+               .parent_segment = parent,
                .parent_axis = axis,
                .level = bearer.level + 1,
                .is_stroke = !model.stroke.empty() });
@@ -341,6 +394,7 @@ private:
     Skeleton const& skeleton_;
     TreeOptions const& options_;
     Tree tree_;
+    std::vector<std::pair<std::vector<Vec2>, OrganShapeId>> leaf_shapes_;
     std::map<std::size_t, Crowd> crowds_;
     std::map<std::uint32_t, std::vector<PlacedBranch>> told_;
     CrowdMaker maker_;

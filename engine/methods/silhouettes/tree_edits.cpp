@@ -14,7 +14,8 @@ namespace tractus::silhouette {
 namespace {
 
 // In the order of the enumerations' values.
-constexpr std::array kParts { "trunk", "outline", "branch", "own_outline", "own_branch" };
+constexpr std::array kParts { "trunk",      "outline", "branch", "own_outline",
+                              "own_branch", "split",   "join" };
 constexpr std::array kPatterns {
     "even", "spiral", "decussate", "whorls", "two-rows", "horizontal"
 };
@@ -75,6 +76,7 @@ void list(Fields& fields, TreeForm& form)
 void list(Fields& fields, DrawTree& edit)
 {
     fields.word("part", edit.part, kParts);
+    fields.sparse_field("is_leaf", &edit.is_leaf);
     bool to_siblings = edit.style_to == StyleTo::Siblings;
     bool to_deeper = edit.style_to == StyleTo::Deeper;
     fields.sparse_field("style_to_siblings", &to_siblings);
@@ -96,6 +98,13 @@ void list(Fields& fields, EraseTreePart& edit)
     fields.field("plant", &edit.plant);
     fields.word("part", edit.part, kParts);
     fields.sparse_field("branch", &edit.branch);
+}
+
+void list(Fields& fields, DeclareLeaf& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.sparse_field("outline", &edit.outline);
+    fields.field("is_leaf", &edit.is_leaf);
 }
 
 void list(Fields& fields, ChooseStyles& edit)
@@ -201,6 +210,7 @@ Result<DocumentState> applied(DocumentState state, EraseTreePart const& edit, Sc
         break;
     case DrawTree::Part::Outline:
         is_there = !std::exchange(after.outline, {}).tips.empty();
+        after.is_leaf = false;
         break;
     case DrawTree::Part::Branch:
         is_there = take_out(after.branches, edit.branch);
@@ -211,12 +221,34 @@ Result<DocumentState> applied(DocumentState state, EraseTreePart const& edit, Sc
     case DrawTree::Part::OwnBranch:
         is_there = take_out(after.own_branches, edit.branch);
         break;
+    case DrawTree::Part::Split:
+    case DrawTree::Part::Join:
+        is_there = take_out(after.touches, edit.branch);
+        break;
     }
     if (!is_there)
         return fail(Fault::User, "the tree has no such part any more");
     if (after.trunk.tips.empty() && after.outline.tips.empty())
         return fail(Fault::User,
                     "nothing of the tree would be left: remove the plant to take it away");
+    auto const id = item_id(state.last_edit, 0);
+    return with_lines(std::move(state), edit.plant, before, std::move(after), id);
+}
+
+Result<DocumentState> applied(DocumentState state, DeclareLeaf const& edit, SceneBuilder&)
+{
+    auto const before = TRY(tree_of(state, edit.plant));
+    auto after = before;
+    bool is_there = edit.outline == 0 && !after.outline.tips.empty();
+    if (edit.outline == 0)
+        after.is_leaf = edit.is_leaf;
+    for (auto& own : after.own_outlines)
+        if (own.id == edit.outline) {
+            own.is_leaf = edit.is_leaf;
+            is_there = true;
+        }
+    if (!is_there)
+        return fail(Fault::User, "the tree has no such outline any more");
     auto const id = item_id(state.last_edit, 0);
     return with_lines(std::move(state), edit.plant, before, std::move(after), id);
 }
@@ -234,7 +266,7 @@ Result<DocumentState> applied(DocumentState state, FormTree const& edit, SceneBu
     auto const before = TRY(tree_of(state, edit.plant));
     auto tree = before;
     tree.form = edit.form;
-    if (!tree.is_refined() && tree.styles.empty())
+    if (!tree.is_refined() && tree.styles.empty() && tree.touches.empty())
         return with_tree(std::move(state), edit.plant, std::move(tree));
     // Their branches have to be found again.
     auto const id = item_id(state.last_edit, 0);
@@ -243,9 +275,15 @@ Result<DocumentState> applied(DocumentState state, FormTree const& edit, SceneBu
 
 std::string described(DrawTree const& edit)
 {
-    constexpr std::array kWhat { "a trunk", "the outline of a crown", "a branch",
-                                 "a branch's own outline", "a branch on a branch" };
-    auto const* const what = kWhat[static_cast<std::size_t>(edit.part)];
+    constexpr std::array kWhat { "a trunk",
+                                 "the outline of a crown",
+                                 "a branch",
+                                 "a branch's own outline",
+                                 "a branch on a branch",
+                                 "a touch that splits a bump",
+                                 "a touch that joins bumps" };
+    auto const what = std::string(kWhat[static_cast<std::size_t>(edit.part)])
+        + (edit.is_leaf ? ", a leaf," : "");
     auto const whose = edit.plant == 0 ? std::string("a new tree")
                                        : fmt::format("plant {}", tractus::name_of(edit.plant));
     constexpr std::array kStyles { "", ", in whose style its siblings are",
@@ -256,10 +294,22 @@ std::string described(DrawTree const& edit)
 
 std::string described(EraseTreePart const& edit)
 {
-    constexpr std::array kWhat { "the trunk", "the outline of the crown", "a drawn branch",
-                                 "a branch's own outline", "a branch on a branch" };
+    constexpr std::array kWhat { "the trunk",
+                                 "the outline of the crown",
+                                 "a drawn branch",
+                                 "a branch's own outline",
+                                 "a branch on a branch",
+                                 "the split of a bump",
+                                 "the join of bumps" };
     return fmt::format("takes {} of plant {} away", kWhat[static_cast<std::size_t>(edit.part)],
                        tractus::name_of(edit.plant));
+}
+
+std::string described(DeclareLeaf const& edit)
+{
+    return fmt::format("declares {} of plant {} {}",
+                       edit.outline == 0 ? "the outline of the crown" : "a branch's own outline",
+                       tractus::name_of(edit.plant), edit.is_leaf ? "a leaf" : "no leaf any more");
 }
 
 std::string described(ChooseStyles const& edit)
@@ -291,14 +341,21 @@ Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, ItemId i
         break;
     case DrawTree::Part::Outline:
         tree.outline = edit.stroke;
+        tree.is_leaf = tree.is_leaf || edit.is_leaf;
         break;
     case DrawTree::Part::Branch:
         tree.branches.push_back({ id, edit.stroke });
         break;
     case DrawTree::Part::OwnOutline:
-        return with_own_outline(std::move(tree), edit.stroke, { id, edit.style_to, edit.search });
+        return with_own_outline(std::move(tree), edit.stroke,
+                                { id, edit.style_to, edit.search, edit.is_leaf });
     case DrawTree::Part::OwnBranch:
         return with_own_branch(std::move(tree), edit.stroke, { id, edit.style_to, edit.search });
+    case DrawTree::Part::Split:
+        return with_touch(std::move(tree), { id, edit.stroke, BumpTouch::Kind::Split },
+                          edit.search);
+    case DrawTree::Part::Join:
+        return with_touch(std::move(tree), { id, edit.stroke, BumpTouch::Kind::Join }, edit.search);
     }
     return tree;
 }
@@ -312,6 +369,8 @@ constexpr EditKind DrawTree::kKind
     = make_edit_kind<DrawTree, list, applied, described>("draw_tree", true);
 constexpr EditKind EraseTreePart::kKind
     = make_edit_kind<EraseTreePart, list, applied, described>("erase_tree_part");
+constexpr EditKind DeclareLeaf::kKind
+    = make_edit_kind<DeclareLeaf, list, applied, described>("declare_leaf");
 constexpr EditKind ChooseStyles::kKind
     = make_edit_kind<ChooseStyles, list, applied, described>("choose_branch_styles");
 constexpr EditKind FormTree::kKind

@@ -16,9 +16,12 @@ struct DrawTree {
         Branch,     // One more.
         OwnOutline, // A branch's: of the one that it lies around (own_outline.h).
         OwnBranch,  // On a branch, on which it begins (own_branch.h).
+        Split,      // A touch that splits a bump of an outline, or joins two (bump_touch.h); or
+        Join,       // takes such a touch back.
     } part
         = Part::Outline;
     Stroke stroke {};
+    bool is_leaf = false;             // An outline: it is declared one (leaf_blade.h).
     StyleTo style_to = StyleTo::None; // Of the branch that is drawn on (sibling_style.h),
     Search search = Search::OnTrunk;  // and among which ones that is looked for.
     // A tree that there is; 0: a new plant, which becomes the active one. What follows is a new
@@ -41,7 +44,16 @@ struct EraseTreePart {
 
     ItemId plant = 0;
     DrawTree::Part part = DrawTree::Part::Branch;
-    ItemId branch = 0; // Which one it is, of a branch or what was drawn on one.
+    ItemId branch = 0; // Which one it is, of a branch, of what was drawn on one, or of a touch.
+};
+
+// Declares an outline of a tree a leaf (leaf_blade.h), or that it is none.
+struct DeclareLeaf {
+    static EditKind const kKind;
+
+    ItemId plant = 0;
+    ItemId outline = 0; // A branch's; 0: the crown's.
+    bool is_leaf = true;
 };
 
 // Gives branches of a tree the styles of others (chosen_style.h).

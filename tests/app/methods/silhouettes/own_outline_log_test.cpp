@@ -1,4 +1,5 @@
 #include "app/methods/all_methods.h"
+#include "app/methods/silhouettes/outline_tool.h"
 #include "engine/methods/silhouettes/tree_edits.h"
 #include "tests/app/replayed.h"
 #include "tests/app/simulated_drawing.h"
@@ -69,6 +70,71 @@ json reported(std::vector<DrawnStroke> const& strokes)
     std::filesystem::remove(file);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return json::parse(outcome.out);
+}
+
+// A recording of strokes with the words of the tool for each.
+Log recorded_lines(std::string const& gestures, std::vector<std::string> const& words)
+{
+    auto log
+        = recorded_log("version = 1\nseed = 8\n[[gesture]]\ntool = \"draw\"\npropagation = "
+                       "\"both\"\npath = \"line\"\nfrom_mm = [0, -60, 50]\nto_mm = [0, 20, 50]\n"
+                       + gesture_around({ 0, 10 }, 30, 4) + gestures);
+    EXPECT_EQ(log.tools.size(), words.size());
+    for (std::size_t i = 0; i < log.tools.size(); ++i) {
+        log.tools[i].tool = "outline";
+        log.tools[i].arguments = words[std::min(i, words.size() - 1)];
+    }
+    return log;
+}
+
+std::string touch_at(double x_mm, double y_mm)
+{
+    return fmt::format("[[gesture]]\ntool = \"draw\"\npropagation = \"both\"\npath = \"line\"\n"
+                       "from_mm = [{0}, {1}, 50]\nto_mm = [{2}, {1}, 50]\n",
+                       x_mm, y_mm, x_mm + 1);
+}
+
+// The scene after the same lines without a log.
+Scene drawn_alone(std::vector<DrawnStroke> const& strokes, std::vector<OutlineTool> const& tools)
+{
+    Scene scene;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        auto const edits = Tool(tools[i]).mean(strokes[i].stroke, scene);
+        EXPECT_TRUE(edits) << edits.error().message;
+        if (edits)
+            scene = apply_edits(scene, *edits).value();
+    }
+    return scene;
+}
+
+// A bump split, two joined, a leaf outlined and declared none: replayed and drawn alone.
+TEST(OwnOutlineLog, GivesTheTreeOfItsTouches)
+{
+    auto const log = recorded_lines(touch_at(22, 32) + touch_at(-30, 10)
+                                        + gesture_around({ 20, -10 }, 11, 5) + touch_at(20, -10),
+                                    { "", "", "split", "join", "leaf siblings", "leaf" });
+    auto const replay = replayed(log, {}, Scene {});
+    ASSERT_EQ(replay.strokes.size(), 6U);
+    for (auto const& drawn : replay.strokes)
+        EXPECT_EQ(drawn.refusal, "");
+    auto const* const tree = silhouette::outlined_tree(*replay.scene.drawn);
+    ASSERT_TRUE(tree);
+    EXPECT_EQ(tree->touches.size(), 2U);
+    ASSERT_EQ(tree->own_outlines.size(), 1U);
+    EXPECT_FALSE(tree->own_outlines[0].is_leaf);
+    using What = OutlineTool::What;
+    auto const tool = [](What what, silhouette::StyleTo style = silhouette::StyleTo::None) {
+        return OutlineTool { .what = what,
+                             .branches = OutlineTool::Branches::OfTrunk,
+                             .style = style };
+    };
+    auto const alone
+        = drawn_alone(replay.strokes,
+                      { tool(What::GoOn), tool(What::GoOn), tool(What::Split), tool(What::Join),
+                        tool(What::Leaf, silhouette::StyleTo::Siblings), tool(What::Leaf) });
+    EXPECT_EQ(alone.base->node_position_mm, replay.scene.base->node_position_mm);
+    EXPECT_EQ(replayed(log, {}, Scene {}).scene.base->node_position_mm,
+              replay.scene.base->node_position_mm);
 }
 
 // Recorded, replayed and typed, lines are one tree.

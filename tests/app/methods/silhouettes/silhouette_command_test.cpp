@@ -381,6 +381,92 @@ TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
               std::string::npos);
 }
 
+// On the crown's lobe at the right above, between the two next to it, in the part; with the pen as
+// in a file.
+TEST_F(SilhouetteCommand, SplitsAndJoinsBumps)
+{
+    auto const reported = [&](json const& drawing, std::vector<std::string> more = {}) {
+        std::ofstream(folder_ / "touched.json") << drawing;
+        more.insert(more.begin(), { "silhouette", path("touched.json"), "--report" });
+        auto const outcome = run(more);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return json::parse(outcome.out);
+    };
+    auto drawing = crown();
+    auto const bumps = reported(drawing)["bumps"].get<int>();
+    drawing["splits"] = { { 70, 22 } };
+    auto const split = reported(drawing);
+    EXPECT_EQ(split["bumps"], bumps + 1);
+    drawing.erase("splits");
+    drawing["joins"] = { { -41, 57 } };
+    EXPECT_EQ(reported(drawing)["bumps"], bumps - 1);
+    drawing["splits"] = { { 63.5, 39 }, { 78, 19 } };
+    drawing["parts"] = json::array({ part() });
+    auto const all = reported(drawing, { "-o", path("out"), "--session" });
+    EXPECT_EQ(all["bumps"], bumps - 1) << "both splits are in the part";
+    auto const scene = load_session_scene(path("out/touched.tractus"), all_methods().edits).value();
+    ASSERT_TRUE(write_plant_file(*scene.base, "touched", path("again.glb")));
+    EXPECT_TRUE(file_bytes(path("out/touched.glb")) == file_bytes(path("again.glb")))
+        << "as by a pen";
+    auto const touches = silhouette::outlined_tree(*scene.drawn)->touches;
+    ASSERT_EQ(touches.size(), 3u);
+    EXPECT_EQ(touches[0].branch, "");
+    EXPECT_NE(touches[1].branch, "");
+}
+
+TEST_F(SilhouetteCommand, DrawsLeaves)
+{
+    auto drawing = crown();
+    drawing["leaves"] = json::array({ part() });
+    std::ofstream(folder_ / "leafy.json") << drawing;
+    auto const outcome = run({ "silhouette", path("leafy.json"), "--report", "-o", path("out"),
+                               "--session", "--style-to", "siblings" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const report = json::parse(outcome.out);
+    for (auto const& branch : report["branch"])
+        EXPECT_EQ(branch["leaf"], true);
+    EXPECT_EQ(report["leaves"], report["branches"]);
+    auto const scene = load_session_scene(path("out/leafy.tractus"), all_methods().edits).value();
+    ASSERT_TRUE(write_plant_file(*scene.base, "leafy", path("again.glb")));
+    EXPECT_TRUE(file_bytes(path("out/leafy.glb")) == file_bytes(path("again.glb")))
+        << "as by a pen";
+    auto whole = crown();
+    whole["leaves"] = json::array({ whole["outline"] });
+    whole.erase("outline");
+    std::ofstream(folder_ / "leaf.json") << whole;
+    auto const leaf
+        = run({ "silhouette", path("leaf.json"), "--report", "-o", path("out"), "--session" });
+    ASSERT_EQ(leaf.exit_code, 0) << leaf.err;
+    auto const one = json::parse(leaf.out);
+    EXPECT_EQ(one["leaf"], true);
+    EXPECT_EQ(one["leaves"], 1);
+    EXPECT_EQ(one["bumps"], 0);
+    auto const again = load_session_scene(path("out/leaf.tractus"), all_methods().edits).value();
+    EXPECT_EQ(again.base->organs.size(), 1u);
+}
+
+TEST_F(SilhouetteCommand, SaysWhichTouchIsWrong)
+{
+    auto drawing = crown();
+    drawing["splits"] = { { 0, 0 } };
+    std::ofstream(folder_ / "touch.json") << drawing;
+    EXPECT_NE(refusal({ "silhouette", path("touch.json"), "--report" })
+                  .find("touch.json: split at [0, 0]: the touch is on no bump"),
+              std::string::npos);
+    drawing.erase("splits");
+    drawing["joins"] = { { 0 } };
+    std::ofstream(folder_ / "touch.json") << drawing;
+    EXPECT_NE(refusal({ "silhouette", path("touch.json"), "--report" })
+                  .find("touch.json: point 1 of joins is no point"),
+              std::string::npos);
+    drawing.erase("joins");
+    drawing["leaves"] = json::array({ drawing["outline"] });
+    std::ofstream(folder_ / "touch.json") << drawing;
+    EXPECT_NE(refusal({ "silhouette", path("touch.json"), "--report" })
+                  .find("touch.json: leaf 1: the outline lies around none"),
+              std::string::npos);
+}
+
 TEST_F(SilhouetteCommand, SaysWhatIsWrong)
 {
     auto large = crown();

@@ -55,6 +55,27 @@ TEST(SilhouetteFile, ReadsPartsOfTheCrown)
     EXPECT_TRUE(file.unknown_keys.empty());
 }
 
+TEST(SilhouetteFile, ReadsTouchesAndLeaves)
+{
+    auto const file = read_from(R"({"outline":[[0,0],[9,0]],"joins":[[3,4]],"splits":[[1,2],[5,6]],
+                       "leaves":[[[1,1],[2,1]]]})");
+    EXPECT_TRUE(file.unknown_keys.empty());
+    EXPECT_FALSE(file.drawing.is_leaf);
+    ASSERT_EQ(file.leaves.size(), 1U);
+    ASSERT_EQ(file.touches.size(), 3U);
+    EXPECT_EQ(file.touches[1].kind, BumpTouch::Kind::Split);
+    EXPECT_EQ(file.touches[1].place, Vec2(5, 6));
+    EXPECT_EQ(file.touches[2].kind, BumpTouch::Kind::Join);
+    EXPECT_EQ(file.touches[2].place, Vec2(3, 4));
+    auto const leaf = read_from(R"({"leaves":[[[1,1],[2,1]],[[7,1],[8,1]]]})");
+    EXPECT_TRUE(leaf.drawing.is_leaf);
+    EXPECT_EQ(leaf.drawing.outline.at(0), (std::vector<Vec2> { Vec2(1, 1), Vec2(2, 1) }));
+    EXPECT_EQ(leaf.leaves.size(), 1U);
+    EXPECT_EQ(complaint(R"({"outline":[[0,0]],"splits":[[1,1],[2]]})"),
+              "tree.json: point 2 of splits is no point: write [[x, y], [x, y], …] in "
+              "millimetres");
+}
+
 TEST(SilhouetteFile, SaysWhatIsWrong)
 {
     EXPECT_EQ(complaint(R"({"outline":[[0,0]],"parts":[[[1,1]],[[1]]]})"),
@@ -104,6 +125,19 @@ TEST_F(SilhouetteSvg, LinesAreWhatTheySay)
     ASSERT_EQ(file.drawing.outline.size(), 1U);
     EXPECT_EQ(file.drawing.outline[0].front(), Vec2(10, -20));
     EXPECT_EQ(file.drawing.trunk, (std::vector<Vec2> { Vec2(20, -90), Vec2(20, -50) }));
+}
+
+TEST_F(SilhouetteSvg, TouchesAreAtTheMiddlesOfTheirLines)
+{
+    auto const file = read(R"(<path id="leaf-crown" d="M10 20L30 20 30 40"/>
+        <path id="join" d="M4 8H8"/><path id="split 1" d="M20 90V50"/>)");
+    EXPECT_TRUE(file.drawing.is_leaf);
+    EXPECT_EQ(file.drawing.outline.at(0).front(), Vec2(10, -20));
+    ASSERT_EQ(file.touches.size(), 2U);
+    EXPECT_EQ(file.touches[0].kind, BumpTouch::Kind::Split);
+    EXPECT_EQ(file.touches[0].place, Vec2(20, -70));
+    EXPECT_EQ(file.touches[1].kind, BumpTouch::Kind::Join);
+    EXPECT_EQ(file.touches[1].place, Vec2(6, -8));
 }
 
 TEST_F(SilhouetteSvg, WithoutWordsTheStraightestLineIsTheTrunk)

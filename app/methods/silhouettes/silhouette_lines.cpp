@@ -1,0 +1,188 @@
+#include "app/methods/silhouettes/silhouette_lines.h"
+
+#include "app/methods/silhouettes/outline_tool.h"
+#include "engine/methods/silhouettes/bump_touch.h"
+#include "engine/methods/silhouettes/chosen_style.h"
+#include "engine/methods/silhouettes/kept_names.h"
+#include "engine/methods/silhouettes/own_branch.h"
+#include "engine/methods/silhouettes/own_outline.h"
+#include "engine/scene/anchored.h"
+#include "engine/scene/scene.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <fmt/format.h>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+// Touches on bumps of the crown come before the file's parts, those inside of parts after them.
+enum class TouchesOn { Crown, Parts };
+
+std::vector<BumpTouch> touches_of(SilhouetteFile const& file, TouchesOn which)
+{
+    auto touches = file.touches;
+    std::erase_if(touches, [&](BumpTouch const& touch) {
+        bool const is_in_part
+            = std::any_of(file.parts.begin(), file.parts.end(), [&](auto const& part) {
+                  return comes_back(part) && is_inside(part, touch.place);
+              });
+        return is_in_part != (which == TouchesOn::Parts);
+    });
+    return touches;
+}
+
+tl::unexpected<Error> about_line(char const* what, std::size_t number, Error const& error)
+{
+    return fail(error.fault, fmt::format("{} {}: {}", what, number + 1, error.message));
+}
+
+// Gives branches the style that a line of the file carries to them.
+Result<void> carry_style(SilhouetteFile& file, std::vector<Vec2> const& line,
+                         SkeletonOptions const& options)
+{
+    auto const skeleton = TRY(infer_skeleton(file.drawing, options));
+    auto const carried = TRY(carried_by(skeleton, line));
+    return choose_styles(file.drawing.styles, carried, skeleton);
+}
+
+// Splits and joins bumps; branches keep their names, as by a pen that has made so many edits.
+Result<void> touch_bumps(SilhouetteFile& file, TouchesOn which, SkeletonOptions& options,
+                         std::size_t edits)
+{
+    for (auto const& touch : touches_of(file, which)) {
+        auto const before = file.drawing;
+        if (auto const added = add_touch(file.drawing, touch, options); !added)
+            return fail(added.error().fault,
+                        fmt::format("{} at [{:g}, {:g}]: {}",
+                                    touch.kind == BumpTouch::Kind::Split ? "split" : "join",
+                                    touch.place.x(), touch.place.y(), added.error().message));
+        auto const fresh = fmt::format("{}.", tractus::name_of(item_id(++edits, 0)));
+        options.names = TRY(kept_names({ before, options }, file.drawing, options, fresh));
+    }
+    return {};
+}
+
+Result<void> add_parts(SilhouetteFile& file, SkeletonOptions const& options, StyleTo style_to)
+{
+    constexpr auto kSearch = Search::AnyLevel;
+    for (std::size_t i = 0; i < file.parts.size(); ++i) {
+        auto const& part = file.parts[i];
+        auto const added = comes_back(part)
+            ? add_own_outline(file.drawing, part, options, style_to, kSearch)
+            : add_own_branch(file.drawing, part, style_to, options, kSearch);
+        if (!added)
+            return about_line("part", i, added.error());
+    }
+    for (std::size_t i = 0; i < file.leaves.size(); ++i) {
+        auto const added
+            = add_own_outline(file.drawing, file.leaves[i], options, style_to, kSearch, true);
+        if (!added)
+            return about_line("leaf", i, added.error());
+    }
+    return {};
+}
+
+Stroke stroke_along(std::vector<Vec2> const& points)
+{
+    constexpr std::int64_t kStep_ns = 5'000'000;
+    Stroke stroke;
+    std::int64_t time_ns = 0;
+    for (auto const& point : points)
+        stroke.tips.push_back({ .time = timestamp_ns(time_ns += kStep_ns),
+                                .position_mm = { point.x(), point.y(), 0 },
+                                .pressure = 0.5,
+                                .touching = true });
+    return stroke;
+}
+
+// Edits that draw, each with the id of the step that it is.
+class Drawer {
+public:
+    explicit Drawer(DrawTree first)
+        : edit_(std::move(first))
+    {
+    }
+
+    void draw(DrawTree::Part part, std::vector<Vec2> const& points)
+    {
+        edit_.part = part;
+        edit_.stroke = stroke_along(points);
+        edit_.id = item_id(edits_.size() + 1, 0);
+        edits_.push_back(edit_);
+        edit_.plant = item_id(1, 0);
+    }
+
+    void draw_parts(SilhouetteFile const& file, StyleTo style_to)
+    {
+        edit_.style_to = style_to;
+        for (auto const& part : file.parts)
+            draw(comes_back(part) ? DrawTree::Part::OwnOutline : DrawTree::Part::OwnBranch, part);
+        edit_.is_leaf = true;
+        for (auto const& leaf : file.leaves)
+            draw(DrawTree::Part::OwnOutline, leaf);
+        edit_.is_leaf = false;
+        edit_.style_to = StyleTo::None;
+    }
+
+    void touch(std::vector<BumpTouch> const& touches)
+    {
+        for (auto const& one : touches)
+            draw(one.kind == BumpTouch::Kind::Split ? DrawTree::Part::Split : DrawTree::Part::Join,
+                 { one.place });
+    }
+
+    DrawTree& edit() { return edit_; } // The next one.
+    std::vector<Edit>& edits() { return edits_; }
+
+private:
+    DrawTree edit_;
+    std::vector<Edit> edits_;
+};
+
+} // namespace
+
+Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, StyleTo style_to)
+{
+    auto edits = (file.drawing.trunk.empty() ? 1 : 2) + file.drawing.branches.size();
+    TRY(touch_bumps(file, TouchesOn::Crown, options, edits));
+    edits += touches_of(file, TouchesOn::Crown).size();
+    TRY(add_parts(file, options, style_to));
+    edits += file.parts.size() + file.leaves.size();
+    TRY(touch_bumps(file, TouchesOn::Parts, options, edits));
+    for (std::size_t i = 0; i < file.styles.size(); ++i)
+        if (auto const carried = carry_style(file, file.styles[i], options); !carried)
+            return about_line("style", i, carried.error());
+    return infer_skeleton(file.drawing, options);
+}
+
+Result<std::vector<Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree const& first,
+                                         StyleTo style_to)
+{
+    auto const& drawing = file.drawing;
+    if (drawing.outline.size() != 1)
+        return fail(Fault::User,
+                    fmt::format("the outline has {} strokes: draw it in one for a session",
+                                drawing.outline.size()));
+    Drawer drawer(first);
+    if (!drawing.trunk.empty())
+        drawer.draw(DrawTree::Part::Trunk, drawing.trunk);
+    drawer.edit().is_leaf = drawing.is_leaf;
+    drawer.draw(DrawTree::Part::Outline, drawing.outline[0]);
+    drawer.edit().is_leaf = false;
+    for (auto const& branch : drawing.branches)
+        drawer.draw(DrawTree::Part::Branch, branch);
+    drawer.edit().search = Search::AnyLevel;
+    drawer.touch(touches_of(file, TouchesOn::Crown));
+    drawer.draw_parts(file, style_to);
+    drawer.touch(touches_of(file, TouchesOn::Parts));
+    for (auto const& line : file.styles) {
+        auto const scene = TRY(apply_edits({}, drawer.edits()));
+        drawer.edits().push_back(TRY(carried_styles(stroke_along(line), scene)));
+    }
+    return std::move(drawer.edits());
+}
+
+} // namespace tractus::silhouette
