@@ -2,9 +2,9 @@
 #include "app/plants/session_plant.h"
 #include "app/station/ink_line.h"
 #include "tests/app/document/step_of.h"
+#include "tests/app/flat_station.h"
 #include "tests/app/full_disk.h"
 #include "tests/app/session/same_edit.h"
-#include "tests/app/flat_station.h"
 #include "tests/engine/scene/edits.h"
 
 #include <algorithm>

@@ -20,7 +20,7 @@
 namespace tractus {
 namespace {
 
-// Such a station with the tools of this test alone, for the thread sanitizer need not see all methods.
+// A station with the tools of this test alone: the thread sanitizer need not see all methods.
 DrawingStation station_on(Scene scene, std::optional<Tool> const& tool = {})
 {
     static constexpr std::array kTools { &DrawInOrderTool::kKind, &DrawTool::kKind,

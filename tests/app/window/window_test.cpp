@@ -76,9 +76,11 @@ protected:
 
     Image last_frame(StillModel& model, bool is_light = false)
     {
-        WindowOptions const options {
-            .width = 1500, .height = 800, .frames = 3, .look = { .is_light = is_light }, .screenshot = path_
-        };
+        WindowOptions const options { .width = 1500,
+                                      .height = 800,
+                                      .frames = 3,
+                                      .look = { .is_light = is_light },
+                                      .screenshot = path_ };
         auto const result = run_window(model, options);
         if (!result) {
             ADD_FAILURE() << result.error().message;

@@ -10,8 +10,8 @@
 #include "app/station/station_view.h"
 #include "drivers/file.h"
 #include "engine/methods/construction_lines/line_model.h"
-#include "tests/app/replayed.h"
 #include "tests/app/flat_station.h"
+#include "tests/app/replayed.h"
 #include "tests/app/simulated_drawing.h"
 #include "tests/app/verbs/outcome.h"
 

@@ -6,8 +6,8 @@
 #include "app/tools/tool.h"
 #include "engine/scene/back_picture.h"
 #include "tests/app/document/step_of.h"
-#include "tests/app/methods/pictures/small_picture.h"
 #include "tests/app/flat_station.h"
+#include "tests/app/methods/pictures/small_picture.h"
 #include "tests/app/small_model.h"
 
 #include <cmath>
