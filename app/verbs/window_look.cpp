@@ -51,7 +51,7 @@ Result<void> save_look(fs::path const& path, WindowLook const& look)
 {
     TRY(make_folder(path.parent_path()));
     return write_file(path,
-                      fmt::format("# How tractus' window looks: written when the menu changes it.\n"
+                      fmt::format("# How tractus' window looks, as chosen there last.\n"
                                   "colors = \"{}\"\nhand = \"{}\"\n",
                                   kColors[look.is_light ? 1 : 0],
                                   kHands[look.is_left_handed ? 1 : 0]));
