@@ -208,13 +208,6 @@ std::vector<Vec2> redrawn(std::vector<Vec2> outline, double most, std::uint32_t 
 
 class BumpTouchEdits : public ::testing::Test {
 protected:
-    static Scene tree()
-    {
-        auto const stem
-            = draw_on({}, { .part = Part::Trunk, .stroke = stroke_of(lobed_crown(5).trunk) });
-        return draw_on(stem,
-                       { .part = Part::Outline, .stroke = stroke_of(lobed_crown(5).outline[0]) });
-    }
     static Scene touch(Scene const& before, Part part, Vec2 const& place)
     {
         return draw_on(before,
@@ -238,7 +231,7 @@ protected:
 // 100 crowns drawn anew, each within 3 % of the first one: splits, joins and names stay.
 TEST_F(BumpTouchEdits, OutlastACrownThatIsDrawnAnew)
 {
-    auto const both = touch(touch(tree(), Part::Split, lobe(1)), Part::Join, notch_after(3));
+    auto const both = touch(touch(lobed_tree(), Part::Split, lobe(1)), Part::Join, notch_after(3));
     auto const halves = names_in(both, lobe(1), 32);
     auto const joined = names_in(both, notch_after(3), 22);
     ASSERT_EQ(halves.size(), 2u);
@@ -258,7 +251,7 @@ TEST_F(BumpTouchEdits, OutlastACrownThatIsDrawnAnew)
 
 TEST_F(BumpTouchEdits, WaitForTheirBumps)
 {
-    auto const split = touch(tree(), Part::Split, lobe(1));
+    auto const split = touch(lobed_tree(), Part::Split, lobe(1));
     auto const narrow = draw_on(
         split, { .part = Part::Outline, .stroke = stroke_of(ellipse(16, 60).outline[0]) });
     EXPECT_EQ(count_waiting(drawing(narrow)).value(), 1u);
@@ -272,7 +265,7 @@ TEST_F(BumpTouchEdits, WaitForTheirBumps)
 
 TEST_F(BumpTouchEdits, AreErasedOrTakenBack)
 {
-    auto const before = tree();
+    auto const before = lobed_tree();
     auto const split = touch(before, Part::Split, lobe(1));
     EXPECT_NE(split.base->node_position_mm, before.base->node_position_mm);
     ASSERT_EQ(drawing(split).touches.size(), 1u);
@@ -290,7 +283,7 @@ TEST_F(BumpTouchEdits, AreErasedOrTakenBack)
 // The tree is the one that follows from the same touches without a document, but for names.
 TEST_F(BumpTouchEdits, MakeTheTreeOfTheirLines)
 {
-    auto const scene = touch(tree(), Part::Split, lobe(1));
+    auto const scene = touch(lobed_tree(), Part::Split, lobe(1));
     auto const skeleton = skeleton_of_lines(touched_crown({ { Kind::Split, lobe(1) } }));
     auto const made = make_tree(skeleton, tree_options({}, drawn_height(skeleton) / 0.1));
     EXPECT_EQ(scene.base->axes.size(), made.plant.axes.size());
@@ -299,7 +292,7 @@ TEST_F(BumpTouchEdits, MakeTheTreeOfTheirLines)
 // An outline and a stroke on a half of a bump go with the half's name.
 TEST_F(BumpTouchEdits, CarryWhatIsDrawnOnHalves)
 {
-    auto scene = touch(tree(), Part::Split, lobe(1));
+    auto scene = touch(lobed_tree(), Part::Split, lobe(1));
     auto const skeleton = skeleton_of(drawing(scene)).value();
     auto const name = *names_in(scene, lobe(1), 32).begin();
     auto const& branch = skeleton.systems[0].branches[skeleton.at(name)->branch];

@@ -229,13 +229,6 @@ TEST(LeafBlade, WearsGrownLeaves)
 
 class LeafEdits : public ::testing::Test {
 protected:
-    static Scene tree()
-    {
-        auto const stem
-            = draw_on({}, { .part = Part::Trunk, .stroke = stroke_of(lobed_crown(5).trunk) });
-        return draw_on(stem,
-                       { .part = Part::Outline, .stroke = stroke_of(lobed_crown(5).outline[0]) });
-    }
     static Scene declare(Scene const& before, ItemId outline, bool is_leaf)
     {
         auto const after
@@ -249,7 +242,7 @@ protected:
 TEST_F(LeafEdits, DeclareAnOutlineALeafAndTakeItBack)
 {
     auto const outlined = draw_on(
-        tree(),
+        lobed_tree(),
         { .part = Part::OwnOutline, .stroke = stroke_of(limb()), .style_to = StyleTo::Siblings });
     auto const id = drawing(outlined).own_outlines[0].id;
     auto const leafy = declare(outlined, id, true);
@@ -269,7 +262,8 @@ TEST_F(LeafEdits, DeclareAnOutlineALeafAndTakeItBack)
 TEST_F(LeafEdits, OutlastLinesThatAreDrawnAnew)
 {
     auto const leaf = draw_on(
-        tree(), { .part = Part::OwnOutline, .stroke = stroke_of(leaf_outline()), .is_leaf = true });
+        lobed_tree(),
+        { .part = Part::OwnOutline, .stroke = stroke_of(leaf_outline()), .is_leaf = true });
     auto const path = drawing(leaf).own_outlines[0].branch;
     Similarity const way { .from = { 58, -23 }, .to = { 58, -23 }, .turn = { 1.05, 0.02 } };
     auto const larger = draw_on(
@@ -289,7 +283,7 @@ TEST_F(LeafEdits, OutlastLinesThatAreDrawnAnew)
 TEST_F(LeafEdits, LetBranchesOnThemWait)
 {
     auto const outlined
-        = draw_on(tree(), { .part = Part::OwnOutline, .stroke = stroke_of(limb()) });
+        = draw_on(lobed_tree(), { .part = Part::OwnOutline, .stroke = stroke_of(limb()) });
     auto const path = drawing(outlined).own_outlines[0].branch;
     auto const skeleton = skeleton_of(drawing(outlined)).value();
     Vec2 const from = skeleton.systems[0].branches[skeleton.at(path)->branch].path.curve.at(0.6);

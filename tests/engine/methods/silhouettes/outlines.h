@@ -101,6 +101,16 @@ inline Drawing lobed_crown(int lobes, double first_deg = -25, double last_deg = 
     return { { union_of_discs(discs, 720) }, upright(-90, 50) };
 }
 
+// A document with a tree of such a crown with five lobes.
+inline Scene lobed_tree()
+{
+    auto const drawing = lobed_crown(5);
+    auto const stem
+        = draw_on({}, { .part = DrawTree::Part::Trunk, .stroke = stroke_of(drawing.trunk) });
+    return draw_on(stem,
+                   { .part = DrawTree::Part::Outline, .stroke = stroke_of(drawing.outline[0]) });
+}
+
 // A closed line through random places, which crosses itself.
 inline Drawing scribble(std::uint32_t number)
 {

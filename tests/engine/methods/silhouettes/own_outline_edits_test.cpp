@@ -33,12 +33,6 @@ protected:
         return draw_on(before, { .part = part, .stroke = stroke_of(points) });
     }
 
-    static Scene tree()
-    {
-        auto const stem = draw({}, Part::Trunk, lobed_crown(5).trunk);
-        return draw(stem, Part::Outline, lobed_crown(5).outline[0]);
-    }
-
     static OutlinedTree const& drawing(Scene const& scene) { return *outlined_tree(*scene.drawn); }
 
     // What the branches are called that have outlines of their own.
@@ -57,20 +51,20 @@ protected:
 // The tree is the one that follows from the same lines without a document.
 TEST_F(OwnOutlineEdits, MakeTheTreeOfItsLines)
 {
-    auto const scene = draw(tree(), Part::OwnOutline, right_lobe());
+    auto const scene = draw(lobed_tree(), Part::OwnOutline, right_lobe());
     auto lines = lobed_crown(5);
     ASSERT_TRUE(add_own_outline(lines, right_lobe()));
     auto const skeleton = infer_skeleton(lines).value();
     auto const made = make_tree(skeleton, tree_options({}, drawn_height(skeleton) / 0.1));
     EXPECT_EQ(scene.base->node_position_mm, made.plant.node_position_mm);
-    EXPECT_NE(scene.base->node_position_mm, tree().base->node_position_mm);
+    EXPECT_NE(scene.base->node_position_mm, lobed_tree().base->node_position_mm);
     ASSERT_EQ(drawing(scene).own_outlines.size(), 1U);
     EXPECT_EQ(outlined(scene), std::vector { drawing(scene).own_outlines[0].branch });
 }
 
 TEST_F(OwnOutlineEdits, AreTakenAwayAgain)
 {
-    auto const before = tree();
+    auto const before = lobed_tree();
     auto const both
         = draw(draw(before, Part::OwnOutline, right_lobe()), Part::OwnOutline, left_lobe());
     auto const& own = drawing(both).own_outlines;
@@ -88,7 +82,7 @@ TEST_F(OwnOutlineEdits, AreTakenAwayAgain)
 
 TEST_F(OwnOutlineEdits, StayWithTheirBranchWhereTheCrownIsDrawnAnew)
 {
-    auto const before = draw(tree(), Part::OwnOutline, right_lobe());
+    auto const before = draw(lobed_tree(), Part::OwnOutline, right_lobe());
     auto const name = drawing(before).own_outlines[0].branch;
     for (double const size : { 0.97, 1.04 }) {
         Similarity const way { .turn = size * Vec2(std::cos(0.03), std::sin(0.03)) };
@@ -108,7 +102,7 @@ TEST_F(OwnOutlineEdits, StayWithTheirBranchWhereTheCrownIsDrawnAnew)
 // A crown without that lobe leaves it waiting; one that has it again gives it its branch.
 TEST_F(OwnOutlineEdits, WaitForTheirBranch)
 {
-    auto const before = draw(tree(), Part::OwnOutline, right_lobe());
+    auto const before = draw(lobed_tree(), Part::OwnOutline, right_lobe());
     auto const narrow = draw(before, Part::Outline, ellipse(16, 60).outline[0]);
     EXPECT_EQ(drawing(narrow).own_outlines.size(), 1U);
     EXPECT_TRUE(outlined(narrow).empty());
@@ -122,7 +116,7 @@ TEST_F(OwnOutlineEdits, WaitForTheirBranch)
 // Strokes on branches that nobody redrew stay where they are.
 TEST_F(OwnOutlineEdits, LeaveTheNamesOfOtherBranches)
 {
-    auto const before = tree();
+    auto const before = lobed_tree();
     auto const had = skeleton_of(drawing(before)).value();
     auto const after = draw(before, Part::OwnOutline, right_lobe());
     auto const has = skeleton_of(drawing(after)).value();
@@ -147,7 +141,7 @@ TEST_F(OwnOutlineEdits, LeaveTheNamesOfOtherBranches)
 
 TEST_F(OwnOutlineEdits, AreRefusedWhereNoBranchIs)
 {
-    auto const scene = tree();
+    auto const scene = lobed_tree();
     auto const refusal = [](Scene const& before, std::vector<Vec2> const& points, ItemId plant) {
         auto const after = apply_edit(
             before,
