@@ -4,10 +4,16 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 namespace tractus {
+
+Eigen::MatrixXd small_product(Eigen::MatrixXd const& a, Eigen::MatrixXd const& b)
+{
+    return a.lazyProduct(b);
+}
 
 namespace {
 
@@ -45,12 +51,15 @@ Eigen::MatrixXd inverse_normal(Eigen::MatrixXd const& jacobian)
 {
     Eigen::VectorXd const scale = jacobian.colwise().norm().cwiseMax(1e-300);
     Eigen::MatrixXd const scaled = jacobian * scale.cwiseInverse().asDiagonal();
-    // J = Q R gives J^T J = R^T R, and R is small.
-    Eigen::MatrixXd const r
-        = scaled.householderQr().matrixQR().topRows(jacobian.cols()).triangularView<Eigen::Upper>();
-    Eigen::MatrixXd const half = r.completeOrthogonalDecomposition().pseudoInverse();
-    return scale.cwiseInverse().asDiagonal() * (half * half.transpose())
-        * scale.cwiseInverse().asDiagonal();
+    // J P = Q R gives J^T J = P R^T R P^T, and R is small.
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> const qr(scaled);
+    Eigen::MatrixXd const r = qr.matrixR().topRows(jacobian.cols()).triangularView<Eigen::Upper>();
+    Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> const svd(r, Eigen::ComputeFullV);
+    Eigen::VectorXd inverse = Eigen::VectorXd::Zero(r.cols());
+    inverse.head(svd.rank()) = svd.singularValues().head(svd.rank()).cwiseInverse();
+    Eigen::MatrixXd const half = scale.cwiseInverse().asDiagonal()
+        * Eigen::MatrixXd(qr.colsPermutation() * svd.matrixV()) * inverse.asDiagonal();
+    return small_product(half, half.transpose());
 }
 
 struct SolverPoint {
@@ -62,7 +71,7 @@ struct SolverPoint {
 std::optional<SolverPoint> better_point(ResidualFunction const& residuals, SolverPoint const& here,
                                         Eigen::MatrixXd const& jacobian, double& damping)
 {
-    Eigen::MatrixXd const normal = jacobian.transpose() * jacobian;
+    Eigen::MatrixXd const normal = small_product(jacobian.transpose(), jacobian);
     Eigen::VectorXd const gradient = jacobian.transpose() * here.residuals;
     Eigen::VectorXd const scale = normal.diagonal().cwiseMax(1e-300);
     for (; damping < kGreatestDamping; damping *= 10) {
@@ -133,7 +142,8 @@ Eigen::MatrixXd block_covariance(LeastSquares const& fit, std::span<int const> b
     }
     double const correction = blocks > count ? static_cast<double>(blocks) / double(blocks - count)
                                              : static_cast<double>(blocks);
-    return correction * fit.unit_covariance * scatter * fit.unit_covariance;
+    return correction
+        * small_product(small_product(fit.unit_covariance, scatter), fit.unit_covariance);
 }
 
 } // namespace tractus

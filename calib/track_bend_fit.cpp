@@ -55,7 +55,12 @@ Track track_over(ReadingRange const& range, double deviation)
                 = std::exp(-0.5
                            * std::pow((counts[i] - counts[j]) / (kBendLength * range.width()), 2))
                 + (i == j ? 1e-6 : 0); // Else rounding makes it indefinite.
-    return { counts, deviation * range.width() * Eigen::MatrixXd(covariance.llt().matrixL()) };
+    Eigen::LDLT<Eigen::MatrixXd> const halves(covariance);
+    Eigen::MatrixXd const lower
+        = halves.matrixL() * Eigen::MatrixXd(halves.vectorD().cwiseMax(0).cwiseSqrt().asDiagonal());
+    return { counts,
+             deviation * range.width()
+                 * Eigen::MatrixXd(halves.transpositionsP().transpose() * lower) };
 }
 
 // What a fit takes to be beside the law.
@@ -130,7 +135,7 @@ std::optional<Eigen::VectorXd> misfits(HeightModel const& model, Eigen::VectorXd
 // Logarithm of the determinant of J^T J.
 double log_determinant(Eigen::MatrixXd const& jacobian)
 {
-    Eigen::MatrixXd const r = jacobian.householderQr().matrixQR();
+    Eigen::MatrixXd const r = jacobian.colPivHouseholderQr().matrixR();
     double sum = 0;
     for (Eigen::Index i = 0; i < jacobian.cols(); ++i)
         sum += 2 * std::log(std::max(std::abs(r(i, i)), 1e-300));
@@ -167,7 +172,7 @@ Eigen::MatrixXd covariance_of(FittedBend const& fitted)
     Eigen::MatrixXd const unit = fitted.fit.unit_covariance.topLeftCorner(count, count);
     Eigen::MatrixXd to_shifts = Eigen::MatrixXd::Identity(count, count);
     to_shifts.bottomRightCorner(kBendKnots, kBendKnots) = fitted.besides.track->half_covariance;
-    return to_shifts * unit * to_shifts.transpose();
+    return small_product(small_product(to_shifts, unit), to_shifts.transpose());
 }
 
 // Standard deviations of what is beside the law.
@@ -249,7 +254,8 @@ std::optional<BentFit> fit_track_bend(HeightModel const& law, Captures captures,
                      .sum_of_squares_mm2 = fitted->fit.residuals.head(rows).squaredNorm()
                          * ruler_error_mm * ruler_error_mm,
                      .covariance = covariance_of(*fitted),
-                     .effective_parameters = (jacobian * unit * jacobian.transpose()).trace(),
+                     .effective_parameters
+                     = small_product(jacobian, unit).cwiseProduct(jacobian).sum(),
                      .deviation = likely.bend };
 }
 

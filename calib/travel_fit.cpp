@@ -49,7 +49,8 @@ LeastSquares fit_axis(std::vector<Touch> const& touches, int axis, double mean_h
         places[i] = weight * touch.position_mm[axis];
     }
     LeastSquares fit;
-    fit.unit_covariance = (jacobian.transpose() * jacobian).inverse();
+    Eigen::Matrix2d const normal = small_product(jacobian.transpose(), jacobian);
+    fit.unit_covariance = normal.inverse();
     fit.parameters = fit.unit_covariance * (jacobian.transpose() * places);
     fit.residuals = jacobian * fit.parameters - places;
     fit.jacobian = std::move(jacobian);

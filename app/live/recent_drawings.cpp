@@ -8,7 +8,6 @@
 #include <ctime>
 #include <fmt/chrono.h>
 #include <fmt/core.h>
-#include <regex>
 #include <system_error>
 
 namespace tractus {
@@ -31,12 +30,32 @@ std::chrono::sys_days day_of(std::tm const& time)
                                  / std::chrono::day(static_cast<unsigned>(time.tm_mday)));
 }
 
-// Without the time that unnamed_session_path() puts behind it.
+// Takes "-" and a number off the end; false if they are not there, or the number has not so many
+// digits.
+bool take_number(std::string_view& name, std::optional<std::size_t> digits = std::nullopt)
+{
+    auto const last = name.find_last_not_of("0123456789");
+    if (last == std::string_view::npos || name[last] != '-')
+        return false;
+    auto const found = name.size() - last - 1;
+    if (found == 0 || found != digits.value_or(found))
+        return false;
+    name.remove_suffix(found + 1);
+    return true;
+}
+
+// Without the time that unnamed_session_path() puts behind it, and the number behind that.
 std::string plant_of(std::string const& stem)
 {
-    static std::regex const pattern("(.+)-[0-9]{4}-[0-9]{2}-[0-9]{2}-[0-9]{4}(-[0-9]+)?");
-    std::smatch match;
-    return std::regex_match(stem, match, pattern) ? match[1].str() : stem;
+    for (bool const numbered : { false, true }) {
+        std::string_view plant = stem;
+        if (numbered && !take_number(plant))
+            continue;
+        if (take_number(plant, 4) && take_number(plant, 2) && take_number(plant, 2)
+            && take_number(plant, 4) && !plant.empty())
+            return std::string(plant);
+    }
+    return stem;
 }
 
 } // namespace
