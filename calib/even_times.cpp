@@ -58,6 +58,14 @@ Timestamp EvenTimes::add(Timestamp arrival)
     return last_time_ = time;
 }
 
+Duration EvenTimes::burst_interval() const
+{
+    if (!is_evened_ || bursts_ == 0)
+        return {};
+    return Duration(samples_.back().arrival - samples_.front().arrival)
+        / static_cast<std::int64_t>(bursts_);
+}
+
 // The first sample, or the first one after a silence.
 void EvenTimes::begin(Timestamp arrival)
 {

@@ -45,6 +45,9 @@ public:
     // Whether the last time was told by the line, not by its arrival.
     bool is_evened() const { return is_evened_; }
 
+    // How long it usually takes from one burst to the next; zero where times are not moved.
+    Duration burst_interval() const;
+
 private:
     struct Sample {
         std::int64_t index = 0;   // Samples that were lost are counted.

@@ -74,7 +74,9 @@ std::optional<HeightTrack::Estimate> Fuser::height_at(PenSample const& pen) cons
 
 std::optional<HeightTrack::Estimate> Fuser::live_height_at(PenSample const& pen) const
 {
-    return scripted_ ? height_at(pen) : heights_.newest_at(instant(pen), rig_.max_height_age);
+    return scripted_
+        ? height_at(pen)
+        : heights_.newest_at(instant(pen), rig_.max_height_age, height_times_.burst_interval());
 }
 
 bool Fuser::is_calibrated(double height_mm) const

@@ -1,5 +1,6 @@
 #include "calib/height_track.h"
 
+#include "calib/line_fit.h"
 #include "engine/base/check.h"
 
 #include <algorithm>
@@ -7,45 +8,6 @@
 #include <iterator>
 
 namespace tractus {
-
-// Sums of a weighted fit of a line, about the instant at which it is asked.
-class LineFit {
-public:
-    void add(double seconds, double value, double weight)
-    {
-        weights_ += weight;
-        times_ += weight * seconds;
-        squares_ += weight * seconds * seconds;
-        values_ += weight * value;
-        products_ += weight * seconds * value;
-        ++count_;
-    }
-
-    struct Line {
-        double at_zero = 0; // Seconds.
-        double per_second = 0;
-    };
-    std::optional<Line> line() const
-    {
-        // The weighted variance of the times: nothing to fit a slope to where it is tiny.
-        constexpr double kLeastSpread_s = 1e-3;
-        constexpr int kFewestReadings = 4;
-        double const determinant = weights_ * squares_ - times_ * times_;
-        if (count_ < kFewestReadings
-            || !(determinant > weights_ * weights_ * kLeastSpread_s * kLeastSpread_s))
-            return std::nullopt;
-        return Line { (squares_ * values_ - times_ * products_) / determinant,
-                      (weights_ * products_ - times_ * values_) / determinant };
-    }
-
-private:
-    double weights_ = 0;
-    double times_ = 0;
-    double squares_ = 0;
-    double values_ = 0;
-    double products_ = 0;
-    int count_ = 0;
-};
 
 HeightTrack::Place HeightTrack::first_not_before(Timestamp time) const
 {
@@ -199,13 +161,15 @@ double HeightTrack::newest_speed_mm_per_s() const
     return next * speed > 0 ? next : 0;
 }
 
-std::optional<HeightTrack::Estimate> HeightTrack::newest_at(Timestamp time, Duration max_age) const
+std::optional<HeightTrack::Estimate> HeightTrack::newest_at(Timestamp time, Duration max_age,
+                                                            Duration deliveries) const
 {
     constexpr double kLeeway_mm = 0.2; // Room for noise, in which a fit sees more than readings.
     if (empty() || time <= newest() || time - newest() > max_age)
         return at(time, max_age);
     auto const& last = readings_.back();
-    auto const reached = std::min(time, last.time + std::max(kCarriedOn, usual_spacing() * 3 / 2));
+    auto const reached
+        = std::min(time, last.time + std::max({ kCarriedOn, usual_spacing() * 3 / 2, deliveries }));
     double const way_mm = newest_speed_mm_per_s() * to_seconds(reached - last.time);
     auto const line = fit(last.time, reached);
     double const height_mm = line

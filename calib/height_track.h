@@ -61,10 +61,12 @@ public:
 
     // The height as soon as it can be told: as at(), but past the newest reading the movement is
     // carried on for as long as readings are usually apart, and kCarriedOn at least, so that scarce
-    // readings do not lag. What overshoots a stop is bounded: the height is not carried on faster
-    // than the last readings moved, nor farther beyond the newest one than it would go at that
-    // speed.
-    std::optional<Estimate> newest_at(Timestamp time, Duration max_age) const;
+    // readings do not lag; for `deliveries` where they come together, so long after each other: a
+    // pen's samples may come before the readings that belong to them. What overshoots a stop is
+    // bounded: the height is not carried on faster than the last readings moved, nor farther beyond
+    // the newest one than it would go at that speed.
+    std::optional<Estimate> newest_at(Timestamp time, Duration max_age,
+                                      Duration deliveries = {}) const;
 
 private:
     struct Reading {

@@ -220,5 +220,18 @@ TEST(EvenTimes, BeginsAnewWhenTheClockJumpsBack)
         EXPECT_LE(times.add(at(sample.arrival_s)), at(sample.arrival_s + 0.0001));
 }
 
+TEST(EvenTimes, KnowsHowOftenBurstsCome)
+{
+    EvenTimes times;
+    EXPECT_EQ(times.burst_interval(), Duration {});
+    for (auto const& sample : samples(487, 3, bursts(0.016)))
+        times.add(at(sample.arrival_s));
+    EXPECT_NEAR(to_seconds(times.burst_interval()), 0.016, 0.0005);
+    EvenTimes steady;
+    for (auto const& sample : samples(487, 3, [](double t) { return t + 0.001; }))
+        steady.add(at(sample.arrival_s));
+    EXPECT_EQ(steady.burst_interval(), Duration {}) << "nothing to wait for";
+}
+
 } // namespace
 } // namespace tractus

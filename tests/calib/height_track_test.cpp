@@ -42,6 +42,15 @@ TEST(HeightTrack, CarriesARiseOnForFiveMillisecondsAndHoldsItThen)
     EXPECT_NEAR(track.newest_at(kStart + 1004ms, 50ms)->height_mm, 200.8, 1e-9);
 }
 
+// Readings that come together every 30 ms are not waited for.
+TEST(HeightTrack, CarriesARiseOnUntilTheNextDelivery)
+{
+    auto const track = track_of([](double t) { return 200 * t; });
+    EXPECT_NEAR(track.newest_at(kStart + 1020ms, 50ms, 30ms)->height_mm, 204, 1e-9);
+    EXPECT_NEAR(track.newest_at(kStart + 1040ms, 50ms, 30ms)->height_mm, 206, 1e-9);
+    EXPECT_NEAR(track.newest_at(kStart + 1040ms, 50ms)->height_mm, 201, 1e-9);
+}
+
 // A reading each so many milliseconds, to one second.
 HeightTrack scarce_track(int spacing_ms, std::function<double(double seconds)> const& height_mm)
 {

@@ -100,7 +100,10 @@ Tips fuse(Movement const& movement, Sampling const& sampling, Dice& dice)
     };
     std::size_t next = 0;
     for (auto const& pen : pen_samples(sampling, deliveries_s, dice)) {
-        for (; next < heights.size() && heights[next].time <= pen.time; ++next)
+        auto const came_before = [&](HeightSample const& height) {
+            return height.time < pen.time || (height.time == pen.time && !sampling.pens_come_first);
+        };
+        for (; next < heights.size() && came_before(heights[next]); ++next)
             fuser.push(heights[next]);
         if (auto const live = fuser.push(pen))
             tips.live.push_back(tip_of(*live, movement, rig));

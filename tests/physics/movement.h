@@ -25,6 +25,7 @@ struct Sampling {
     double burst_s = 0;      // Readings and pen samples come together, so often; 0: as they are.
     double most_burst_s = 0; // Greater: each burst at random from burst_s to this.
     double lost_part = 0;    // Share of the readings and pen samples that are lost.
+    bool pens_come_first = false; // Of what comes together, before the readings.
     SampleTimes sample_times = SampleTimes::AsArrived;
 };
 

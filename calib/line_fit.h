@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+
+namespace tractus {
+
+// Sums of a weighted fit of a line, about the instant at which it is asked.
+class LineFit {
+public:
+    void add(double seconds, double value, double weight)
+    {
+        weights_ += weight;
+        times_ += weight * seconds;
+        squares_ += weight * seconds * seconds;
+        values_ += weight * value;
+        products_ += weight * seconds * value;
+        ++count_;
+    }
+
+    struct Line {
+        double at_zero = 0; // Seconds.
+        double per_second = 0;
+    };
+
+    // No value of fewer than four values, or where they lie too close together in time.
+    std::optional<Line> line() const
+    {
+        // The weighted variance of the times: nothing to fit a slope to where it is tiny.
+        constexpr double kLeastSpread_s = 1e-3;
+        constexpr int kFewestReadings = 4;
+        double const determinant = weights_ * squares_ - times_ * times_;
+        if (count_ < kFewestReadings
+            || !(determinant > weights_ * weights_ * kLeastSpread_s * kLeastSpread_s))
+            return std::nullopt;
+        return Line { (squares_ * values_ - times_ * products_) / determinant,
+                      (weights_ * products_ - times_ * values_) / determinant };
+    }
+
+private:
+    double weights_ = 0;
+    double times_ = 0;
+    double squares_ = 0;
+    double values_ = 0;
+    double products_ = 0;
+    int count_ = 0;
+};
+
+} // namespace tractus
