@@ -111,6 +111,26 @@ Rig with_latency(Rig rig, LatencyFit const& fit, std::string const& date)
     return rig;
 }
 
+Rig with_tilt(Rig rig, TiltFit const& fit, std::string const& date)
+{
+    auto written = fit;
+    written.coil_height_mm = rounded(fit.coil_height_mm, kFigureDigits);
+    rig = with_coil_height(std::move(rig), written);
+    auto const tenths_deg = [](Vec2 const& rad) -> Vec2 {
+        return (rad.unaryExpr([](double angle) { return degrees(angle); }).array() * 10).round()
+            / 10;
+    };
+    rig.calibration.tilt
+        = TiltRecord { .date = date,
+                       .coil_height_mm = written.coil_height_mm,
+                       .coil_height_error_mm = rounded(fit.coil_height_error_mm, kErrorDigits),
+                       .least_tilt_deg = tenths_deg(fit.least_tilt_rad),
+                       .most_tilt_deg = tenths_deg(fit.most_tilt_rad),
+                       .rms_mm = rounded(fit.rms_mm, kErrorDigits),
+                       .touches = fit.touches };
+    return rig;
+}
+
 Rig with_check(Rig rig, HeightCheck const& check, std::string const& date)
 {
     CheckRecord record { .date = date, .heights_mm = check.heights_mm };

@@ -4,6 +4,7 @@
 #include "calib/height_fit.h"
 #include "calib/latency_fit.h"
 #include "calib/rig.h"
+#include "calib/tilt_fit.h"
 #include "calib/travel_fit.h"
 #include "drivers/device_info.h"
 
@@ -30,6 +31,7 @@ struct HeightCalibration {
 Rig with_height(Rig rig, HeightCalibration const& calibration, std::string const& date);
 Rig with_travel(Rig rig, TravelFit const& fit, std::string const& date);
 Rig with_latency(Rig rig, LatencyFit const& fit, std::string const& date);
+Rig with_tilt(Rig rig, TiltFit const& fit, std::string const& date);
 Rig with_check(Rig rig, HeightCheck const& check, std::string const& date);
 
 // The fit done again from a rig's own record, for its plots. Fails if the rig has no record, and as

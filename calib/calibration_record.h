@@ -75,6 +75,17 @@ struct LatencyRecord {
     std::optional<Vec2> direction_mm {};
 };
 
+// Results of a TiltFit, rounded for the file.
+struct TiltRecord {
+    std::string date {};
+    Vec2 coil_height_mm = Vec2::Zero(); // As found; the rig's is zero if that is next to nothing.
+    Vec2 coil_height_error_mm = Vec2::Zero();
+    Vec2 least_tilt_deg = Vec2::Zero();
+    Vec2 most_tilt_deg = Vec2::Zero();
+    double rms_mm = 0;
+    std::size_t touches = 0;
+};
+
 // Results of a HeightCheck, rounded for the file.
 struct CheckRecord {
     std::string date {};
@@ -87,6 +98,7 @@ struct CalibrationRecord {
     std::optional<HeightRecord> height {};
     std::optional<TravelRecord> travel {};
     std::optional<LatencyRecord> latency {};
+    std::optional<TiltRecord> tilt {};
     std::optional<CheckRecord> check {};
 };
 

@@ -116,6 +116,19 @@ Result<LatencyRecord> parse_latency(TomlTable& table)
     return record;
 }
 
+Result<TiltRecord> parse_tilt(TomlTable& table)
+{
+    TiltRecord record { .date = TRY(table.text("date")) };
+    record.coil_height_mm = TRY(table.vec2("coil_height_mm"));
+    record.coil_height_error_mm = TRY(table.vec2("coil_height_error_mm", NumberRange::NotNegative));
+    record.least_tilt_deg = TRY(table.vec2("least_tilt_deg"));
+    record.most_tilt_deg = TRY(table.vec2("most_tilt_deg"));
+    record.rms_mm = TRY(table.number("rms_mm", NumberRange::NotNegative));
+    record.touches = TRY(whole(table, "touches"));
+    TRY(table.refuse_unknown_keys());
+    return record;
+}
+
 Result<CheckRecord> parse_check(TomlTable& table)
 {
     CheckRecord record { .date = TRY(table.text("date")) };
@@ -221,6 +234,25 @@ touches = {}
     return text;
 }
 
+std::string print(TiltRecord const& record)
+{
+    return fmt::format(R"(
+[calibration.tilt]            # Of pen.coil_height_mm.
+date = {}
+coil_height_mm = [{}, {}]
+coil_height_error_mm = [{}, {}]
+least_tilt_deg = [{}, {}]     # How far the pen was leaned to +x and +y …
+most_tilt_deg = [{}, {}]
+rms_mm = {}                   # … and by how much its nib strayed.
+touches = {}
+)",
+                       quoted(record.date), record.coil_height_mm.x(), record.coil_height_mm.y(),
+                       record.coil_height_error_mm.x(), record.coil_height_error_mm.y(),
+                       record.least_tilt_deg.x(), record.least_tilt_deg.y(),
+                       record.most_tilt_deg.x(), record.most_tilt_deg.y(), record.rms_mm,
+                       record.touches);
+}
+
 std::string print(CheckRecord const& record)
 {
     return fmt::format(R"(
@@ -253,6 +285,7 @@ Result<CalibrationRecord> parse_calibration_record(TomlTable& table)
     record.height = TRY(parse_optional(table, "height", parse_height));
     record.travel = TRY(parse_optional(table, "travel", parse_travel));
     record.latency = TRY(parse_optional(table, "latency", parse_latency));
+    record.tilt = TRY(parse_optional(table, "tilt", parse_tilt));
     record.check = TRY(parse_optional(table, "check", parse_check));
     TRY(table.refuse_unknown_keys());
     return record;
@@ -267,6 +300,8 @@ std::string print_calibration_record(CalibrationRecord const& record)
         text += print(*record.travel);
     if (record.latency)
         text += print(*record.latency);
+    if (record.tilt)
+        text += print(*record.tilt);
     if (record.check)
         text += print(*record.check);
     return text;

@@ -10,6 +10,7 @@ Fuser::Fuser(Rig const& rig)
     , T_world_tablet_(tractus::T_world_tablet(rig))
     , calibrated_(calibrated_heights(rig))
     , heights_(kPatience + rig.max_height_age + HeightTrack::kHalfWidth)
+    , leans_(kPatience + rig.max_height_age + LeanTrack::kHalfWidth)
 {
 }
 
@@ -50,7 +51,8 @@ static std::optional<Vec2> tilt_rad(PenSample const& pen, Eigen::Affine3d const&
 
 TipSample Fuser::tip(PenSample const& pen, HeightTrack::Estimate const& height) const
 {
-    Vec3 const tablet_mm(pen.position_mm.x(), pen.position_mm.y(), height.height_mm);
+    Vec2 const nib = nib_mm(pen, leans_, rig_);
+    Vec3 const tablet_mm(nib.x(), nib.y(), height.height_mm);
     return {
         .time = instant(pen),
         .position_mm = T_world_tablet_ * tablet_mm,
@@ -126,6 +128,8 @@ std::optional<TipSample> Fuser::push(PenSample const& reported)
     auto pen = as_felt(reported);
     if (has_times_evened())
         pen.time = pen_times_.add(pen.time);
+    if (!rig_.coil_height_mm.isZero(0))
+        leans_.add(pen);
     ++counts_.pens;
     pending_.push_back(pen);
     settle_ready();

@@ -3,6 +3,7 @@
 #include "calib/even_times.h"
 #include "calib/height_scenario.h"
 #include "calib/height_track.h"
+#include "calib/lean_track.h"
 #include "calib/rig.h"
 #include "drivers/height_sample.h"
 #include "drivers/pen_sample.h"
@@ -46,7 +47,9 @@ struct FuserCounts {
 // from the last readings (HeightTrack::newest_at). The other comes later and is final: settled,
 // once the readings around its instant have come, from a line fitted through them (height_track.h).
 // The instants are those of the samples less their sensor's latency; where the rig has times
-// evened, of the samples as EvenTimes tells them from their arrivals. Whether a tip touches, and
+// evened, of the samples as EvenTimes tells them from their arrivals. Where the rig knows how far
+// up the pen the tablet sees it, the pen's lean is taken off its place (lean_track.h), of settled
+// tips with the leans after them known, too. Whether a tip touches, and
 // how strongly, is as the rig's PressureResponse has it.
 //
 // Tips lie 0.1 mm from the truth in the mean, with heights 500 times a second of 12 bits and one
@@ -109,6 +112,7 @@ private:
     std::optional<HeightRange> calibrated_;
     std::optional<ScriptedHeight> scripted_;
     HeightTrack heights_;
+    LeanTrack leans_; // Empty where the rig does not need it.
     EvenTimes pen_times_;
     EvenTimes height_times_;
     std::deque<PenSample> pending_; // Samples that are not settled yet.

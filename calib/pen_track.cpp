@@ -1,6 +1,7 @@
 #include "calib/pen_track.h"
 
 #include "calib/even_times.h"
+#include "calib/lean_track.h"
 
 namespace tractus {
 
@@ -20,11 +21,15 @@ std::vector<TouchPoint> touch_points(std::span<PenSample const> pens, Rig const&
     auto const T_world_tablet = tractus::T_world_tablet(level);
     std::vector<TouchPoint> points;
     EvenTimes times;
+    LeanTrack leans(kAllOfIt);
+    for (auto const& pen : pens)
+        leans.add(pen);
     for (auto const& pen : pens) {
         auto const time = time_of(pen.time, rig, times);
         if (!pen.touching)
             continue;
-        Vec3 const place_mm = T_world_tablet * Vec3(pen.position_mm.x(), pen.position_mm.y(), 0);
+        Vec2 const nib = nib_mm(pen, leans, rig);
+        Vec3 const place_mm = T_world_tablet * Vec3(nib.x(), nib.y(), 0);
         points.push_back({ time - rig.tablet_latency, place_mm.head<2>() });
     }
     return points;

@@ -14,8 +14,9 @@ namespace tractus {
 
 // Shared by travel_fit.h and latency_fit.h: a pen that touches while the carriage moves.
 
-// Where the pen touched the tablet, the tablet's turn and centre taken off: world frame at height
-// zero, before the carriage's travel. Times are as the rig has them told, less its tablet latency.
+// Where the pen's nib touched the tablet, the tablet's turn and centre taken off: world frame at
+// height zero, before the carriage's travel. Times are as the rig has them told, less its tablet
+// latency.
 struct TouchPoint {
     Timestamp time {};
     Vec2 position_mm = Vec2::Zero();

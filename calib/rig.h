@@ -5,6 +5,7 @@
 #include "calib/pressure_response.h"
 #include "engine/base/time.h"
 #include "engine/base/vectors.h"
+#include "engine/stroke/nib.h"
 
 #include <cstdint>
 #include <optional>
@@ -46,6 +47,13 @@ struct Rig {
 
     // The pen. Pens that report no pressure draw wherever they touch.
     PressureResponse pressure {};
+
+    // How far up the pen what the tablet finds it by is, its coil, as seen along the tablet's x and
+    // along its y: a pen that leans is reported that much times its lean (lean_track.h) beside its
+    // nib. Zero for tablets that correct for it; negative where they correct for too much, or tell
+    // the tilt the other way round. Samples without a tilt are left as they are.
+    Vec2 coil_height_mm = Vec2::Zero();
+    Nib nib = Nib::Point; // How its ink looks.
 
     // Of both sensors. It goes with the latencies, which bursts lengthen where they are not evened
     // out.

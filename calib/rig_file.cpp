@@ -44,6 +44,7 @@ static constexpr double kMaxSide_mm = 5'000;       // as its maker or a drawing 
 static constexpr double kMaxRotation_deg = 360;
 static constexpr double kMaxShear = 1; // A carriage that rises at 45 degrees.
 static constexpr double kMaxExponent = 10;
+static constexpr double kFarthestCoil_mm = 100;
 
 static Result<void> check_within(TomlTable const& table, std::string_view key, double value,
                                  double least, double most)
@@ -116,7 +117,7 @@ static Result<void> parse_tablet(TomlTable& table, Rig& rig)
     return table.refuse_unknown_keys();
 }
 
-static Result<void> parse_pen(TomlTable& table, PressureResponse& pressure)
+static Result<void> parse_pressure(TomlTable& table, PressureResponse& pressure)
 {
     pressure.threshold = TRY(table.number_or("pressure_threshold", 0, NumberRange::NotNegative));
     pressure.full = TRY(table.number_or("pressure_full", 1, NumberRange::Positive));
@@ -129,6 +130,17 @@ static Result<void> parse_pen(TomlTable& table, PressureResponse& pressure)
         return table.wrong("pressure_threshold",
                            fmt::format("is {}, expected less than pressure_full ({})",
                                        pressure.threshold, pressure.full));
+    return {};
+}
+
+static Result<void> parse_pen(TomlTable& table, Rig& rig)
+{
+    TRY(parse_pressure(table, rig.pressure));
+    rig.coil_height_mm = TRY(table.vec2_or("coil_height_mm", Vec2::Zero()));
+    for (double const height_mm : rig.coil_height_mm)
+        TRY(check_within(table, "coil_height_mm", height_mm, -kFarthestCoil_mm, kFarthestCoil_mm));
+    if (table.has("nib"))
+        rig.nib = static_cast<Nib>(TRY(table.word("nib", { "point", "side" })));
     return table.refuse_unknown_keys();
 }
 
@@ -150,7 +162,7 @@ Result<Rig> parse_rig(std::string_view text, std::string const& file)
     TRY(parse_tablet(tablet, rig));
     if (root.has("pen")) {
         auto pen = TRY(root.table("pen"));
-        TRY(parse_pen(pen, rig.pressure));
+        TRY(parse_pen(pen, rig));
     }
     if (root.has("calibration")) {
         auto calibration = TRY(root.table("calibration"));
@@ -160,9 +172,10 @@ Result<Rig> parse_rig(std::string_view text, std::string const& file)
     return rig;
 }
 
-static std::string print_pen(PressureResponse const& pressure)
+static std::string print_pen(Rig const& rig)
 {
-    return fmt::format(
+    auto const& pressure = rig.pressure;
+    auto text = fmt::format(
         R"(
 [pen]                         # Pressures are 0 to 1.
 pressure_threshold = {}       # Draws above it, and then until half of it; 0: wherever it touches.
@@ -170,6 +183,13 @@ pressure_full = {}            # Counts as 1.
 pressure_exponent = {}        # Between the two: above 1 the ink stays thin for longer.
 )",
         pressure.threshold, pressure.full, pressure.exponent);
+    if (!rig.coil_height_mm.isZero(0))
+        text += fmt::format("coil_height_mm = [{}, {}]      # Up the pen, along x and y: where the "
+                            "tablet sees it.\n",
+                            rig.coil_height_mm.x(), rig.coil_height_mm.y());
+    if (rig.nib == Nib::Side)
+        text += "nib = \"side\"                  # Leant, its ink is broad across the lean.\n";
+    return text;
 }
 
 static std::string print_surface(Rig const& rig)
@@ -215,7 +235,7 @@ travel_shear = [{}, {}]       # Drift to the right and away from the user per mi
                rig.tablet_size_mm.x(), rig.tablet_size_mm.y(), print_surface(rig),
                to_milliseconds(rig.tablet_latency), rig.rotation_deg, rig.travel_shear.x(),
                rig.travel_shear.y())
-        + print_pen(rig.pressure) + print_calibration_record(rig.calibration);
+        + print_pen(rig) + print_calibration_record(rig.calibration);
 }
 
 Result<Rig> load_rig(std::filesystem::path const& path)

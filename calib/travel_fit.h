@@ -29,9 +29,8 @@ struct TravelFit {
 // Fits the shear to what pen and height sensor sent meanwhile, with the rig's height model and
 // latencies. An edge that leans is not told from a carriage that does: 1 mm in 500 is 0.002.
 //
-// A pen that slips off for a moment does not spoil it: points far off the edge count less (P.
-// Huber, "Robust estimation of a location parameter", Ann. Math. Stat. 35, 1964). Standard errors
-// take into account that a hand's tremor is no white noise (block_covariance of least_squares.h).
+// A pen that slips off for a moment does not spoil it, and standard errors take into account that a
+// hand's tremor is no white noise (fit_plane_lines).
 //
 // Fails, as the user's fault, with what to do: fewer than 100 touches with a height, less than 100
 // mm of rise, a pen that strayed by more than 3 mm in the mean.

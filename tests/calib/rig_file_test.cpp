@@ -269,6 +269,13 @@ TEST(RigFile, KeepsHowTheRigWasCalibrated)
                         .latency = LatencyRecord { .date = "2026-11-21",
                                                    .delay_ms = -5.25,
                                                    .direction_mm = Vec2(0.5, 0.125) },
+                        .tilt = TiltRecord { .date = "2026-11-21",
+                                             .coil_height_mm = { 9.25, 9 },
+                                             .coil_height_error_mm = { 0.01, 0.02 },
+                                             .least_tilt_deg = { -40, -35.5 },
+                                             .most_tilt_deg = { 41, 36 },
+                                             .rms_mm = 0.1,
+                                             .touches = 4000 },
                         .check = CheckRecord { .date = "2026-11-21",
                                                .heights_mm = { 100 },
                                                .errors_mm = { -0.4 },
@@ -281,6 +288,10 @@ TEST(RigFile, KeepsHowTheRigWasCalibrated)
     EXPECT_EQ(back.calibration.height->slipped, height.slipped);
     EXPECT_EQ(back.calibration.latency->delay_ms, -5.25);
     EXPECT_EQ(back.calibration.latency->direction_mm, Vec2(0.5, 0.125));
+    EXPECT_EQ(back.calibration.tilt->coil_height_mm, Vec2(9.25, 9));
+    EXPECT_EQ(back.calibration.tilt->coil_height_error_mm, Vec2(0.01, 0.02));
+    EXPECT_EQ(back.calibration.tilt->least_tilt_deg, Vec2(-40, -35.5));
+    EXPECT_EQ(back.calibration.tilt->touches, 4000u);
     EXPECT_EQ(back.calibration.height->shifted_counts, 12.5);
 }
 
@@ -409,6 +420,24 @@ TEST(RigFile, ReadsAPensPressures)
     EXPECT_EQ(rig.pressure.threshold, 0.02);
     EXPECT_EQ(rig.pressure.full, 1);
     EXPECT_EQ(rig.pressure.exponent, 1);
+}
+
+// Files of before they were there say nothing, and are written as they were.
+TEST(RigFile, KeepsWhereTheTabletSeesThePenAndHowItsInkLooks)
+{
+    Rig rig;
+    EXPECT_EQ(print_rig(rig).find("coil_height_mm"), std::string::npos);
+    EXPECT_EQ(print_rig(rig).find("nib"), std::string::npos);
+    rig.coil_height_mm = { 9.25, -8.5 };
+    rig.nib = Nib::Side;
+    auto const back = parse_rig(print_rig(rig), "x");
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(back->coil_height_mm, Vec2(9.25, -8.5));
+    EXPECT_EQ(back->nib, Nib::Side);
+    EXPECT_EQ(error_of(text_with("[pen]\ncoil_height_mm = [101, 9]\n")),
+              "my.rig.toml:15: pen.coil_height_mm is 101, expected -100 to 100");
+    EXPECT_EQ(error_of(text_with("[pen]\nnib = \"brush\"\n")),
+              "my.rig.toml:15: pen.nib is 'brush', expected one of \"point\", \"side\"");
 }
 
 TEST(RigFile, RefusesPressuresWithoutSense)

@@ -18,6 +18,7 @@ bool check_zeroing(Run const& run);
 bool check_fusing(Run const& run);  // Checks live and settled tips while the table moves.
 bool check_latency(Run const& run); // Checks `calibrate latency`.
 bool check_slips(Run const& run);   // Checks what tells a slip while drawing.
+bool check_tilt(Run const& run);    // Checks tips of a pen that leans, and `calibrate tilt`.
 
 // Whether so great a part of a run's rigs is good enough for a row's goal: a small run may miss by
 // what chance makes of so many rigs.

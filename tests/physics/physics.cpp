@@ -27,7 +27,7 @@ struct Check {
 constexpr std::array kChecks {
     Check { "heights", check_heights }, Check { "zeroing", check_zeroing },
     Check { "fusing", check_fusing },   Check { "latency", check_latency },
-    Check { "slips", check_slips },
+    Check { "slips", check_slips },     Check { "tilt", check_tilt },
 };
 
 bool is_wanted(char const* name, int count, char** arguments)

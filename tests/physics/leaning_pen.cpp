@@ -1,0 +1,52 @@
+#include "tests/physics/leaning_pen.h"
+
+#include <cmath>
+
+namespace tractus::physics {
+
+namespace {
+
+// The shaft of a pen that stood upright, leaned over to +x and then turned about the upright.
+Vec3 shaft_of(Hold const& hold)
+{
+    double const aside = std::sin(hold.lean_rad);
+    return { aside * std::cos(hold.azimuth_rad), aside * std::sin(hold.azimuth_rad),
+             std::cos(hold.lean_rad) };
+}
+
+// Angle between the plane upright along the other axis and the one through the shaft and that axis.
+double tilt_deg(double along, double up, double noise_deg, Dice& dice)
+{
+    double const angle = std::atan2(along, up) * 180 / kPi;
+    return std::round(angle + normal(dice, noise_deg));
+}
+
+} // namespace
+
+PenRecording record_pen(NibWay const& way, Holding const& holding, double seconds,
+                        Tablet const& tablet, Dice& dice)
+{
+    PenRecording recording;
+    double const phase_s = uniform(dice, 0, 1 / tablet.pen_hz);
+    for (double t = phase_s; t < seconds; t += 1 / tablet.pen_hz) {
+        Vec2 const nib = way(t);
+        Vec3 const shaft = shaft_of(holding(t));
+        Vec3 const told = shaft_of(holding(t - tablet.tilt_late_s));
+        double const up = tablet.sight == Sight::Below ? 1 : 1 / shaft.z();
+        Vec2 const coil = nib + tablet.coil_mm * up * shaft.head<2>();
+        double const x_deg = tilt_deg(told.x(), told.z(), tablet.tilt_noise_deg, dice);
+        double const y_deg = tilt_deg(told.y(), told.z(), tablet.tilt_noise_deg, dice);
+        recording.samples.push_back(
+            { .time = Timestamp(std::chrono::nanoseconds(std::llround(t * 1e9))),
+              .position_mm = coil
+                  + Vec2(normal(dice, tablet.place_noise_mm), normal(dice, tablet.place_noise_mm)),
+              .pressure = 1,
+              .tilt_rad = Vec2(x_deg, tablet.is_y_turned_round ? -y_deg : y_deg) * (kPi / 180),
+              .in_range = true,
+              .touching = true });
+        recording.nibs_mm.push_back(nib);
+    }
+    return recording;
+}
+
+} // namespace tractus::physics
