@@ -136,6 +136,22 @@ static Result<Gesture> parse_gesture(TomlTable& table)
     return gesture;
 }
 
+static Result<void> parse_lean(TomlTable& root, GestureScript& script)
+{
+    constexpr double kFarthest_deg = 85;
+    script.coil_height_mm = TRY(root.number_or("coil_height_mm", 0, NumberRange::NotNegative));
+    if (root.has("lean_deg"))
+        script.lean_deg = TRY(root.vec2("lean_deg"));
+    script.leaned_around_deg = TRY(root.vec2_or("leaned_around_deg", Vec2::Zero()));
+    Vec2 const most
+        = script.lean_deg.value_or(Vec2::Zero()).cwiseAbs() + script.leaned_around_deg.cwiseAbs();
+    if (most.maxCoeff() > kFarthest_deg)
+        return root.wrong(script.lean_deg ? "lean_deg" : "leaned_around_deg",
+                          fmt::format("leans the pen by {} degrees, expected at most {}",
+                                      most.maxCoeff(), kFarthest_deg));
+    return {};
+}
+
 Result<GestureScript> parse_gesture_script(std::string_view text, std::string const& file)
 {
     auto root = TRY(TomlTable::parse(text, file));
@@ -144,6 +160,7 @@ Result<GestureScript> parse_gesture_script(std::string_view text, std::string co
     if (root.has("seed"))
         script.seed
             = static_cast<std::uint64_t>(TRY(root.integer("seed", NumberRange::NotNegative)));
+    TRY(parse_lean(root, script));
     for (auto& table : TRY(root.tables("gesture")))
         script.gestures.push_back(TRY(parse_gesture(table)));
     TRY(root.refuse_unknown_keys());

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -21,6 +22,9 @@ namespace tractus {
 //
 //     version = 1
 //     seed = 7                    # Of the hand's tremor and the sensors' noise; 1 if left out.
+//     coil_height_mm = 9          # The tablet sees the pen so far above its nib; 0 if left out.
+//     lean_deg = [30, -20]        # How the pen is held, to +x and +y; as HandOptions if left out.
+//     leaned_around_deg = [25, 20]  # And how far it is leaned around that; 0 if left out.
 //
 //     [[gesture]]
 //     tool = "select"
@@ -83,6 +87,9 @@ struct Gesture {
 
 struct GestureScript {
     std::uint64_t seed = 1;
+    double coil_height_mm = 0;
+    std::optional<Vec2> lean_deg {};
+    Vec2 leaned_around_deg = Vec2::Zero();
     std::vector<Gesture> gestures; // At least one.
 };
 

@@ -200,6 +200,10 @@ HandState Hand::at(Timestamp time) const
         press(state, part, seconds);
     double const sway = 0.05 * std::sin(2 * kPi * 0.3 * to_seconds(now));
     state.tilt_rad = options_.tilt_rad + Vec2(sway, -sway);
+    if (!options_.leaned_around_rad.isZero(0)) // Turns that keep no step with each other.
+        state.tilt_rad += options_.leaned_around_rad.cwiseProduct(
+            Vec2(std::sin(2 * kPi * 0.23 * to_seconds(now)),
+                 std::sin(2 * kPi * 0.17 * to_seconds(now))));
     return state;
 }
 

@@ -62,6 +62,8 @@ struct HandOptions {
 
     // How the pen is held: towards +x (right-handed) and the user.
     Vec2 tilt_rad = Vec2(0.5, -0.35);
+    // Leaned slowly all around that, so far to either side along x and along y.
+    Vec2 leaned_around_rad = Vec2::Zero();
 };
 
 // Pen and carriage at one instant. World frame.

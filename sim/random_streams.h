@@ -10,6 +10,7 @@ constexpr std::uint32_t kTremorStream = 0x73'69'6d'01;
 constexpr std::uint32_t kTabletTimingStream = 0x73'69'6d'02;
 constexpr std::uint32_t kHeightTimingStream = 0x73'69'6d'03;
 constexpr std::uint32_t kHeightNoiseStream = 0x73'69'6d'04;
+constexpr std::uint32_t kTiltNoiseStream = 0x73'69'6d'06;
 constexpr std::uint32_t kRulerStream = 0x73'69'6d'05;
 
 } // namespace tractus

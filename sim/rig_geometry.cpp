@@ -32,6 +32,7 @@ Rig true_rig(RigGeometry const& geometry)
         .tablet_size_mm = geometry.tablet_size_mm,
         .rotation_deg = geometry.rotation_deg,
         .travel_shear = geometry.travel_shear,
+        .coil_height_mm = Vec2::Constant(geometry.coil_height_mm),
     };
 }
 

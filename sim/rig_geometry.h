@@ -18,6 +18,9 @@ struct RigGeometry {
     Vec2 travel_shear = Vec2::Zero(); // Drift to +x and +y per millimetre of rise.
     double travel_mm = 400;           // The carriage goes from height 0 to here.
 
+    // How far above its nib the pen's coil is, over which the tablet says that the pen is.
+    double coil_height_mm = 0;
+
     // Distance from the spool across to the way of the string's end.
     double string_offset_mm = 120;
     double string_base_mm = 80; // Distance from the spool up to the string's end at height zero.

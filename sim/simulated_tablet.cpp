@@ -1,6 +1,8 @@
 #include "sim/simulated_tablet.h"
 
+#include "calib/lean_track.h"
 #include "engine/base/check.h"
+#include "engine/base/random.h"
 #include "sim/random_streams.h"
 
 #include <algorithm>
@@ -156,10 +158,16 @@ SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
     tablet.device.info = simulated_tablet_info(geometry.tablet_size_mm);
     auto const T_tablet_world = tractus::T_tablet_world(geometry);
     DeviceClock clock(options.timing, { .seed = options.seed, .stream = kTabletTimingStream });
+    Random tilt_noise({ .seed = options.seed, .stream = kTiltNoiseStream });
     PenReport last;
     for (auto now = clock.next_instant(); now < hand.end(); now = clock.next_instant()) {
-        auto const state = hand.at(now);
-        Vec2 const place_mm = (T_tablet_world * state.position_mm).head<2>();
+        auto state = hand.at(now);
+        Vec2 place_mm = (T_tablet_world * state.position_mm).head<2>();
+        if (geometry.coil_height_mm != 0)
+            place_mm += geometry.coil_height_mm * lean_of(state.tilt_rad);
+        if (options.tilt_noise_deg > 0)
+            for (double& angle_rad : state.tilt_rad)
+                angle_rad += radians(options.tilt_noise_deg) * tilt_noise.normal();
         bool const on_tablet = (place_mm.array() >= 0).all()
             && (place_mm.array() <= geometry.tablet_size_mm.array()).all();
         bool const was_in_range = last.bits & kInRange;

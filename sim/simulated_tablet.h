@@ -31,6 +31,7 @@ struct TabletOptions {
         .latency = std::chrono::milliseconds(8),
         .jitter = std::chrono::microseconds(400),
     };
+    double tilt_noise_deg = 0; // Standard deviation, before rounding.
 };
 
 // Truth at the time when the tablet measured.
@@ -45,7 +46,8 @@ struct SimulatedTablet {
     std::vector<TrueTip> truth; // One per report.
 };
 
-// Simulates what the tablet of a rig sends while a hand draws on it. Out of range it sends one
+// Simulates what the tablet of a rig sends while a hand draws on it. The place that it tells is the
+// one under the pen's coil. Out of range it sends one
 // report that says so, then nothing. A pen off the active area is out of range. No side of the
 // tablet may be longer than 655 mm.
 SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,

@@ -13,7 +13,8 @@ namespace tractus {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kNames { "height", "travel", "latency", "zero", "check" };
+constexpr std::array<std::string_view, 6> kNames { "height", "travel", "latency",
+                                                   "tilt",   "zero",   "check" };
 constexpr Duration kPenRest = std::chrono::milliseconds(500);
 constexpr double kPenStill_mm = 4;
 constexpr double kFarthest_mm = 10'000;
@@ -38,7 +39,8 @@ std::string_view name_of(CalibrationProcedure procedure)
 
 bool takes_captures(CalibrationProcedure procedure)
 {
-    return procedure != CalibrationProcedure::Travel && procedure != CalibrationProcedure::Latency;
+    return procedure != CalibrationProcedure::Travel && procedure != CalibrationProcedure::Latency
+        && procedure != CalibrationProcedure::Tilt;
 }
 
 Result<CalibrationController> CalibrationController::create(std::span<DeviceInfo const> devices,
@@ -59,7 +61,7 @@ Result<CalibrationController> CalibrationController::create(std::span<DeviceInfo
                 controller.sensor_ = identity_of(devices[i]);
             }
     }
-    if (!controller.height_decoder_)
+    if (!controller.height_decoder_ && needs_height(controller.procedure()))
         return fail(Fault::User,
                     "there is no height sensor to calibrate: connect it, or name it "
                     "with --device");
@@ -68,6 +70,12 @@ Result<CalibrationController> CalibrationController::create(std::span<DeviceInfo
                     fmt::format("there is no pen, and {} needs one: connect the tablet, or name it "
                                 "with --device",
                                 name_of(controller.procedure())));
+    if (controller.procedure() == CalibrationProcedure::Tilt
+        && !controller.pen_decoder_->traits().has_tilt)
+        return fail(Fault::User,
+                    fmt::format("{} tells no tilt, so there is nothing to calibrate, and nothing "
+                                "that tips could be corrected by",
+                                devices[controller.pen_device_].name));
     return controller;
 }
 
@@ -79,7 +87,7 @@ void CalibrationController::push(std::size_t device, Timestamp received,
         (void)pen_decoder_->decode(received, report, new_pens_);
         for (auto const& sample : new_pens_)
             push_pen(sample);
-    } else if (device == height_device_) {
+    } else if (height_decoder_ && device == height_device_) {
         new_heights_.clear();
         (void)height_decoder_->decode(received, report, new_heights_); // The good ones are there.
         for (auto const& sample : new_heights_)
@@ -271,6 +279,8 @@ Result<CalibrationOutcome> CalibrationController::conclude(std::string const& da
         return finish_travel(date);
     case CalibrationProcedure::Latency:
         return finish_latency(date);
+    case CalibrationProcedure::Tilt:
+        return finish_tilt(date);
     case CalibrationProcedure::Zero:
         return finish_zero();
     case CalibrationProcedure::Check:
@@ -314,6 +324,13 @@ Result<CalibrationOutcome> CalibrationController::finish_latency(std::string con
     CalibrationOutcome outcome { .rig = with_latency(options_.rig, fit, date) };
     outcome.report = describe(fit, outcome.rig);
     return outcome;
+}
+
+Result<CalibrationOutcome> CalibrationController::finish_tilt(std::string const& date) const
+{
+    auto const fit = TRY(fit_tilt(pens_));
+    return CalibrationOutcome { .rig = with_tilt(options_.rig, fit, date),
+                                .report = describe(fit) };
 }
 
 std::optional<Zeroing> CalibrationController::open_question() const

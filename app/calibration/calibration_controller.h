@@ -25,6 +25,7 @@ enum class CalibrationProcedure {
     Height,  // Meaning of the sensor's readings.
     Travel,  // How the surface moves aside while it rises.
     Latency, // How much later the pen arrives than the height.
+    Tilt,    // How far beside its nib the tablet sees a pen that leans.
     Zero,    // Where height zero is; the scale stays.
     Check,   // Nothing: tells how exact the rig is.
 };
@@ -33,6 +34,12 @@ std::string_view name_of(CalibrationProcedure procedure); // "height", "travel",
 
 // Whether a procedure consists of captures at rest; the others are one movement, from begin to end.
 bool takes_captures(CalibrationProcedure procedure);
+
+// Whether a procedure looks at the height sensor at all.
+inline bool needs_height(CalibrationProcedure procedure)
+{
+    return procedure != CalibrationProcedure::Tilt;
+}
 
 // Result of a procedure.
 struct CalibrationOutcome {
@@ -50,7 +57,8 @@ struct CalibrationOutcome {
 //                      kCaptureTime is the capture
 //     undo             the last capture was wrong; or the one under way is given up
 //     drop 3           the third capture was wrong
-//     begin, end       of the movement of travel and latency; in a log without them it is all of it
+//     begin, end       of the movement of travel, latency and tilt; in a log without them it is all
+//                      of it
 //     cause slipped    why height zero is off: slipped or moved (zeroing.h)
 //     press            the pen's touch under way presses a button: it is no rest, and no movement
 class CalibrationController {
@@ -64,7 +72,7 @@ public:
     };
 
     // Takes the first pen and the first height sensor. Fails, as the user's fault, if one that the
-    // procedure needs is not there.
+    // procedure needs is not there, and for a tilt if the tablet tells none.
     static Result<CalibrationController> create(std::span<DeviceInfo const> devices,
                                                 Options options);
 
@@ -130,6 +138,7 @@ private:
     Result<CalibrationOutcome> finish_height(std::string const& date) const;
     Result<CalibrationOutcome> finish_travel(std::string const& date) const;
     Result<CalibrationOutcome> finish_latency(std::string const& date) const;
+    Result<CalibrationOutcome> finish_tilt(std::string const& date) const;
     Result<CalibrationOutcome> finish_zero() const;
     Result<CalibrationOutcome> finish_check(std::string const& date) const;
 
@@ -157,7 +166,7 @@ private:
 
     bool is_moving_ = true; // Always true in a log without begin and end.
     std::size_t touches_ = 0;
-    std::vector<PenSample> pens_;       // Pen samples of travel and latency.
+    std::vector<PenSample> pens_;       // Pen samples of the movement.
     std::size_t pens_before_touch_ = 0; // Number of pens_ before the present touch.
     std::vector<HeightSample> heights_;
 };

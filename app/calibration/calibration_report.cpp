@@ -118,6 +118,30 @@ std::string describe(LatencyFit const& fit, Rig const& rig)
     return text;
 }
 
+std::string describe(TiltFit const& fit)
+{
+    Vec2 const& height = fit.coil_height_mm;
+    Vec2 const& error = fit.coil_height_error_mm;
+    auto text = fmt::format(
+        "tilt: the tablet sees the pen {:.2f} ± {:.2f} mm above its nib to the left and right, "
+        "{:.2f} ± {:.2f} mm towards you and away\n"
+        "  leaned from {:.0f} to {:+.0f} degrees to the right, from {:.0f} to {:+.0f} away\n"
+        "  {} touches, {:.2f} mm off the nib's place\n",
+        height.x(), error.x(), height.y(), error.y(), degrees(fit.least_tilt_rad.x()),
+        degrees(fit.most_tilt_rad.x()), degrees(fit.least_tilt_rad.y()),
+        degrees(fit.most_tilt_rad.y()), fit.touches, fit.rms_mm);
+    if (fit.is_corrected())
+        return text
+            + "  that is nothing: the tablet corrects for a pen that leans, so the rig does not\n";
+    constexpr double kPlainly_mm = 1;
+    for (int axis = 0; axis < 2; ++axis)
+        if (height[axis] < -std::max(kPlainly_mm, 3 * error[axis]))
+            text += fmt::format("  below zero: the tablet tells tilts {} the other way round, or "
+                                "corrects for too much\n",
+                                axis == 0 ? "to the left and right" : "towards you and away");
+    return text;
+}
+
 std::string describe(HeightCheck const& check)
 {
     auto text = quote(check) + "\n";

@@ -14,6 +14,7 @@ namespace tractus {
 std::string describe(HeightCalibration const& calibration, Rig const& rig);
 std::string describe(TravelFit const& fit);
 std::string describe(LatencyFit const& fit, Rig const& rig);
+std::string describe(TiltFit const& fit);
 std::string describe(HeightCheck const& check);
 
 // `before` is the rig that was zeroed.

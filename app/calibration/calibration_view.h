@@ -17,7 +17,7 @@ struct CalibrationView {
     bool is_on_rail = false;
     bool may_capture = false; // The surface rests, and nothing is being captured.
     bool is_capturing = false;
-    bool is_moving = false; // True between begin and end of travel and latency.
+    bool is_moving = false; // True between begin and end of a movement.
     std::vector<HeightCapture> captures {};
     std::vector<double> residuals_mm {}; // One per capture, or empty before the first fit.
     std::vector<std::size_t> slipped {}; // Captures that the fit leaves out.

@@ -5,6 +5,7 @@
 #include "drivers/sensors/sensor_volts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/core.h>
 
 namespace tractus {
@@ -312,8 +313,10 @@ private:
     void ask()
     {
         if (!takes_captures(controller_.procedure()))
-            person_.say(is_moving_ ? "Move the surface up and down; Enter when you are done"
-                                   : "Hold the pen against the edge, then press Enter");
+            person_.say(is_moving_ ? fmt::format("{}; Enter when you are done",
+                                                 movement_words(controller_.procedure()).during)
+                                   : fmt::format("{}, then press Enter",
+                                                 movement_words(controller_.procedure()).before));
         else if (auto const height = next_height())
             person_.say(fmt::format("Set the surface to {} mm and let it rest; Enter, or rest the "
                                     "pen on the tablet",
@@ -361,8 +364,34 @@ Result<bool> calibrate_live(CalibrationController& controller, LiveDevices& devi
     return Conversation(controller, devices, person, options).run(stop);
 }
 
+MovementWords movement_words(CalibrationProcedure procedure)
+{
+    if (procedure == CalibrationProcedure::Tilt)
+        return { .before = "Set the nib in a small dent that does not move on the tablet",
+                 .during
+                 = "Lean the pen slowly all around, as far as it goes, the nib in its dent" };
+    return { .before = "Hold the pen on the tablet and against the edge",
+             .during = "Move the surface up and down with the pen against the edge" };
+}
+
+static std::string describe_lean(CalibrationController const& controller)
+{
+    auto const& pen = controller.pen();
+    if (!pen)
+        return "no pen yet";
+    if (!pen->tilt_rad)
+        return "the pen tells no tilt";
+    double const right_deg = degrees(pen->tilt_rad->x());
+    double const away_deg = degrees(pen->tilt_rad->y());
+    return fmt::format("leans {:.0f} degrees {}, {:.0f} {}, {} touches", std::abs(right_deg),
+                       right_deg < 0 ? "left" : "right", std::abs(away_deg),
+                       away_deg < 0 ? "towards you" : "away", controller.touches());
+}
+
 std::string describe_reading(CalibrationController const& controller)
 {
+    if (!needs_height(controller.procedure()))
+        return describe_lean(controller);
     auto const reading = controller.reading();
     if (!reading)
         return "no reading yet";

@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tractus {
@@ -50,7 +51,15 @@ Result<bool> calibrate_live(CalibrationController& controller, LiveDevices& devi
                             std::atomic<bool> const& stop);
 
 // Describes the reading in one line for the screen: "2034 counts (49.7 %), noise 1.0, at rest,
-// 123.4 mm".
+// 123.4 mm". Of a procedure without heights, how the pen leans: "leans 23 degrees right, 5 away".
 std::string describe_reading(CalibrationController const& controller);
+
+// What a person does before and during the movement of a procedure that takes no captures, as
+// sentences without their end.
+struct MovementWords {
+    std::string_view before;
+    std::string_view during;
+};
+MovementWords movement_words(CalibrationProcedure procedure);
 
 } // namespace tractus

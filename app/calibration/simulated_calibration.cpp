@@ -30,6 +30,26 @@ HandStroke hold_still(double height_mm)
              .speed_mm_s = 1 };
 }
 
+// A line of a tenth of a millimetre, for a nib in a dent.
+HandStroke stay_in_dent(double height_mm, double seconds)
+{
+    constexpr double kDent_mm = 0.1;
+    return { .path
+             = make_path(LineShape { { 20, -10, height_mm }, { 20 + kDent_mm, -10, height_mm } }),
+             .speed_mm_s = kDent_mm / seconds };
+}
+
+HandOptions hand_of(SimulatedCalibration const& calibration)
+{
+    HandOptions options { .seed = calibration.person.seed, .height_tremor_mm = 0.02 };
+    if (calibration.procedure == CalibrationProcedure::Tilt) {
+        options.plane_tremor_mm = 0.03; // The dent holds it.
+        options.tilt_rad = Vec2::Zero();
+        options.leaned_around_rad = Vec2(0.7, 0.6);
+    }
+    return options;
+}
+
 Performance captures(SimulatedCalibration const& calibration)
 {
     auto const aimed_mm = calibration.heights_mm.empty()
@@ -59,10 +79,13 @@ Performance follow_edge(Vec3 const& low_mm, Vec3 const& high_mm)
 
 Performance perform(SimulatedCalibration const& calibration)
 {
+    constexpr double kLeaning_s = 20;
     double const top_mm = calibration.geometry.travel_mm - 20;
     switch (calibration.procedure) {
     case CalibrationProcedure::Travel:
         return follow_edge({ 10, 5, 20 }, { 10, 5, top_mm });
+    case CalibrationProcedure::Tilt:
+        return { .strokes = { stay_in_dent(60, kLeaning_s) }, .words = {} };
     case CalibrationProcedure::Latency:
         return follow_edge({ -70, -20, 60 }, { 70, 20, 60 + 0.6 * top_mm });
     default:
@@ -113,10 +136,12 @@ std::vector<double> proposed_heights_mm(CalibrationProcedure procedure)
     }
 }
 
-RigGeometry simulated_geometry()
+RigGeometry simulated_geometry(CalibrationProcedure procedure)
 {
     RigGeometry geometry;
     geometry.travel_shear = { 0.012, -0.007 };
+    if (procedure == CalibrationProcedure::Tilt)
+        geometry.coil_height_mm = 9;
     return geometry;
 }
 
@@ -124,11 +149,12 @@ Result<void> write_simulated_calibration(std::ostream& out, SimulatedCalibration
 {
     auto const performance = perform(calibration);
     TRY(check_heights(performance, calibration.geometry));
-    Hand const hand(performance.strokes,
-                    { .seed = calibration.person.seed, .height_tremor_mm = 0.02 });
+    Hand const hand(performance.strokes, hand_of(calibration));
     SimulatedRigOptions options { .geometry = calibration.geometry,
                                   .seed = calibration.person.seed };
     options.height.noise_counts = calibration.person.noise_counts;
+    if (calibration.procedure == CalibrationProcedure::Tilt)
+        options.tablet.tilt_noise_deg = 0.5;
     auto const run = simulate_rig(hand, options);
 
     LogWriter log(out, { .devices = { run.tablet.info, run.height.info } });

@@ -13,7 +13,7 @@ namespace tractus {
 
 // The heights at which the simulated person captures, and which the program proposes: closer
 // together at the bottom, where a string runs aslant and a slip would pass for another string.
-// Millimetres; none for travel and latency.
+// Millimetres; none for movements.
 std::vector<double> proposed_heights_mm(CalibrationProcedure procedure);
 
 struct SimulatedCalibration {
@@ -23,13 +23,15 @@ struct SimulatedCalibration {
     RigGeometry geometry {};
 };
 
-// A rig whose surface moves a little aside, as real ones do.
-RigGeometry simulated_geometry();
+// A rig whose surface moves a little aside, as real ones do. Of Tilt, one whose tablet sees the pen
+// nine millimetres above its nib; for the others it is seen where it is.
+RigGeometry simulated_geometry(CalibrationProcedure procedure = CalibrationProcedure::Height);
 
 // Lets a simulated person calibrate the simulated rig, and writes the log that a recording of it
 // would have given, commands included. At each height the person holds the pen still on the tablet
 // as well, as a sign that the surface rests. Travel follows an upright edge, latency an inclined
-// one. A pure function. Fails, as the user's fault, for heights out of the rig's reach.
+// one, and for a tilt the nib stays in a dent. A pure function. Fails, as the user's fault, for
+// heights out of the rig's reach.
 Result<void> write_simulated_calibration(std::ostream& out,
                                          SimulatedCalibration const& calibration);
 

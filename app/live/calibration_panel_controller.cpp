@@ -162,9 +162,9 @@ void CalibrationPanelController::propose()
     auto const next = controller_.captures().size();
     view_.is_refusal = false;
     if (!takes_captures(controller_.procedure())) {
-        view_.message = is_moving_
-            ? "Move the surface up and down with the pen against the edge, then press End."
-            : "Hold the pen on the tablet and against the edge, then press Begin.";
+        auto const words = movement_words(controller_.procedure());
+        view_.message = is_moving_ ? fmt::format("{}, then press End.", words.during)
+                                   : fmt::format("{}, then press Begin.", words.before);
     } else if (next < heights.size()) {
         view_.proposed_mm = heights[next];
         view_.message = fmt::format("Set the surface to {:g} mm, or any other height, let it rest, "

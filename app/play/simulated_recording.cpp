@@ -85,6 +85,9 @@ Result<Hand> simulated_hand(GestureScript const& script, Scene const& scene)
         = [&](std::size_t rank) { return shown_axis(*scene.base, geometry.tablet_size_mm, rank); };
     HandOptions options;
     options.seed = script.seed;
+    if (script.lean_deg)
+        options.tilt_rad = *script.lean_deg * (kPi / 180);
+    options.leaned_around_rad = script.leaned_around_deg * (kPi / 180);
     return Hand(TRY(strokes_of(script, geometry, tracer)), options);
 }
 
@@ -94,6 +97,7 @@ Result<void> write_simulated_recording(std::ostream& out, GestureScript const& s
     TRY(check_tools(script, tools));
     SimulatedRigOptions options;
     options.seed = script.seed;
+    options.geometry.coil_height_mm = script.coil_height_mm;
     auto const hand = TRY(simulated_hand(script, scene));
     auto const run = simulate_rig(hand, options);
 

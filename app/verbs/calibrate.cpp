@@ -89,7 +89,7 @@ Result<Log> simulated_log(CalibrateArguments const& arguments)
 {
     SimulatedCalibration simulated { .procedure = arguments.procedure,
                                      .heights_mm = arguments.heights_mm,
-                                     .geometry = simulated_geometry() };
+                                     .geometry = simulated_geometry(arguments.procedure) };
     simulated.person.seed = arguments.seed;
     std::ostringstream text;
     TRY(write_simulated_calibration(text, simulated));
@@ -335,6 +335,12 @@ void add_calibrate_verb(CLI::App& root, Action& action)
                   "How much later the pen arrives than the height: follow an inclined edge", action)
         ->footer("Fix a straight edge at some 45 degrees over the tablet, let the pen follow it\n"
                  "while the surface moves up and down several times. Enter begins and ends.");
+    add_procedure(*verb, CalibrationProcedure::Tilt,
+                  "How far beside its nib the tablet sees a pen that leans: lean it around", action)
+        ->footer(
+            "Set the nib in a small dent that does not move on the tablet, of a paper glued to\n"
+            "it say, and lean the pen slowly all around, as far as it goes, for 20 seconds.\n"
+            "Enter begins and ends. A tablet that corrects for it itself is left alone.");
     add_procedure(*verb, CalibrationProcedure::Zero,
                   "Where height zero is, from one capture; the scale stays", action)
         ->footer(

@@ -4,8 +4,8 @@
 
 namespace tractus {
 
-// tractus calibrate height|travel|latency|zero|check: finds out a rig's numbers, or how good they
-// are, and keeps them in its file.
+// tractus calibrate height|travel|latency|tilt|zero|check: finds out a rig's numbers, or how good
+// they are, and keeps them in its file.
 void add_calibrate_verb(CLI::App& root, Action& action);
 
 } // namespace tractus

@@ -10,10 +10,11 @@ namespace tractus {
 
 namespace {
 
-constexpr std::array kProcedures { CalibrationProcedure::Height, CalibrationProcedure::Travel,
-                                   CalibrationProcedure::Latency, CalibrationProcedure::Zero,
-                                   CalibrationProcedure::Check };
-constexpr std::array<char const*, 5> kTitles { "Height", "Travel", "Latency", "Zero", "Check" };
+constexpr std::array kProcedures { CalibrationProcedure::Height,  CalibrationProcedure::Travel,
+                                   CalibrationProcedure::Latency, CalibrationProcedure::Tilt,
+                                   CalibrationProcedure::Zero,    CalibrationProcedure::Check };
+constexpr std::array<char const*, 6> kTitles { "Height", "Travel", "Latency",
+                                               "Tilt",   "Zero",   "Check" };
 
 constexpr ImGuiWindowFlags kPadded = ImGuiWindowFlags_AlwaysUseWindowPadding;
 

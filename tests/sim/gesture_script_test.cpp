@@ -177,6 +177,22 @@ TEST(GestureScript, ErrorsNameFileLineAndKey)
               "use that one to read it");
 }
 
+TEST(GestureScript, ReadsHowThePenIsHeld)
+{
+    auto const script = parse_gesture_script(
+        with(
+            "version = 1\n",
+            "version = 1\ncoil_height_mm = 9\nlean_deg = [40, -20]\nleaned_around_deg = [10, 5]\n"),
+        "demo.toml");
+    ASSERT_TRUE(script) << script.error().message;
+    EXPECT_EQ(script->coil_height_mm, 9);
+    EXPECT_EQ(script->lean_deg, Vec2(40, -20));
+    EXPECT_EQ(script->leaned_around_deg, Vec2(10, 5));
+    EXPECT_FALSE(parse_gesture_script(kScript, "demo.toml").value().lean_deg);
+    EXPECT_EQ(error_of(with("version = 1\n", "version = 1\nlean_deg = [90, 0]\n")),
+              "demo.toml:2: lean_deg leans the pen by 90 degrees, expected at most 85");
+}
+
 TEST(GestureScript, RefusesKeysThatMeanNothing)
 {
     EXPECT_EQ(

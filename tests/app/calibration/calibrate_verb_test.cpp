@@ -50,16 +50,31 @@ TEST_F(CalibrateVerb, ReplaysALogToTheSameFileByteForByte)
     EXPECT_NE(text("again.rig.svg").find("Residuals: "), std::string::npos);
 }
 
+TEST_F(CalibrateVerb, ReplaysATiltToTheSameFileByteForByte)
+{
+    ASSERT_EQ(calibrate({ "height", "--rig", path("live.rig.toml"), "--simulate" }).exit_code, 0);
+    fs::copy_file(path("live.rig.toml"), path("again.rig.toml"));
+    auto const live = calibrate({ "tilt", "--rig", path("live.rig.toml"), "--simulate", "--seed",
+                                  "5", "--record", path("tilt.tractus-log") });
+    ASSERT_EQ(live.exit_code, 0) << live.err;
+    auto const again
+        = calibrate({ "tilt", "--rig", path("again.rig.toml"), path("tilt.tractus-log") });
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(text("again.rig.toml"), text("live.rig.toml"));
+    EXPECT_NE(text("live.rig.toml").find("\ncoil_height_mm = ["), std::string::npos);
+}
+
 TEST_F(CalibrateVerb, DoesAllProceduresOneAfterAnother)
 {
-    for (auto const* procedure : { "height", "travel", "latency", "check", "zero" }) {
+    for (auto const* procedure : { "height", "travel", "latency", "tilt", "check", "zero" }) {
         auto const outcome = calibrate({ procedure, "--rig", path("my.rig.toml"), "--simulate" });
         ASSERT_EQ(outcome.exit_code, 0) << procedure << ": " << outcome.err;
         EXPECT_NE(outcome.out.find("my.rig.toml: written\n"), std::string::npos);
     }
     auto const rig = load_rig(path("my.rig.toml")).value();
     EXPECT_TRUE(rig.calibration.height && rig.calibration.travel && rig.calibration.latency
-                && rig.calibration.check);
+                && rig.calibration.tilt && rig.calibration.check);
+    EXPECT_NEAR(rig.coil_height_mm.x(), 9, 0.1);
     EXPECT_TRUE(fs::exists(path("my.rig.toml.bak")));
 }
 

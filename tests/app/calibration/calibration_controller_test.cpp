@@ -19,7 +19,7 @@ constexpr auto kDate = "2026-11-21";
 
 std::string simulated_text(SimulatedCalibration calibration)
 {
-    calibration.geometry = simulated_geometry();
+    calibration.geometry = simulated_geometry(calibration.procedure);
     std::ostringstream text;
     EXPECT_TRUE(write_simulated_calibration(text, calibration));
     return text.str();
@@ -95,6 +95,59 @@ TEST(CalibrationController, FindsTravelAndLatency)
                                     CalibrationProcedure::Latency, travel.rig)
                              .value();
     EXPECT_NEAR(1000 * to_seconds(latency.rig.tablet_latency - latency.rig.height_latency), 5, 0.5);
+}
+
+// The simulated pen's coil is nine millimetres above its nib.
+TEST(CalibrationController, FindsWhereTheTabletSeesThePen)
+{
+    auto const text = simulated_text({ .procedure = CalibrationProcedure::Tilt });
+    auto const outcome = outcome_of(text, CalibrationProcedure::Tilt, calibrated_rig()).value();
+    EXPECT_NEAR(outcome.rig.coil_height_mm.x(), 9, 0.1);
+    EXPECT_NEAR(outcome.rig.coil_height_mm.y(), 9, 0.1);
+    EXPECT_EQ(outcome.rig.calibration.tilt->date, kDate);
+    EXPECT_NE(outcome.report.find(" mm above its nib to the left and right"), std::string::npos)
+        << outcome.report;
+}
+
+TEST(CalibrationController, LeavesATabletAloneThatCorrectsForTilts)
+{
+    std::ostringstream text;
+    ASSERT_TRUE(write_simulated_calibration(text, { .procedure = CalibrationProcedure::Tilt }));
+    auto rig = calibrated_rig();
+    rig.coil_height_mm = { 7, 7 };
+    auto const outcome = outcome_of(text.str(), CalibrationProcedure::Tilt, rig).value();
+    EXPECT_EQ(outcome.rig.coil_height_mm, Vec2(0, 0));
+    EXPECT_NE(outcome.report.find("the tablet corrects for a pen that leans, so the rig does not"),
+              std::string::npos)
+        << outcome.report;
+}
+
+TEST(CalibrationController, FindsATiltWithoutAHeightSensor)
+{
+    auto const whole
+        = parse_log(simulated_text({ .procedure = CalibrationProcedure::Tilt }), "my.tractus-log")
+              .value();
+    auto controller = CalibrationController::create({ &whole.devices[0], 1 },
+                                                    { .procedure = CalibrationProcedure::Tilt })
+                          .value();
+    for (auto const& record : whole.records)
+        controller.push(record.device, record.time, whole.report(record));
+    EXPECT_NE(describe_reading(controller).find("leans "), std::string::npos);
+    EXPECT_NEAR(controller.finish(kDate).value().rig.coil_height_mm.x(), 9, 0.1);
+}
+
+TEST(CalibrationController, RefusesATiltOfATabletThatTellsNone)
+{
+    auto upright = simple_pen(); // Its tilts, usages 3d and 3e, are something else's.
+    for (auto& byte : upright.report_descriptor)
+        if (byte == std::byte { 0x3d } || byte == std::byte { 0x3e })
+            byte = std::byte { 0x00 };
+    auto const refused = CalibrationController::create({ &upright, 1 },
+                                                       { .procedure = CalibrationProcedure::Tilt });
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message,
+              "Simple Pen tells no tilt, so there is nothing to calibrate, and nothing that tips "
+              "could be corrected by");
 }
 
 TEST(CalibrationController, QuotesHowExactARigIs)
