@@ -65,12 +65,13 @@ private:
     Progress& progress_;
     DrawingReport& report_;
     std::vector<DrawnStroke> strokes_;
+    Nib nib_ = Nib::Point;
 };
 
 Result<Drawing> DrawingReader::read()
 {
     TRY(is_stroke_file(options_.log) ? read_strokes() : replay());
-    return Drawing { document_.newest()->scene, std::move(strokes_) };
+    return Drawing { document_.newest()->scene, std::move(strokes_), nib_ };
 }
 
 // A file of strokes says nothing about branches, so they go to these in drawing order.
@@ -142,6 +143,7 @@ Result<void> DrawingReader::replay()
                                 "first: {}",
                                 log.name, counts.first_broken));
     note_replay(replay.station());
+    nib_ = replay.station().nib();
     report_.notes.insert(report_.notes.end(), replay.left_out().begin(), replay.left_out().end());
     return {};
 }

@@ -6,6 +6,7 @@
 #include "app/tools/methods.h"
 #include "engine/base/result.h"
 #include "engine/scene/scene.h"
+#include "engine/stroke/nib.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -77,6 +78,7 @@ struct DrawingReport {
 struct Drawing {
     Scene scene;
     std::vector<DrawnStroke> strokes;
+    Nib nib = Nib::Point; // How the ink of the strokes looks.
 };
 
 // Draws it on `scene`, whose base plant is loaded. Tells `report` what was read, and adds to its

@@ -178,7 +178,8 @@ Result<void> Job::draw_base(Drawing const& drawing)
     auto const mesh = make_mesh(*drawing.scene.in_season);
     report_.triangles = mesh.triangle_count();
     TRY(write_picture("base.png", pictures_->plant(mesh, kPicture)));
-    TRY(write_picture("strokes.png", pictures_->strokes(drawing.scene, drawing.strokes, kPicture)));
+    TRY(write_picture("strokes.png",
+                      pictures_->strokes(drawing.scene, drawing.strokes, drawing.nib, kPicture)));
     return {};
 }
 

@@ -105,7 +105,7 @@ std::vector<Image> PictureMaker::cutouts(Mesh const& mesh, std::span<Cutout cons
     return pictures;
 }
 
-Image PictureMaker::strokes(Scene const& scene, std::span<DrawnStroke const> strokes,
+Image PictureMaker::strokes(Scene const& scene, std::span<DrawnStroke const> strokes, Nib nib,
                             PictureSize const& size)
 {
     auto curves = desk_curves();
@@ -120,7 +120,7 @@ Image PictureMaker::strokes(Scene const& scene, std::span<DrawnStroke const> str
                           [](Edit const& edit) { return edit.get<Associate>() != nullptr; });
         if (shapes)
             curves.push_back(
-                stroke_curve(drawn.stroke.tips, stroke_color(association++), kStrokeWidth_mm));
+                stroke_curve(drawn.stroke.tips, stroke_color(association++), kStrokeWidth_mm, nib));
     }
     GpuCurves const gpu_curves(curves);
     Stage stage;

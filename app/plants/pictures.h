@@ -9,6 +9,7 @@
 #include "engine/base/result.h"
 #include "engine/mesh/mesh.h"
 #include "engine/scene/scene.h"
+#include "engine/stroke/nib.h"
 
 #include <optional>
 #include <span>
@@ -35,8 +36,8 @@ public:
                 std::optional<Camera> const& camera = {});
 
     // The strokes in the drawing volume with the base plant's skeleton: what a stroke shapes has
-    // the stroke's colour.
-    Image strokes(Scene const& scene, std::span<DrawnStroke const> strokes,
+    // the stroke's colour, and its ink is as the nib leaves it.
+    Image strokes(Scene const& scene, std::span<DrawnStroke const> strokes, Nib nib,
                   PictureSize const& size);
 
     // A plant's own colours (Stage::Lighting::Colours) as it is seen from the horizontal direction,

@@ -63,15 +63,17 @@ Vec3f stroke_color(std::size_t n)
     return colors[n % colors.size()];
 }
 
-Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float width_mm)
+Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float width_mm, Nib nib)
 {
     Curve curve;
     curve.width_unit = Curve::WidthUnit::Millimetres;
     curve.points.reserve(tips.size());
-    for (auto const& tip : tips) {
-        auto const pressed = static_cast<float>(std::clamp(tip.pressure, 0.0, 1.0));
-        curve.points.push_back({ tip.position_mm.cast<float>(), color,
-                                 width_mm * (kThinnestPart + (1 - kThinnestPart) * pressed) });
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+        auto const pressed = static_cast<float>(std::clamp(tips[i].pressure, 0.0, 1.0));
+        auto const broad = static_cast<float>(broadening(nib, tips, i));
+        curve.points.push_back(
+            { tips[i].position_mm.cast<float>(), color,
+              width_mm * (kThinnestPart + (1 - kThinnestPart) * pressed) * broad });
     }
     return curve;
 }

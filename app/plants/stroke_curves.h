@@ -3,6 +3,7 @@
 #include "app/render/curve.h"
 #include "engine/base/vectors.h"
 #include "engine/scene/scene.h"
+#include "engine/stroke/nib.h"
 
 #include <cstddef>
 #include <vector>
@@ -16,8 +17,10 @@ namespace tractus {
 // apart (Okabe and Ito, "Color Universal Design", 2002), then the same again. sRGB, 0 to 1.
 Vec3f stroke_color(std::size_t n);
 
-// A stroke, or ink, as wide as the pen was pressed. `width_mm` at full pressure.
-Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float width_mm);
+// A stroke, as wide as the pen was pressed and its nib was broad. `width_mm` of a point at full
+// pressure.
+Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float width_mm,
+                   Nib nib = Nib::Point);
 
 // The base plant's skeleton as it stands in the drawing volume, one curve per axis, and one more
 // per association for the path that it shapes, in its stroke's colour.

@@ -49,16 +49,16 @@ std::size_t straight_until(std::vector<InkLine::Point> const& points, std::size_
 
 } // namespace
 
-InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool)
+InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool, Nib nib)
 {
     InkLine line;
     auto const& style = tool.kind().ink;
     line.look = style.look;
     line.points.reserve(tips.size());
-    for (auto const& tip : tips) {
-        double const share = 0.35 + 0.65 * tip.pressure;
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+        double const share = (0.35 + 0.65 * tips[i].pressure) * broadening(nib, tips, i);
         line.points.push_back(
-            { tip.position_mm.cast<float>(),
+            { tips[i].position_mm.cast<float>(),
               static_cast<float>(style.width_mm > 0 ? style.width_mm : kInkWidth_mm * share) });
     }
     return line;

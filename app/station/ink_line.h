@@ -2,15 +2,16 @@
 
 #include "app/station/window_model.h"
 #include "app/tools/tool.h"
+#include "engine/stroke/nib.h"
 #include "engine/stroke/tip_sample.h"
 
 #include <vector>
 
 namespace tractus {
 
-// The ink of a tool's stroke, a point for each tip: as wide as the pressure says, or as what it
-// erases.
-InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool);
+// The ink of a tool's stroke, a point for each tip: as wide as the pressure and the nib say, or as
+// what it erases.
+InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool, Nib nib = Nib::Point);
 
 // How far thinned() moves a line or changes its width, at most: a small part of a pixel.
 inline constexpr double kThinned_mm = 0.05;

@@ -53,6 +53,7 @@ Station::Station(StationOptions const& options)
     , is_height_measured_(!options.scripted_height)
     , tablet_latency_(options.rig.tablet_latency)
     , sample_times_(options.rig.sample_times)
+    , nib_(options.rig.nib)
     , tool_changes_ { { Timestamp::min(), first_tool(options) } }
     , remembered_kinds_(kinds_to_remember(options.tools))
     , tool_in_hand_(first_tool(options))

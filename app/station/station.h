@@ -121,6 +121,9 @@ public:
     // What is, and was, wrong with the height sensor; nothing if the height is scripted.
     HeightMonitor const& height_monitor() const { return height_monitor_; }
 
+    // How the pens' ink looks.
+    Nib nib() const { return nib_; }
+
     // For the screen: the ink of each pen's stroke under way, none of it empty; the newest tip of
     // all pens, and what it means.
     std::vector<std::vector<TipSample>> inks() const;
@@ -190,6 +193,7 @@ private:
     bool is_height_there_ = true; // The sensor that measures it has not gone away.
     Duration tablet_latency_;
     SampleTimes sample_times_;
+    Nib nib_;
     std::vector<Pen> pens_;           // In the order of their devices.
     std::vector<PenSample> new_pens_; // Kept for its memory.
     std::unique_ptr<HeightDecoder> height_decoder_;

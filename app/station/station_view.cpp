@@ -42,6 +42,7 @@ StationView::StationView(Station const& station, Document const& document)
     , reading_(std::make_unique<NewestJob<std::shared_ptr<std::string const>, ReadPicture>>(read))
 {
     state_.volume_mm = station.volume_mm();
+    nib_ = station.nib();
     layers_ = station.layers();
     aims_at_ = station.tool().kind().aims_at;
     show_scene(document.newest());
@@ -70,7 +71,7 @@ void StationView::tell(DrawnStroke const& drawn)
 {
     state_.refused.reset();
     if (!drawn.refusal.empty() && !drawn.stroke.tips.empty())
-        state_.refused = RefusedStroke { ink_line(drawn.stroke.tips, drawn.tool),
+        state_.refused = RefusedStroke { ink_line(drawn.stroke.tips, drawn.tool, nib_),
                                          drawn.tool.kind().surface, drawn.refusal };
     ++state_.live_revision;
     state_.status = !drawn.refusal.empty() ? drawn.refusal
@@ -83,6 +84,8 @@ void StationView::begin_again(Station const& station, Document const& document)
     shown_pen_samples_ = 0;
     finished_strokes_ = station.counts().strokes;
     state_.volume_mm = station.volume_mm();
+    if (std::exchange(nib_, station.nib()) != nib_)
+        inked_.clear();
     layers_ = station.layers();
     ++state_.live_revision;
     show_live(station, document);
@@ -132,7 +135,7 @@ void StationView::show_ink(Station const& station, std::vector<ToolStroke> const
     state_.live_ink.clear();
     for (auto const& [stroke, tool] : waiting)
         if (!stroke.tips.empty())
-            state_.live_ink.push_back(ink_line(stroke.tips, tool));
+            state_.live_ink.push_back(ink_line(stroke.tips, tool, nib_));
     auto const count = state_.live_ink.size();
     if (std::exchange(shown_waiting_, count) != count)
         ++state_.live_revision;
@@ -141,7 +144,7 @@ void StationView::show_ink(Station const& station, std::vector<ToolStroke> const
     if (!station.inks().empty())
         state_.refused.reset();
     for (auto const& ink : station.inks())
-        state_.live_ink.push_back(ink_line(ink, station.meaning_of(ink)));
+        state_.live_ink.push_back(ink_line(ink, station.meaning_of(ink), nib_));
 }
 
 void StationView::show_live(Station const& station, Document const& document)
@@ -267,7 +270,7 @@ void StationView::show_strokes(Scene const& scene)
         if (found != before.end()) {
             lines.push_back(std::move(state_.strokes[found->second]));
         } else if (auto const read = tips.in_memory()) {
-            lines.push_back(thinned(ink_line(*read, {})));
+            lines.push_back(thinned(ink_line(*read, {}, nib_)));
         } else {
             state_.status = read.error().message; // Looked for again when the strokes change.
             continue;

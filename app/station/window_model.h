@@ -35,7 +35,7 @@ namespace tractus {
 struct InkLine {
     struct Point {
         Vec3f position_mm = Vec3f::Zero();
-        float width_mm = 1; // As wide as the pressure says.
+        float width_mm = 1; // As wide as pressure and nib say.
     };
     std::vector<Point> points;
     InkStyle::Look look = InkStyle::Look::Line;

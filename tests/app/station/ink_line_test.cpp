@@ -82,6 +82,19 @@ TEST(InkLine, DotsStay)
     EXPECT_EQ(thinned(line_through({ point(1, 1), point(1, 1), point(1, 1) })).points.size(), 2u);
 }
 
+// A pen that leans far to the right, drawn away from the user.
+TEST(InkLine, IsBroadAcrossTheLeanOfAPencilsSide)
+{
+    std::vector<TipSample> tips(5);
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+        tips[i].position_mm = Vec3(0, 5 * static_cast<double>(i), 100);
+        tips[i].pressure = 1;
+        tips[i].tilt_rad = Vec2(radians(65), 0);
+    }
+    EXPECT_FLOAT_EQ(ink_line(tips, {}).points[2].width_mm, 3.5f);
+    EXPECT_FLOAT_EQ(ink_line(tips, {}, Nib::Side).points[2].width_mm, 4 * 3.5f);
+}
+
 } // namespace
 
 } // namespace tractus
