@@ -9,6 +9,8 @@
 #include <fmt/core.h>
 #include <limits>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 namespace tractus {
 
@@ -244,6 +246,13 @@ Result<Value> ConditionParser::number()
     if (at_ >= text_.size())
         return error_(at_, "found the end of the line in #if, expected a number or a name");
     auto const position = at_;
+    if (text_[at_] == '\'') {
+        auto const character = character_constant(text_, at_);
+        if (!character)
+            return error_(at_, "found ' in #if, expected one character and another '");
+        at_ = character->end;
+        return Value { character->value, false };
+    }
     at_ = token_end(text_, at_);
     auto const token = text_.substr(position, at_ - position);
     if (is_name_start(token.front()))
@@ -267,7 +276,44 @@ Result<Value> ConditionParser::number()
     return Value { static_cast<std::int64_t>(value), is_unsigned };
 }
 
+// The value of a character behind a backslash, and its end; `at` is behind the backslash.
+std::pair<unsigned, std::size_t> escaped_character(std::string_view text, std::size_t at)
+{
+    constexpr std::string_view kLetters = "abfnrtv";
+    constexpr std::string_view kValues = "\a\b\f\n\r\t\v";
+    if (auto const letter = kLetters.find(text[at]); letter != kLetters.npos)
+        return { static_cast<unsigned char>(kValues[letter]), at + 1 };
+    bool const is_hex = text[at] == 'x';
+    int const base = is_hex ? 16 : 8;
+    auto const begin = at + (is_hex ? 1 : 0);
+    auto const digits = text.substr(begin, is_hex ? text.npos : 3);
+    unsigned value = 0;
+    auto const [end, problem]
+        = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
+    if (problem != std::errc())
+        return { static_cast<unsigned char>(text[at]), at + 1 };
+    return { value, begin + static_cast<std::size_t>(end - digits.data()) };
+}
+
 } // namespace
+
+std::optional<CharacterConstant> character_constant(std::string_view text, std::size_t at)
+{
+    std::size_t end = at + 1;
+    std::size_t count = 0;
+    std::uint32_t value = 0;
+    for (; end < text.size() && text[end] != '\''; ++count) {
+        unsigned character = static_cast<unsigned char>(text[end++]);
+        if (character == '\\' && end < text.size())
+            std::tie(character, end) = escaped_character(text, end);
+        value = value << 8 | (character & 0xff);
+    }
+    if (end >= text.size() || count == 0 || count > 4)
+        return std::nullopt;
+    auto const sign
+        = count == 1 ? static_cast<signed char>(value) : static_cast<std::int32_t>(value);
+    return CharacterConstant { sign, end + 1 };
+}
 
 Result<std::int64_t> condition_value(std::string_view text, ErrorAt const& error)
 {

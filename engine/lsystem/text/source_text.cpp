@@ -411,6 +411,13 @@ Result<bool> Preprocessor::value(PlacedText const& line, std::string_view rest)
     TRY(macros_.expand(ready, expanded));
     auto const end_place = line.places.back();
     expanded.push(' ', end_place);
+        if (characters[begin] == '\'') // Before macros could replace what is in it.
+            if (auto const constant = character_constant(characters, begin)) {
+                i = constant->end;
+                for (char const digit : fmt::format("({})", constant->value))
+                    ready.push(digit, text.places[begin]);
+                continue;
+            }
     auto const result = TRY(condition_value(expanded.characters, [&](auto index, auto const& what) {
         return error(expanded, std::min(index, expanded.size() - 1), what);
     }));

@@ -370,6 +370,9 @@ TEST(CPreprocessor, ReadsWhatIsRareAsGcc)
         "\"a \\\" /* b */ \\\\\" d /* e */ \"\"/* f */\n",
         "#define A \"/*\" /* a */ \"*/\"\nA B\n",
         "#define B\n#if 0\n#elifdef A\na\n#elifndef B\nb\n#elifdef B\nc\n#else\nd\n#endif\n",
+        "#define B 3\n#if 'B' == 66\nA\n#endif\n#if '\\n' == 10 && '\\0' == 0 && '\\x41' == 65\nB\n"
+        "#endif\n#if '\\377' == -1 && '\\'' == 39 && '\\\\' == 92 && '\"' == 34\nC\n#endif\n",
+        "#if 'ab' == 24930 && '\\377a' == 65377 && 'abcd' == 1633837924\nA\n#else\nB\n#endif\n",
         "#define A\n#if 1\na\n#elifdef A\nb\n#elifndef\n#endif\n",
     };
     Programs programs;
