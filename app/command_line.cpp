@@ -24,6 +24,7 @@
 #include "app/verbs/verb.h"
 #include "app/verbs/watch.h"
 #include "app/verbs/window.h"
+#include "engine/base/printable.h"
 
 #include <exception>
 #include <fmt/core.h>
@@ -41,7 +42,7 @@ static int fail_usage(CLI::App const& root, std::string const& message)
     for (auto chosen = root.get_subcommands(); !chosen.empty();
          chosen = chosen.front()->get_subcommands())
         command += " " + chosen.front()->get_name();
-    print_error(fmt::format("error: {}; see \"{} --help\"\n", message, command));
+    print_error(fmt::format("error: {}; see \"{} --help\"\n", printable(message, "\n\t"), command));
     return kExitUsage;
 }
 

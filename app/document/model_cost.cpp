@@ -1,6 +1,7 @@
 #include "app/document/model_cost.h"
 
 #include "app/terminal/console.h"
+#include "engine/base/printable.h"
 
 #include <algorithm>
 #include <chrono>
@@ -31,7 +32,7 @@ public:
         if (is_full_)
             return;
         auto const shown = text.substr(0, kMaxPrinted - printed_);
-        print_error(shown);
+        print_error(printable(shown, "\n\t\r"));
         printed_ += shown.size();
         is_full_ = shown.size() < text.size();
         if (is_full_)

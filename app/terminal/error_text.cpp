@@ -2,6 +2,7 @@
 
 #include "app/terminal/console.h"
 #include "drivers/file.h"
+#include "engine/base/printable.h"
 
 #include <algorithm>
 #include <charconv>
@@ -93,12 +94,22 @@ std::optional<std::string> read_line(Place const& place)
     return std::string(rest.substr(0, rest.find_first_of("\r\n")));
 }
 
+// The text of a message: what a terminal would take for commands is shown as escapes, as messages
+// quote files from anywhere.
+std::string for_terminal(std::string_view message)
+{
+    return printable(message, "\n\t");
+}
+
 // The line and the caret. What a terminal would take for commands is shown as a question mark.
 std::string excerpt(std::string line, std::size_t column, bool is_colored)
 {
     for (auto& c : line)
-        if (static_cast<unsigned char>(c) < ' ' && c != '\t')
+        if ((static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f')
             c = '?';
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) // The other control characters of UTF-8.
+        if (line[i] == '\xc2' && static_cast<unsigned char>(line[i + 1]) < 0xa0)
+            line[i] = line[i + 1] = '?';
     std::size_t const begin = column > kMaxLine / 2 ? column - kMaxLine / 2 : 0;
     if (begin > 0 || line.size() > kMaxLine)
         line = line.substr(std::min(begin, line.size()), kMaxLine);
@@ -112,7 +123,7 @@ std::string excerpt(std::string line, std::size_t column, bool is_colored)
 std::string message_text(std::string_view kind, std::string_view color, std::string_view message,
                          ErrorStyle style)
 {
-    auto const plain = fmt::format("{}: {}\n", kind, message);
+    auto const plain = fmt::format("{}: {}\n", kind, for_terminal(message));
     if (style == ErrorStyle::Plain)
         return plain;
     bool const is_colored = style == ErrorStyle::Colored;
@@ -123,8 +134,8 @@ std::string message_text(std::string_view kind, std::string_view color, std::str
         return plain + lines;
     auto const bold = line ? place->length : 0;
     return fmt::format("{}{}:{} {}{}{}{}\n{}", color, kind, kReset, bold > 0 ? kBold : "",
-                       message.substr(0, bold), bold > 0 ? kReset : "", message.substr(bold),
-                       lines);
+                       for_terminal(message.substr(0, bold)), bold > 0 ? kReset : "",
+                       for_terminal(message.substr(bold)), lines);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "app/verbs/checks.h"
 #include "app/verbs/model_options.h"
 #include "drivers/file.h"
+#include "engine/base/printable.h"
 #include "engine/lsystem/derivation/derive.h"
 #include "engine/lsystem/derivation/features.h"
 #include "engine/lsystem/fast_drawing/interpret.h"
@@ -29,7 +30,7 @@ struct LsystemArguments {
 
 std::string features_text(Model const& model)
 {
-    std::string text = fmt::format("{}: understood\n\nUses\n", model.name);
+    std::string text = fmt::format("{}: understood\n\nUses\n", printable(model.name));
     for (auto const& feature : features_used(model))
         text += fmt::format("  {}\n", feature);
     return text;
@@ -53,7 +54,7 @@ Result<std::string> drawing_text(Model const& model, ModuleString const& string,
     warnings.insert(warnings.end(), drawn.warnings.begin(), drawn.warnings.end());
     text += warnings.empty() ? "\nNo warnings\n" : "\nWarnings\n";
     for (auto const& warning : warnings)
-        text += fmt::format("  {}\n", warning);
+        text += fmt::format("  {}\n", printable(warning));
     return text;
 }
 

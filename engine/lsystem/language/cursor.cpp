@@ -1,6 +1,6 @@
 #include "engine/lsystem/language/cursor.h"
 
-#include "engine/lsystem/text/user_text.h"
+#include "engine/base/printable.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -71,7 +71,7 @@ tl::unexpected<Error> Cursor::unexpected(std::string_view expected)
     char const c = peek();
     auto const found = c == '\0' ? std::string("the end of the file")
         : c == '\n'              ? std::string("the end of the line")
-                                 : fmt::format("'{}'", shown(first_character(rest())));
+                                 : fmt::format("'{}'", printable(first_character(rest())));
     return error_at(at_, fmt::format("found {}, expected {}", found, expected));
 }
 

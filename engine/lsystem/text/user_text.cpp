@@ -1,28 +1,14 @@
 #include "engine/lsystem/text/user_text.h"
 
+#include "engine/base/printable.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
-#include <fmt/core.h>
 #include <numeric>
 #include <vector>
 
 namespace tractus {
-
-std::string_view first_character(std::string_view text)
-{
-    auto const lead = static_cast<unsigned char>(text.front());
-    std::size_t const size = lead >= 0xf0 && lead < 0xf5 ? 4
-        : lead >= 0xe0 && lead < 0xf0                    ? 3
-        : lead >= 0xc2 && lead < 0xe0                    ? 2
-                                                         : 1;
-    if (size > text.size())
-        return text.substr(0, 1);
-    auto const rest = text.substr(1, size - 1);
-    bool const is_whole
-        = std::all_of(rest.begin(), rest.end(), [](char c) { return (c & 0xc0) == 0x80; });
-    return text.substr(0, is_whole ? size : 1);
-}
 
 std::string shown(std::string_view text)
 {
@@ -30,13 +16,7 @@ std::string shown(std::string_view text)
     std::string result;
     while (!text.empty() && result.size() < kMost) {
         auto const character = first_character(text);
-        auto const code = static_cast<unsigned char>(character.front());
-        if (code == '\n' || code == '\t' || code == '\r')
-            result += code == '\n' ? "\\n" : code == '\t' ? "\\t" : "\\r";
-        else if (code < 0x20 || code == 0x7f || (code >= 0x80 && character.size() == 1))
-            result += fmt::format("\\x{:02x}", code);
-        else
-            result += character;
+        result += printable(character);
         text.remove_prefix(character.size());
     }
     return text.empty() ? result : result + "...";

@@ -6,12 +6,8 @@
 
 namespace tractus {
 
-// A user's text for a message: control characters, and bytes that are no UTF-8, as escapes; long
-// text cut.
+// A user's text for a message, as printable() has it; long text cut.
 std::string shown(std::string_view text);
-
-// The UTF-8 character that the text begins with; one byte where there is none. Not for empty text.
-std::string_view first_character(std::string_view text);
 
 // The word that the text was perhaps meant to be, in either case; empty if none is near, or
 // the text is one of them.

@@ -37,6 +37,15 @@ protected:
     fs::path const path_ = folder_ / "m.l";
 };
 
+TEST_F(ErrorText, SendsATerminalNothingThatAFileSays)
+{
+    for (auto const style : { ErrorStyle::Plain, ErrorStyle::Excerpt }) {
+        EXPECT_EQ(error_text({ Fault::User, "no \x1b[2J\nhere" }, style),
+                  "error: no \\x1b[2J\nhere\n");
+        EXPECT_EQ(warning_text("\x1b]0;a\a", style), "warning: \\x1b]0;a\\x07\n");
+    }
+}
+
 TEST_F(ErrorText, IsOneLineForPrograms)
 {
     EXPECT_EQ(error_text(error(":3:9"), ErrorStyle::Plain),
