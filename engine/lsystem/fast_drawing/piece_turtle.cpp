@@ -11,6 +11,10 @@ namespace tractus {
 // Modules that may be drawn before the limits are looked at again.
 static constexpr std::size_t kDrawnBatch = 1024;
 
+// How often what is drawn is held at most: in an array and the larger one to which it grows, twice
+// as large, and from there on in the copy that the plant is put together from.
+static constexpr std::size_t kHeldTimes = 4;
+
 PieceTurtle::PieceTurtle(DrawingJob& job, BranchIndex const* index)
     : job_(job)
     , model_(job.model)
@@ -102,7 +106,8 @@ void PieceTurtle::count()
 {
     job_.drawn += std::exchange(drawn_, 0);
     job_.parts += drawing_.part_count() - std::exchange(counted_parts_, drawing_.part_count());
-    job_.bytes += drawing_.byte_size() - std::exchange(counted_bytes_, drawing_.byte_size());
+    auto const bytes = kHeldTimes * drawing_.byte_size();
+    job_.bytes += bytes - std::exchange(counted_bytes_, bytes);
 }
 
 // Draws modules that need nothing but the turtle, up to `end` or the first that does, but not too

@@ -41,7 +41,7 @@ struct DrawingJob {
     Arena memory {};          // Holds what pieces have drawn.
     std::atomic<std::size_t> drawn { 0 };
     std::atomic<std::size_t> parts { 0 };
-    std::atomic<std::size_t> bytes { 0 }; // Bytes of those in pieces.
+    std::atomic<std::size_t> bytes { 0 }; // Memory for those in pieces.
 
     bool is_over_limit() const
     {

@@ -2,7 +2,9 @@
 #include "tests/engine/lsystem/small_model.h"
 
 #include <atomic>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <string>
 
 namespace tractus {
 namespace {
@@ -138,6 +140,37 @@ TEST(DrawingLimits, HoldWithinOneModule)
     EXPECT_EQ(message({ .time = soon() }),
               "model.l: the homomorphism was not done when 60 s had passed; derive fewer steps, or "
               "raise the limit of time");
+}
+
+// A line of /proc/self/status, in bytes; 0 where it cannot be read.
+std::size_t status_bytes(std::string const& key)
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.compare(0, key.size(), key) == 0)
+            return std::stoul(line.substr(key.size())) << 10;
+    return 0;
+}
+
+// All that drawing takes from the system counts: arrays that grow by copying, too.
+TEST(DrawingLimits, HoldForTheMemoryOfTheProcess)
+{
+    constexpr std::size_t kLimit = std::size_t { 160 } << 20;
+    auto const model = compiled(with_header("Axiom: A\nhomomorphism\nmaximum depth: 100000\n"
+                                            "A --> F A A",
+                                            0));
+    auto const string = derive(model);
+    ASSERT_TRUE(string);
+    std::ofstream("/proc/self/clear_refs") << 5 << std::flush; // The peak begins anew.
+    auto const before = status_bytes("VmRSS:");
+    if (before == 0 || status_bytes("VmHWM:") > before + (before >> 4) + (kLimit >> 4))
+        GTEST_SKIP() << "the system does not tell the peak of the memory from here on";
+    auto const plant
+        = interpret(model, *string, { .max_parts = 1'000'000'000, .max_memory_bytes = kLimit });
+    ASSERT_FALSE(plant);
+    EXPECT_NE(plant.error().message.find("needs more than 160 MB"), std::string::npos);
+    EXPECT_LE(status_bytes("VmHWM:"), before + kLimit + (kLimit >> 3));
+    EXPECT_GE(status_bytes("VmHWM:"), before + (kLimit >> 2)); // Nor is it refused long before.
 }
 
 TEST(DrawingLimits, HoldForWhatIsPlanned)
