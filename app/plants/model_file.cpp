@@ -2,6 +2,7 @@
 
 #include "app/methods/all_inputs.h"
 #include "app/plants/measured_file.h"
+#include "app/terminal/error_text.h"
 #include "drivers/file.h"
 #include "engine/export/glb_lines.h"
 #include "engine/lsystem/view/color_files.h"
@@ -127,17 +128,18 @@ Result<ModelSource> load_model_source(std::filesystem::path const& path,
     return source;
 }
 
-std::vector<std::string> unused_companions(std::filesystem::path const& path,
-                                           ModelCompanions const& companions)
+// Views and colours beside the model that it does not use, one sentence each.
+static std::vector<std::string> unused_companions(std::filesystem::path const& path,
+                                                  ModelCompanions const& companions)
 {
     std::vector<std::string> result;
     auto const note = [&](std::string const& ending,
                           std::optional<std::filesystem::path> const& used, char const* option) {
-        if (used)
-            return;
         for (auto const& file : files_beside(path, ending)) {
             auto model = file;
             std::error_code ignored;
+            if (used && std::filesystem::equivalent(file, *used, ignored))
+                continue;
             if (std::filesystem::exists(model.replace_extension(path.extension()), ignored))
                 continue; // It is another model's.
             result.push_back(fmt::format("{} is not used, since its name is not the model's; "
@@ -145,12 +147,19 @@ std::vector<std::string> unused_companions(std::filesystem::path const& path,
                                          file.string(), option, file.string()));
         }
     };
-    note(".v", view_of(path, companions), "--view");
-    if (!companions.colors.empty())
+    if (companions.view.empty())
+        note(".v", view_of(path, companions), "--view");
+    if (!companions.colors.empty()) // Somebody has chosen.
         return result;
     note(".mat", colors_of(path, companions, ".mat"), "--colors");
     note(".map", colors_of(path, companions, ".map"), "--colors");
     return result;
+}
+
+void warn_of_unused_companions(std::filesystem::path const& path, ModelCompanions const& companions)
+{
+    for (auto const& warning : unused_companions(path, companions))
+        print_warning(warning);
 }
 
 bool leads_out_of_folder(std::filesystem::path const& name)
@@ -212,6 +221,7 @@ Result<Edit> load_plant_edit(std::filesystem::path const& path, ModelCompanions 
     auto measured = TRY(load_measured_edit(path));
     if (measured)
         return *std::move(measured);
+    warn_of_unused_companions(path, companions);
     // A name for it, as g++ 14 warns wrongly of what it would destroy otherwise.
     LoadModel model = TRY(load_model_edit(path, companions));
     return model;

@@ -25,9 +25,10 @@ struct ModelCompanions {
 Result<ModelSource> load_model_source(std::filesystem::path const& path,
                                       ModelCompanions const& companions = {});
 
-// Views and colours beside the model that it does not use, one sentence each.
-std::vector<std::string> unused_companions(std::filesystem::path const& path,
-                                           ModelCompanions const& companions = {});
+// Prints a warning for each view and each file of colours beside the model that it does not use and
+// that is no other model's; none of a kind that somebody has chosen.
+void warn_of_unused_companions(std::filesystem::path const& path,
+                               ModelCompanions const& companions = {});
 
 // True for names of files, as models include them, that lead out of the model's folder.
 bool leads_out_of_folder(std::filesystem::path const& name);
@@ -44,7 +45,7 @@ Result<LoadModel> load_model_edit(std::filesystem::path const& path,
 // A plant as an edit: a model as above; the skeleton that another program has drawn as lines, in a
 // Wavefront OBJ file (skeleton_lines.h) or a binary glTF file (glb_lines.h), if the name ends in
 // .obj or .glb; or a measured plant (measured_file.h). Fails like load_model_edit() and as the
-// readers of those files do; a .gltf is refused.
+// readers of those files do; a .gltf is refused. Warns of what a model does not use.
 Result<Edit> load_plant_edit(std::filesystem::path const& path,
                              ModelCompanions const& companions = {});
 

@@ -167,7 +167,6 @@ Result<Scene> load_model_scene(GrowArguments const& arguments, std::filesystem::
 {
     auto edit = TRY(load_plant_edit(path, arguments.companions));
     if (auto const* const model = edit.get<LoadModel>()) {
-        warn_of_unused_companions(path, arguments.companions);
         auto with_options = *model;
         with_options.steps = arguments.model.steps;
         with_options.seed = arguments.model.seed.value_or(1);

@@ -1,6 +1,5 @@
 #include "app/verbs/model_options.h"
 
-#include "app/terminal/error_text.h"
 #include "app/verbs/checks.h"
 
 namespace tractus {
@@ -34,12 +33,6 @@ void add_companion_options(CLI::App& verb, ModelCompanions& companions)
                     "What answers the model's ?E modules: light, space, terrain or water, and its "
                     "numbers, such as light:cell=2,shade=0.1; the manual names them")
         ->type_name("NAME[:KEY=NUMBER,...]");
-}
-
-void warn_of_unused_companions(std::filesystem::path const& path, ModelCompanions const& companions)
-{
-    for (auto const& warning : unused_companions(path, companions))
-        print_warning(warning);
 }
 
 void add_cost_options(CLI::App& verb, ModelCost& cost)

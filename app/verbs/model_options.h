@@ -21,10 +21,6 @@ struct ModelOptions {
 // --view, --colors and --environment. `companions` must live as long as the verb.
 void add_companion_options(CLI::App& verb, ModelCompanions& companions);
 
-// Prints a warning for each file beside the model that it might want and does not use.
-void warn_of_unused_companions(std::filesystem::path const& path,
-                               ModelCompanions const& companions);
-
 // Adds them to a verb. `options` must live as long as the verb.
 void add_model_options(CLI::App& verb, ModelOptions& options);
 

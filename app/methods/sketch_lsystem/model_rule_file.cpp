@@ -27,7 +27,9 @@ static sketch::ModelRule rule_of_model(LoadModel edit)
 Result<sketch::ModelRule> load_model_rule(std::filesystem::path const& name)
 {
     auto const path = TRY(find_model(name.string()));
-    return rule_of_model(TRY(load_model_edit(path)));
+    auto edit = TRY(load_model_edit(path));
+    warn_of_unused_companions(path);
+    return rule_of_model(std::move(edit));
 }
 
 std::string describe_contract(std::filesystem::path const& model, LoadOptions const& options)

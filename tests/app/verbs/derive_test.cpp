@@ -252,6 +252,30 @@ TEST_F(DeriveVerb, WarnsOfColoursThatItDoesNotUse)
     EXPECT_EQ(run({ "derive", model, "--string", "--colors", model }).exit_code, 1);
 }
 
+// Views and colours of other models are theirs.
+TEST_F(DeriveVerb, WarnsOfWhatLiesBesideWhatItUses)
+{
+    auto const model = write("m.l", kRules);
+    write("m.v", "angle increment: 90\n");
+    write("m.map", std::string(768, 'c'));
+    EXPECT_EQ(run({ "derive", model, "--string" }).err, "");
+    write("second.l", kRules);
+    write("second.v", "angle increment: 30\n");
+    EXPECT_EQ(run({ "derive", model, "--string" }).err, "");
+    auto const colors = write("autumn.map", std::string(768, 'c'));
+    auto const view = write("near.v", "angle increment: 30\n");
+    auto const warnings = "warning: " + view + " is not used, since its name is not the model's; "
+        + "--view " + view + " uses it\nwarning: " + colors
+        + " is not used, since its name is not the model's; --colors " + colors + " uses it\n";
+    auto const out = (folder_ / "out.glb").string();
+    EXPECT_EQ(run({ "derive", model, "--string" }).err, warnings);
+    EXPECT_EQ(run({ "lsystem", "check", model }).err, warnings);
+    EXPECT_EQ(run({ "grow", model, "-o", out }).err, warnings);
+    EXPECT_EQ(run({ "vary", model, "--count", "1", "-o", out }).err.substr(0, warnings.size()),
+              warnings);
+    EXPECT_EQ(run({ "derive", model, "--string", "--view", view, "--colors", colors }).err, "");
+}
+
 TEST_F(DeriveVerb, TakesTheViewThatItIsGiven)
 {
     auto const model = write("m.l", "Lsystem: 1\nAxiom: ?E(0)\nendlsystem\n");
