@@ -96,22 +96,38 @@ Axiom: !(1.2)F(12)A(10) /* a trunk of 12, and a bud for 10 more */
 /* A bud makes two branches, each with a smaller bud at its end; the second is turned a quarter. */
 A(s) --> [+(ANGLE)!(s / 16)F(s)A(s * SHORTER)]/(90)[-(ANGLE)!(s / 16)F(s)A(s * SHORTER)]/(90)
 
-/* What the turtle draws for a bud: a plain leaf, until a view, THIS.v, says what ~l is. */
+/* What the turtle draws for a bud: a leaf. Of which form ~l is, the view says, THIS.v. */
 homomorphism
 A(s) --> ~l(4)
 endlsystem
 )";
 
+// Its looks.
+constexpr std::string_view kNewView
+    = R"(/* How the tree looks: colours, and the organs that the rules draw by ~LETTER. */
+material: 1 bark kind=bark color=0.43,0.36,0.30
+material: 2 foliage kind=leaf color=0.27,0.46,0.16
+initial color: 1
+organ: l leaf kind=blade material=2 length=4 width=2.2 petiole=0.6
+)";
+
 Result<void> write_new(std::filesystem::path const& path)
 {
-    std::error_code ignored;
-    if (std::filesystem::exists(path, ignored))
+    auto view = path;
+    view.replace_extension(".v");
+    if (view == path)
         return fail(Fault::User,
-                    fmt::format("{} is there already; choose another name", path.string()));
+                    fmt::format("{} is the name of a view; a model's ends in .l", path.string()));
+    std::error_code ignored;
+    for (auto const& file : { path, view })
+        if (std::filesystem::exists(file, ignored))
+            return fail(Fault::User,
+                        fmt::format("{} is there already; choose another name", file.string()));
+    TRY(write_file(view, kNewView));
     TRY(write_file(path, kNewModel));
-    return print_out(fmt::format("{} is written: change it, and see it with\n  tractus grow {} -o "
-                                 "tree.png\n",
-                                 path.string(), path.string()));
+    return print_out(fmt::format("{} is written, with its view, {}: change them, and see the tree "
+                                 "with\n  tractus grow {} -o tree.png\n",
+                                 path.string(), view.string(), path.string()));
 }
 
 } // namespace
@@ -130,8 +146,10 @@ void add_lsystem_verb(CLI::App& root, Action& action)
     check_verb->callback(
         [&action, arguments] { action = [arguments] { return check(*arguments); }; });
     auto const new_path = std::make_shared<std::string>(); // Shared with the callback.
-    auto* const new_verb = verb->add_subcommand("new", "Write a commented L-system to begin with");
-    new_verb->add_option("FILE.l", *new_path, "Where to; it must not be there yet")->required();
+    auto* const new_verb
+        = verb->add_subcommand("new", "Write a commented L-system and its view to begin with");
+    new_verb->add_option("FILE.l", *new_path, "Where to; neither it nor FILE.v may be there yet")
+        ->required();
     new_verb->callback(
         [&action, new_path] { action = [new_path] { return write_new(*new_path); }; });
 }

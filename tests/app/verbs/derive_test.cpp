@@ -294,6 +294,11 @@ TEST_F(DeriveVerb, DerivesTheModelThatIsWrittenToBeginWith)
     EXPECT_EQ(derived.exit_code, 0);
     EXPECT_EQ(derived.err, "");
     EXPECT_NE(derived.out.find("\"F\":255"), std::string::npos) << derived.out;
+    auto const checked = run({ "lsystem", "check", path });
+    EXPECT_NE(checked.out.find("\nNo warnings\n"), std::string::npos) << checked.out;
+    EXPECT_NE(checked.out.find("255 segments on 255 axes, 128 organs"), std::string::npos);
+    auto const view = run({ "lsystem", "new", (folder_ / "mine.v").string() });
+    EXPECT_NE(view.err.find("mine.v is the name of a view"), std::string::npos);
     auto const again = run({ "lsystem", "new", path });
     EXPECT_EQ(again.exit_code, 1);
     EXPECT_NE(again.err.find("is there already"), std::string::npos);
