@@ -67,6 +67,24 @@ Continuations find_continuations(Plant const& plant)
     return result;
 }
 
+// Whether axes have the numbers and orders that they would have in a plant that is put together
+// anew.
+bool is_in_order(Plant const& plant)
+{
+    NodeId next_node = 0;
+    SegmentId next_segment = 0;
+    for (auto const& axis : plant.axes) {
+        bool const is_next = axis.first_node == next_node && axis.first_segment == next_segment;
+        auto const order
+            = axis.parent_axis == kNone ? axis.order : plant.axes[axis.parent_axis].order + 1;
+        if (!is_next || axis.order != order || (axis.parent_axis == kNone && order != 0))
+            return false;
+        next_node = last_node(axis) + 1;
+        next_segment += axis.segment_count;
+    }
+    return next_node == plant.node_position_mm.size() && next_segment == plant.segment_count();
+}
+
 // Appends `part`'s segments to the last axis of `to`. The node where the two meet is shared and has
 // the radius of what begins there, unless that is thicker than what ends there.
 void append(Plant& to, Plant const& from, Axis const& part, std::vector<SegmentId>& new_segment)
@@ -94,9 +112,13 @@ void append(Plant& to, Plant const& from, Axis const& part, std::vector<SegmentI
 
 } // namespace
 
-Plant join_axes(Plant const& plant)
+Plant join_axes(Plant plant)
 {
     auto const continuations = find_continuations(plant);
+    auto const& continues = continuations.continues;
+    if (is_in_order(plant)
+        && std::find(continues.begin(), continues.end(), true) == continues.end())
+        return plant;
     Plant joined;
     joined.axes.reserve(plant.axes.size());
     joined.node_position_mm.reserve(plant.node_position_mm.size());

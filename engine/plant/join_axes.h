@@ -12,7 +12,7 @@ namespace tractus {
 // equally thick ones the straightest goes on, then the first. An axis that starts elsewhere than
 // where its parent ends (a gap) stays apart. Geometry, materials and what rides on each segment
 // stay as they are; orders, and the numbers of axes and segments, are new.
-Plant join_axes(Plant const& plant);
+Plant join_axes(Plant plant);
 
 // The axes in the order in which a person would draw them: the trunks first, then the first order,
 // then the second, …; within an order the longest first, and of equals the one that comes first.

@@ -28,7 +28,7 @@ Result<BuiltSource> build_lsystem(LoadModel const& loaded, LoadOptions const& op
                                                 .max_memory_bytes = options.limits.max_memory_bytes,
                                                 .time = options.limits.time,
                                                 .print = options.print }));
-    BuiltSource built { join_axes(turtle.plant), model.warnings };
+    BuiltSource built { join_axes(std::move(turtle.plant)), model.warnings };
     built.warnings.insert(built.warnings.end(), turtle.warnings.begin(), turtle.warnings.end());
     return built;
 }

@@ -29,7 +29,7 @@ struct BuiltPlant {
     // The plant as its source gives it; never null, empty before there is one. Shared, and changed
     // by nobody, between scenes that follow each other, the views and the workers that grow it.
     std::shared_ptr<Plant const> base = std::make_shared<Plant const>();
-    std::shared_ptr<RestShape const> rest = std::make_shared<RestShape const>(); // Of `base`.
+    SharedRestShape rest {}; // Of `base`.
     // `base` with the leaves that the plant is to have; and so in the document's season: with other
     // organs on the same segments. The latter grows.
     std::shared_ptr<Plant const> dressed = base;

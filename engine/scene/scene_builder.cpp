@@ -16,8 +16,7 @@ static std::shared_ptr<BasePlant const> make_base(BuiltSource source)
     auto base = std::make_shared<BasePlant>();
     base->fitted = place_on_desk(source.plant);
     base->plant = std::make_shared<Plant const>(std::move(source.plant));
-    base->rest = std::make_shared<RestShape const>(
-        find_rest_shape(*base->plant, std::move(source.axis_keys)));
+    base->rest = SharedRestShape(base->plant, std::move(source.axis_keys));
     base->warnings = std::move(source.warnings);
     return base;
 }

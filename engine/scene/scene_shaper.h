@@ -24,7 +24,7 @@ public:
 
 private:
     std::shared_ptr<Plant const> base_; // Shared with the scenes; nobody changes it.
-    std::shared_ptr<RestShape const> rest_;
+    SharedRestShape rest_;
     std::optional<StrokeShaper> shaper_;
 };
 

@@ -3,6 +3,10 @@
 #include "engine/plant/join_axes.h"
 #include "engine/stroke/frame_rotation.h"
 
+#include <mutex>
+#include <optional>
+#include <utility>
+
 namespace tractus {
 
 namespace {
@@ -57,6 +61,36 @@ void find_axis_shape(Plant const& plant, AxisId id, RestShape& shape)
 }
 
 } // namespace
+
+struct SharedRestShape::Found {
+    std::shared_ptr<Plant const> plant;
+    std::optional<PlantAddresses> addresses; // No value: those of the keys.
+    AxisKeys keys {};
+    std::once_flag is_found {};
+    RestShape shape {};
+};
+
+SharedRestShape::SharedRestShape(std::shared_ptr<Plant const> plant, AxisKeys keys)
+    : found_(new Found { std::move(plant), std::nullopt, std::move(keys) })
+{
+}
+
+SharedRestShape::SharedRestShape(std::shared_ptr<Plant const> plant, PlantAddresses addresses)
+    : found_(new Found { std::move(plant), std::move(addresses) })
+{
+}
+
+RestShape const& SharedRestShape::operator*() const
+{
+    static RestShape const nothing;
+    if (!found_)
+        return nothing;
+    std::call_once(found_->is_found, [&found = *found_] {
+        found.shape = found.addresses ? find_rest_shape(*found.plant, *std::move(found.addresses))
+                                      : find_rest_shape(*found.plant, std::move(found.keys));
+    });
+    return found_->shape;
+}
 
 RestShape find_rest_shape(Plant const& plant, AxisKeys keys)
 {

@@ -4,6 +4,7 @@
 #include "engine/plant/plant_addresses.h"
 #include "engine/variation/axis_levels.h"
 
+#include <memory>
 #include <vector>
 
 namespace tractus {
@@ -24,6 +25,26 @@ struct RestShape {
     std::vector<double> axis_length_mm; // Per axis, along its segments.
     std::vector<AxisId> drawing_order;  // See axes_in_drawing_order().
     PlantAddresses addresses;           // Addresses of what was drawn.
+};
+
+// The rest shape of a plant that nobody changes, found when it is first asked for, by any thread:
+// who only writes a plant to a file does without. Copies share it.
+class SharedRestShape {
+public:
+    SharedRestShape() = default; // Of a plant without axes.
+    explicit SharedRestShape(std::shared_ptr<Plant const> plant, AxisKeys keys = {});
+    SharedRestShape(std::shared_ptr<Plant const> plant, PlantAddresses addresses);
+
+    RestShape const& operator*() const;
+    RestShape const* operator->() const { return &**this; }
+
+    // Whether the two are one.
+    bool operator==(SharedRestShape const&) const = default;
+
+private:
+    struct Found;
+
+    std::shared_ptr<Found> found_ {};
 };
 
 // `addresses` are the plant's.

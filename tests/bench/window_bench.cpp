@@ -65,7 +65,7 @@ Scene scene_of(std::size_t segments)
     auto plant = big_plant(segments);
     scene.placement = place_on_desk(plant);
     scene.base = std::make_shared<Plant const>(std::move(plant));
-    scene.rest = std::make_shared<RestShape const>(find_rest_shape(*scene.base));
+    scene.rest = SharedRestShape(scene.base);
     return scene;
 }
 
