@@ -1,11 +1,11 @@
 #include "engine/plant/measured_plant.h"
 #include "engine/plant/mtg.h"
+#include "engine/plant/mtg_organ_reader.h"
 #include "engine/plant/mtg_organs.h"
 #include "engine/plant/table_text.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <fmt/format.h>
 #include <map>
@@ -23,31 +23,11 @@ constexpr std::size_t kMaxScales = 64;
 constexpr std::size_t kMaxGraphColumns = 100'000;
 constexpr long kMaxRepeats = 1'000'000; // Sum over all entities for which << and ++ stand.
 
-struct OrganName {
-    std::string_view name;
-    MtgOrganClass kind;
-};
-constexpr std::array<OrganName, 5> kOrganNames { {
-    { "organ", MtgOrganClass::Other },
-    { "leaf", MtgOrganClass::Leaf },
-    { "flower", MtgOrganClass::Flower },
-    { "fruit", MtgOrganClass::Other },
-    { "bud", MtgOrganClass::Other },
-} };
 constexpr std::array<std::string_view, 5> kTopDiameters { "topdiameter", "topdia", "diameter",
                                                           "diam", "diasom" };
 constexpr std::array<std::string_view, 4> kBaseDiameters { "bottomdiameter", "bottomdia", "botdia",
                                                            "diabase" };
 constexpr std::array<std::string_view, 1> kRadii { "radius" };
-
-std::string lower_letters(std::string_view text)
-{
-    std::string result;
-    for (char const c : text)
-        if (std::isalnum(static_cast<unsigned char>(c)))
-            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return result;
-}
 
 // Where one stands in the graph: what the next entity is a part of, or stands on.
 struct GraphPlace {
@@ -78,16 +58,7 @@ public:
 private:
     struct Class {
         std::size_t scale = 0;
-        std::uint32_t organ = kNone; // In organ_classes_; kNone: it is no organ.
-    };
-    struct OrganClass {
-        std::string name;
-        MtgOrganClass kind = MtgOrganClass::Other;
-        std::size_t left_out = 0; // How many organs cannot be placed.
-    };
-    struct ReadOrgan {
-        MtgOrgan organ;
-        std::uint32_t of_class = 0; // In organ_classes_.
+        std::optional<MtgOrganReader::ClassId> organ {}; // No value: it is no organ.
     };
     struct Entity {
         char relation = '/';
@@ -107,12 +78,9 @@ private:
     Result<void> walk(GraphPlace& place, std::span<Entity const> entities,
                       std::vector<std::string_view> const& cells);
     Result<void> add_node(GraphPlace& place, std::vector<std::string_view> const& cells);
-    void set_organ(Class& of, std::string_view name, MtgOrganClass kind);
     void find_organ_columns(std::vector<std::string_view> const& names);
     void add_organ(GraphPlace const& place, Entity const& entity,
                    std::vector<std::string_view> const& cells);
-    void place_organs(MeasuredPlant& measured, double scale);
-    std::string said_of_organs() const;
     Result<std::optional<double>> feature(std::optional<std::size_t> column,
                                           std::vector<std::string_view> const& cells) const;
     std::optional<std::size_t> column_of(std::span<std::string_view const> names,
@@ -134,9 +102,7 @@ private:
     std::vector<GraphColumn> columns_;
     long repeats_ = 0;
     std::vector<MeasuredNode> nodes_;
-    std::vector<OrganClass> organ_classes_;
-    std::optional<MtgOrganColumns> organ_columns_;
-    std::vector<ReadOrgan> organs_;
+    MtgOrganReader organs_;
 };
 
 Result<void> MtgReader::read(std::string_view line)
@@ -194,17 +160,8 @@ Result<void> MtgReader::read_class(std::string_view line)
             fmt::format("class {} has no scale from 0 to {}", words.front(), kMaxScales - 1));
     auto& read = classes_[std::string(words.front())];
     read = { .scale = static_cast<std::size_t>(*scale) };
-    auto const lower = lower_letters(words.front());
-    for (auto const& [name, kind] : kOrganNames)
-        if (lower == name)
-            set_organ(read, words.front(), kind);
+    read.organ = organs_.class_of_name(words.front());
     return {};
-}
-
-void MtgReader::set_organ(Class& of, std::string_view name, MtgOrganClass kind)
-{
-    of.organ = static_cast<std::uint32_t>(organ_classes_.size());
-    organ_classes_.push_back({ std::string(name), kind });
 }
 
 std::optional<std::size_t> MtgReader::column_of(std::span<std::string_view const> names,
@@ -244,13 +201,12 @@ Result<void> MtgReader::read_header(std::string_view line)
 // L, F and O are organs in such files as write_mtg() writes; in others they may be internodes.
 void MtgReader::find_organ_columns(std::vector<std::string_view> const& names)
 {
-    organ_columns_ = MtgOrganColumns::find(names, entity_columns_);
-    if (!organ_columns_)
+    if (!organs_.find_columns(names, entity_columns_))
         return;
     for (auto const kind : { MtgOrganClass::Leaf, MtgOrganClass::Flower, MtgOrganClass::Other }) {
         std::string const symbol(1, mtg_symbol(kind));
         if (auto const found = classes_.find(symbol); found != classes_.end())
-            set_organ(found->second, symbol, kind);
+            found->second.organ = organs_.add_class(symbol, kind);
     }
 }
 
@@ -366,7 +322,7 @@ Result<void> MtgReader::walk(GraphPlace& place, std::span<Entity const> entities
         std::fill(place.has_entity.begin() + static_cast<std::ptrdiff_t>(scale) + 1,
                   place.has_entity.end(), false);
         place.is_branch |= entity.relation == '+';
-        if (entity.kind.organ != kNone)
+        if (entity.kind.organ)
             add_organ(place, entity, cells);
         else if (entity.is_last)
             TRY(add_node(place, cells));
@@ -378,22 +334,13 @@ Result<void> MtgReader::walk(GraphPlace& place, std::span<Entity const> entities
 void MtgReader::add_organ(GraphPlace const& place, Entity const& entity,
                           std::vector<std::string_view> const& cells)
 {
-    auto read = organ_columns_ && entity.is_last ? organ_columns_->read(cells) : std::nullopt;
-    auto& organ_class = organ_classes_[entity.kind.organ];
-    for (std::size_t i = 0; read && i < 3; ++i) {
-        auto const cell = *position_[i] < cells.size() ? cells[*position_[i]] : std::string_view {};
-        if (auto const coordinate = number_in(cell))
-            read->position[static_cast<int>(i)] = *coordinate;
-        else
-            read.reset();
-    }
-    if (!read) {
-        ++organ_class.left_out;
-        return;
-    }
-    read->kind = organ_class.kind;
-    read->node = place.node;
-    organs_.push_back({ *read, entity.kind.organ });
+    if (!entity.is_last)
+        return organs_.leave_out(*entity.kind.organ);
+    std::array<std::optional<double>, 3> position;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (*position_[i] < cells.size())
+            position[i] = number_in(cells[*position_[i]]);
+    organs_.add(*entity.kind.organ, place.node, position, cells);
 }
 
 Result<std::optional<double>> MtgReader::feature(std::optional<std::size_t> column,
@@ -433,36 +380,6 @@ Result<void> MtgReader::add_node(GraphPlace& place, std::vector<std::string_view
     return {};
 }
 
-void MtgReader::place_organs(MeasuredPlant& measured, double scale)
-{
-    std::vector<MtgOrgan> sound;
-    for (auto& [organ, of_class] : organs_) {
-        organ.position *= scale;
-        for (auto* const size : { &organ.length, &organ.width, &organ.petiole })
-            *size *= scale;
-        if (organ.depth)
-            *organ.depth *= scale;
-        if (is_sound(organ, measured.base_mm))
-            sound.push_back(organ);
-        else
-            ++organ_classes_[of_class].left_out;
-    }
-    add_mtg_organs(measured, sound);
-}
-
-// A warning; empty if there are no organs that were left out.
-std::string MtgReader::said_of_organs() const
-{
-    std::string counts;
-    for (auto const& of : organ_classes_)
-        if (of.left_out > 0)
-            counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", of.left_out, of.name);
-    if (counts.empty())
-        return {};
-    return fmt::format("{}: left out organs that have no place, direction and length in it: {}",
-                       name_, counts);
-}
-
 Result<MtgPlant> MtgReader::take()
 {
     if (section_ != Section::Graph)
@@ -478,9 +395,9 @@ Result<MtgPlant> MtgReader::take()
                 **radius_mm *= scale;
     }
     auto measured = TRY(measured_plant_from_nodes(name_, nodes_));
-    place_organs(measured, scale);
+    organs_.place(measured, scale);
     MtgPlant result { .plant = std::move(measured.plant) };
-    if (auto warning = said_of_organs(); !warning.empty())
+    if (auto warning = organs_.said_of_left_out(name_); !warning.empty())
         result.warnings.push_back(std::move(warning));
     return result;
 }
