@@ -134,6 +134,8 @@ public:
             - sums_[index(y, to_x, from_z)] + sums_[index(y, from_x, from_z)];
     }
 
+    std::size_t size() const { return sums_.size(); }
+
 private:
     std::size_t index(std::int64_t y, std::int64_t x, std::int64_t z) const
     {
@@ -201,6 +203,7 @@ public:
         WeightGrid grid;
         if (!grid.fill(cells, weights))
             return tl::unexpected<Error>(too_large("light", cell_));
+        TRY(watch_.spend(queries.size() + grid.size()));
         auto const light_at = [&](Cell const& cell) {
             double shade = 0;
             for (std::size_t layer = 0; layer < strengths_.size(); ++layer) {
