@@ -131,12 +131,13 @@ void whole_row(benchmark::State& state)
 }
 
 // Start, derive, draw, mesh and write.
-void whole_grow(benchmark::State& state)
+void grow_into_file(benchmark::State& state, std::vector<std::string> const& options)
 {
     auto const path = model("grown.l", kMonopodialTree);
     auto const out = (folder() / "tree.glb").string();
-    std::vector<std::string> const arguments { "grow", path, "-n", std::to_string(state.range(0)),
-                                               "-o",   out };
+    std::vector<std::string> arguments { "grow", path, "-n", std::to_string(state.range(0)),
+                                         "-o",   out };
+    arguments.insert(arguments.end(), options.begin(), options.end());
     if (run_program(arguments) < 0)
         return state.SkipWithError("the program failed");
     measure(state, arguments,
@@ -144,6 +145,15 @@ void whole_grow(benchmark::State& state)
               .item = "segments",
               .bytes = static_cast<double>(fs::file_size(out)),
               .limit = Limit::Disk });
+}
+
+void whole_grow(benchmark::State& state)
+{
+    grow_into_file(state, {});
+}
+void whole_grow_compressed(benchmark::State& state)
+{
+    grow_into_file(state, { "--compressed" });
 }
 
 void once(benchmark::internal::Benchmark* bench, std::int64_t steps)
@@ -157,6 +167,7 @@ BENCHMARK(whole_tree)->Apply([](auto* bench) { once(bench, 20); });
 BENCHMARK(whole_signals)->Apply([](auto* bench) { once(bench, 60); });
 BENCHMARK(whole_row)->Apply([](auto* bench) { once(bench, 1000); });
 BENCHMARK(whole_grow)->Apply([](auto* bench) { once(bench, 19); });
+BENCHMARK(whole_grow_compressed)->Apply([](auto* bench) { once(bench, 19); });
 
 } // namespace
 } // namespace tractus
