@@ -282,9 +282,13 @@ Result<Register> ExpressionCompiler::call(std::string const& function, std::size
     if (auto const* const missing = find_missing_function(function))
         return missing_call(*missing, position, program);
     auto const* const entry = find_function(function);
-    if (!entry)
+    if (!entry) {
+        auto const nearest = nearest_function(function);
+        auto const expected
+            = nearest.empty() ? std::string("one of cpfg's") : fmt::format("{}, perhaps", nearest);
         return cursor_.error_at(
-            position, fmt::format("found the function {}, expected one of cpfg's", function));
+            position, fmt::format("found the function {}, expected {}", function, expected));
+    }
     bool const is_function = entry->op == Op::Function;
     bool const is_curve = entry->op >= Op::CurveX && entry->op <= Op::CurveLength;
     auto const left = is_function ? TRY(table_id(names_.functions, program))

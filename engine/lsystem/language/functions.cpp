@@ -1,7 +1,10 @@
 #include "engine/lsystem/language/functions.h"
 
+#include "engine/lsystem/text/user_text.h"
+
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace tractus {
 
@@ -53,6 +56,17 @@ static typename Table::value_type const* find(Table const& table, std::string_vi
 FunctionEntry const* find_function(std::string_view name)
 {
     return find(kFunctions, name);
+}
+
+std::string_view nearest_function(std::string_view name)
+{
+    std::vector<std::string_view> names { "printf", "SetDerivationLength", "GetDerivationLength",
+                                          "if", "while" };
+    for (auto const& entry : kFunctions)
+        names.push_back(entry.name);
+    for (auto const& entry : kMissing)
+        names.push_back(entry.name);
+    return nearest_word(name, names);
 }
 
 MissingFunction const* find_missing_function(std::string_view name)

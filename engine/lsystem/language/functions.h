@@ -31,6 +31,10 @@ struct MissingFunction {
     Value which = Value::Given;
 };
 
+// The name of a function, or of a statement with a condition, that `name` was perhaps meant to be;
+// empty if none is near.
+std::string_view nearest_function(std::string_view name);
+
 // nullptr for other names.
 MissingFunction const* find_missing_function(std::string_view name);
 

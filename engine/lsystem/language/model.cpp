@@ -73,6 +73,7 @@ private:
     Result<void> external_definition();
     Result<void> new_array(std::string const& name);
     Result<void> end_line();
+    Result<void> end_of_system();
     Result<void> rule_or_misspelt_statement();
     tl::unexpected<Error> no_statement(std::string_view expected);
     bool take_word(std::string_view word);
@@ -125,7 +126,10 @@ Result<void> Parser::rule_or_misspelt_statement()
     auto const line = text.substr(0, text.find('\n'));
     auto const has = [&](std::string_view part) { return line.find(part) != line.npos; };
     auto const next = text.substr(std::min(line.size() + 1, text.size()), 1);
-    if (result || has("-->") || has("-o>") || has("{") || next == " " || next == "\t")
+    if (result || has("-->") || has("-o>"))
+        return result;
+    bool const is_near = !nearest_beginning(line, kStatements).empty();
+    if (!is_near && (has("{") || next == " " || next == "\t"))
         return result;
     cursor_.set_position(begin);
     return no_statement("a rule, which has -->, or a statement");
@@ -135,9 +139,7 @@ Result<void> Parser::rule_or_misspelt_statement()
 tl::unexpected<Error> Parser::no_statement(std::string_view expected)
 {
     auto const line = trimmed_line(cursor_.rest().substr(0, cursor_.rest().find('\n')));
-    auto const colon = line.find(':');
-    auto const word = colon == std::string_view::npos ? line : line.substr(0, colon + 1);
-    auto const nearest = nearest_word(word, kStatements);
+    auto const nearest = nearest_beginning(line, kStatements);
     return cursor_.error(
         nearest.empty() ? fmt::format("found '{}', expected {}", shown(line), expected)
                         : fmt::format("found '{}', expected '{}', perhaps", shown(line), nearest));
@@ -148,6 +150,17 @@ Result<void> Parser::end_line()
     if (!cursor_.at_line_end())
         return cursor_.unexpected("the end of the line");
     if (!cursor_.at_end())
+        cursor_.take_character();
+    cursor_.set_arrow_seen(false);
+    return {};
+}
+
+// What stands in the next lines is no part of this one, however they begin.
+Result<void> Parser::end_of_system()
+{
+    if (!trimmed_line(cursor_.take_line()).empty())
+        return cursor_.error("found more behind endlsystem, expected the end of the line");
+    if (!cursor_.rest().empty())
         cursor_.take_character();
     cursor_.set_arrow_seen(false);
     return {};
@@ -218,7 +231,7 @@ Result<void> Parser::items()
             continue;
         }
         if (take_word("endlsystem"))
-            return end_line();
+            return end_of_system();
         bool found = TRY(header_item());
         if (!found)
             found = TRY(block_item());
@@ -334,9 +347,14 @@ Result<void> Parser::definitions()
         return cursor_.unexpected("'{'");
     cursor_.enter_block();
     while (!cursor_.take("}")) {
+        cursor_.skip();
+        auto const position = cursor_.position();
         auto const word = ExpressionCompiler::name(cursor_);
-        if (word != "array" && word != "external")
+        if (!word)
             return cursor_.unexpected("'array' or 'external'");
+        if (word != "array" && word != "external")
+            return cursor_.error_at(
+                position, fmt::format("found '{}', expected 'array' or 'external'", shown(*word)));
         do
             TRY(word == "array" ? array_definition() : external_definition());
         while (cursor_.take(","));
@@ -488,7 +506,11 @@ Result<Model> compile_model(ModelSource const& source, IncludeReader const& incl
 {
     auto view = TRY(parse_view(source.view_name, source.view_text, include));
     auto const text = TRY(preprocess(source.name, source.text, include));
-    return Parser(source, text, std::move(view)).parse();
+    auto model = Parser(source, text, std::move(view)).parse();
+    if (!model) // The preprocessor may have seen why: a definition that took a statement in, say.
+        for (auto const& warning : text.warnings)
+            model.error().message += fmt::format("; before that, {}", warning);
+    return model;
 }
 
 } // namespace tractus

@@ -1,5 +1,10 @@
 #include "engine/lsystem/language/statement_compiler.h"
 
+#include "engine/lsystem/text/user_text.h"
+
+#include <array>
+#include <fmt/core.h>
+
 namespace tractus {
 
 static constexpr int kMaxStatementNesting = 200;
@@ -37,9 +42,13 @@ Result<void> StatementCompiler::statement(Program& program)
     cursor_.set_position(begin);
     if (!TRY(assignment(program)))
         frame_.release(TRY(expressions_.expression(program)));
-    if (!cursor_.take(";"))
-        return cursor_.unexpected("';'");
-    return {};
+    if (cursor_.take(";"))
+        return {};
+    constexpr std::array<std::string_view, 2> kWords { "else", "do" }; // No condition follows.
+    if (auto const meant = word ? nearest_word(*word, kWords) : ""; !meant.empty())
+        return cursor_.error_at(begin,
+                                fmt::format("found '{}', expected '{}', perhaps", *word, meant));
+    return cursor_.unexpected("';'");
 }
 
 Result<void> StatementCompiler::statement_or_block(Program& program)

@@ -100,6 +100,22 @@ bool is_directive(std::string_view line)
 // Words behind a #, besides those of conditions.
 constexpr std::array<std::string_view, 7> kWords { "define",  "undef", "include", "error",
                                                    "warning", "line",  "pragma" };
+constexpr std::array<std::string_view, 8> kConditionWords {
+    "if", "ifdef", "ifndef", "elif", "else", "elifdef", "elifndef", "endif"
+};
+
+// The word that was perhaps meant behind a #, which may be a turtle symbol before others as well:
+// only longer words alone and in small letters are looked at.
+std::string_view meant_word(std::string_view word, std::string_view behind)
+{
+    bool const is_alone = behind.empty() || is_blank(behind.front());
+    bool const is_small
+        = std::all_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+    if (!is_alone || !is_small || word.size() < 3)
+        return {};
+    auto const condition = nearest_word(word, kConditionWords);
+    return condition.empty() ? nearest_word(word, kWords) : condition;
+}
 
 // Whether `# 12 "FILE"` stands there, which compilers write for `#line 12 "FILE"`.
 bool is_line_marker(std::string_view after_hash)
@@ -244,11 +260,18 @@ Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
     auto const after_hash = rest.substr(1);
     rest = trimmed_line(after_hash);
     auto const word = first_name(rest);
-    rest = trimmed_line(rest.substr(word.size()));
+    auto const behind = rest.substr(word.size());
+    rest = trimmed_line(behind);
     if (TRY(condition(line, word, rest)))
         return true;
     bool const is_marker = is_line_marker(after_hash);
-    if (!is_marker && std::find(kWords.begin(), kWords.end(), word) == kWords.end())
+    bool const is_known = std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+    if (auto const meant = is_known || is_marker || !active() ? "" : meant_word(word, behind);
+        !meant.empty())
+        return error(line, line.characters.find('#'),
+                     fmt::format("found '{}', expected '#{}', perhaps",
+                                 shown(trimmed_line(line.characters)), meant));
+    if (!is_marker && !is_known)
         return false;
     if (active() && is_marker)
         TRY(set_line(line, trimmed_line(after_hash)));
@@ -388,6 +411,13 @@ Result<bool> Preprocessor::value(PlacedText const& line, std::string_view rest)
     };
     for (std::size_t i = 0; i < characters.size();) {
         auto const begin = i;
+        if (characters[begin] == '\'') // Before macros could replace what is in it.
+            if (auto const constant = character_constant(characters, begin)) {
+                i = constant->end;
+                for (char const digit : fmt::format("({})", constant->value))
+                    ready.push(digit, text.places[begin]);
+                continue;
+            }
         i = token_end(characters, i);
         if (characters.substr(begin, i - begin) != "defined") {
             append(ready, text, begin, i);
@@ -411,13 +441,6 @@ Result<bool> Preprocessor::value(PlacedText const& line, std::string_view rest)
     TRY(macros_.expand(ready, expanded));
     auto const end_place = line.places.back();
     expanded.push(' ', end_place);
-        if (characters[begin] == '\'') // Before macros could replace what is in it.
-            if (auto const constant = character_constant(characters, begin)) {
-                i = constant->end;
-                for (char const digit : fmt::format("({})", constant->value))
-                    ready.push(digit, text.places[begin]);
-                continue;
-            }
     auto const result = TRY(condition_value(expanded.characters, [&](auto index, auto const& what) {
         return error(expanded, std::min(index, expanded.size() - 1), what);
     }));

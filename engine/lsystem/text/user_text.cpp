@@ -69,4 +69,19 @@ std::string_view nearest_word(std::string_view text, std::span<std::string_view 
     return nearest;
 }
 
+std::string_view nearest_beginning(std::string_view line, std::span<std::string_view const> words)
+{
+    if (auto const whole = nearest_word(line, words); !whole.empty())
+        return whole;
+    if (auto const colon = line.find(':'); colon != std::string_view::npos)
+        return nearest_word(line.substr(0, colon + 1), words);
+    for (auto blank = line.rfind(' '); blank != std::string_view::npos && blank > 0;
+         blank = line.rfind(' ', blank - 1))
+        for (auto const* const end : { "", ":" }) // The colon may be missing.
+            if (auto const meant = nearest_word(std::string(line.substr(0, blank)) + end, words);
+                !meant.empty())
+                return meant;
+    return {};
+}
+
 } // namespace tractus

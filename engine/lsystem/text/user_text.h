@@ -13,4 +13,8 @@ std::string shown(std::string_view text);
 // the text is one of them.
 std::string_view nearest_word(std::string_view text, std::span<std::string_view const> words);
 
+// The words with which a line perhaps was meant to begin; empty if none are near, or the line
+// begins with one of them.
+std::string_view nearest_beginning(std::string_view line, std::span<std::string_view const> words);
+
 } // namespace tractus

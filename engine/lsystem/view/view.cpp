@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <fmt/core.h>
+#include <string>
+#include <vector>
 
 namespace tractus {
 
@@ -268,6 +270,18 @@ constexpr std::array kMissingStatements {
     MissingStatement { "blob", "inblob() is 0" },
 };
 
+// The end of a sentence about a key that is none: which one was perhaps meant.
+std::string meant_key(std::string_view key)
+{
+    std::vector<std::string_view> keys(kDisplayKeys.begin(), kDisplayKeys.end());
+    for (auto const& statement : kStatements)
+        keys.push_back(statement.key);
+    for (auto const& statement : kMissingStatements)
+        keys.push_back(statement.key);
+    auto const nearest = nearest_beginning(key, keys);
+    return nearest.empty() ? std::string() : fmt::format("; '{}:', perhaps", nearest);
+}
+
 Result<void> read_statement(ViewReader& reader, std::string_view key, std::string_view value)
 {
     auto const has_key = [&](auto const& entry) { return entry.key == key; };
@@ -279,7 +293,8 @@ Result<void> read_statement(ViewReader& reader, std::string_view key, std::strin
     auto const* const missing
         = std::find_if(kMissingStatements.begin(), kMissingStatements.end(), has_key);
     if (missing == kMissingStatements.end())
-        reader.warn(fmt::format("unknown statement '{}:'", key));
+        reader.warn(fmt::format("found '{}: {}', which is no statement of a view{}", shown(key),
+                                shown(value), meant_key(key)));
     else if (reader.missing.insert(missing->key).second) // Once each.
         reader.warn(fmt::format("'{}:' is not supported; {}", key, missing->instead));
     return {};
@@ -303,8 +318,8 @@ Result<View> parse_view(std::string const& name, std::string_view text,
             continue;
         auto const colon = line.find(':');
         if (colon == std::string_view::npos) {
-            reader.warn(
-                fmt::format("found '{}', expected 'key: value'; the line is skipped", line));
+            reader.warn(fmt::format("found '{}', expected 'key: value'; the line is skipped{}",
+                                    shown(line), meant_key(line)));
             continue;
         }
         TRY(read_statement(reader, trimmed(line.substr(0, colon)),

@@ -169,8 +169,52 @@ TEST(Model, LooksUpCurvesByNumberAndName)
     EXPECT_EQ(string->parameters[6], 0.0f);
 }
 
+TEST(Messages, NameTheWordOfAStatementThatWasMeant)
+{
+    auto const error_in = [](std::string const& statements) {
+        return compile_error(with_header("Axiom: A\nA : { " + statements + " } 1 --> B"));
+    };
+    EXPECT_EQ(error_in("x = snn(3);"),
+              "model.l:4:11: found the function snn, expected sin, perhaps");
+    EXPECT_EQ(error_in("prinft(\"a\");"),
+              "model.l:4:7: found the function prinft, expected printf, perhaps");
+    EXPECT_EQ(error_in("whlie (1) x = 3;"),
+              "model.l:4:7: found the function whlie, expected while, perhaps");
+    EXPECT_EQ(error_in("if (1) x = 3; esle x = 4;"),
+              "model.l:4:21: found 'esle', expected 'else', perhaps");
+    EXPECT_EQ(error_in("y x = 4;"), "model.l:4:9: found 'x', expected ';'");
+}
+
+// A definition that ends in a turtle symbol takes the axiom in: the fault shows further down.
+TEST(Messages, SayWhatThePreprocessorSawBefore)
+{
+    EXPECT_EQ(compile_error("Lsystem: 1\n#define TURN +\\\nAxiom: TURN F\nA --> B\nendlsystem\n"),
+              "model.l:4:1: found 'A --> B', expected 'Axiom:' or another statement of the header; "
+              "before that, model.l:2:1: the \\ at the end of this definition joins the next line "
+              "to it ('Axiom: TURN F'); for the turtle symbol, write another one behind it, such "
+              "as \\(a)");
+}
+
+// It is none of the system's, however it begins.
+TEST(Messages, WarnOfWhatFollowsTheSystem)
+{
+    for (auto const* const rest : { "more\n", "  more\n", "\tmore --> F\n" }) {
+        auto const model = compiled(with_header("Axiom: A\nA --> B") + rest);
+        ASSERT_EQ(model.warnings.size(), 1u) << rest;
+        EXPECT_NE(model.warnings[0].find("what follows endlsystem is not read"), std::string::npos);
+    }
+    EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A\nendlsystem more\n"),
+              "model.l:3:16: found more behind endlsystem, expected the end of the line");
+}
+
 TEST(Messages, NameTheStatementThatWasMeant)
 {
+    EXPECT_EQ(compile_error(with_header("Axiom: A\nignor +-\nA --> B")),
+              "model.l:4:1: found 'ignor +-', expected 'ignore:', perhaps");
+    EXPECT_EQ(compile_error(with_header("Axiom: A\nStat: { x = 1; }\nA --> B")),
+              "model.l:4:1: found 'Stat: { x = 1; }', expected 'Start:', perhaps");
+    EXPECT_EQ(compile_error(with_header("define: { aray a[3]; }\nAxiom: A")),
+              "model.l:3:11: found 'aray', expected 'array' or 'external'");
     EXPECT_EQ(compile_error("Lsystem: 1\nderivation lenght: 5\nAxiom: A\nendlsystem\n"),
               "model.l:2:1: found 'derivation lenght: 5', expected 'derivation length:', perhaps");
     EXPECT_EQ(compile_error("Lsytem: 1\nAxiom: A\n"),

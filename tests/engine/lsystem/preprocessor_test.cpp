@@ -291,6 +291,20 @@ TEST(Preprocessor, SaysWhereAnOpenCommentBegan)
     EXPECT_EQ(preprocessed("/*/"), "model.l:1:1: the comment that begins here has no */");
 }
 
+TEST(Preprocessor, NamesTheDirectiveThatWasMeant)
+{
+    EXPECT_EQ(preprocessed("#defin X 3\n"),
+              "model.l:1:1: found '#defin X 3', expected '#define', perhaps");
+    EXPECT_EQ(preprocessed("a\n  # iff X\n#endif\n"),
+              "model.l:2:3: found '# iff X', expected '#if', perhaps");
+    EXPECT_EQ(preprocessed("#if 1\n#esle\n#endif\n"),
+              "model.l:2:1: found '#esle', expected '#else', perhaps");
+    EXPECT_EQ(preprocessed("#if 0\n#defin X 3\n#iff\n#endif\n"), "");
+    // The turtle's #.
+    for (std::string const line : { "#F", "#FFF", "#(2)F", "#fF(3)", "#iffF", "#fi", "#els(3)" })
+        EXPECT_EQ(preprocessed(line), line);
+}
+
 TEST(Preprocessor, BoundsWhatHostileMacrosCost)
 {
     std::string deep = "#define f(a) a a\n";

@@ -82,9 +82,25 @@ TEST(View, SaysOnceThatTexturesAreMissing)
 
 TEST(View, WarnsOfUnknownStatementsOnly)
 {
-    auto const view = parsed("z buffer: on\nlight: V: 5 3 5\nlite: V: 5 3 5\n");
+    auto const view = parsed("z buffer: on\nlight: V: 5 3 5\nweather: V: 5 3 5\n");
     ASSERT_EQ(view.warnings.size(), 1u);
-    EXPECT_EQ(view.warnings[0], "model.v:3:1: unknown statement 'lite:'");
+    EXPECT_EQ(view.warnings[0],
+              "model.v:3:1: found 'weather: V: 5 3 5', which is no statement of a view");
+}
+
+TEST(View, NamesTheStatementThatWasMeant)
+{
+    auto const view = parsed("angel factor: 6\nline widht increment: 2\nangle factor 6\n\x1b: 1\n");
+    EXPECT_EQ(
+        view.warnings,
+        (std::vector<std::string> {
+            "model.v:1:1: found 'angel factor: 6', which is no statement of a view; 'angle "
+            "factor:', perhaps",
+            "model.v:2:1: found 'line widht increment: 2', which is no statement of a view; "
+            "'line width increment:', perhaps",
+            "model.v:3:1: found 'angle factor 6', expected 'key: value'; the line is skipped; "
+            "'angle factor:', perhaps",
+            "model.v:4:1: found '\\x1b: 1', which is no statement of a view" }));
 }
 
 TEST(View, NamesThePlaceOfAnError)
