@@ -3,6 +3,7 @@
 #include "tests/engine/plant/small_plant.h"
 
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace tractus {
 namespace {
@@ -85,6 +86,26 @@ TEST(JoinAxes, LeavesAPlantWithoutForksAlone)
     EXPECT_EQ(after.axes.size(), before.axes.size());
     EXPECT_EQ(after.node_position_mm, before.node_position_mm);
     EXPECT_TRUE(join_axes({}).axes.empty());
+}
+
+TEST(JoinAxes, CopiesNothingWhereNothingIsToBeJoined)
+{
+    auto plant = small_plant();
+    auto const* const nodes = plant.node_position_mm.data();
+    EXPECT_EQ(join_axes(std::move(plant)).node_position_mm.data(), nodes);
+}
+
+// Orders and numbers are put right, even so.
+TEST(JoinAxes, NumbersAnewWhatIsOutOfOrder)
+{
+    auto plant = small_plant();
+    for (auto& axis : plant.axes)
+        axis.order += 3;
+    auto const joined = join_axes(plant);
+    auto const sound = small_plant();
+    ASSERT_EQ(joined.axes.size(), sound.axes.size());
+    for (std::size_t i = 0; i < sound.axes.size(); ++i)
+        EXPECT_EQ(joined.axes[i].order, sound.axes[i].order) << i;
 }
 
 TEST(JoinAxes, LeavesAGapOpen)
