@@ -9,8 +9,8 @@ namespace tractus {
 
 // Least squares as calibration needs them: few parameters, small problems, errors that are honest.
 
-// The product of two matrices of some ten columns. Eigen's own is made for large ones, and takes ten seconds to
-// compile wherever it is used.
+// The product of two matrices of some ten columns. Eigen's own is made for large ones, and takes
+// ten seconds to compile wherever it is used.
 Eigen::MatrixXd small_product(Eigen::MatrixXd const& a, Eigen::MatrixXd const& b);
 
 // The residuals for some parameters. No value where the model does not hold for them.

@@ -30,7 +30,8 @@ LeastSquares fit_axis(Sightings sightings, std::vector<double> const& weights, i
         places[i] = weight * sighting.position_mm[axis];
     }
     LeastSquares fit;
-    fit.unit_covariance = (jacobian.transpose() * jacobian).inverse();
+    Eigen::Matrix2d const normal = small_product(jacobian.transpose(), jacobian);
+    fit.unit_covariance = normal.inverse();
     fit.parameters = fit.unit_covariance * (jacobian.transpose() * places);
     fit.residuals = jacobian * fit.parameters - places;
     fit.jacobian = std::move(jacobian);
