@@ -9,6 +9,18 @@
 
 namespace tractus {
 
+namespace {
+
+// Plants find their rest shapes when they are first asked for them: here, so that no thread that
+// shows the scene has to.
+void find_rest_shapes(Scene const& scene)
+{
+    for (auto const& plant : scene.plants)
+        static_cast<void>(*plant->rest);
+}
+
+} // namespace
+
 Document::Document(Scene scene, Working working, Follow follow)
     : Document(Session::in_memory(std::move(scene),
                                   session_by_the_clock({}, [] { return load_options(); })),
@@ -60,6 +72,7 @@ void Document::add(Work work)
 void Document::run()
 {
     set_urgency(Urgency::Soon);
+    find_rest_shapes(scene_);
     std::unique_lock lock(mutex_);
     for (;;) {
         changed_.wait(lock, [&] { return is_closing_ || is_trying_again_ || !queue_.empty(); });
@@ -345,6 +358,8 @@ void Document::keep_what_is_not()
 
 void Document::publish(std::size_t unkept)
 {
+    if (thread_.joinable())
+        find_rest_shapes(scene_);
     auto snapshot = std::make_shared<Snapshot const>(Snapshot { .scene = scene_,
                                                                 .revision = revision_,
                                                                 .drawn_revision = drawn_revision_,
