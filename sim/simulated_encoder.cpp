@@ -6,9 +6,7 @@
 
 namespace tractus {
 
-// Where A and B are high in a period of four counts: A in its second and third quarter, B in its
-// third and fourth.
-static bool is_line_high(QuadratureEdge::Line line, std::int64_t count)
+bool is_encoder_line_high(QuadratureEdge::Line line, std::int64_t count)
 {
     auto const quarter = count & 3;
     return line == QuadratureEdge::Line::A ? quarter == 1 || quarter == 2 : quarter >= 2;
@@ -29,14 +27,14 @@ SimulatedEncoder::SimulatedEncoder(Position position, Options options)
 
 Quadrature::Beginning SimulatedEncoder::beginning() const
 {
-    return { .a = is_line_high(QuadratureEdge::Line::A, first_count_),
-             .b = is_line_high(QuadratureEdge::Line::B, first_count_) };
+    return { .a = is_encoder_line_high(QuadratureEdge::Line::A, first_count_),
+             .b = is_encoder_line_high(QuadratureEdge::Line::B, first_count_) };
 }
 
 void SimulatedEncoder::emit(std::int64_t to, std::vector<QuadratureEdge>& edges)
 {
-    auto const line
-        = is_line_high(QuadratureEdge::Line::A, to) != is_line_high(QuadratureEdge::Line::A, count_)
+    auto const line = is_encoder_line_high(QuadratureEdge::Line::A, to)
+            != is_encoder_line_high(QuadratureEdge::Line::A, count_)
         ? QuadratureEdge::Line::A
         : QuadratureEdge::Line::B;
     count_ = to;
@@ -45,8 +43,10 @@ void SimulatedEncoder::emit(std::int64_t to, std::vector<QuadratureEdge>& edges)
         return;
     ++number_;
     if (!options_.lost.contains(edge_count_))
-        edges.push_back(
-            { .time = now_, .line = line, .is_rising = is_line_high(line, to), .number = number_ });
+        edges.push_back({ .time = now_,
+                          .line = line,
+                          .is_rising = is_encoder_line_high(line, to),
+                          .number = number_ });
 }
 
 void SimulatedEncoder::step(std::vector<QuadratureEdge>& edges)

@@ -10,6 +10,10 @@
 
 namespace tractus {
 
+// Whether a line is high where the encoder is at this count: of a period of four counts, A is in
+// its second and third quarter, B in its third and fourth.
+bool is_encoder_line_high(QuadratureEdge::Line line, std::int64_t count);
+
 // A quadrature encoder's two lines as the kernel tells them: its edges, stamped and numbered, as
 // something moves it. Time passes only while somebody waits for edges, in steps of kStep: the
 // encoder must not move by more than a few counts in one.

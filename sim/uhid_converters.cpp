@@ -53,6 +53,16 @@ bool bit(unsigned levels, unsigned line)
     return levels >> line & 1;
 }
 
+// The model must outlive the device.
+Result<std::unique_ptr<UhidDevice>> play_bridge(Cp2112Model& bridge)
+{
+    UhidAnswers answers;
+    answers.get_feature = [&bridge](std::uint8_t id) { return bridge.get_feature(id); };
+    answers.set_feature
+        = [&bridge](std::span<std::byte const> report) { return bridge.set_feature(report); };
+    return UhidDevice::create(Cp2112Model::info(), std::move(answers));
+}
+
 } // namespace
 
 Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input)
@@ -66,7 +76,8 @@ Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input)
     return UhidDevice::create(mcp2221a_info(), std::move(answers));
 }
 
-Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input)
+Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
+                                                    std::function<void()> told_to_move)
 {
     auto const desk = std::make_shared<LinakDeskModel>(); // Shared by both answers.
     UhidAnswers answers;
@@ -76,7 +87,13 @@ Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input)
         return desk->get_feature(id);
     };
     answers.set_feature
-        = [desk](std::span<std::byte const> report) { return desk->set_feature(report); };
+        = [desk, told = std::move(told_to_move)](std::span<std::byte const> report) {
+              auto const before = desk->movement_count();
+              bool const is_known = desk->set_feature(report);
+              if (desk->movement_count() > before)
+                  told();
+              return is_known;
+          };
     return UhidDevice::create({ .name = "LINAK USB Control Link",
                                 .location = "simulated",
                                 .physical_path = "simulated/desk",
@@ -101,11 +118,7 @@ Cp2112WithMcp3208::Cp2112WithMcp3208(Wiring const& wiring,
 
 Result<std::unique_ptr<UhidDevice>> Cp2112WithMcp3208::play()
 {
-    UhidAnswers answers;
-    answers.get_feature = [this](std::uint8_t id) { return bridge_.get_feature(id); };
-    answers.set_feature
-        = [this](std::span<std::byte const> report) { return bridge_.set_feature(report); };
-    return UhidDevice::create(Cp2112Model::info(), std::move(answers));
+    return play_bridge(bridge_);
 }
 
 void Cp2112WithMcp3208::drive(std::uint8_t levels)
@@ -119,6 +132,29 @@ void Cp2112WithMcp3208::drive(std::uint8_t levels)
 std::uint8_t Cp2112WithMcp3208::levels() const
 {
     return static_cast<std::uint8_t>(converter_.dout().value_or(false) << wiring_.dout);
+}
+
+Cp2112WithEncoder::Cp2112WithEncoder(Wiring const& wiring, std::function<std::int64_t()> target)
+    : wiring_(wiring)
+    , target_(std::move(target))
+    , bridge_({ .levels = [this] { return next_levels(); } })
+{
+}
+
+Result<std::unique_ptr<UhidDevice>> Cp2112WithEncoder::play()
+{
+    return play_bridge(bridge_);
+}
+
+std::uint8_t Cp2112WithEncoder::next_levels()
+{
+    auto const target = target_();
+    count_ = count_ ? *count_ + std::clamp<std::int64_t>(target - *count_, -1, 1) : target;
+    auto const level = [&](QuadratureEdge::Line line, unsigned at) {
+        return static_cast<unsigned>(is_encoder_line_high(line, *count_)) << at;
+    };
+    return static_cast<std::uint8_t>(level(QuadratureEdge::Line::A, wiring_.a)
+                                     | level(QuadratureEdge::Line::B, wiring_.b));
 }
 
 } // namespace tractus

@@ -5,10 +5,13 @@
 #include "sim/linak_desk_model.h"
 #include "sim/mcp2221a_model.h"
 #include "sim/mcp3208_model.h"
+#include "sim/simulated_encoder.h"
 #include "sim/uhid_device.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace tractus {
 
@@ -22,8 +25,10 @@ using InputNow = std::function<double()>;
 Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input);
 
 // A standing desk whose height is `input` as the decoder's fraction of full scale
-// (drivers/sensors/linak_desk.h), read anew for each question. Fails like UhidDevice::create().
-Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input);
+// (drivers/sensors/linak_desk.h), read anew for each question; `told_to_move` is called whenever
+// somebody tells it to go somewhere. Fails like UhidDevice::create().
+Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
+                                                    std::function<void()> told_to_move);
 
 // An MCP3208 wired to lines of a CP2112, which the kernel's hid-cp2112 makes a gpiochip.
 class Cp2112WithMcp3208 {
@@ -53,6 +58,34 @@ private:
 
     Wiring wiring_;
     Mcp3208Model converter_;
+    Cp2112Model bridge_;
+};
+
+// A quadrature encoder wired to two lines of a CP2112. The kernel looks at the lines every ten
+// ticks of its clock, 40 ms in Debian's, and tells the edges that it finds; so the encoder moves by
+// at most one count from one look to the next.
+class Cp2112WithEncoder {
+public:
+    struct Wiring {
+        unsigned a = 0;
+        unsigned b = 1;
+    };
+
+    // `target` is where the encoder goes now, in counts.
+    Cp2112WithEncoder(Wiring const& wiring, std::function<std::int64_t()> target);
+
+    Cp2112WithEncoder(Cp2112WithEncoder const&) = delete;
+    Cp2112WithEncoder& operator=(Cp2112WithEncoder const&) = delete;
+
+    // Makes the device, which this must outlive. Fails like UhidDevice::create().
+    Result<std::unique_ptr<UhidDevice>> play();
+
+private:
+    std::uint8_t next_levels();
+
+    Wiring wiring_;
+    std::function<std::int64_t()> target_;
+    std::optional<std::int64_t> count_ {}; // Where it is; no value before the first look.
     Cp2112Model bridge_;
 };
 

@@ -6,6 +6,9 @@
 #include "sim/height_curve.h"
 #include "sim/uhid_converters.h"
 
+#include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,13 +24,24 @@ struct SimConvertersArguments {
     std::optional<double> fail_after_s;
 };
 
+struct SimEncoderArguments {
+    SimPlayArguments play;
+    std::vector<unsigned> lines { 0, 1 };
+    unsigned counts = 40;
+};
+
+// How long an encoder rests before and after it moves: counting begins where it rests, and all of
+// its edges are told before it goes.
+constexpr Duration kEncoderRest = std::chrono::seconds(2);
+
 // The height of a recording, for a converter that is asked for it, from when it is asked first: the
 // kernel's own driver may have the converter open without reading it. And a fault when its time
-// comes.
+// comes. It rests where the heights begin and end for a while, if it is to.
 class HeightPart final : public DevicePart {
 public:
-    explicit HeightPart(HeightCurve heights)
+    explicit HeightPart(HeightCurve heights, Duration rest = Duration(0))
         : heights_(std::move(heights))
+        , rest_(rest)
     {
     }
 
@@ -41,7 +55,7 @@ public:
     {
         auto const now = monotonic_now();
         begin_ = begin_.value_or(now);
-        return heights_.fraction_at(Timestamp(now - *begin_));
+        return heights_.fraction_at(Timestamp(now - *begin_ - rest_));
     }
 
     void begin(Timestamp) override { begin_.reset(); }
@@ -60,11 +74,12 @@ public:
 
     bool is_over(Timestamp now) const override
     {
-        return begin_ && now - *begin_ > heights_.end().time_since_epoch();
+        return begin_ && now - *begin_ - 2 * rest_ > heights_.end().time_since_epoch();
     }
 
 private:
     HeightCurve heights_;
+    Duration rest_;
     std::optional<Timestamp> begin_ {};
     std::optional<Duration> fail_after_ {};
     std::function<void()> fail_ {};
@@ -90,8 +105,25 @@ Result<void> play_desk(SimPlayArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments));
     HeightPart part(TRY(HeightCurve::read(log)));
-    auto const device = TRY(play_linak_desk([&part] { return part.fraction_now(); }));
-    return play_part(*device, part, arguments);
+    bool was_told_to_move = false;
+    auto const device = TRY(
+        play_linak_desk([&part] { return part.fraction_now(); }, [&] { was_told_to_move = true; }));
+    TRY(play_part(*device, part, arguments));
+    if (was_told_to_move)
+        return fail(Fault::Device, "some program told the desk to move, which none of ours does");
+    return {};
+}
+
+Result<void> play_encoder(SimEncoderArguments const& arguments)
+{
+    auto const log = TRY(load_sim_play(arguments.play));
+    HeightPart part(TRY(HeightCurve::read(log)), kEncoderRest);
+    auto const target = [&] {
+        return static_cast<std::int64_t>(std::floor(part.fraction_now() * arguments.counts));
+    };
+    Cp2112WithEncoder bridge({ .a = arguments.lines[0], .b = arguments.lines[1] }, target);
+    auto const device = TRY(bridge.play());
+    return play_part(*device, part, arguments.play);
 }
 
 Result<void> play_cp2112(SimConvertersArguments const& arguments)
@@ -166,6 +198,33 @@ void add_cp2112_verb(CLI::App& sim, Action& action)
         [arguments, &action] { action = [arguments] { return play_cp2112(*arguments); }; });
 }
 
+void add_encoder_verb(CLI::App& sim, Action& action)
+{
+    auto* const verb = sim.add_subcommand(
+        "encoder",
+        "A draw-wire encoder on the GPIO lines of a CP2112 that moves as a recording's "
+        "surface");
+    auto arguments = std::make_shared<SimEncoderArguments>();
+    add_sim_play_options(*verb, arguments->play);
+    verb->add_option("--lines", arguments->lines, "The lines that A and B are wired to")
+        ->type_name("A B")
+        ->expected(2)
+        ->check(whole_number(0, 7))
+        ->capture_default_str();
+    verb->add_option("--counts", arguments->counts,
+                     "How far it counts over the full scale of the recording's sensor")
+        ->type_name("N")
+        ->check(whole_number(1, 1000000))
+        ->capture_default_str();
+    verb->footer(
+        "The kernel's driver hid-cp2112 makes a gpiochip of it, whose lines it looks at 25 times\n"
+        "a second: the encoder counts no quicker, and rests for two seconds before it moves, and\n"
+        "after. The station's address is gpio:cp2112_gpio:0,1:quadrature. Needs root, or the\n"
+        "right to use /dev/uhid.");
+    verb->callback(
+        [arguments, &action] { action = [arguments] { return play_encoder(*arguments); }; });
+}
+
 } // namespace
 
 void add_sim_converter_verbs(CLI::App& sim, Action& action)
@@ -173,6 +232,7 @@ void add_sim_converter_verbs(CLI::App& sim, Action& action)
     add_mcp2221a_verb(sim, action);
     add_desk_verb(sim, action);
     add_cp2112_verb(sim, action);
+    add_encoder_verb(sim, action);
 }
 
 } // namespace tractus

@@ -45,6 +45,12 @@ Result<void> check_height(std::string const& log_name, HeightExpectation const& 
 Result<void> compare_heights(std::string const& sent_name, std::string const& got_name,
                              double tolerance);
 
+// Whether an encoder that counts `counts` over the full scale of the sent log's sensor saw its
+// heights, at one and the same distance in time: within two counts on the way, as it may count no
+// quicker, and to the count at the end.
+Result<void> compare_encoder(std::string const& sent_name, std::string const& got_name,
+                             unsigned counts);
+
 struct StreamExpectation {
     std::uint64_t max_lost_frames = 0;
     std::uint64_t restarts = 0; // How often the sensor was plugged in again.

@@ -1,3 +1,4 @@
+#include "drivers/gpio/gpio_encoder.h"
 #include "drivers/height_decoder.h"
 #include "drivers/log.h"
 #include "sim/height_curve.h"
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <fmt/core.h>
 #include <memory>
 #include <vector>
@@ -52,26 +54,63 @@ double farthest(HeightCurve const& curve, std::vector<HeightSample> const& sampl
     return far;
 }
 
+// The farthest that samples lie from a curve, where all of them may be later than it by the same.
+double farthest_at_best(HeightCurve const& curve, std::vector<HeightSample> const& samples)
+{
+    constexpr Duration kLargestOffset = std::chrono::seconds(3);
+    double nearest = 1;
+    for (auto offset = -kLargestOffset; offset < kLargestOffset;
+         offset += std::chrono::milliseconds(1))
+        nearest = std::min(nearest, farthest(curve, samples, offset));
+    return nearest;
+}
+
 } // namespace
 
 Result<void> compare_heights(std::string const& sent_name, std::string const& got_name,
                              double tolerance)
 {
-    constexpr Duration kLargestOffset = std::chrono::seconds(2);
     auto const sent = TRY(read_log(sent_name));
     auto const curve = TRY(HeightCurve::read(sent));
     auto const heights = TRY(decode_heights(got_name));
     if (heights.broken_reports > 0)
         return fail(Fault::Device, fmt::format("{} reports are broken", heights.broken_reports));
-    double nearest = 1;
-    for (auto offset = -kLargestOffset; offset < kLargestOffset;
-         offset += std::chrono::milliseconds(1))
-        nearest = std::min(nearest, farthest(curve, heights.samples, offset));
+    double const nearest = farthest_at_best(curve, heights.samples);
     fmt::print("{} samples, full scale {}\n", heights.samples.size(),
                heights.samples.front().full_scale);
     print_figure("height error max", 100 * nearest, "% of full scale");
     if (nearest > tolerance)
         return fail(Fault::Device, "these are not the heights that were sent");
+    return {};
+}
+
+Result<void> compare_encoder(std::string const& sent_name, std::string const& got_name,
+                             unsigned counts)
+{
+    constexpr double kMostBehind = 2;
+    auto const sent = TRY(read_log(sent_name));
+    auto const curve = TRY(HeightCurve::read(sent));
+    auto heights = TRY(decode_heights(got_name));
+    if (heights.broken_reports > 0 || heights.counts.overruns > 0)
+        return fail(Fault::Device,
+                    fmt::format("{} reports are broken, {} edges were lost", heights.broken_reports,
+                                heights.counts.overruns));
+    auto const count_at = [&](Timestamp time) {
+        return static_cast<std::int32_t>(std::floor(curve.fraction_at(time) * counts));
+    };
+    auto const first = count_at(Timestamp());
+    for (auto& sample : heights.samples) { // It counts from where it begins.
+        sample.counts += first - kEncoderCountsBelow;
+        sample.full_scale = static_cast<std::int32_t>(counts);
+    }
+    double const farthest_counts = farthest_at_best(curve, heights.samples) * counts;
+    auto const last = heights.samples.back().counts;
+    fmt::print("{} samples, from count {} to {}\n", heights.samples.size(), first, last);
+    print_figure("encoder behind by", farthest_counts, "counts");
+    if (farthest_counts > 1 + kMostBehind) // A count is one high.
+        return fail(Fault::Device, "these are not the heights that were sent");
+    if (last != count_at(curve.end()))
+        return fail(Fault::Device, fmt::format("expected to end at {}", count_at(curve.end())));
     return {};
 }
 

@@ -18,6 +18,7 @@ struct Arguments {
     bool is_first_repeated = false;
     std::size_t device = 0;
     double pause_ms = 50;
+    unsigned encoder_counts = 0;
     HeightExpectation height;
     StreamExpectation stream;
     std::size_t least_strokes = 1;
@@ -131,6 +132,15 @@ void add_height_checks(CLI::App& root, Arguments& arguments, Check& check)
         check = [&] {
             return compare_heights(arguments.truth.sent, got, arguments.height.tolerance);
         };
+    });
+
+    auto* const encoder = root.add_subcommand("same-counts", "Did an encoder count the heights?");
+    encoder->add_option("SENT", arguments.truth.sent)->required();
+    encoder->add_option("GOT", got)->required();
+    encoder->add_option("--counts", arguments.encoder_counts, "Over the full scale")->required();
+    encoder->callback([&] {
+        check
+            = [&] { return compare_encoder(arguments.truth.sent, got, arguments.encoder_counts); };
     });
 
     auto* const stream = root.add_subcommand("stream", "Did the own sensor's frames come whole?");

@@ -1,0 +1,30 @@
+# A draw-wire encoder on the lines of a CP2112, which the kernel's own driver makes a gpiochip that
+# tells edges: our driver counts every one of them, up and down. Then the bridge is unplugged in
+# mid-recording, which is told.
+modules='uhid hid-cp2112'
+files='build/vm/scribble.tractus-log'
+
+log=/files/scribble.tractus-log
+address=gpio:cp2112_gpio:0,1:quadrature
+
+guest() {
+    local player recorder
+    tractus sim encoder $log --counts 40 &
+    wait_until test -e /dev/gpiochip0
+    record_while $! got.tractus-log --device $address 2>messages
+    cat messages
+    vm_check same-counts $log got.tractus-log --counts 40
+    wait_until test ! -e /dev/gpiochip0
+
+    tractus sim encoder $log --stay &
+    player=$!
+    wait_until test -e /dev/gpiochip0
+    tractus record --device $address -o unplugged.tractus-log 2>messages &
+    recorder=$!
+    wait_for_reports unplugged.tractus-log 100
+    kill -KILL $player
+    wait_until grep -q 'has gone' messages
+    cat messages
+    kill -TERM $recorder
+    wait $recorder
+}
