@@ -149,9 +149,12 @@ Result<std::unique_ptr<UhidDevice>> Cp2112WithEncoder::play()
 std::uint8_t Cp2112WithEncoder::next_levels()
 {
     auto const target = target_();
-    count_ = count_ ? *count_ + std::clamp<std::int64_t>(target - *count_, -1, 1) : target;
+    if (count_)
+        *count_ += std::clamp<std::int64_t>(target - *count_, -1, 1);
+    else
+        count_ = begin_ = target;
     auto const level = [&](QuadratureEdge::Line line, unsigned at) {
-        return static_cast<unsigned>(is_encoder_line_high(line, *count_)) << at;
+        return static_cast<unsigned>(is_encoder_line_high(line, *count_ - begin_)) << at;
     };
     return static_cast<std::uint8_t>(level(QuadratureEdge::Line::A, wiring_.a)
                                      | level(QuadratureEdge::Line::B, wiring_.b));

@@ -63,7 +63,8 @@ private:
 
 // A quadrature encoder wired to two lines of a CP2112. The kernel looks at the lines every ten
 // ticks of its clock, 40 ms in Debian's, and tells the edges that it finds; so the encoder moves by
-// at most one count from one look to the next.
+// at most one count from one look to the next. It begins where both lines are low, as the kernel
+// takes them to be before its first look: else that tells edges which there were none of.
 class Cp2112WithEncoder {
 public:
     struct Wiring {
@@ -85,7 +86,8 @@ private:
 
     Wiring wiring_;
     std::function<std::int64_t()> target_;
-    std::optional<std::int64_t> count_ {}; // Where it is; no value before the first look.
+    std::int64_t begin_ = 0;               // Where it was at the first look,
+    std::optional<std::int64_t> count_ {}; // and where it is; no value before.
     Cp2112Model bridge_;
 };
 
