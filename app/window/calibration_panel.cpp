@@ -163,6 +163,14 @@ char const* word_for(HeightCapture::From from)
     return "-";
 }
 
+// Puts the next button beside the last one where that leaves it whole, else below.
+void same_line_if_room(float width, float gap)
+{
+    float const right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + gap + width <= right)
+        ImGui::SameLine(0, gap);
+}
+
 } // namespace
 
 void show_plot(Plot const& plot, ImVec2 const& size_px)
@@ -201,23 +209,24 @@ bool CalibrationPanel::show(CalibrationModel& model, bool may_go_back)
 
 bool CalibrationPanel::show_procedures(CalibrationModel& model, bool may_go_back)
 {
+    ImVec2 const size(100 * scale_, theme::kButtonHeight_px * scale_);
     auto const present = model.view().procedure;
     for (std::size_t i = 0; i < kProcedures.size(); ++i) {
         if (i > 0)
-            ImGui::SameLine();
+            same_line_if_room(size.x, ImGui::GetStyle().ItemSpacing.x);
         bool const is_present = kProcedures[i] == present;
         if (is_present)
             ImGui::PushStyleColor(ImGuiCol_Button, theme::imgui_color(theme::palette().assigned));
-        if (ImGui::Button(kTitles[i], { 120 * scale_, theme::kButtonHeight_px * scale_ })
-            && !is_present)
+        if (ImGui::Button(kTitles[i], size) && !is_present)
             model.perform(ChooseProcedure { kProcedures[i] });
         if (is_present)
             ImGui::PopStyleColor();
     }
     if (!may_go_back)
         return false;
-    ImGui::SameLine(0, 48 * scale_);
-    return ImGui::Button("Back to drawing", { 230 * scale_, theme::kButtonHeight_px * scale_ });
+    ImVec2 const back(230 * scale_, size.y);
+    same_line_if_room(back.x, 48 * scale_);
+    return ImGui::Button("Back to drawing", back);
 }
 
 void CalibrationPanel::show_reading(CalibrationView const& view)
