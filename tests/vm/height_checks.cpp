@@ -32,7 +32,7 @@ Result<DecodedHeights> decode_heights(std::string const& log_name)
             continue;
         DecodedHeights heights;
         for (auto const& record : log.records)
-            if (record.device == device
+            if (record.device == device && record.size > 0 // Else it went away.
                 && !(*decoder)->decode(record.time, log.report(record), heights.samples))
                 ++heights.broken_reports;
         heights.counts = (*decoder)->stream_counts();
