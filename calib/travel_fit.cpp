@@ -33,7 +33,7 @@ std::vector<Touch> touches_with_height(std::span<PenSample const> pens,
     return touches;
 }
 
-// What the pen seems to drift over the tablet, the tablet drifts under it.
+// A pen that seems to drift over the tablet stands still: the tablet drifts under it.
 std::vector<PlaneSighting> sightings_of(std::vector<Touch> const& touches)
 {
     std::vector<PlaneSighting> sightings;

@@ -126,7 +126,7 @@ private:
     // The strokes that state_.strokes begins with, in its order: they need not be in memory.
     std::vector<SharedVector<TipSample>> inked_;
     Layers layers_;
-    Nib nib_ = Nib::Point; // Of the ink that is shown.
+    Nib nib_ = Nib::Point; // The end of the pen whose ink is shown.
     std::size_t finished_strokes_ = 0;
     std::size_t shown_pen_samples_ = 0;
     double shown_surface_mm_ = 0; // That the last picture of the pad was made for.

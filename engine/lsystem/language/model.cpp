@@ -155,7 +155,7 @@ Result<void> Parser::end_line()
     return {};
 }
 
-// What stands in the next lines is no part of this one, however they begin.
+// The next lines are no part of this one, however they begin.
 Result<void> Parser::end_of_system()
 {
     if (!trimmed_line(cursor_.take_line()).empty())
