@@ -84,8 +84,10 @@ void StationView::begin_again(Station const& station, Document const& document)
     shown_pen_samples_ = 0;
     finished_strokes_ = station.counts().strokes;
     state_.volume_mm = station.volume_mm();
-    if (std::exchange(nib_, station.nib()) != nib_)
+    if (nib_ != station.nib()) {
+        nib_ = station.nib();
         inked_.clear();
+    }
     layers_ = station.layers();
     ++state_.live_revision;
     show_live(station, document);

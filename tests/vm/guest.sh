@@ -51,6 +51,31 @@ record_while() {
     wait "$recorder"
 }
 
+# Records a device with a hidraw node that is unplugged in mid-recording and plugged in again: both
+# are told, and the recording goes on.
+#   record_unplugged REPORTS COMMAND THAT PLAYS IT...
+record_unplugged() {
+    local reports=$1 player recorder
+    shift
+    "$@" &
+    player=$!
+    wait_until test -e /dev/hidraw0
+    tractus record -o unplugged.tractus-log 2>messages &
+    recorder=$!
+    wait_for_reports unplugged.tractus-log "$reports"
+    kill -KILL $player
+    wait_until grep -q 'has gone' messages
+    "$@" &
+    player=$!
+    wait_until grep -q 'is back' messages
+    wait_for_reports unplugged.tractus-log "$reports"
+    kill -TERM $recorder
+    wait $recorder
+    cat messages
+    kill -TERM $player
+    wait $player
+}
+
 are_nodes() {
     [ "$(ls -d /dev/hidraw* 2>/dev/null | wc -l)" -eq "$1" ]
 }

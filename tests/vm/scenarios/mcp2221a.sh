@@ -6,7 +6,6 @@ files='build/vm/scribble.tractus-log'
 log=/files/scribble.tractus-log
 
 guest() {
-    local player recorder
     tractus sim mcp2221a $log &
     wait_until test -e /dev/hidraw0
     record_while $! got.tractus-log
@@ -14,21 +13,5 @@ guest() {
     vm_check gaps got.tractus-log
     wait_until test ! -e /dev/hidraw0
 
-    tractus sim mcp2221a $log --stay &
-    player=$!
-    wait_until test -e /dev/hidraw0
-    tractus record -o unplugged.tractus-log 2>messages &
-    recorder=$!
-    wait_for_reports unplugged.tractus-log 100
-    kill -KILL $player
-    wait_until grep -q 'has gone' messages
-    tractus sim mcp2221a $log --stay &
-    player=$!
-    wait_until grep -q 'is back' messages
-    wait_for_reports unplugged.tractus-log 100
-    kill -TERM $recorder
-    wait $recorder
-    cat messages
-    kill -TERM $player
-    wait $player
+    record_unplugged 100 tractus sim mcp2221a $log --stay
 }
