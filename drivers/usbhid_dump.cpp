@@ -71,7 +71,7 @@ std::optional<DumpHead> parse_dump_head(std::string_view line)
 }
 
 // A line without the blanks and the CR at its end.
-std::string_view trimmed(std::string_view line)
+std::string_view without_end(std::string_view line)
 {
     while (line.ends_with('\r') || line.ends_with(' '))
         line.remove_suffix(1);
@@ -88,7 +88,7 @@ public:
     Result<void> take_line(std::string_view line)
     {
         ++line_;
-        line = trimmed(line);
+        line = without_end(line);
         if (!head_) {
             head_ = parse_dump_head(line);
             head_line_ = line_;
@@ -162,7 +162,7 @@ private:
 
 bool begins_usbhid_dump_block(std::string_view line)
 {
-    return parse_dump_head(trimmed(line)).has_value();
+    return parse_dump_head(without_end(line)).has_value();
 }
 
 Result<Log> parse_usbhid_dump(std::istream& in, std::string_view name)

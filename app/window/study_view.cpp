@@ -15,12 +15,12 @@ namespace {
 constexpr float kAcross = 5;
 constexpr float kOther = kAcross / 6;
 constexpr float kDown = 4 + kOther;
-constexpr float kGap_px = 6;
+constexpr float kMargin_px = 6;
 constexpr float kSliders_px = 290;
 constexpr float kLeastSliders_px = 210; // Beside pictures that need the room,
 constexpr float kLeastUnit_px = 52;     // whose field has units of this at least.
 constexpr float kLeastRow_px = 24;      // Of a slider that has to make room.
-constexpr float kTitle_px = 15;
+constexpr float kCaption_px = 15;
 
 // ImGui takes the text for a format.
 std::string as_format(std::string const& text)
@@ -38,7 +38,7 @@ void StudyView::show(StartPageModel& page, Controls const& controls)
     auto const study = *page.state().study; // The page may make another one below.
     auto const corner = ImGui::GetCursorScreenPos();
     auto const room = ImGui::GetContentRegionAvail();
-    float const gap = 2 * kGap_px * scale_;
+    float const gap = 2 * kMargin_px * scale_;
     float const sliders = std::clamp(room.x - gap - kAcross * kLeastUnit_px * scale_,
                                      kLeastSliders_px * scale_, kSliders_px * scale_);
     float const beside = std::min((room.x - sliders - gap) / kAcross, room.y / kDown);
@@ -75,7 +75,7 @@ void StudyView::show_picture(StartStudy::Picture const& picture, std::size_t pla
                              ImVec2 const& corner, float side)
 {
     auto* const draw = ImGui::GetWindowDrawList();
-    float const edge = side - kGap_px * scale_;
+    float const edge = side - kMargin_px * scale_;
     ImVec2 const to { corner.x + edge, corner.y + edge };
     float const rounding = ImGui::GetStyle().FrameRounding;
     auto& [known, texture] = shown_[place];
@@ -92,8 +92,8 @@ void StudyView::show_picture(StartStudy::Picture const& picture, std::size_t pla
     else
         draw->AddRectFilled(corner, to, theme::packed(theme::palette().pad_background), rounding);
     if (!picture.title.empty()) // On the picture's paper, which is white in either theme.
-        draw->AddText(ImGui::GetFont(), kTitle_px * scale_,
-                      { corner.x + kGap_px * scale_, corner.y + kGap_px * scale_ / 2 },
+        draw->AddText(ImGui::GetFont(), kCaption_px * scale_,
+                      { corner.x + kMargin_px * scale_, corner.y + kMargin_px * scale_ / 2 },
                       IM_COL32(90, 90, 90, 255), picture.title.c_str());
 }
 

@@ -27,14 +27,15 @@ std::byte low(unsigned value)
     return static_cast<std::byte>(value & 0xFF);
 }
 
-// Where the sensor's interface is in the device's configuration.
-struct Place {
+// The interface of a device on which the sensor speaks: its number, and numbers of its endpoint and
+// its name.
+struct SensorInterface {
     int interface_number = 0;
     std::uint8_t endpoint = 0;
     std::uint8_t string = 0;
 };
 
-std::optional<Place> place_of(libusb_interface_descriptor const& interface)
+std::optional<SensorInterface> sensor_interface_of(libusb_interface_descriptor const& interface)
 {
     if (interface.bInterfaceClass != kHeightSensorClass
         || interface.bInterfaceSubClass != kHeightSensorSubclass
@@ -43,23 +44,23 @@ std::optional<Place> place_of(libusb_interface_descriptor const& interface)
     for (auto const& endpoint : std::span(interface.endpoint, interface.bNumEndpoints))
         if ((endpoint.bmAttributes & LIBUSB_TRANSFER_TYPE_MASK) == LIBUSB_TRANSFER_TYPE_BULK
             && (endpoint.bEndpointAddress & LIBUSB_ENDPOINT_IN) != 0)
-            return Place { interface.bInterfaceNumber, endpoint.bEndpointAddress,
-                           interface.iInterface };
+            return SensorInterface { interface.bInterfaceNumber, endpoint.bEndpointAddress,
+                                     interface.iInterface };
     return std::nullopt;
 }
 
-std::optional<Place> find_place(UsbDevice const& device)
+std::optional<SensorInterface> find_sensor_interface(UsbDevice const& device)
 {
     libusb_config_descriptor* config = nullptr;
     if (libusb_get_active_config_descriptor(libusb_get_device(device.handle()), &config)
         != LIBUSB_SUCCESS)
         return std::nullopt;
-    std::optional<Place> place;
+    std::optional<SensorInterface> found;
     for (auto const& interface : std::span(config->interface, config->bNumInterfaces))
-        if (!place && interface.num_altsetting > 0)
-            place = place_of(interface.altsetting[0]);
+        if (!found && interface.num_altsetting > 0)
+            found = sensor_interface_of(interface.altsetting[0]);
     libusb_free_config_descriptor(config);
-    return place;
+    return found;
 }
 
 class UsbHeightSensorLink final : public HeightSensorLink {
@@ -232,20 +233,20 @@ Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info)
 {
     auto const options = TRY(parse_usb_height_sensor_options(info.settings));
     auto device = TRY(open_usb_device(info));
-    auto const place = find_place(device);
-    if (!place)
+    auto const found = find_sensor_interface(device);
+    if (!found)
         return fail(Fault::User,
                     fmt::format("{} at {} is no height sensor of the station's own kind: it has no "
                                 "interface of class {:02x}, subclass {:02x}, protocol {:02x}",
                                 info.name, info.location, kHeightSensorClass, kHeightSensorSubclass,
                                 kHeightSensorProtocol));
-    TRY(device.claim(place->interface_number));
-    info.interface_number = place->interface_number;
-    info.strings[place->string] = TRY(device.string(place->string));
+    TRY(device.claim(found->interface_number));
+    info.interface_number = found->interface_number;
+    info.strings[found->string] = TRY(device.string(found->string));
     auto link
-        = std::make_unique<UsbHeightSensorLink>(std::move(device), place->interface_number,
+        = std::make_unique<UsbHeightSensorLink>(std::move(device), found->interface_number,
                                                 fmt::format("{} at {}", info.name, info.location));
-    TRY(link->start(place->endpoint));
+    TRY(link->start(found->endpoint));
     return open_usb_height_sensor(std::move(info), std::move(link), options);
 }
 

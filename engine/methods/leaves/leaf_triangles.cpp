@@ -13,7 +13,7 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 using Corners = std::vector<std::uint32_t>;
 
-bool is_inside(Vec2 const& point, Vec2 const& a, Vec2 const& b, Vec2 const& c)
+bool is_in_triangle(Vec2 const& point, Vec2 const& a, Vec2 const& b, Vec2 const& c)
 {
     return turn(a, b, point) > 0 && turn(b, c, point) > 0 && turn(c, a, point) > 0;
 }
@@ -166,7 +166,7 @@ private:
         double const longest = std::max({ (corner.at - a).squaredNorm(),
                                           (c - corner.at).squaredNorm(), (a - c).squaredNorm() });
         bool const is_ear = area >= 0 && std::ranges::none_of(hollows_, [&](Vec2 const& other) {
-                                return is_inside(other, a, corner.at, c);
+                                return is_in_triangle(other, a, corner.at, c);
                             });
         shapes_[i] = !is_ear ? kNoEar : longest > 0 ? area / longest : 0;
     }
