@@ -47,6 +47,9 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
         window.perform(OpenCalibration {});
     if (!window.options_.recording.empty())
         TRY(window.start_recording(window.options_.recording));
+    if (!window.options_.socket.empty())
+        window.stream_ = TRY(StreamOutput::open_socket(
+            window.options_.socket, window.station_.volume_mm(), StreamOutput::What::All));
     if (!window.options_.picture.empty()) // A step of the recording, too.
         window.perform(LayPictureFile { window.options_.picture });
     return window;
@@ -82,6 +85,7 @@ Result<void> LiveWindow::finish()
 {
     take_reports();
     station_.finish();
+    tell_programs();
     record_tool_changes();
     auto const kept = controller_->finish(station_, options_.now());
     record_steps();
@@ -95,6 +99,11 @@ Result<void> LiveWindow::close()
     auto const kept = finish();
     auto const recorded = recorder_ ? stop_recording() : Result<void>();
     auto const written = controller_->finish_files();
+    if (stream_) {
+        static_cast<void>(stream_->end());
+        stream_->serve();
+        stream_.reset();
+    }
     if (!kept) // The drawing is worth most.
         return kept;
     return recorded ? written : recorded;
@@ -105,6 +114,7 @@ void LiveWindow::advance(Duration real_step)
     if (options_.counted_time)
         *options_.counted_time += real_step;
     take_reports();
+    tell_programs();
     follow_start_page();
     follow_choices();
     follow_leaf_page();
@@ -113,7 +123,7 @@ void LiveWindow::advance(Duration real_step)
     if (auto hand = controller_->take_hand())
         perform_kind(ChooseTool { *std::move(hand) });
     record_steps();
-    view().show_pen(station_.take_moments());
+    view().show_pen(std::exchange(moments_, {}));
     cards_.show(view().state());
     calibrate();
     show_devices();
@@ -165,6 +175,18 @@ void LiveWindow::take_reports()
             calibration_->push(report);
     }
     station_.pass_time(options_.now());
+}
+
+// Before the document takes the strokes. A socket waits for nobody, so that nothing can fail.
+void LiveWindow::tell_programs()
+{
+    auto const moments = station_.take_moments();
+    moments_.insert(moments_.end(), moments.begin(), moments.end());
+    if (!stream_)
+        return;
+    stream_->serve(); // Who has come since is told, too.
+    static_cast<void>(stream_->tell(moments, station_, scene()));
+    stream_->serve();
 }
 
 void LiveWindow::record_tool_changes()
@@ -443,6 +465,7 @@ void LiveWindow::use_rig(Rig const& rig)
         return;
     }
     station_.finish();
+    tell_programs();
     record_tool_changes();
     auto const kept = controller_->finish(station_, options_.now()); // Else it is tried again.
     station_options_ = std::move(options);

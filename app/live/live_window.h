@@ -14,6 +14,7 @@
 #include "app/plants/followed_model.h"
 #include "app/session/session.h"
 #include "app/station/window_model.h"
+#include "app/stream/stream_output.h"
 #include "app/tools/methods.h"
 #include "calib/rig.h"
 #include "engine/base/result.h"
@@ -65,16 +66,18 @@ struct LiveWindowOptions {
     std::filesystem::path cards {};   // The folder of a person's own cards; empty: none are kept.
     // The model whose plant is drawn on: when it is saved, the plant follows. Empty: none.
     std::filesystem::path model {};
+    // The name of a socket at which other programs are told what is drawn; empty: none.
+    std::filesystem::path socket {};
 };
 
 // Contents of the station's window while somebody draws: devices are read on threads of their own,
 // and each advance() takes what they have sent. Devices may go away and come back meanwhile.
 class LiveWindow final : public WindowModel {
 public:
-    // Fails like Station::create and LiveRecorder::create. Without a height sensor and a height the
-    // surface lies on the controller; so it does where there is a height sensor and nothing is
-    // known of what its readings mean, and the window opens with calibrating it. Where that cannot
-    // be kept, it fails, as the user's fault.
+    // Fails like Station::create, LiveRecorder::create and LineServer::listen. Without a height
+    // sensor and a height the surface lies on the controller; so it does where there is a height
+    // sensor and nothing is known of what its readings mean, and the window opens with calibrating
+    // it. Where that cannot be kept, it fails, as the user's fault.
     static Result<LiveWindow> create(LiveDevices devices, LiveWindowOptions options);
     LiveWindow(LiveWindow&&) = default;
     LiveWindow& operator=(LiveWindow&&) = delete;
@@ -141,6 +144,7 @@ private:
     void follow(std::filesystem::path const& model);
     void follow_model();
     void take_reports();
+    void tell_programs();
     void show_devices();
     void calibrate();
     void use_rig(Rig const& rig);
@@ -167,6 +171,8 @@ private:
     std::unique_ptr<LeafPage> leaf_page_;        // Null before it is opened.
     std::optional<FollowedModel> model_;         // Its file, where somebody may write it.
     std::optional<LiveRecorder> recorder_;
+    std::optional<StreamOutput> stream_; // No value: nobody wants to be told.
+    std::vector<PenMoment> moments_;     // What the pen did and is not shown yet.
     // Number of the recording's first stroke in the document.
     std::size_t recorded_from_stroke_ = 0;
     std::optional<LiveDiagnosis> diagnosis_; // While the devices are watched.

@@ -115,6 +115,9 @@ public:
     // The strokes that were finished since the last call, in order.
     std::vector<ToolStroke> take_strokes() { return std::exchange(strokes_, {}); }
 
+    // Strokes that the next take_strokes() will give.
+    std::vector<ToolStroke> const& new_strokes() const { return strokes_; }
+
     StationCounts const& counts() const { return counts_; }
     FuserCounts fuser_counts() const; // Of all pens.
 

@@ -12,6 +12,13 @@ using namespace std::chrono_literals;
 
 static constexpr Duration kStreamRest = 2ms;
 
+// Nothing is kept of what is drawn, so that everything grows on an empty sheet.
+static Result<void> take(Station& station, StreamOutput& output)
+{
+    static Scene const sheet;
+    return output.take(station, sheet);
+}
+
 // Serves until a condition holds, or it is to stop.
 template<typename Condition>
 static void serve_until(StreamOutput& output, Pace const& pace, std::atomic<bool> const& stop,
@@ -31,7 +38,7 @@ static Result<void> stream_moment(LogReplay& replay, StreamOutput& output)
     bool is_stroke_end = true;
     while (is_stroke_end) {
         is_stroke_end = replay.advance_to_stroke(time);
-        TRY(output.take(replay.station()));
+        TRY(take(replay.station(), output));
     }
     return {};
 }
@@ -82,17 +89,17 @@ Result<void> stream_live(LiveDevices& devices, Station& station, StreamOutput& o
         devices.take(reports);
         for (auto const& [device, report] : reports) {
             station.push(device, report.received, report.bytes());
-            TRY(output.take(station));
+            TRY(take(station, output));
         }
         station.pass_time(options.now());
-        TRY(output.take(station));
+        TRY(take(station, output));
         output.serve();
         news.tell(devices);
         if (reports.empty() && goes_on)
             options.rest(kStreamRest);
     }
     station.finish();
-    TRY(output.take(station));
+    TRY(take(station, output));
     TRY(output.end());
     serve_rest(output, options);
     return {};

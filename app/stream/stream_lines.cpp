@@ -82,6 +82,14 @@ std::string stroke_line(std::size_t number, ToolStroke const& stroke)
     return text + "]}\n";
 }
 
+std::string step_line(std::size_t number, Timestamp began, Timestamp time, Vec3 const& end_mm)
+{
+    return fmt::format(
+        R"({{"type":"step","number":{},"stroke_time_s":{},"time_s":{},"position_mm":[{}]}})"
+        "\n",
+        number, seconds_text(began), seconds_text(time), coordinates_text(end_mm));
+}
+
 std::string lost_line(std::size_t tips)
 {
     return fmt::format(R"({{"type":"lost","tips":{}}})"

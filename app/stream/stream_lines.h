@@ -26,6 +26,10 @@ std::string tip_line(PenMoment const& moment);
 // A finished stroke, the `number`-th, whose tips are settled, and what it is for. It has tips.
 std::string stroke_line(std::size_t number, ToolStroke const& stroke);
 
+// The end of the `number`-th step, from 1 on, by which something grows along the stroke that began
+// at `began`, and the time of the pen's sample that made it.
+std::string step_line(std::size_t number, Timestamp began, Timestamp time, Vec3 const& end_mm);
+
 // Says how many lines of tips were left out, since the reader was too slow for them.
 std::string lost_line(std::size_t tips);
 

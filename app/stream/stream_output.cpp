@@ -2,6 +2,7 @@
 
 #include "app/stream/stream_lines.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace tractus {
@@ -25,14 +26,56 @@ StreamOutput::StreamOutput(Write write, std::optional<LineServer> server, What w
 {
 }
 
-Result<void> StreamOutput::take(Station& station)
+Result<void> StreamOutput::take(Station& station, Scene const& scene)
 {
-    for (auto const& moment : station.take_moments())
-        if (what_ == What::All)
+    auto const moments = station.take_moments();
+    TRY(tell(moments, station, scene));
+    (void)station.take_strokes();
+    return {};
+}
+
+Result<void> StreamOutput::tell(std::span<PenMoment const> moments, Station const& station,
+                                Scene const& scene)
+{
+    if (what_ == What::All)
+        for (auto const& moment : moments)
             TRY(put(tip_line(moment), LineServer::Importance::LeaveOut));
-    for (auto const& stroke : station.take_strokes())
-        if (!stroke.stroke.tips.empty())
-            TRY(put(stroke_line(++stroke_count_, stroke), LineServer::Importance::Keep));
+    for (auto const& [stroke, tool] : station.new_strokes()) {
+        if (stroke.tips.empty())
+            continue;
+        TRY(tell_steps(stroke, tool, scene));
+        TRY(put(stroke_line(++stroke_count_, { stroke, tool }), LineServer::Importance::Keep));
+    }
+    auto const inks
+        = station.is_pressing() ? std::vector<std::vector<TipSample>>() : station.inks();
+    std::erase_if(growing_, [&](Growing const& growing) {
+        return std::none_of(inks.begin(), inks.end(),
+                            [&](auto const& ink) { return ink.front().time == growing.began; });
+    });
+    for (auto const& ink : inks)
+        TRY(tell_steps({ ink }, station.meaning_of(ink), scene));
+    return {};
+}
+
+// A stroke that has no more tips than it had has no more steps.
+Result<void> StreamOutput::tell_steps(Stroke const& stroke, Tool const& tool, Scene const& scene)
+{
+    auto* const steps = tool.kind().steps;
+    if (!steps || what_ != What::All)
+        return {};
+    auto const began = stroke.tips.front().time;
+    auto at = std::find_if(growing_.begin(), growing_.end(),
+                           [&](Growing const& growing) { return growing.began == began; });
+    if (at == growing_.end())
+        at = growing_.insert(growing_.end(), { began });
+    if (std::exchange(at->tips, stroke.tips.size()) == stroke.tips.size())
+        return {};
+    auto const ends_mm = steps(tool, stroke, scene);
+    while (at->steps_told < ends_mm.size()) {
+        auto const& end_mm = ends_mm[at->steps_told++];
+        TRY(put(step_line(at->steps_told, began, stroke.tips.back().time, end_mm),
+                LineServer::Importance::Keep));
+    }
     return {};
 }
 

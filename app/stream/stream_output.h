@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace tractus {
 
@@ -28,8 +30,13 @@ public:
                                             Bounds const& volume_mm, What what);
 
     // Takes what the station has done since it was taken last, in the order in which it was done.
-    // Fails as `write` does.
-    Result<void> take(Station& station);
+    // What grows along strokes grows in `scene`. Fails as `write` does.
+    Result<void> take(Station& station, Scene const& scene);
+
+    // Does so with moments of the pen that were taken already, and leaves the strokes to somebody
+    // else who takes them before this is called again.
+    Result<void> tell(std::span<PenMoment const> moments, Station const& station,
+                      Scene const& scene);
 
     // Lets readers of the socket in and gives them what they take now.
     void serve();
@@ -46,12 +53,21 @@ public:
 private:
     StreamOutput(Write write, std::optional<LineServer> server, What what);
 
+    // A stroke along which something grows, by the time of its first tip.
+    struct Growing {
+        Timestamp began {};
+        std::size_t steps_told = 0;
+        std::size_t tips = 0; // That it had then.
+    };
+
+    Result<void> tell_steps(Stroke const& stroke, Tool const& tool, Scene const& scene);
     Result<void> put(std::string const& line, LineServer::Importance importance);
 
     Write write_;
     std::optional<LineServer> server_;
     What what_;
     std::size_t stroke_count_ = 0;
+    std::vector<Growing> growing_; // Those under way, one for each pen.
 };
 
 } // namespace tractus

@@ -96,6 +96,10 @@ struct ToolKind {
 
     // What shows what a stroke under way would do. No value: nothing.
     std::unique_ptr<StrokePreviewer> (*previewer)() = nullptr;
+    // Where each step ends by which something grows along a stroke, as far as that is drawn, for
+    // other programs to follow. World frame, mm. No value: nothing grows in steps.
+    std::vector<Vec3> (*steps)(Tool const& tool, Stroke const& stroke, Scene const& scene)
+        = nullptr;
     // Whether the branches that a stroke under way runs over are marked. No value: never.
     bool (*marks_branches)(Tool const& tool) = nullptr;
     // The branch that the next stroke shapes, where that is not what is selected. No value: it is.

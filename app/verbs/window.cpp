@@ -54,8 +54,10 @@ struct WindowArguments {
     std::string rig;
     std::string height;
     std::string picture; // To be laid behind what is drawn.
+    std::string socket;  // Where other programs are told what is drawn; empty: nowhere.
     bool fills_display = false;
-    std::string display;                   // The one to fill; empty: as `fills_display` says.
+    std::string display; // The one to fill; empty: as `fills_display` says.
+    bool is_on_stage = false;
     std::optional<bool> is_light {};       // No value: as the person chose it last.
     std::optional<bool> is_left_handed {}; // Likewise.
     double scale = 0;
@@ -104,6 +106,7 @@ WindowOptions window_options(WindowArguments const& arguments, std::string title
     options.title = std::move(title);
     if (arguments.fills_display || !arguments.display.empty())
         options.full_screen = arguments.display;
+    options.is_on_stage = arguments.is_on_stage;
     options.look = look_for(arguments);
     if (keeps_look(arguments))
         options.keep_look = [warned = false](WindowLook const& look) mutable {
@@ -226,6 +229,7 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
     options.cache = user_cache_folder();
     options.picture = arguments.picture;
     options.recording = arguments.recording;
+    options.socket = arguments.socket;
     options.now = clock.now;
     options.counted_time = clock.counted;
     if (!clock.counted)
@@ -270,9 +274,11 @@ Result<WindowArguments> sort_out(WindowArguments arguments)
     }
     arguments.log = arguments.file;
     if (!arguments.log.empty()
-        && !(arguments.devices.empty() && arguments.played.empty() && arguments.recording.empty()))
+        && !(arguments.devices.empty() && arguments.played.empty() && arguments.recording.empty()
+             && arguments.socket.empty()))
         return fail(Fault::User,
-                    fmt::format("{} is replayed: --device, --log and --record are for drawing",
+                    fmt::format("{} is replayed: --device, --log, --record and --socket are for "
+                                "drawing",
                                 arguments.log));
     return arguments;
 }
@@ -327,6 +333,8 @@ void add_look_options(CLI::App& verb, WindowArguments& arguments)
     verb.add_option("--display", arguments.display,
                     "Fill this display: its number, or a part of its name")
         ->type_name("DISPLAY");
+    verb.add_flag("--on-stage", arguments.is_on_stage,
+                  "Show nothing but what grows, until Esc or the ring of tools ends that");
     auto const add_choice
         = [&](char const* name, std::optional<bool>& chosen, bool value, char const* help) {
               return verb.add_flag_callback(
@@ -408,6 +416,10 @@ void add_window_verb(CLI::App& root, Action& action, Methods const& methods)
     verb->add_option("--picture", arguments->picture,
                      "Lay this PNG or JPEG behind what is drawn, to draw after it")
         ->type_name("FILE");
+    verb->add_option("--socket", arguments->socket,
+                     "Tell other programs at a local socket of this name what is drawn, as "
+                     "\"tractus stream\" does, and what grows by it")
+        ->type_name("PATH");
     add_rig_option(*verb, arguments->rig);
     add_height_option(*verb, arguments->height);
     add_look_options(*verb, *arguments);

@@ -73,6 +73,14 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
         ImGui::End();
         return;
     }
+    if (bench_.is_on_stage) {
+        show_stage(model, renderer, input);
+        ImGui::End();
+        show_ring(model, pen);
+        fulfil_view_wishes();
+        tell_pressing_areas(model);
+        return;
+    }
     show_views(model, renderer, input);
     ImGui::End();
     bool const is_beside_pen
@@ -97,6 +105,25 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
     fulfil_view_wishes();
     follow_angle(model);
     tell_pressing_areas(model);
+}
+
+// The pen draws wherever it is; nothing is seen of that but what grows.
+void Layout::show_stage(WindowModel& model, Renderer& renderer, HandInput const& input)
+{
+    auto const& state = model.state();
+    auto const whole = whole_window();
+    bool const draws = bench_.draws(state);
+    pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
+    ImGui::SetCursorScreenPos({ 0, 0 });
+    plant_.show_on_stage(state, renderer, { whole.width, whole.height }, bench_.drag, !draws);
+    ImGui::SetCursorScreenPos({ 0, 0 });
+    ImGui::InvisibleButton("stage", { whole.width, whole.height });
+    pad_is_pointed_at_ = ImGui::IsItemHovered();
+    if (!draws || !state.mouse_draws)
+        mouse_.let_go(model);
+    else if (!ring_.is_open())
+        mouse_.hold(model, pen_area_, input.mouse);
+    move_surface_as_wished(model, input, draws);
 }
 
 // All of the window is to be pressed.
@@ -382,7 +409,10 @@ std::vector<RingEntry> Layout::ring_entries(WindowModel& model)
     entries.push_back({ "View", "", [this] { bench_.choose_view_tool(); } });
     entries.push_back({ "Undo", "", [&model] { model.perform(Undo {}); } });
     entries.push_back({ "Redo", "", [&model] { model.perform(Redo {}); } });
-    entries.push_back({ "Next\nview", "", [this] { bench_.show_next(); } });
+    if (bench_.is_on_stage)
+        entries.push_back({ "Off\nstage", "", [this] { bench_.is_on_stage = false; } });
+    else
+        entries.push_back({ "Next\nview", "", [this] { bench_.show_next(); } });
     return entries;
 }
 

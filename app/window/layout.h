@@ -55,6 +55,7 @@ private:
     void show_calibration(WindowModel& model, PenPointer const& pen);
     void show_start(WindowModel& model);
     void begin_drawing(WindowModel& model);
+    void show_stage(WindowModel& model, Renderer& renderer, HandInput const& input);
     void show_menu(WindowModel& model, Renderer& renderer);
     void show_views(WindowModel& model, Renderer& renderer, HandInput const& input);
     void show_pad(WindowModel& model, Renderer& renderer, WindowPart const& part,

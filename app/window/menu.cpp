@@ -172,6 +172,8 @@ void Menu::show_displays(WindowState const& state, Workbench& bench, Controls co
 void Menu::show_window(WindowState const& state, Workbench& bench, Controls const& controls) const
 {
     show_displays(state, bench, controls);
+    if (controls.button("On stage", item_px()))
+        bench.enter_stage();
     if (controls.button(theme::palette().is_light ? "Dark" : "Light", item_px(3)))
         theme::set_light(!theme::palette().is_light);
     ImGui::SameLine();

@@ -19,6 +19,7 @@ Palette const kDark {
     .pad_background = { 0.095f, 0.105f, 0.12f },
     .recording = { 0.93f, 0.28f, 0.22f },
     .faint = { 0.36f, 0.44f, 0.43f },
+    .growing = { 0.45f, 0.37f, 0.28f },
 };
 
 Palette const kLight {
@@ -36,6 +37,7 @@ Palette const kLight {
     .pad_background = { 0.972f, 0.97f, 0.965f },
     .recording = { 0.80f, 0.10f, 0.08f },
     .faint = { 0.62f, 0.68f, 0.66f },
+    .growing = { 0.42f, 0.32f, 0.22f },
 };
 
 Palette const*& present()

@@ -21,6 +21,7 @@ struct Palette {
     Vec3f pad_background;
     Vec3f recording; // The mark that all is recorded.
     Vec3f faint;     // The skeleton where it only helps to find one's way.
+    Vec3f growing;   // What grows on stage, until it has bark and leaves.
 };
 
 // That of the window now: for a dark room, until a person wants light.

@@ -16,7 +16,8 @@ constexpr double kWheelStep_mm = 10;
 constexpr double kFineWheelStep_mm = 1; // With Shift.
 constexpr double kKeySpeed_mm_s = 80;
 
-// Closes what is open, or else the full screen, or else the window.
+// Closes what is open, or else leaves the stage, or else the full screen, or else closes the
+// window.
 void take_escape(Workbench& bench, ToolRing& ring)
 {
     bool const is_anything_open
@@ -27,7 +28,9 @@ void take_escape(Workbench& bench, ToolRing& ring)
     bench.asked_number.reset();
     if (is_anything_open)
         return;
-    if (bench.will_fill_display())
+    if (bench.is_on_stage)
+        bench.is_on_stage = false;
+    else if (bench.will_fill_display())
         bench.turn_full_screen();
     else
         bench.wants_to_close = true;
@@ -142,7 +145,7 @@ WindowPart show_shortcuts(ToolKinds tools, ImGuiWindowFlags flags, float scale)
           { "N", "another one: the next seed" },
           { "Ctrl+N", "closes the drawing, for another one" },
           { "?", "this list" },
-          { "Esc", "closes what is open, full screen, or the window" },
+          { "Esc", "closes what is open, the stage, full screen, or the window" },
           { "Q", "closes the window" } }
     };
     ImGui::SetNextWindowPos({ 40 * scale, 60 * scale });

@@ -392,6 +392,19 @@ std::vector<Curve> preview_curves(WindowState const& state)
     return curves;
 }
 
+std::vector<Curve> growing_curves(WindowState const& state)
+{
+    std::vector<Curve> curves;
+    for (auto const& line : state.preview) {
+        auto& curve = curves.emplace_back();
+        curve.width_unit = Curve::WidthUnit::Millimetres;
+        curve.points.reserve(line.points_mm.size());
+        for (auto const& point : line.points_mm)
+            curve.points.push_back({ point, theme::palette().growing, line.width_mm });
+    }
+    return curves;
+}
+
 std::vector<Curve> skeleton_curves(WindowState const& state)
 {
     std::vector<Curve> curves;

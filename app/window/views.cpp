@@ -77,6 +77,25 @@ StagedPicture staged(ShownPicture const& shown, GpuPicture const& picture, doubl
              .strength = static_cast<float>(place.strength) };
 }
 
+// Adds the middle of the sheet of paper that stands in the drawing volume, and what grows: a
+// picture of these keeps still while something grows in it.
+void add_drawing_room(WindowState const& state, Bounds& plant_mm)
+{
+    auto const& box_mm = state.volume_mm;
+    if (!box_mm.empty()) {
+        auto const T_plant_world = state.T_world_plant.inverse();
+        Vec3 const size_mm = box_mm.max_mm - box_mm.min_mm;
+        Vec3 const foot_mm = (box_mm.min_mm + box_mm.max_mm - size_mm.z() * Vec3::UnitZ()) / 2;
+        Vec3 const aside_mm = size_mm.x() / 4 * Vec3::UnitX();
+        Vec3 const top_mm = foot_mm + size_mm.y() * Vec3::UnitZ();
+        for (Vec3 const& corner_mm : { Vec3(foot_mm - aside_mm), Vec3(top_mm + aside_mm) })
+            plant_mm.add((T_plant_world * corner_mm.cast<float>()).cast<double>());
+    }
+    for (auto const& line : state.preview)
+        for (auto const& point_mm : line.points_mm)
+            plant_mm.add(point_mm.cast<double>());
+}
+
 double aspect_of(Canvas const& canvas)
 {
     return static_cast<double>(canvas.width()) / canvas.height();
@@ -184,32 +203,74 @@ void SkeletonView::show(WindowState const& state, Renderer& renderer, SelectionA
     canvas_.show();
 }
 
+// Whether it is another one, or seen otherwise.
+bool PlantView::follow_plant(WindowState const& state)
+{
+    bool changed = std::exchange(turned_, false);
+    changed |= std::exchange(is_light_, theme::palette().is_light) != theme::palette().is_light;
+    if (state.plant == nullptr || (mesh_ && state.plant_revision == revision_))
+        return changed;
+    mesh_.emplace(*state.plant);
+    revision_ = state.plant_revision;
+    if (state.growth.age >= 1)
+        framed_mm_ = {};
+    if (auto const box_mm = mesh_->bounds(); !box_mm.empty()) {
+        framed_mm_.add(box_mm.min_mm);
+        framed_mm_.add(box_mm.max_mm);
+    }
+    return true;
+}
+
+void PlantView::draw(Renderer& renderer, Bounds const& framed_mm, Canvas const& canvas,
+                     GpuCurves const* curves)
+{
+    Stage stage;
+    stage.backdrop = is_light_ ? Backdrop() : dark_backdrop();
+    if (mesh_)
+        stage.meshes.push_back({ &*mesh_ });
+    if (curves)
+        stage.curves.push_back(curves);
+    renderer.draw(stage, orbit_.camera(framed_mm, aspect_of(canvas)), canvas);
+}
+
 void PlantView::show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px,
                      ViewDrag drag)
 {
-    bool changed = turned_
-        || std::exchange(is_light_, theme::palette().is_light) != theme::palette().is_light;
-    if (state.plant != nullptr && (!mesh_ || state.plant_revision != revision_)) {
-        mesh_.emplace(*state.plant);
-        revision_ = state.plant_revision;
-        if (state.growth.age >= 1)
-            framed_mm_ = {};
-        if (auto const box_mm = mesh_->bounds(); !box_mm.empty()) {
-            framed_mm_.add(box_mm.min_mm);
-            framed_mm_.add(box_mm.max_mm);
-        }
-        changed = true;
-    }
+    bool changed = follow_plant(state);
+    changed |= std::exchange(was_on_stage_, false);
     auto const& canvas = canvas_.sized(size_px, changed);
-    if (changed) {
-        Stage stage;
-        stage.backdrop = is_light_ ? Backdrop() : dark_backdrop();
-        if (mesh_)
-            stage.meshes.push_back({ &*mesh_ });
-        renderer.draw(stage, orbit_.camera(framed_mm_, aspect_of(canvas)), canvas);
-    }
+    if (changed)
+        draw(renderer, framed_mm_, canvas, nullptr);
     canvas_.show();
     turned_ = orbit_.take_input(ImGui::GetFontSize() / theme::kTextSize_px, size_px.y, drag);
+}
+
+void PlantView::show_on_stage(WindowState const& state, Renderer& renderer, ImVec2 const& size_px,
+                              ViewDrag drag, bool may_turn)
+{
+    bool changed = follow_plant(state);
+    if (!std::exchange(was_on_stage_, true)) {
+        framed_on_stage_mm_ = {};
+        changed = true;
+    }
+    if (!state.preview.empty())
+        grows_on_ = state.plant_revision;
+    // What has grown is seen until it is the plant's, or was refused.
+    bool const waits = state.preview.empty() && grows_on_ == state.plant_revision && !state.refused;
+    if (!waits)
+        changed |= growing_.follow(state.preview_revision, [&] { return growing_curves(state); });
+    auto const& canvas = canvas_.sized(size_px, changed);
+    if (changed) {
+        if (!framed_mm_.empty()) {
+            framed_on_stage_mm_.add(framed_mm_.min_mm);
+            framed_on_stage_mm_.add(framed_mm_.max_mm);
+        }
+        add_drawing_room(state, framed_on_stage_mm_);
+        draw(renderer, framed_on_stage_mm_, canvas, growing_.curves());
+    }
+    canvas_.show();
+    if (may_turn)
+        turned_ = orbit_.take_input(ImGui::GetFontSize() / theme::kTextSize_px, size_px.y, drag);
 }
 
 void PlantView::zoom(double factor)

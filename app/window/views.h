@@ -107,6 +107,11 @@ class PlantView {
 public:
     void show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px, ViewDrag drag);
 
+    // With what grows along the stroke under way, and framing the volume in which the pen draws, so
+    // that it keeps still meanwhile. `may_turn`: drags and the wheel turn it.
+    void show_on_stage(WindowState const& state, Renderer& renderer, ImVec2 const& size_px,
+                       ViewDrag drag, bool may_turn);
+
     // By what the view tool's buttons wish for.
     void zoom(double factor);
     void look_at_whole();
@@ -115,13 +120,22 @@ public:
     Image picture(Renderer& renderer, int width, int height) const;
 
 private:
+    bool follow_plant(WindowState const& state);
+    void draw(Renderer& renderer, Bounds const& framed_mm, Canvas const& canvas,
+              GpuCurves const* curves);
+
     ViewCanvas canvas_;
     Orbit orbit_;
     std::optional<GpuMesh> mesh_;
-    Bounds framed_mm_; // What the orbit looks at.
+    FollowedCurves growing_;
+    Bounds framed_mm_;          // What the orbit looks at,
+    Bounds framed_on_stage_mm_; // and on stage: all that has been there.
     std::uint64_t revision_ = 0;
     bool turned_ = false;
     bool is_light_ = false;
+    bool was_on_stage_ = false; // In the last frame.
+    // Revision of the plant beside which something grew last.
+    std::optional<std::uint64_t> grows_on_ {};
 };
 
 } // namespace tractus

@@ -171,6 +171,7 @@ static Result<void> show_window(Host& host, WindowModel& model, WindowOptions co
     TRY(fill_at_first(host, model.state(), options));
     Layout layout(host.title_font(), host.scale());
     layout.bench().is_left_handed = options.look.is_left_handed;
+    layout.bench().is_on_stage = options.is_on_stage;
     PenPointer pen;
     auto const draw_frame = [&] {
         auto const step_s = counts_frames(options)

@@ -31,6 +31,8 @@ struct WindowOptions {
     // tablet's own, else the one that the window is on. No value: a window among others.
     std::optional<std::string> full_screen {};
 
+    bool is_on_stage = false; // At first nothing is seen but what grows: Workbench::is_on_stage.
+
     WindowLook look {}; // At first.
     double scale = 0;   // Of letters and buttons; 0: the display's.
 

@@ -76,6 +76,17 @@ void Workbench::turn_full_screen()
     full_screen_wished = FullScreen { !will_fill_display() };
 }
 
+void Workbench::enter_stage()
+{
+    is_on_stage = true;
+    close_menu();
+    keys_are_listed = false;
+    asked_number.reset();
+    cards_are_shown = false;
+    if (!will_fill_display())
+        turn_full_screen();
+}
+
 bool Workbench::will_fill_display() const
 {
     return full_screen_wished ? full_screen_wished->is_on : filled_display.has_value();
@@ -89,7 +100,9 @@ void Workbench::open_menu(MenuPage page)
 
 bool Workbench::draws(WindowState const& state) const
 {
-    return state.is_live && !turns_views && is_shown(selects(state) ? Shown::Skeleton : Shown::Pad);
+    if (!state.is_live || turns_views)
+        return false;
+    return is_on_stage ? !selects(state) : is_shown(selects(state) ? Shown::Skeleton : Shown::Pad);
 }
 
 } // namespace tractus

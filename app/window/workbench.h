@@ -25,6 +25,8 @@ struct Workbench {
         Collection, // Variations to pick from.
     };
     Shown shown = Shown::All;
+    // Nothing is seen but what grows, over all of the window, while the pen draws as on the pad.
+    bool is_on_stage = false;
 
     // The view tool is in hand: the pointer turns and zooms views and draws nothing.
     bool turns_views = false;
@@ -82,6 +84,7 @@ struct Workbench {
     void choose_view_tool();
     void show_next();        // The next of Shown.
     void turn_full_screen(); // On if it is off.
+    void enter_stage();      // In full screen.
     bool will_fill_display() const;
     void open_menu(MenuPage page);
     void close_menu() { menu = MenuPage::None; }

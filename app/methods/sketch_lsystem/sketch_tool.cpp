@@ -96,6 +96,25 @@ std::optional<Tool> like_drawn(Tool const& tool, Scene const& scene)
     return Tool(*options);
 }
 
+// The end of the internode that each application of the rule adds.
+std::vector<Vec3> applications(Tool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    auto const& options = *tool.get<SketchTool>();
+    if (options.place == SketchTool::Place::Change)
+        return {};
+    auto const grown = options.place == SketchTool::Place::Again
+        ? drawn_again(options, stroke, scene)
+        : grown_along(options, stroke, scene);
+    auto nodes_mm = grown ? sketch::drawn_nodes_mm(*grown) : tl::unexpected(grown.error());
+    if (!nodes_mm)
+        return {}; // Not one yet.
+    std::vector<Vec3> ends_mm(nodes_mm->begin() + 1, nodes_mm->end());
+    Vec3 const foot_mm = nodes_mm->front();
+    for (auto& end_mm : ends_mm) // What is drawn on paper stands on the ground.
+        end_mm += sketch::stands_at_mm(*grown) - foot_mm;
+    return ends_mm;
+}
+
 Result<std::vector<Edit>> grow(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
     auto const& options = *tool.get<SketchTool>();
@@ -191,6 +210,7 @@ constexpr ToolKind SketchTool::kKind {
     .follow = follow,
     .like_drawn = like_drawn,
     .previewer = sketch_previewer,
+    .steps = applications,
     .other_end = { &ShortenSketchTool::kKind },
 };
 

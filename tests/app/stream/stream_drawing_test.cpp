@@ -84,7 +84,7 @@ TEST_F(StreamSocket, NeverStopsTheDrawing)
     output.serve();
     for (int i = 0; i < 2000; ++i) {
         draw_across(station, 1000 * i);
-        ASSERT_TRUE(output.take(station));
+        ASSERT_TRUE(output.take(station, Scene()));
         output.serve();
         if (i == 10)
             gone.leave();

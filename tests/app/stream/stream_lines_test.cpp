@@ -57,6 +57,13 @@ TEST(StreamLines, HaveAStrokeWithWhatItIsFor)
               "[4.000,5.000,6.001,1.0000,0.006000000]]}\n");
 }
 
+TEST(StreamLines, HaveAStepWithTheStrokeThatItIsOf)
+{
+    EXPECT_EQ(step_line(3, timestamp_ns(1'000'000), timestamp_ns(6'000'000), { 4, 5, 6.0006 }),
+              "{\"type\":\"step\",\"number\":3,\"stroke_time_s\":0.001000000,"
+              "\"time_s\":0.006000000,\"position_mm\":[4.000,5.000,6.001]}\n");
+}
+
 TEST(StreamLines, AreAllJson)
 {
     for (auto const& line : { lost_line(12), end_line(), stream_line({}) }) {

@@ -261,10 +261,12 @@ protected:
         HandInput input {};
     };
 
-    // Shows the page in a window of that many points, and what a hand does there.
+    // Shows the page in a window of that many points, and what a hand does there; `look` at its
+    // end.
     void work(
         ImVec2 const& points, std::vector<Moment> const& moments, DrawingModel& model,
-        std::function<void(Layout&)> const& prepare = [](Layout&) {})
+        std::function<void(Layout&)> const& prepare = [](Layout&) {},
+        std::function<void(Layout&)> const& look = [](Layout&) {})
     {
         ImGui::CreateContext();
         {
@@ -284,6 +286,7 @@ protected:
                 layout.show(model, *renderer_, pen, moment.input);
                 ImGui::Render();
             }
+            look(layout);
         }
         ImGui::DestroyContext();
     }

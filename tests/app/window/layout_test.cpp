@@ -66,4 +66,48 @@ TEST_F(LayoutTest, ShowsThePlantBesideTheMenuOfALeftHand)
     }
 }
 
+// Nothing of the window is there, whatever was open before.
+TEST_F(LayoutTest, ShowsNothingOnStageButWhatGrows)
+{
+    for (auto const& size : sizes()) {
+        SCOPED_TRACE(text_of(size));
+        show(
+            { size.width, size.height }, size.scale,
+            [&](Layout& layout, DrawingModel&) {
+                layout.bench().open_menu(Workbench::MenuPage::Window);
+                layout.bench().keys_are_listed = true;
+                layout.bench().enter_stage();
+            },
+            [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
+                EXPECT_TRUE(drawn.buttons.empty()) << text_of(drawn.buttons.front().whole);
+                ASSERT_EQ(drawn.pictures.size(), 1u);
+                EXPECT_GE(drawn.pictures.front().width(), size_px.x);
+                EXPECT_GE(drawn.pictures.front().height(), size_px.y);
+                EXPECT_EQ(ImGui::GetDrawData()->TotalVtxCount, 8) << "corners of it and its ground";
+            });
+    }
+}
+
+TEST_F(LayoutTest, LetsTheMouseDrawOnStageUntilEscape)
+{
+    DrawingModel model;
+    HandInput drawing;
+    drawing.mouse = { { .place_px = { 600, 400 }, .is_down = true } };
+    HandInput escape;
+    escape.presses = { { .key = KeyPress::kEscape } };
+    bool is_on_stage = true;
+    bool wants_to_close = false;
+    work(
+        { 1280, 720 },
+        { { { 600, 400 } }, { { 600, 400 }, true, drawing }, { { 600, 400 }, false, escape } },
+        model, [](Layout& layout) { layout.bench().is_on_stage = true; },
+        [&](Layout& layout) {
+            is_on_stage = layout.bench().is_on_stage;
+            wants_to_close = layout.take_wish_to_close();
+        });
+    EXPECT_GE(model.touches, 1u);
+    EXPECT_FALSE(is_on_stage);
+    EXPECT_FALSE(wants_to_close);
+}
+
 } // namespace tractus
