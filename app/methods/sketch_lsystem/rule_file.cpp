@@ -69,6 +69,7 @@ Result<LateralRule> read_lateral_rule(TomlTable& table)
     for (auto const& [letter, value] : kLateralNumbers)
         rule.*value = TRY(table.number_or(letter, rule.*value));
     rule.laterals = TRY(read_count(table, "k", rule.laterals));
+    rule.laterals_by = TRY(read_count(table, "by", rule.laterals_by));
     if (!table.has("T"))
         rule.twist_deg = rule.laterals > 0 ? 180.0 / rule.laterals : 0;
     TRY(table.refuse_unknown_keys());

@@ -131,21 +131,26 @@ struct Ring {
     std::string apex {};   // With the arguments before its length.
 };
 
+// Those of our own modules and of the turtle's movements are not among them.
 static std::string letter_of(std::size_t level)
 {
-    return std::string(1, static_cast<char>('A' + level - 1));
+    constexpr std::string_view kLetters = "ABCDEHIJ";
+    static_assert(kLetters.size() == kMostLateralRules);
+    return std::string(kLetters.substr(level - 1, 1));
 }
 
 static Ring ring_at(Rule const& rule, std::size_t level)
 {
     auto const levels = rule.lateral_rules.size();
     Ring ring { .laterals = rule.laterals, .apex = "L(" };
+    std::size_t next = 0;
     if (level > 0) {
         ring.laterals = rule.lateral_rules[level - 1].laterals;
         ring.ending = "_" + letter_of(level);
+        next = lateral_rule_after(rule, level - 1);
     }
-    if (level < levels)
-        ring.apex = letter_of(level + 1) + "(0, ";
+    if (next < levels)
+        ring.apex = letter_of(next + 1) + "(0, ";
     return ring;
 }
 

@@ -130,17 +130,22 @@ std::string described(GrowAlongStroke const& edit)
 
 // Names of the fields of laterals' rules, by the letters of rule files in this order; files without
 // any have none of them.
-using LateralNames = std::array<char const*, 8>; // r, q, k, a, s, v, T and l_min.
+using LateralNames = std::array<char const*, 9>; // r, q, k, a, s, v, T, l_min and by.
 static constexpr std::array<LateralNames, kMostLateralRules> kLateralNames { {
-    { { "A_r", "A_q", "A_k", "A_a", "A_s", "A_v", "A_T", "A_l_min" } },
-    { { "B_r", "B_q", "B_k", "B_a", "B_s", "B_v", "B_T", "B_l_min" } },
-    { { "C_r", "C_q", "C_k", "C_a", "C_s", "C_v", "C_T", "C_l_min" } },
+    { { "A_r", "A_q", "A_k", "A_a", "A_s", "A_v", "A_T", "A_l_min", "A_by" } },
+    { { "B_r", "B_q", "B_k", "B_a", "B_s", "B_v", "B_T", "B_l_min", "B_by" } },
+    { { "C_r", "C_q", "C_k", "C_a", "C_s", "C_v", "C_T", "C_l_min", "C_by" } },
+    { { "D_r", "D_q", "D_k", "D_a", "D_s", "D_v", "D_T", "D_l_min", "D_by" } },
+    { { "E_r", "E_q", "E_k", "E_a", "E_s", "E_v", "E_T", "E_l_min", "E_by" } },
+    { { "H_r", "H_q", "H_k", "H_a", "H_s", "H_v", "H_T", "H_l_min", "H_by" } },
+    { { "I_r", "I_q", "I_k", "I_a", "I_s", "I_v", "I_T", "I_l_min", "I_by" } },
+    { { "J_r", "J_q", "J_k", "J_a", "J_s", "J_v", "J_T", "J_l_min", "J_by" } },
 } };
 
 // Only who changes them touches them: edits are shared between threads.
 static void list_lateral_rules(Fields& fields, std::vector<LateralRule>& rules)
 {
-    constexpr LateralRule kNone { 0, 0, 0, 0, 0, 0, 0, 0 };
+    constexpr LateralRule kNone { 0, 0, 0, 0, 0, 0, 0, 0, 0 };
     auto all = rules;
     all.resize(kMostLateralRules, kNone);
     for (std::size_t level = 0; level < all.size(); ++level) {
@@ -154,6 +159,7 @@ static void list_lateral_rules(Fields& fields, std::vector<LateralRule>& rules)
         fields.sparse_field(names[5], &rule.lateral_width);
         fields.sparse_field(names[6], &rule.twist_deg);
         fields.sparse_field(names[7], &rule.shortest_mm);
+        fields.sparse_field(names[8], &rule.laterals_by);
     }
     std::erase(all, kNone);
     if (all != rules)

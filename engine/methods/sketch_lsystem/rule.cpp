@@ -57,8 +57,11 @@ Result<void> check_rule(Rule const& rule)
         return fail(Fault::User,
                     fmt::format("laterals have {} rules: give at most {}",
                                 rule.lateral_rules.size(), kMostLateralRules));
-    for (auto const& lateral : rule.lateral_rules)
+    for (auto const& lateral : rule.lateral_rules) {
         TRY(check_lateral_rule(lateral));
+        TRY(check_range("laterals.by", "the number of its laterals' rule", lateral.laterals_by, 0,
+                        static_cast<double>(rule.lateral_rules.size())));
+    }
     return check_range("limit", "the most internodes of a plant", rule.most_internodes,
                        rule.most_segments, 1e7);
 }
@@ -83,6 +86,12 @@ Rule as_written(Rule const& rule)
             *value = as_written(*value);
     result.most_internodes = std::floor(rule.most_internodes);
     return result;
+}
+
+std::size_t lateral_rule_after(Rule const& rule, std::size_t place)
+{
+    auto const by = rule.lateral_rules[place].laterals_by;
+    return by > 0 ? static_cast<std::size_t>(by) - 1 : place + 1;
 }
 
 namespace {
@@ -123,7 +132,8 @@ private:
              left > 0 && laterals > 0 && length_mm >= rule.shortest_mm && !is_too_much(); --left) {
             ++count_;
             ++followed_;
-            add_ring(rule.laterals, length_mm * rule.lateral_length, left - 1, left - 1, level + 1);
+            add_ring(rule.laterals, length_mm * rule.lateral_length, left - 1, left - 1,
+                     lateral_rule_after(rule_, level));
             length_mm *= rule.length_ratio;
         }
         count_ = before + laterals * count_;
@@ -158,9 +168,13 @@ double count_internodes(Rule const& rule, int segments, int depth)
 
 int depth_within_limit(Rule const& rule, int segments)
 {
-    int depth = kUncutDepth;
-    while (depth > 0 && count_internodes(rule, segments, depth) > rule.most_internodes)
-        --depth;
+    int depth = 0;
+    int too_deep = kUncutDepth + 1;
+    while (too_deep - depth > 1) {
+        int const middle = (depth + too_deep) / 2;
+        bool const fits = count_internodes(rule, segments, middle) <= rule.most_internodes;
+        (fits ? depth : too_deep) = middle;
+    }
     return depth;
 }
 

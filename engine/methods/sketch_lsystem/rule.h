@@ -17,7 +17,9 @@ namespace tractus::sketch {
 // that rule files use.
 //
 // Past the paper, laterals may have a rule of their own: then each is an axis that goes on,
-// straight, with rings of laterals along it.
+// straight, with rings of laterals along it. Such rules are a list, and each says by its number
+// which of them its laterals have: a later one, an earlier one, or itself. Where they call each
+// other in a circle, the shortest internode and the plant's limit end it.
 struct LateralRule {
     double length_ratio = 0.85;  // r: an internode, by the one before it on the lateral.
     double width_ratio = 0.85;   // q: the same for diameters.
@@ -27,10 +29,11 @@ struct LateralRule {
     double lateral_width = 0.55; // v: the same for diameters.
     double twist_deg = 90;       // T: of the rings, from node to node.
     double shortest_mm = 3;      // l_min: no internode of it is shorter.
+    int laterals_by = 0;         // by: number of its laterals' rule, from 1; 0: the next one.
 
     bool operator==(LateralRule const&) const = default;
 };
-constexpr std::size_t kMostLateralRules = 3;
+constexpr std::size_t kMostLateralRules = 8;
 
 struct Rule {
     double first_length_mm = 30; // l, 5 to 100: the drawn axis's first internode.
@@ -50,9 +53,9 @@ struct Rule {
     int most_segments = 64;           // n_max, 1 to 10,000: of the drawn axis.
     double most_internodes = 200'000; // limit, n_max to 10 million: of the whole plant.
 
-    // Rules of the drawn axis's laterals, of theirs, and so on, at most kMostLateralRules, in the
-    // ranges above. Laterals of the last one's fork as the paper's do, by its numbers. None: all
-    // do, by the numbers above.
+    // Rules of laterals, at most kMostLateralRules, in the ranges above: the first is that of the
+    // drawn axis's. Where there is no next one, laterals fork as the paper's do, by the numbers of
+    // the last. None: all do, by the numbers above.
     std::vector<LateralRule> lateral_rules {};
 
     bool operator==(Rule const&) const = default;
@@ -68,6 +71,10 @@ double as_written(double value);
 // The rule with each number so. What follows from a rule is computed from this, so that the text
 // says all of it.
 Rule as_written(Rule const& rule);
+
+// The place in the list of the rule that the laterals of the one at this place have; the list's
+// size: they fork.
+std::size_t lateral_rule_after(Rule const& rule, std::size_t place);
 
 // How often laterals may fork where nothing has to be cut; one that goes on does so as often.
 constexpr int kUncutDepth = 64;

@@ -40,10 +40,12 @@ TEST(RuleFile, ReadsEveryLetter)
 
 TEST(RuleFile, GivesLateralsRulesOfTheirOwn)
 {
-    auto const rule
-        = parse_rule("k = 3\n[[laterals]]\nk = 4\nr = 0.9\n[[laterals]]\nk = 0\n", "my.toml");
+    auto const rule = parse_rule(
+        "k = 3\n[[laterals]]\nk = 4\nr = 0.9\n[[laterals]]\nk = 0\n[[laterals]]\nby = 2\n",
+        "my.toml");
     ASSERT_TRUE(rule) << rule.error().message;
-    ASSERT_EQ(rule->lateral_rules.size(), 2u);
+    ASSERT_EQ(rule->lateral_rules.size(), 3u);
+    EXPECT_EQ(rule->lateral_rules[2], (LateralRule { .twist_deg = 90, .laterals_by = 2 }));
     EXPECT_EQ(rule->lateral_rules[0],
               (LateralRule { .length_ratio = 0.9, .laterals = 4, .twist_deg = 45 }));
     EXPECT_EQ(rule->lateral_rules[1], (LateralRule { .laterals = 0, .twist_deg = 0 }));

@@ -35,7 +35,7 @@ Rule random_rule()
     rule.shortest_mm = between(0.5, 8);
     rule.most_segments = *rc::gen::inRange(1, 20);
     rule.most_internodes = *rc::gen::inRange(20, 3'000);
-    int const lateral_rules = *rc::gen::inRange(-2, 1 + static_cast<int>(kMostLateralRules));
+    int const lateral_rules = *rc::gen::inRange(-2, 5);
     for (int i = 0; i < lateral_rules; ++i)
         rule.lateral_rules.push_back({ .length_ratio = between(0.5, 1.2),
                                        .width_ratio = between(0.3, 1),
@@ -44,7 +44,8 @@ Rule random_rule()
                                        .lateral_length = between(0.2, 1),
                                        .lateral_width = between(0.2, 1),
                                        .twist_deg = between(-180, 180),
-                                       .shortest_mm = between(0.5, 8) });
+                                       .shortest_mm = between(0.5, 8),
+                                       .laterals_by = *rc::gen::inRange(0, 1 + lateral_rules) });
     return as_written(rule);
 }
 

@@ -1,5 +1,6 @@
 #include "engine/methods/sketch_lsystem/rule.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <vector>
@@ -62,11 +63,47 @@ TEST(SketchRule, CountsLateralsThatGoOn)
     EXPECT_EQ(count_internodes(rule, 4, kUncutDepth),
               4 + 3 * (of_lateral(3) + of_lateral(2) + of_lateral(1)));
     EXPECT_EQ(count_internodes(rule, 4, 1), 4 + 3 * 3) << "at depth 1 none goes on";
-    rule.lateral_rules.assign(4, {});
+    rule.lateral_rules.assign(kMostLateralRules + 1, {});
     EXPECT_FALSE(check_rule(rule));
     rule.lateral_rules = { { .angle_deg = 151 } };
     EXPECT_EQ(check_rule(rule).error().message,
               "laterals.a, the laterals' angle in degrees, is 151: give 0 to 150");
+}
+
+// A rule whose k laterals have it themselves: C(m) = m + k (C(0) + ... + C(m - 1)), which is
+// ((k + 1)^m - 1) / k internodes for each lateral with m steps to come.
+TEST(SketchRule, CountsRulesThatCallThemselves)
+{
+    Rule rule { .laterals = 1, .shortest_mm = 1e-3 };
+    for (int const k : { 1, 2, 3 }) {
+        rule.lateral_rules
+            = { { .length_ratio = 1, .laterals = k, .shortest_mm = 1e-3, .laterals_by = 1 } };
+        ASSERT_TRUE(check_rule(rule));
+        for (int n = 1; n <= 7; ++n) {
+            double sum = n;
+            for (int m = 0; m < n; ++m)
+                sum += (std::pow(k + 1, m) - 1) / k;
+            EXPECT_EQ(count_internodes(rule, n, kUncutDepth), sum) << k << " " << n;
+        }
+    }
+}
+
+// Two rules that take turns without laterals at every second one.
+TEST(SketchRule, CountsRulesThatCallEachOther)
+{
+    Rule rule { .laterals = 2, .shortest_mm = 1e-3 };
+    rule.lateral_rules
+        = { { .length_ratio = 1, .laterals = 1, .shortest_mm = 1e-3 },
+            { .length_ratio = 1, .laterals = 1, .shortest_mm = 1e-3, .laterals_by = 1 } };
+    auto turns = rule;
+    turns.lateral_rules.resize(1);
+    turns.lateral_rules[0].laterals_by = 1;
+    for (int n = 1; n <= 9; ++n)
+        EXPECT_EQ(count_internodes(rule, n, kUncutDepth), count_internodes(turns, n, kUncutDepth))
+            << "alike, they are one that calls itself";
+    rule.lateral_rules[1].laterals_by = 3;
+    EXPECT_EQ(check_rule(rule).error().message,
+              "laterals.by, the number of its laterals' rule, is 3: give 0 to 2");
 }
 
 TEST(SketchRule, CutsTheDepthToStayWithinItsLimit)
