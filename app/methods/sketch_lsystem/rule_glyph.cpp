@@ -141,7 +141,11 @@ Glyph show_rule(void const* options)
     auto const rule = rule_of(tool);
     Glyph glyph;
     add_parts(glyph, rule);
-    add_handles(glyph, rule);
+    if (tool.card == SketchTool::Card::Plant) // It stands for any, and is nobody's to change here.
+        for (auto& line : glyph.lines)
+            line.color = Color::Grey;
+    else
+        add_handles(glyph, rule);
     return glyph;
 }
 

@@ -33,7 +33,7 @@ constexpr std::array<OptionWord, 2> kDrawnWords { {
     { "stay", "stays" },
 } };
 constexpr char const* kModelTitle = "The model grows along the stroke";
-constexpr std::array<OptionWord, 13> kCardWords { {
+constexpr std::array<OptionWord, 14> kCardWords { {
     { "opposite", "Opposite" },
     { "whorls", "Whorls" },
     { "crown", "Crown" },
@@ -48,6 +48,7 @@ constexpr std::array<OptionWord, 13> kCardWords { {
     { "palm", "Palm", kModelTitle },
     { "poplar", "Poplar", kModelTitle },
     { "vine", "Vine", kModelTitle },
+    { "as_plant", "The plant's", "The plant grows anew along the stroke" },
 } };
 
 // In the order of SketchTool::Laterals: the paper's, then the cards.
@@ -81,6 +82,7 @@ constexpr std::array<RuleCard, 6> kCards { {
 } };
 constexpr double kSlender = 0.15; // The first internode's diameter, by its length.
 
+// Whether the tool's numbers say nothing.
 bool is_of_model(SketchTool const& tool)
 {
     return static_cast<std::size_t>(tool.card) >= kCards.size();
@@ -196,7 +198,7 @@ void visit_sketch_options(OptionVisitor& visitor, SketchTool& tool)
 
 sketch::ModelRule model_of(SketchTool const& tool)
 {
-    if (!is_of_model(tool))
+    if (!is_of_model(tool) || tool.card == SketchTool::Card::Plant)
         return {};
     return ready_model(kCardWords[static_cast<std::size_t>(tool.card)].word);
 }
@@ -255,12 +257,14 @@ bool says_rule(SketchTool const& tool, sketch::Rule const& rule)
 
 bool says_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
 {
+    if (tool.card == SketchTool::Card::Plant)
+        return false;
     if (is_of_model(tool) || grown.model.is_set())
         return grown.model.source == model_of(tool).source;
     return says_rule(tool, grown.rule);
 }
 
-std::optional<SketchTool> saying_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
+SketchTool saying_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
 {
     auto said = tool;
     if (!grown.model.is_set()) {
@@ -273,7 +277,7 @@ std::optional<SketchTool> saying_grown(SketchTool const& tool, sketch::GrowAlong
         if (says_grown(said, grown))
             return said;
     }
-    return std::nullopt;
+    return said; // The last card: as the plant is.
 }
 
 SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)

@@ -32,9 +32,8 @@ bool says_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown);
 // The tool with the options that say this rule.
 SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule);
 
-// The tool that says what has grown; no value: none does, since its model has no card.
-std::optional<SketchTool> saying_grown(SketchTool const& tool,
-                                       sketch::GrowAlongStroke const& grown);
+// The tool that says what the active plant has grown by.
+SketchTool saying_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown);
 
 // An angle of any size as one from -180 to 180 degrees.
 double as_twist_deg(double angle_deg);

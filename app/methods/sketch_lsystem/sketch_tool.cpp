@@ -40,6 +40,8 @@ sketch::ModelRule model_for(SketchTool const& tool, sketch::GrowAlongStroke cons
 Result<std::vector<Edit>> change(SketchTool const& tool, Scene const& scene)
 {
     auto const grown = TRY(grown_last(scene));
+    if (tool.card == SketchTool::Card::Plant)
+        return fail(Fault::User, "the plant grows by its own rule already: choose another one");
     if (auto model = model_for(tool, *grown.sketch); model.is_set())
         return std::vector<Edit> { sketch::ChangeSketch {
             scene.drawn->id, grown.part, grown.sketch->rule, tool.leaves, std::move(model) } };
@@ -73,7 +75,7 @@ std::vector<Edit> follow(Tool const& before, Tool const& after, Scene const& sce
     auto const& old = *before.get<SketchTool>();
     auto const& options = *after.get<SketchTool>();
     std::vector<Edit> edits;
-    if (options.drawn == SketchTool::Drawn::Stays)
+    if (options.drawn == SketchTool::Drawn::Stays || options.card == SketchTool::Card::Plant)
         return edits;
     for (auto const& plant : scene.state.plants)
         for (auto const& [part, grown] : sketch::all_grown(*plant))
@@ -90,10 +92,8 @@ std::optional<Tool> like_drawn(Tool const& tool, Scene const& scene)
     if (!grown)
         return std::nullopt;
     auto options = saying_grown(*tool.get<SketchTool>(), *grown->sketch);
-    if (!options)
-        return std::nullopt;
-    options->leaves = grown->sketch->leaves;
-    return Tool(*options);
+    options.leaves = grown->sketch->leaves;
+    return Tool(options);
 }
 
 // The end of the internode that each application of the rule adds.
@@ -122,7 +122,7 @@ Result<std::vector<Edit>> grow(Tool const& tool, Stroke const& stroke, Scene con
         return change(options, scene);
     if (options.place == SketchTool::Place::Again)
         return draw_again(options, stroke, scene);
-    auto grown = grown_along(options, stroke, scene);
+    auto grown = TRY(grown_along(options, stroke, scene));
     auto const place = TRY(place_of(options, grown, scene));
     if (!place)
         return std::vector<Edit> { std::move(grown) };
@@ -135,12 +135,31 @@ Result<std::vector<Edit>> grow(Tool const& tool, Stroke const& stroke, Scene con
 
 } // namespace
 
-sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke,
-                                    Scene const& scene)
+// Takes what the active plant has grown by, or is the plant of.
+static Result<void> take_from_plant(sketch::GrowAlongStroke& edit, Scene const& scene)
+{
+    if (auto const grown = sketch::newest_grown(*scene.drawn)) {
+        edit.rule = grown->sketch->rule;
+        edit.model = grown->sketch->model;
+        return {};
+    }
+    auto const* const loaded = loaded_model(scene.drawn->source);
+    if (!loaded)
+        return fail(Fault::User,
+                    "the plant that takes what is drawn is neither from a rule nor from a model "
+                    "that could grow along the stroke: choose one that is, or a rule");
+    edit.model = { .source = loaded->source, .includes = loaded->includes };
+    return {};
+}
+
+Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const& stroke,
+                                            Scene const& scene)
 {
     sketch::GrowAlongStroke edit;
     edit.rule = rule_of(tool);
     edit.model = model_of(tool);
+    if (tool.card == SketchTool::Card::Plant)
+        TRY(take_from_plant(edit, scene));
     edit.model.seed = 1 + scene.plants.size(); // No two plants of a drawing are alike.
     edit.stroke = stroke;
     // What begins on a branch begins where the pad shows that: in space, however the surface moves.

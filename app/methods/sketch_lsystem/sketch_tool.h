@@ -14,7 +14,9 @@ struct SketchTool {
 
     // A ready rule. A person who chooses one chooses its numbers, too, which logs name; its twist
     // and its shortest internode are the card's as long as no option says others. Or, from Birch
-    // on, one of our models in a rule's place: numbers and leaves say nothing of it.
+    // on, one of our models in a rule's place: numbers and leaves say nothing of it. Or, the last,
+    // what the active plant is: the rule or the model by which it has grown along a stroke, or its
+    // own model.
     enum class Card {
         Opposite,
         Whorls,
@@ -29,6 +31,7 @@ struct SketchTool {
         Palm,
         Poplar,
         Vine,
+        Plant,
     } card
         = Card::Opposite;
     double laterals = 2;
@@ -68,9 +71,10 @@ struct SketchTool {
 };
 
 // Returns what a stroke with the tool means, but for where the plant stands: the tips drawn so far,
-// in a document as it is built.
-sketch::GrowAlongStroke grown_along(SketchTool const& tool, Stroke const& stroke,
-                                    Scene const& scene);
+// in a document as it is built. Fails, as the user's fault, where the active plant is to be grown
+// again and is neither from a rule nor from a model.
+Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const& stroke,
+                                            Scene const& scene);
 
 // Returns what has grown along a stroke last along this one, by its own rule. Fails, as the user's
 // fault, where nothing has.

@@ -4,6 +4,7 @@
 
 #include "app/document/document.h"
 #include "app/methods/all_methods.h"
+#include "app/methods/sketch_lsystem/ready_models.h"
 #include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
 #include "app/session/edit_record.h"
@@ -41,8 +42,8 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
     std::vector<Tool> chosen;
     for (auto const& card : ready_cards(Tool(SketchTool {})))
         chosen.push_back(card.tool);
-    ASSERT_EQ(chosen.size(), 13u);
-    chosen.resize(6); // The others are models.
+    ASSERT_EQ(chosen.size(), 14u);
+    chosen.resize(6); // The others are models, and the plant.
     EXPECT_EQ(words_for(chosen[1]).arguments, "whorls laterals=4 angle=75 first=28 ratio=0.88");
     EXPECT_EQ(words_for(chosen[5]).arguments, "fern angle=55 first=13 ratio=0.96 lateral=0.7");
     for (auto const& tool : chosen) {
@@ -111,6 +112,59 @@ TEST(SketchTool, ChangesRulesIntoModels)
     auto const back = apply_edits(changed, to_rule).value();
     EXPECT_EQ(back.base->node_position_mm, grown.base->node_position_mm);
     EXPECT_TRUE(SketchTool::kKind.follow(Tool(rule), Tool(rule), grown).empty());
+}
+
+// A model of a person's own comes into the hand from the plant that it is.
+TEST(SketchTool, GrowsTheModelOfThePlant)
+{
+    LoadModel own { .source = ready_model("birch").source };
+    own.source.name = "own.l";
+    auto const scene = apply_edit(Scene {}, own).value();
+    auto const grown = drawn_with(SketchTool::Card::Plant, scene);
+    EXPECT_EQ(grown.model.source, own.source);
+    auto const both = apply_edit(scene, grown).value();
+    ASSERT_EQ(both.plants.size(), 2u);
+    auto const nodes_mm = sketch::drawn_nodes_mm(grown).value();
+    EXPECT_NEAR((both.placement.world_of_plant(both.base->positions(both.base->axes.front())[1])
+                 - nodes_mm[1])
+                    .norm(),
+                0, 0.01);
+    EXPECT_EQ(drawn_with(SketchTool::Card::Plant, both).model.source, own.source) << "and so on";
+    SketchTool const any;
+    EXPECT_EQ(SketchTool::kKind.like_drawn(Tool(any), both)->get<SketchTool>()->card,
+              SketchTool::Card::Plant);
+}
+
+// So does a rule that only a file can say.
+TEST(SketchTool, GrowsTheRuleOfThePlant)
+{
+    sketch::GrowAlongStroke first { .rule = { .laterals = 3 } };
+    first.rule.lateral_rules = { { .laterals = 1, .laterals_by = 1 } };
+    first.stroke = rising_stroke();
+    first.surface = StrokeSurface::Space;
+    auto const scene = apply_edit(Scene {}, first).value();
+    EXPECT_EQ(drawn_with(SketchTool::Card::Plant, scene).rule, first.rule);
+    Tool const plain = SketchTool {};
+    Tool const of_plant = SketchTool { .card = SketchTool::Card::Plant };
+    EXPECT_TRUE(SketchTool::kKind.follow(plain, of_plant, scene).empty())
+        << "nothing is changed by it";
+    EXPECT_TRUE(SketchTool::kKind.follow(of_plant, plain, scene).empty());
+    Tool const change
+        = SketchTool { .card = SketchTool::Card::Plant, .place = SketchTool::Place::Change };
+    EXPECT_FALSE(change.mean({}, scene));
+}
+
+TEST(SketchTool, RefusesAPlantThatCannotGrowAnew)
+{
+    Tool const of_plant = SketchTool { .card = SketchTool::Card::Plant };
+    auto const refused = of_plant.mean(rising_stroke(), Scene {});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("neither from a rule nor from a model"),
+              std::string::npos);
+    EXPECT_TRUE(
+        sketch_previewer()
+            ->show({ std::make_shared<Scene const>(), of_plant, rising_stroke().tips.vector(), 9 })
+            .empty());
 }
 
 // Sessions of rules stay as they were, byte for byte.
@@ -238,7 +292,7 @@ TEST(SketchTool, SaysWhatAPreviewLeavesOut)
     EXPECT_EQ(note(forking, { 0, 0, 240 }),
               "Laterals fork at most 12 times: more were over 200000 internodes; the finest come "
               "when the pen is lifted");
-    auto const rule = grown_along(forking, rising_stroke(), *scene).rule;
+    auto const rule = grown_along(forking, rising_stroke(), *scene)->rule;
     EXPECT_LE(sketch::count_internodes(rule, 30, 12), 200'000);
     EXPECT_GT(sketch::count_internodes(rule, 30, 13), 200'000);
     EXPECT_EQ(note({ .card = SketchTool::Card::Conifer }, { 0, 0, 1500 }),
