@@ -21,6 +21,7 @@ constexpr double kDial = 0.24;   // Radius on which handles of twists lie around
 constexpr double kAside = 0.3;   // How far beside its part the handle of a width of 1 lies.
 constexpr double kTilt = 0.35;   // What is nearer lies lower by so much of its distance.
 constexpr double kRing = 0.5;    // Of its length in the plant, a lateral of the next ring.
+constexpr double kSpreadWidth = 0.012;
 Vec2 const kBase { 0, -0.95 };
 Vec2 const kNode { 0, -0.25 };
 
@@ -101,6 +102,37 @@ void add_parts(Glyph& glyph, sketch::Rule const& rule)
     }
 }
 
+// An arc around a point, from so far before an angle to so far behind it.
+Glyph::Line arc(Vec2 const& middle, double radius, double angle, double half)
+{
+    constexpr int kSteps = 8;
+    Glyph::Line line { {}, kSpreadWidth, Color::Grey };
+    for (int i = -kSteps; i <= kSteps; ++i)
+        line.points.push_back(middle + radius * from_up(angle + half * i / kSteps));
+    return line;
+}
+
+// How far the plants of a collection may differ: across the lateral its angle, along it its length,
+// and around both ends the twists.
+void add_spread(Glyph& glyph, sketch::Rule const& rule)
+{
+    if (rule.laterals == 0)
+        return;
+    Places const at(rule);
+    auto const most = [](double deviation) { return sketch::kMostDeviations * deviation; };
+    double const twist = radians(most(sketch::kRuleSpread.twist_deg));
+    Vec2 const lateral = at.lateral_end - kNode;
+    double const longer = most(sketch::kRuleSpread.share);
+    glyph.lines.push_back(
+        arc(kNode, lateral.norm(), at.angle, radians(most(sketch::kRuleSpread.angle_deg))));
+    glyph.lines.push_back({ { kNode + (1 - longer) * lateral, kNode + (1 + longer) * lateral },
+                            kSpreadWidth,
+                            Color::Grey });
+    glyph.lines.push_back(
+        arc(at.lateral_end, kDial, at.angle + radians(rule.lateral_twist_deg), twist));
+    glyph.lines.push_back(arc(at.top_end, kDial, radians(rule.axis_twist_deg), twist));
+}
+
 std::string share(char const* name, double value)
 {
     return fmt::format("{} {:.3g}", name, value);
@@ -144,8 +176,10 @@ Glyph show_rule(void const* options)
     if (tool.card == SketchTool::Card::Plant) // It stands for any, and is nobody's to change here.
         for (auto& line : glyph.lines)
             line.color = Color::Grey;
-    else
-        add_handles(glyph, rule);
+    if (tool.card == SketchTool::Card::Plant)
+        return glyph;
+    add_spread(glyph, rule);
+    add_handles(glyph, rule);
     return glyph;
 }
 

@@ -33,13 +33,16 @@ constexpr std::array<OptionWord, 2> kDrawnWords { {
     { "stay", "stays" },
 } };
 constexpr char const* kModelTitle = "The model grows along the stroke";
-constexpr std::array<OptionWord, 14> kCardWords { {
+constexpr std::array<OptionWord, 17> kCardWords { {
     { "opposite", "Opposite" },
     { "whorls", "Whorls" },
     { "crown", "Crown" },
     { "vase", "Vase" },
     { "spire", "Spire" },
     { "fern", "Fern" },
+    { "herb", "Herb" },
+    { "tufts", "Tufts" },
+    { "compound_leaf", "Compound leaf" },
     // Models, by their names (ready_models.h).
     { "birch", "Birch", kModelTitle },
     { "broadleaf", "Broadleaf", kModelTitle },
@@ -51,8 +54,8 @@ constexpr std::array<OptionWord, 14> kCardWords { {
     { "as_plant", "The plant's", "The plant grows anew along the stroke" },
 } };
 
-// In the order of SketchTool::Laterals: the paper's, then the cards.
-constexpr std::array<OptionWord, 7> kLateralsWords { {
+// In the order of SketchTool::Laterals: the paper's, then the first cards.
+constexpr std::array<OptionWord, 8> kLateralsWords { {
     { "fork", "fork" },
     { "by_opposite", "as opposite" },
     { "by_whorls", "as whorls" },
@@ -60,6 +63,7 @@ constexpr std::array<OptionWord, 7> kLateralsWords { {
     { "by_vase", "as a vase" },
     { "by_spire", "as a spire" },
     { "by_fern", "as a fern" },
+    { "as_axis", "as the axis" },
 } };
 
 // What a ready rule is made of, in the order of the words.
@@ -71,14 +75,20 @@ struct RuleCard {
     double lateral_length;
     double shortest_mm;
     std::optional<double> twist_deg {}; // No value: rings of laterals alternate.
+    bool goes_on = false;               // Laterals have the rule themselves.
 };
-constexpr std::array<RuleCard, 6> kCards { {
+constexpr std::array<RuleCard, 9> kCards { {
     { 2, 45, 30, 0.9, 0.62, 1 },
     { 4, 75, 28, 0.88, 0.62, 4 },
     { 5, 35, 60, 0.75, 0.7, 12 },
     { 2, 26, 45, 0.8, 0.8, 8 },
     { 6, 60, 14, 0.96, 0.7, 6 },
     { 2, 55, 13, 0.96, 0.7, 3, 0.0 }, // All in one plane.
+    { 1, 55, 20, 0.95, 0.6, 2, 137.5 },
+    { 7, 60, 18, 1, 0.3, 4 },
+    // Prusinkiewicz and Lindenmayer's compound leaf (Ijiri 2006 figure 2): an internode is twice as
+    // long at each step, and a lateral is the leaf of as many steps as are left.
+    { 2, 45, 60, 0.5, 0.5, 1, 0.0, true },
 } };
 constexpr double kSlender = 0.15; // The first internode's diameter, by its length.
 
@@ -109,6 +119,10 @@ void take_numbers_of_card(void* options)
     tool.axis_twist_deg = plain.axis_twist_deg;
     tool.lateral_twist_deg = plain.lateral_twist_deg;
     tool.shortest_mm = plain.shortest_mm;
+    if (card.goes_on)
+        tool.go_on_by = SketchTool::Laterals::AsAxis;
+    else if (tool.go_on_by == SketchTool::Laterals::AsAxis)
+        tool.go_on_by = plain.go_on_by;
 }
 
 double twist_of(RuleCard const& card, double laterals)
@@ -123,19 +137,29 @@ double twist_of_card(SketchTool const& tool)
 }
 
 // The rule by which laterals go on, where they do: the card's, its internodes as small as the first
-// one lets them be.
-std::vector<sketch::LateralRule> lateral_rules_of(SketchTool const& tool)
+// one lets them be; or that of the axis, which theirs have, too.
+std::vector<sketch::LateralRule> lateral_rules_of(SketchTool const& tool, sketch::Rule const& axis)
 {
     constexpr double kShortest = 0.1; // Of the first internode.
     if (tool.go_on_by == SketchTool::Laterals::Fork)
         return {};
+    if (tool.go_on_by == SketchTool::Laterals::AsAxis)
+        return { { .length_ratio = axis.length_ratio,
+                   .width_ratio = axis.width_ratio,
+                   .laterals = axis.laterals,
+                   .angle_deg = axis.angle_deg,
+                   .lateral_length = axis.lateral_length,
+                   .lateral_width = axis.lateral_width,
+                   .twist_deg = axis.lateral_twist_deg,
+                   .shortest_mm = axis.shortest_mm,
+                   .laterals_by = 1 } };
     auto const& card = kCards[static_cast<std::size_t>(tool.go_on_by) - 1];
     return { { .length_ratio = card.length_ratio,
                .laterals = static_cast<int>(card.laterals),
                .angle_deg = card.angle_deg,
                .lateral_length = card.lateral_length,
                .twist_deg = twist_of(card, card.laterals),
-               .shortest_mm = kShortest * tool.first_length_mm } };
+               .shortest_mm = kShortest * axis.first_length_mm } };
 }
 
 // Which of the tool's words says these rules; no value: none.
@@ -143,8 +167,7 @@ std::optional<SketchTool::Laterals> said_laterals(SketchTool tool, sketch::Rule 
 {
     for (std::size_t i = 0; i < kLateralsWords.size(); ++i) {
         tool.go_on_by = static_cast<SketchTool::Laterals>(i);
-        tool.first_length_mm = rule.first_length_mm;
-        if (lateral_rules_of(tool) == rule.lateral_rules)
+        if (lateral_rules_of(tool, rule) == rule.lateral_rules)
             return tool.go_on_by;
     }
     return std::nullopt;
@@ -220,7 +243,7 @@ sketch::Rule rule_of(SketchTool const& tool)
     double const twist_deg = twist_of_card(tool);
     rule.axis_twist_deg = as_twist_deg(twist_deg + tool.axis_twist_deg);
     rule.lateral_twist_deg = as_twist_deg(twist_deg + tool.lateral_twist_deg);
-    rule.lateral_rules = lateral_rules_of(tool);
+    rule.lateral_rules = lateral_rules_of(tool, rule);
     return rule;
 }
 

@@ -24,6 +24,9 @@ struct SketchTool {
         Vase,
         Spire,
         Fern,
+        Herb,
+        Tufts,
+        Compound,
         Birch,
         Broadleaf,
         Conifer,
@@ -39,7 +42,8 @@ struct SketchTool {
     double first_length_mm = 30;
     double length_ratio = 0.9;
     double lateral_length = 0.62;
-    // Laterals fork as the rule's do, or each goes on by a ready rule of its own.
+    // Laterals fork as the rule's do, or each goes on by a ready rule of its own, or by the rule
+    // itself.
     enum class Laterals {
         Fork,
         Opposite,
@@ -47,7 +51,8 @@ struct SketchTool {
         Crown,
         Vase,
         Spire,
-        Fern
+        Fern,
+        AsAxis
     } go_on_by
         = Laterals::Fork;
     sketch::Leaves leaves = sketch::Leaves::Leafy;

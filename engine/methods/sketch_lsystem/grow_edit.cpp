@@ -32,16 +32,17 @@ bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
 GrowAlongStroke varied(GrowAlongStroke edit, SourceVariation const& variation)
 {
     constexpr std::uint32_t kStream = 0x736B;
-    constexpr double kAngle_deg = 6; // Deviations where the spread is 1.
-    constexpr double kShare = 0.06;
-    constexpr double kTwist_deg = 10;
+    constexpr auto kAngle_deg = kRuleSpread.angle_deg;
+    constexpr auto kShare = kRuleSpread.share;
+    constexpr auto kTwist_deg = kRuleSpread.twist_deg;
     Random random({ variation.seed, kStream + variation.stream, variation.plant });
     if (edit.model.is_set()) {
         edit.model.seed = random.next_u64();
         return edit;
     }
     auto const spread = [&](double deviation) {
-        return variation.spread * deviation * std::clamp(random.normal(), -2.0, 2.0);
+        return variation.spread * deviation
+            * std::clamp(random.normal(), -kMostDeviations, kMostDeviations);
     };
     auto& rule = edit.rule;
     rule.angle_deg = std::clamp(rule.angle_deg + spread(kAngle_deg), 0.0, 150.0);

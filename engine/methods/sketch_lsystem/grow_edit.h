@@ -53,6 +53,17 @@ Result<std::vector<Vec3>> drawn_nodes_mm(GrowAlongStroke const& edit);
 PlantSource source_of(GrowAlongStroke const& edit);
 GrowAlongStroke const* sketch_of(PlantSource const& source);
 
+// How far laterals differ between the plants of a collection whose spread is 1: standard deviations
+// of a rule's angle, of its ratios, as shares of them, and of its twists. None differs by more than
+// twice that.
+struct RuleSpread {
+    double angle_deg = 6;
+    double share = 0.06;
+    double twist_deg = 10;
+};
+constexpr RuleSpread kRuleSpread {};
+constexpr double kMostDeviations = 2;
+
 // Lists the fields of a rule by the letters of rule files.
 void list_rule(Fields& fields, Rule& rule);
 

@@ -80,7 +80,8 @@ TEST_F(Usage, WrongUsageSaysWhereToReadOn)
 TEST_F(Usage, AWindowReplaysOrDraws)
 {
     expect_error(run("tractus window hand.tractus-log --record x.tractus-log"), 1,
-                 "hand.tractus-log is replayed: --device, --log and --record are for drawing");
+                 "hand.tractus-log is replayed: --device, --log, --record and --socket are for "
+                 "drawing");
     expect_error(run("tractus window none.tractus"), 1, "there is no session none.tractus");
     expect_error(run("tractus window none.tractus --session x.tractus"), 1,
                  "there is no session none.tractus");

@@ -53,7 +53,7 @@ public:
     SketchTool tool()
     {
         using Card = SketchTool::Card;
-        return { .card = static_cast<Card>(static_cast<int>(number(0, 5.999))),
+        return { .card = static_cast<Card>(static_cast<int>(number(0, 8.999))),
                  .laterals = std::floor(number(0, 8.999)),
                  .angle_deg = number(0, 150),
                  .first_length_mm = number(5, 100),
@@ -69,6 +69,29 @@ public:
 private:
     std::mt19937 random_;
 };
+
+// Across the lateral that is shown, as far as angles differ in a collection: 12 degrees to both
+// sides.
+TEST(RuleGlyph, ShowsHowFarPlantsDiffer)
+{
+    SketchTool const tool { .angle_deg = 40 };
+    Vec2 const node = node_of(tool);
+    double const reach = (place_of_handle(tool, "A") - node).norm();
+    bool is_shown = false;
+    for (auto const& line : Tool(tool).glyph().lines) {
+        auto const angle_deg = [&](Vec2 const& point) {
+            return degrees(std::atan2(point.x() - node.x(), point.y() - node.y()));
+        };
+        bool const is_arc = line.points.size() > 2
+            && std::abs((line.points.front() - node).norm() - reach) < 1e-9;
+        if (!is_arc)
+            continue;
+        is_shown = true;
+        EXPECT_NEAR(angle_deg(line.points.front()), 28, 1e-9);
+        EXPECT_NEAR(angle_deg(line.points.back()), 52, 1e-9);
+    }
+    EXPECT_TRUE(is_shown);
+}
 
 TEST(RuleGlyph, SetsWhatAHandleIsDraggedTo)
 {

@@ -42,19 +42,22 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
     std::vector<Tool> chosen;
     for (auto const& card : ready_cards(Tool(SketchTool {})))
         chosen.push_back(card.tool);
-    ASSERT_EQ(chosen.size(), 14u);
-    chosen.resize(6); // The others are models, and the plant.
+    ASSERT_EQ(chosen.size(), 17u);
+    chosen.resize(9); // The others are models, and the plant.
     EXPECT_EQ(words_for(chosen[1]).arguments, "whorls laterals=4 angle=75 first=28 ratio=0.88");
     EXPECT_EQ(words_for(chosen[5]).arguments, "fern angle=55 first=13 ratio=0.96 lateral=0.7");
+    EXPECT_EQ(words_for(chosen[8]).arguments,
+              "compound_leaf first=60 ratio=0.5 lateral=0.5 as_axis");
+    std::vector<double> const twists_deg { 90, 45, 36, 90, 30, 0, 137.5, 180.0 / 7, 0 };
     for (auto const& tool : chosen) {
         auto const words = words_for(tool);
         EXPECT_EQ(parse_tool(tools, words.name, words.arguments).value(), tool);
         auto const edits = tool.mean(rising_stroke(), Scene {}).value();
         auto const& rule = edits.front().get<sketch::GrowAlongStroke>()->rule;
-        EXPECT_EQ(rule.axis_twist_deg, &tool == &chosen[5] ? 0 : 180.0 / rule.laterals);
+        EXPECT_EQ(rule.axis_twist_deg, twists_deg[plants]);
         plants += apply_edits(Scene {}, edits).value().plants.size();
     }
-    EXPECT_EQ(plants, 6u);
+    EXPECT_EQ(plants, 9u);
 }
 
 // What a card of a model stands for.
@@ -67,7 +70,7 @@ sketch::GrowAlongStroke drawn_with(SketchTool::Card card, Scene const& scene = {
 TEST(SketchTool, GrowsAModelInARulesPlace)
 {
     auto const tools = all_methods().tools;
-    for (int card = 6; card < 13; ++card) {
+    for (int card = 9; card < 16; ++card) {
         Tool const tool = SketchTool { .card = static_cast<SketchTool::Card>(card) };
         auto const words = words_for(tool);
         EXPECT_EQ(parse_tool(tools, words.name, words.arguments).value(), tool);
@@ -112,6 +115,28 @@ TEST(SketchTool, ChangesRulesIntoModels)
     auto const back = apply_edits(changed, to_rule).value();
     EXPECT_EQ(back.base->node_position_mm, grown.base->node_position_mm);
     EXPECT_TRUE(SketchTool::kKind.follow(Tool(rule), Tool(rule), grown).empty());
+}
+
+// The compound leaf of The Algorithmic Beauty of Plants (Ijiri 2006 figure 2): A --> I[+A][-A]A
+// with internodes that double. After n steps it has 3^0 + 3^1 + ... + 3^(n-1) internodes and apices
+// beside each other: of the internodes (3^n - 1) / 2, and each lateral is the leaf with the steps
+// that are left.
+TEST(SketchTool, HasTheCompoundLeafAsACard)
+{
+    auto const card = ready_cards(Tool(SketchTool {}))[8].tool;
+    auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 113 } }); // 60 + 30 + 15 + 7.5 mm.
+    auto const scene = apply_edits(Scene {}, card.mean(stroke, {}).value()).value();
+    auto const& plant = *scene.base;
+    EXPECT_EQ(plant.segment_count(), 40u);
+    auto const main_mm = plant.positions(plant.axes.front());
+    ASSERT_EQ(main_mm.size(), 5u);
+    for (std::size_t i = 1; i + 1 < main_mm.size(); ++i)
+        EXPECT_NEAR((main_mm[i] - main_mm[i - 1]).norm(), 2 * (main_mm[i + 1] - main_mm[i]).norm(),
+                    1e-3);
+    for (auto const& node_mm : plant.node_position_mm)
+        EXPECT_NEAR(node_mm.y(), 0, 1e-3) << "all in one plane";
+    EXPECT_EQ(SketchTool::kKind.like_drawn(Tool(SketchTool {}), scene)->get<SketchTool>()->go_on_by,
+              SketchTool::Laterals::AsAxis);
 }
 
 // A model of a person's own comes into the hand from the plant that it is.
