@@ -10,14 +10,14 @@ namespace {
 
 constexpr std::array kSignals { SIGINT, SIGTERM, SIGHUP };
 
-std::atomic<bool> has_come = false;
+std::atomic<bool> signal_has_come = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal's handler may use nothing else");
 std::array<struct sigaction, kSignals.size()> earlier_actions {};
 
 // Only what a signal handler may do.
 void remember(int signal)
 {
-    bool const is_second = has_come.exchange(true);
+    bool const is_second = signal_has_come.exchange(true);
     if (!is_second || signal != SIGINT)
         return;
     ::sigaction(SIGINT, &earlier_actions[0], nullptr);
@@ -46,7 +46,7 @@ ClosingSignals::~ClosingSignals()
 
 bool ClosingSignals::have_come()
 {
-    return has_come;
+    return signal_has_come;
 }
 
 } // namespace tractus

@@ -250,9 +250,8 @@ void Menu::show_season(WindowModel& model)
     if (season.month < 1)
         season = none;
     wanted_season_ = season;
-    using Slider = ChangeGrowth::Slider;
-    model.perform(ChangeSeason { season == none ? std::nullopt : std::optional(season),
-                                 is_released ? Slider::Released : Slider::Moving });
+    auto const slider = is_released ? ChangeGrowth::Slider::Released : ChangeGrowth::Slider::Moving;
+    model.perform(ChangeSeason { season == none ? std::nullopt : std::optional(season), slider });
 }
 
 // True while the slider moves.

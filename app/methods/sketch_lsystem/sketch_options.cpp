@@ -76,6 +76,7 @@ struct RuleCard {
     double shortest_mm;
     std::optional<double> twist_deg {}; // No value: rings of laterals alternate.
     bool goes_on = false;               // Laterals have the rule themselves.
+    double width_ratio = SketchTool().width_ratio;
 };
 constexpr std::array<RuleCard, 9> kCards { {
     { 2, 45, 30, 0.9, 0.62, 1 },
@@ -88,7 +89,7 @@ constexpr std::array<RuleCard, 9> kCards { {
     { 7, 60, 18, 1, 0.3, 4 },
     // Prusinkiewicz and Lindenmayer's compound leaf (Ijiri 2006 figure 2): an internode is twice as
     // long at each step, and a lateral is the leaf of as many steps as are left.
-    { 2, 45, 60, 0.5, 0.5, 1, 0.0, true },
+    { 2, 45, 60, 0.5, 0.5, 1, 0.0, true, 0.6 },
 } };
 constexpr double kSlender = 0.15; // The first internode's diameter, by its length.
 
@@ -114,7 +115,7 @@ void take_numbers_of_card(void* options)
     tool.first_length_mm = card.first_length_mm;
     tool.length_ratio = card.length_ratio;
     tool.lateral_length = card.lateral_length;
-    tool.width_ratio = plain.width_ratio;
+    tool.width_ratio = card.width_ratio;
     tool.lateral_width = plain.lateral_width;
     tool.axis_twist_deg = plain.axis_twist_deg;
     tool.lateral_twist_deg = plain.lateral_twist_deg;

@@ -263,10 +263,13 @@ static std::string rules_of(Rule const& rule)
                               "d - 1"));
 }
 
-// Leaves of a plant are about alike, wherever they grow.
+// Leaves of a plant are about alike, wherever they grow. Rules that call each other end in finer
+// twigs.
 static std::string leaves_of(Rule const& rule)
 {
-    double const length = as_written(std::clamp(rule.first_length_mm / 5, 2.0, 12.0));
+    bool const is_fine = std::ranges::any_of(rule.lateral_rules, &LateralRule::laterals_by);
+    double const length
+        = as_written(std::clamp(rule.first_length_mm / (is_fine ? 15 : 5), 2.0, 12.0));
     auto text = fmt::format("\nhomomorphism\n"
                             "L(l, w, d) --> ~l({0:g})\n"
                             "T(i, l, w) --> ~l({0:g})\n",

@@ -47,7 +47,7 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
     EXPECT_EQ(words_for(chosen[1]).arguments, "whorls laterals=4 angle=75 first=28 ratio=0.88");
     EXPECT_EQ(words_for(chosen[5]).arguments, "fern angle=55 first=13 ratio=0.96 lateral=0.7");
     EXPECT_EQ(words_for(chosen[8]).arguments,
-              "compound_leaf first=60 ratio=0.5 lateral=0.5 as_axis");
+              "compound_leaf first=60 ratio=0.5 lateral=0.5 as_axis width=0.6");
     std::vector<double> const twists_deg { 90, 45, 36, 90, 30, 0, 137.5, 180.0 / 7, 0 };
     for (auto const& tool : chosen) {
         auto const words = words_for(tool);

@@ -1,0 +1,163 @@
+// A rule that grows along a stroke: what a sample of the pen costs the station's thread meanwhile,
+// what it takes until an application of the rule is seen, and until the plant is there when the pen
+// is lifted.
+#include "app/methods/all_methods.h"
+#include "app/methods/sketch_lsystem/sketch_previewer.h"
+#include "app/methods/sketch_lsystem/sketch_tool.h"
+#include "app/plants/malloc_tuning.h"
+#include "app/station/plant_grower.h"
+#include "app/station/skeleton_picture.h"
+#include "app/station/station_view.h"
+#include "app/window/view_curves.h"
+#include "engine/methods/sketch_lsystem/rule.h"
+#include "tests/app/flat_station.h"
+#include "tests/bench/report.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace tractus {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kSegments = 20; // Of the strokes.
+
+// A rule with two laterals at a node, whose plant of kSegments has about so many internodes; they
+// are cut off at the depth for it.
+SketchTool rule_for(std::size_t internodes)
+{
+    SketchTool tool { .first_length_mm = 6, .length_ratio = 1, .lateral_length = 0.9 };
+    tool.shortest_mm = 0.01;
+    tool.surface = StrokeSurface::Space;
+    for (double shortest_mm = 5.9; shortest_mm > 0.05; shortest_mm *= 0.97) {
+        tool.shortest_mm = shortest_mm;
+        sketch::Rule const rule { .first_length_mm = 6,
+                                  .length_ratio = 1,
+                                  .lateral_length = 0.9,
+                                  .shortest_mm = shortest_mm };
+        if (sketch::count_internodes(rule, static_cast<int>(kSegments), sketch::kUncutDepth)
+            >= static_cast<double>(internodes))
+            break;
+    }
+    return tool;
+}
+
+std::vector<TipSample> tips_up(double length_mm)
+{
+    std::vector<TipSample> tips;
+    for (double z_mm = 0; z_mm <= length_mm; z_mm += 0.5)
+        tips.push_back({ .position_mm = { 0, 0, z_mm }, .touching = true });
+    return tips;
+}
+
+double length_mm(SketchTool const& tool)
+{
+    return kSegments * tool.first_length_mm + 0.5;
+}
+
+// The time of the 99th of a hundred samples while a stroke is drawn at 200 samples a second.
+void sketch_sample_p99(benchmark::State& state)
+{
+    return_large_blocks(); // The window does it, too.
+    constexpr int kSamples = 240;
+    auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
+    for (auto _ : state) {
+        auto station = flat_station(tool);
+        Document document(Scene {}, Document::Working::OnItsThread);
+        StationView view(station, document);
+        std::vector<double> took_s;
+        auto next = Clock::now();
+        for (int i = 0; i < kSamples; ++i) {
+            std::this_thread::sleep_until(next += std::chrono::milliseconds(5));
+            auto const begin = Clock::now();
+            station.push(kPen, at_ms(5 * i), pen_report(40 + 0.5 * i, 50, true));
+            view.show(station, document);
+            took_s.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
+        }
+        std::ranges::nth_element(took_s, took_s.begin() + kSamples * 99 / 100);
+        state.SetIterationTime(took_s[kSamples * 99 / 100]);
+    }
+    report(state, { .item = "samples" });
+}
+BENCHMARK(sketch_sample_p99)->ArgName("internodes")->Arg(20'000)->UseManualTime()->Iterations(3);
+
+// From the sample that makes an application to the lines of pad and skeleton.
+void sketch_application(benchmark::State& state)
+{
+    auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
+    auto const ink = tips_up(length_mm(tool));
+    auto const scene = std::make_shared<Scene const>();
+    auto const previewer = sketch_previewer();
+    Tool const hand = tool;
+    WindowState seen;
+    std::size_t lines = 0;
+    for (auto _ : state) {
+        seen.preview = previewer->show({ scene, hand, ink, 99 });
+        benchmark::DoNotOptimize(pad_preview_curves(seen).data());
+        benchmark::DoNotOptimize(preview_curves(seen).data());
+        lines = seen.preview.size();
+    }
+    report(state, { .items = static_cast<double>(lines), .item = "axes" });
+}
+BENCHMARK(sketch_application)
+    ->ArgName("internodes")
+    ->Arg(4'000)
+    ->Arg(20'000)
+    ->Unit(benchmark::kMillisecond);
+
+Scene drawn(SketchTool const& tool)
+{
+    Stroke const stroke { tips_up(length_mm(tool)) };
+    return apply_edits(Scene {}, Tool(tool).mean(stroke, Scene {}).value()).value();
+}
+
+// From the pen's leaving the tablet to the plant and its skeleton.
+void sketch_plant_and_skeleton(benchmark::State& state)
+{
+    return_large_blocks();
+    auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
+    std::size_t segments = 0;
+    for (auto _ : state) {
+        auto const scene = std::make_shared<Scene const>(drawn(tool));
+        SkeletonPicture picture;
+        picture.set_scene(scene);
+        benchmark::DoNotOptimize(picture.lines({}).data());
+        segments = scene->base->segment_count();
+    }
+    report(state, { .items = static_cast<double>(segments), .item = "segments" });
+}
+BENCHMARK(sketch_plant_and_skeleton)
+    ->ArgName("internodes")
+    ->Arg(200'000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+// From there to the triangles with leaves.
+void sketch_mesh(benchmark::State& state)
+{
+    return_large_blocks();
+    auto const scene
+        = std::make_shared<Scene const>(drawn(rule_for(static_cast<std::size_t>(state.range(0)))));
+    PlantGrower grower;
+    std::size_t triangles = 0;
+    for (auto _ : state) {
+        grower.grow({ scene, scene->growth });
+        std::optional<Result<Mesh>> mesh;
+        while (!(mesh = grower.take()))
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+        triangles = (*mesh)->triangle_count();
+    }
+    report(state, { .items = static_cast<double>(triangles), .item = "triangles" });
+}
+BENCHMARK(sketch_mesh)
+    ->ArgName("internodes")
+    ->Arg(200'000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+} // namespace
+} // namespace tractus
