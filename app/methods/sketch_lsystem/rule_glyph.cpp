@@ -21,7 +21,7 @@ constexpr double kDial = 0.24;   // Radius on which handles of twists lie around
 constexpr double kAside = 0.3;   // How far beside its part the handle of a width of 1 lies.
 constexpr double kTilt = 0.35;   // What is nearer lies lower by so much of its distance.
 constexpr double kRing = 0.5;    // Of its length in the plant, a lateral of the next ring.
-constexpr double kSpreadWidth = 0.012;
+constexpr double kSpreadWidth = 0.018;
 Vec2 const kBase { 0, -0.95 };
 Vec2 const kNode { 0, -0.25 };
 
@@ -112,25 +112,24 @@ Glyph::Line arc(Vec2 const& middle, double radius, double angle, double half)
     return line;
 }
 
-// How far the plants of a collection may differ: across the lateral its angle, along it its length,
-// and around both ends the twists.
+// How far the plants of a collection may differ: the sector in which the lateral stays, as long as
+// it may get, and outside of both ends' letters how far the twists go.
 void add_spread(Glyph& glyph, sketch::Rule const& rule)
 {
     if (rule.laterals == 0)
         return;
     Places const at(rule);
+    constexpr double kOutside = 1.75; // Of a dial's radius.
     auto const most = [](double deviation) { return sketch::kMostDeviations * deviation; };
+    double const reach = (1 + most(sketch::kRuleSpread.share)) * (at.lateral_end - kNode).norm();
+    auto edge = arc(kNode, reach, at.angle, radians(most(sketch::kRuleSpread.angle_deg)));
+    for (Vec2 const& end : { edge.points.front(), edge.points.back() })
+        glyph.lines.push_back({ { kNode, end }, kSpreadWidth, Color::Grey });
+    glyph.lines.push_back(std::move(edge));
     double const twist = radians(most(sketch::kRuleSpread.twist_deg));
-    Vec2 const lateral = at.lateral_end - kNode;
-    double const longer = most(sketch::kRuleSpread.share);
     glyph.lines.push_back(
-        arc(kNode, lateral.norm(), at.angle, radians(most(sketch::kRuleSpread.angle_deg))));
-    glyph.lines.push_back({ { kNode + (1 - longer) * lateral, kNode + (1 + longer) * lateral },
-                            kSpreadWidth,
-                            Color::Grey });
-    glyph.lines.push_back(
-        arc(at.lateral_end, kDial, at.angle + radians(rule.lateral_twist_deg), twist));
-    glyph.lines.push_back(arc(at.top_end, kDial, radians(rule.axis_twist_deg), twist));
+        arc(at.lateral_end, kOutside * kDial, at.angle + radians(rule.lateral_twist_deg), twist));
+    glyph.lines.push_back(arc(at.top_end, kOutside * kDial, radians(rule.axis_twist_deg), twist));
 }
 
 std::string share(char const* name, double value)

@@ -214,11 +214,13 @@ constexpr ToolKind SketchTool::kKind {
     = "adds a plant: a rule grows along the stroke, a ready one or with so many laterals at "
       "an angle in "
       "degrees, a first internode of so many mm, the next ones and laterals by ratios; laterals "
-      "fork or go on by a ready rule of their own; with leaves or bare; as drawn in space, on "
+      "fork or go on by a ready rule of their own, or by the rule itself; with leaves or bare; as "
+      "drawn in space, on "
       "paper that stands upright, or whichever the "
       "surface's way shows; alone, on the branch where the stroke begins, or in its place; "
       "or another stroke, or at once these numbers, for what has grown along a stroke last; "
-      "in the rule's place one of our models, whose trunk or stem the stroke becomes",
+      "in the rule's place one of our models, whose trunk or stem the stroke becomes, or what "
+      "the plant is that takes what is drawn",
     .group = "Sketch",
     .method = "Along a stroke",
     .icon = "5950 5674 5422 5362",

@@ -15,7 +15,7 @@ TEST(ToolCards, AreOfTheKindsThatSaySo)
     EXPECT_STREQ(cards_label(OutlineTool::kKind), "Form");
     EXPECT_EQ(cards_label(DrawTool::kKind), nullptr);
     auto const cards = ready_cards(Tool(SketchTool {}));
-    ASSERT_EQ(cards.size(), 13u);
+    ASSERT_EQ(cards.size(), 17u);
     EXPECT_EQ(cards[0].name, "Opposite");
     EXPECT_EQ(cards[0].tool, Tool(SketchTool {}));
     EXPECT_TRUE(ready_cards(Tool(DrawTool {})).empty());
