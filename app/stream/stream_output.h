@@ -33,8 +33,8 @@ public:
     // What grows along strokes grows in `scene`. Fails as `write` does.
     Result<void> take(Station& station, Scene const& scene);
 
-    // Does so with moments of the pen that were taken already, and leaves the strokes to somebody
-    // else who takes them before this is called again.
+    // Tells what the station has done, whose moments were taken already. Strokes are left to
+    // somebody else, who takes them before the next call.
     Result<void> tell(std::span<PenMoment const> moments, Station const& station,
                       Scene const& scene);
 

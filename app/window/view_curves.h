@@ -47,7 +47,7 @@ Vec3f layer_color(LayerStyle const& style);
 // The branches that the ink would move, as the skeleton shows them.
 std::vector<Curve> preview_curves(WindowState const& state);
 
-// Those as thick as they are, as the plant shows them.
+// The branches that the ink would move, as thick as they are, for the plant's view.
 std::vector<Curve> growing_curves(WindowState const& state);
 
 } // namespace tractus

@@ -107,8 +107,8 @@ class PlantView {
 public:
     void show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px, ViewDrag drag);
 
-    // With what grows along the stroke under way, and framing the volume in which the pen draws, so
-    // that it keeps still meanwhile. `may_turn`: drags and the wheel turn it.
+    // The plant with what grows along the stroke under way, and with room around it, so that the
+    // picture keeps still meanwhile. `may_turn`: drags and the wheel turn it.
     void show_on_stage(WindowState const& state, Renderer& renderer, ImVec2 const& size_px,
                        ViewDrag drag, bool may_turn);
 

@@ -131,7 +131,7 @@ struct Ring {
     std::string apex {};   // With the arguments before its length.
 };
 
-// Those of our own modules and of the turtle's movements are not among them.
+// Letters of our own modules and of the turtle's movements are left out.
 static std::string letter_of(std::size_t level)
 {
     constexpr std::string_view kLetters = "ABCDEHIJ";
