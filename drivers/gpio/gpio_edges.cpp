@@ -89,9 +89,7 @@ public:
     {
     }
 
-    // Finds a moment without edges, at which the lines' levels are what they are after the last.
-    // Fails, as the user's fault, where there is none: the surface moves.
-    Result<void> begin();
+    Result<void> begin(); // See find_beginning().
 
     Result<void> read(Duration timeout, std::vector<QuadratureEdge>& edges) override;
     Timestamp now() override { return monotonic_now(); }
@@ -99,6 +97,7 @@ public:
 
 private:
     Result<bool> wait(Duration timeout);
+    Result<QuadratureLevels> levels() const;
 
     std::string chip_;
     EdgeDescriptor lines_;
@@ -106,27 +105,19 @@ private:
     Quadrature::Beginning beginning_ {};
 };
 
+Result<QuadratureLevels> KernelEdges::levels() const
+{
+    gpio_v2_line_values values { .bits = 0, .mask = 3 };
+    if (::ioctl(lines_.number(), GPIO_V2_LINE_GET_VALUES_IOCTL, &values) != 0)
+        return lost_gpio_lines(chip_, errno);
+    return QuadratureLevels { .a = (values.bits & 1) != 0, .b = (values.bits & 2) != 0 };
+}
+
 Result<void> KernelEdges::begin()
 {
-    constexpr int kTrials = 100;
-    std::vector<QuadratureEdge> edges;
-    for (int i = 0; i < kTrials; ++i) {
-        gpio_v2_line_values values { .bits = 0, .mask = 3 };
-        if (::ioctl(lines_.number(), GPIO_V2_LINE_GET_VALUES_IOCTL, &values) != 0)
-            return lost_gpio_lines(chip_, errno);
-        edges.clear();
-        TRY(read(std::chrono::milliseconds(1), edges));
-        if (edges.empty()) {
-            beginning_.a = (values.bits & 1) != 0;
-            beginning_.b = (values.bits & 2) != 0;
-            return {};
-        }
-        beginning_.number = edges.back().number;
-    }
-    return fail(Fault::User,
-                fmt::format("the encoder on the GPIO chip {} moves: let it rest, so that its "
-                            "counting can begin",
-                            chip_));
+    beginning_ = TRY(find_beginning(
+        *this, [this] { return levels(); }, chip_));
+    return {};
 }
 
 Result<bool> KernelEdges::wait(Duration timeout)
@@ -160,6 +151,35 @@ Result<void> KernelEdges::read(Duration timeout, std::vector<QuadratureEdge>& ed
 }
 
 } // namespace
+
+Result<Quadrature::Beginning>
+find_beginning(GpioEdges& edges, std::function<Result<QuadratureLevels>()> const& levels,
+               std::string const& chip)
+{
+    constexpr int kTrials = 100;
+    std::uint32_t last_number = 0;
+    std::vector<QuadratureEdge> read;
+    // Returns whether there were none for so long.
+    auto const is_quiet = [&](Duration duration) -> Result<bool> {
+        read.clear();
+        TRY(edges.read(duration, read));
+        if (!read.empty())
+            last_number = read.back().number;
+        return read.empty();
+    };
+    auto const believed = edges.now() + kGpioEdgesUntrue;
+    while (edges.now() < believed)
+        TRY(is_quiet(believed - edges.now()));
+    for (int i = 0; i < kTrials; ++i) {
+        auto const present = TRY(levels());
+        if (TRY(is_quiet(std::chrono::milliseconds(1))))
+            return Quadrature::Beginning { .a = present.a, .b = present.b, .number = last_number };
+    }
+    return fail(Fault::User,
+                fmt::format("the encoder on the GPIO chip {} moves: let it rest, so that its "
+                            "counting can begin",
+                            chip));
+}
 
 Result<std::unique_ptr<GpioEdges>> open_gpio_edges(std::string const& chip, unsigned a_line,
                                                    unsigned b_line)

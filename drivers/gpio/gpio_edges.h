@@ -4,6 +4,7 @@
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,26 @@ public:
     // Returns what the lines were before the first edge that is read.
     virtual Quadrature::Beginning beginning() const = 0;
 };
+
+// Levels of an encoder's two lines, as the chip tells them when it is asked.
+struct QuadratureLevels {
+    bool a = false; // High.
+    bool b = false; // High.
+};
+
+// How long edges are not believed after the lines were taken. A chip without interrupts is looked
+// at by its driver every now and then, each 40 ms by the kernel's hid-cp2112, and the first look is
+// compared with what was there when somebody else had the lines, or with lines that are low: a line
+// that has been high all the time rises then.
+constexpr Duration kGpioEdgesUntrue = std::chrono::milliseconds(100);
+
+// Finds where counting begins on lines that have just been taken: once edges are believed, at a
+// moment without any, at which the lines' levels are those after the last edge. Edges before it are
+// lost on purpose. Fails, as the user's fault, where there is no such moment, for the surface
+// moves; otherwise as edges and levels do.
+Result<Quadrature::Beginning>
+find_beginning(GpioEdges& edges, std::function<Result<QuadratureLevels>()> const& levels,
+               std::string const& chip);
 
 // How many edges the kernel keeps for us; when more wait, the oldest are gone, and their numbers
 // with them.
