@@ -59,10 +59,15 @@ Result<Rig> load_start(CalibrateArguments const& arguments, std::string const& l
         return parse_rig(log_rig, arguments.log);
     if (arguments.procedure == CalibrationProcedure::Height)
         return Rig { .sample_times = SampleTimes::Evened };
-    return fail(Fault::User,
-                fmt::format("{} is not there, and calibrate {} needs the heights in it: use "
-                            "\"tractus calibrate height --rig {}\" first",
-                            arguments.rig, name_of(arguments.procedure), arguments.rig));
+    // A rig without heights of its own would draw with made-up ones, so only height makes one.
+    bool const needs_heights = needs_height(arguments.procedure);
+    return fail(
+        Fault::User,
+        fmt::format("{} is not there, and calibrate {} {}: use \"tractus calibrate height "
+                    "--rig {}\" first",
+                    arguments.rig, name_of(arguments.procedure),
+                    needs_heights ? "needs the heights in it" : "only adds to a rig that is there",
+                    arguments.rig));
 }
 
 CalibrationController::Options desk_options(CalibrateArguments const& arguments, Rig rig)

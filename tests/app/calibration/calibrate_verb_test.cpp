@@ -135,6 +135,16 @@ TEST_F(CalibrateVerb, WantsTheHeightsFirst)
         << outcome.err;
 }
 
+TEST_F(CalibrateVerb, AsksForNoHeightsWhereTiltNeedsNone)
+{
+    auto const outcome = calibrate({ "tilt", "--rig", path("my.rig.toml"), "--simulate" });
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("is not there, and calibrate tilt only adds to a rig that is there: "
+                               "use \"tractus calibrate height --rig "),
+              std::string::npos)
+        << outcome.err;
+}
+
 TEST_F(CalibrateVerb, RefusesARigOfALaterVersion)
 {
     std::ofstream(path("my.rig.toml")) << "version = 99\n";
