@@ -26,6 +26,9 @@ constexpr double kSlipDeviations = 4;
 constexpr double kRarityOfSlips = 9.2;       // -2 ln of one slip in a hundred captures.
 constexpr std::size_t kFreedomThatTells = 3; // Captures over, from which a variance can be told.
 constexpr std::size_t kMostKnots = 12;
+// A variance that one to three captures over tell is as often too small: by so much it is raised,
+// as Student's quantile for a standard error of three degrees is over the normal one's, squared.
+constexpr double kFewOverTellTooLittle = 1.43;
 constexpr double kUsualLinearity_percent = 0.25; // Of a spool's potentiometer, by data sheets.
 constexpr std::size_t kFewestForBend = 5;        // Captures that tell a little of a bend.
 constexpr std::array<std::string_view, 3> kNames { "linear", "string", "monotone" };
@@ -318,7 +321,8 @@ Mean mean_of(std::vector<double> const& values)
     return mean;
 }
 
-std::optional<Hysteresis> hysteresis_of(Captures captures, HeightFit const& fit)
+std::optional<Hysteresis> hysteresis_of(Captures captures, HeightFit const& fit,
+                                        double ruler_error_mm)
 {
     std::vector<double> from_below;
     std::vector<double> from_above;
@@ -335,7 +339,7 @@ std::optional<Hysteresis> hysteresis_of(Captures captures, HeightFit const& fit)
     auto const up = mean_of(from_below);
     auto const down = mean_of(from_above);
     // A few captures may agree by luck: no better than the ruler.
-    double const least_variance = fit.capture_error_mm * fit.capture_error_mm
+    double const least_variance = std::pow(std::max(fit.capture_error_mm, ruler_error_mm), 2)
         * (1 / static_cast<double>(up.count) + 1 / static_cast<double>(down.count));
     return Hysteresis { .mm = up.value - down.value,
                         .standard_error_mm
@@ -386,13 +390,14 @@ void bend_track(Captures captures, HeightFitOptions const& options, HeightFit& f
     if (!bent)
         return;
     double const freedom = static_cast<double>(used.size()) - bent->effective_parameters;
-    double variance_mm2 = options.ruler_error_mm * options.ruler_error_mm;
+    double const likely_mm2 = bent->capture_error_mm * bent->capture_error_mm;
+    double variance_mm2 = likely_mm2;
     if (freedom >= 1)
-        variance_mm2 = std::max(variance_mm2, bent->sum_of_squares_mm2 / freedom);
+        variance_mm2
+            = std::max(variance_mm2, kFewOverTellTooLittle * bent->sum_of_squares_mm2 / freedom);
     fit.model = bent->model;
     fit.capture_error_mm = std::sqrt(variance_mm2);
-    fit.covariance
-        = bent->covariance * variance_mm2 / (options.ruler_error_mm * options.ruler_error_mm);
+    fit.covariance = bent->covariance * variance_mm2 / likely_mm2;
     fit.bend_percent = 100 * bent->deviation;
 }
 
@@ -425,7 +430,7 @@ HeightFit describe(Captures captures, Choice choice, HeightFitOptions const& opt
     bend_track(captures, options, fit);
     fit.parameters = parameters_with_errors(fit.model, fit.covariance);
     tell_residuals(captures, fit);
-    fit.hysteresis = hysteresis_of(captures, fit);
+    fit.hysteresis = hysteresis_of(captures, fit, options.ruler_error_mm);
     fit.noise_counts = pooled_noise(captures);
     tell_range(captures, fit);
     return fit;

@@ -21,7 +21,7 @@ struct HeightFitOptions {
     std::optional<HeightModelKind> kind {};
 
     // How exactly the person reads the ruler: the standard deviation of a capture. What a fit makes
-    // of its parameters' errors never rests on less than this.
+    // of its parameters' errors never rests on less than this, with a bend seven tenths of it.
     double ruler_error_mm = 0.3;
 
     // How far the potentiometer's track may be off a straight one, in percent, as its data sheet
@@ -118,8 +118,10 @@ double height_error_mm(HeightFit const& fit, double counts);
 // Standard errors are those of the linear approximation, times the greater one of the ruler's error
 // (known before, of type B as the "Guide to the expression of uncertainty in measurement", JCGM
 // 100:2008, has it) and the residuals' own standard deviation. What the track may bend by, and what
-// up and down differ by, are part of them wherever a bend is fitted; then some seven captures leave
-// the residuals no say, and the errors are as true as the ruler's.
+// up and down differ by, are part of them wherever a bend is fitted. There the ruler's error is
+// what the captures make likely, from seven tenths of what was said to twice as much, and residuals
+// that one or two captures over leave count twice, as Student's quantiles have it: a ruler that is
+// read worse than was said is seen as far as seven captures can show it, which is not far.
 //
 // Fails, as the user's fault, with a sentence that says what to do: fewer captures than parameters
 // or than two, heights all the same, heights that do not follow one direction, readings that stay

@@ -28,6 +28,15 @@ constexpr std::array kDeviations { 0.0, 0.25, 0.5, 1.0, 2.0 };
 constexpr double kNoPlayBefore = 0.5; // Chance that up and down are alike before the captures.
 constexpr std::array kPlays_mm { 0.0, 0.3, 1.0 }; // Standard deviations of their difference.
 
+// How badly the person reads the ruler, in parts of what was said, and how likely that is before
+// the captures.
+struct RulerError {
+    double part = 1;
+    double chance = 0;
+};
+constexpr std::array kRulerErrors { RulerError { 0.7, 0.55 }, RulerError { 1, 0.33 },
+                                    RulerError { 2, 0.12 } };
+
 // The bend's knots, and what takes independent numbers of variance one to their shifts.
 struct Track {
     Eigen::VectorXd counts {};
@@ -179,6 +188,7 @@ Eigen::MatrixXd covariance_of(FittedBend const& fitted)
 struct LikelyBesides {
     double bend = 0; // Of the range.
     double play_mm = 0;
+    double ruler_mm = 0; // A capture's, beside both.
 };
 
 // The chance of the first of so many deviations, or of another one, before the captures.
@@ -192,29 +202,40 @@ struct BesidesTrial {
     double log_weight = 0;
 };
 
+// The fit with such deviations; nothing where it fails.
+void try_deviations(HeightModel const& law, Captures captures, LikelyBesides const& deviations,
+                    double chance, std::vector<BesidesTrial>& trials)
+{
+    Besides besides { .play_mm = deviations.play_mm };
+    if (deviations.bend > 0)
+        besides.track = track_over(reading_range(captures), deviations.bend);
+    auto const fit = fit_with(law, besides, captures, deviations.ruler_mm);
+    if (!fit)
+        return;
+    // Misfits are in errors of the ruler, so that the evidence lacks the density's height.
+    auto const log_height = -static_cast<double>(captures.size()) * std::log(deviations.ruler_mm);
+    trials.push_back({ deviations, fit->log_evidence + log_height + std::log(chance) });
+}
+
 std::vector<BesidesTrial> try_besides(HeightModel const& law, Captures captures,
                                       double ruler_error_mm, double linearity)
 {
     std::size_t const plays = have_both_sides(captures) ? kPlays_mm.size() : 1;
     std::vector<BesidesTrial> trials;
     for (std::size_t i = 0; i < kDeviations.size(); ++i)
-        for (std::size_t k = 0; k < plays; ++k) {
-            LikelyBesides const deviations { kDeviations[i] * linearity, kPlays_mm[k] };
-            Besides besides { .play_mm = deviations.play_mm };
-            if (deviations.bend > 0)
-                besides.track = track_over(reading_range(captures), deviations.bend);
-            auto const fit = fit_with(law, besides, captures, ruler_error_mm);
-            if (!fit)
-                continue;
-            double const before = chance_before(i, kStraightBefore, kDeviations.size())
-                * chance_before(k, kNoPlayBefore, kPlays_mm.size());
-            trials.push_back({ deviations, fit->log_evidence + std::log(before) });
-        }
+        for (std::size_t k = 0; k < plays; ++k)
+            for (auto const& ruler : kRulerErrors)
+                try_deviations(
+                    law, captures,
+                    { kDeviations[i] * linearity, kPlays_mm[k], ruler.part * ruler_error_mm },
+                    chance_before(i, kStraightBefore, kDeviations.size())
+                        * chance_before(k, kNoPlayBefore, kPlays_mm.size()) * ruler.chance,
+                    trials);
     return trials;
 }
 
-// The roots of the mean squares of the deviations, over what the captures make of each pair.
-LikelyBesides mean_deviations(std::vector<BesidesTrial> const& trials)
+// The roots of the mean squares of the deviations, over what the captures make of each of them.
+std::optional<LikelyBesides> mean_deviations(std::vector<BesidesTrial> const& trials)
 {
     double most = -std::numeric_limits<double>::infinity();
     for (auto const& trial : trials)
@@ -226,10 +247,12 @@ LikelyBesides mean_deviations(std::vector<BesidesTrial> const& trials)
         sum += weight;
         squares.bend += weight * deviations.bend * deviations.bend;
         squares.play_mm += weight * deviations.play_mm * deviations.play_mm;
+        squares.ruler_mm += weight * deviations.ruler_mm * deviations.ruler_mm;
     }
-    return trials.empty()
-        ? LikelyBesides()
-        : LikelyBesides { std::sqrt(squares.bend / sum), std::sqrt(squares.play_mm / sum) };
+    if (trials.empty())
+        return std::nullopt;
+    return LikelyBesides { std::sqrt(squares.bend / sum), std::sqrt(squares.play_mm / sum),
+                           std::sqrt(squares.ruler_mm / sum) };
 }
 
 } // namespace
@@ -241,10 +264,12 @@ std::optional<BentFit> fit_track_bend(HeightModel const& law, Captures captures,
         return std::nullopt;
     auto const likely
         = mean_deviations(try_besides(law, captures, ruler_error_mm, linearity_percent / 100));
+    if (!likely)
+        return std::nullopt;
     auto const fitted = fit_with(
         law,
-        { .track = track_over(reading_range(captures), likely.bend), .play_mm = likely.play_mm },
-        captures, ruler_error_mm);
+        { .track = track_over(reading_range(captures), likely->bend), .play_mm = likely->play_mm },
+        captures, likely->ruler_mm);
     if (!fitted)
         return std::nullopt;
     auto const rows = static_cast<Eigen::Index>(captures.size());
@@ -252,11 +277,12 @@ std::optional<BentFit> fit_track_bend(HeightModel const& law, Captures captures,
     Eigen::MatrixXd const jacobian = fitted->fit.jacobian.topRows(rows);
     return BentFit { .model = fitted->model,
                      .sum_of_squares_mm2 = fitted->fit.residuals.head(rows).squaredNorm()
-                         * ruler_error_mm * ruler_error_mm,
+                         * likely->ruler_mm * likely->ruler_mm,
                      .covariance = covariance_of(*fitted),
                      .effective_parameters
                      = small_product(jacobian, unit).cwiseProduct(jacobian).sum(),
-                     .deviation = likely.bend };
+                     .deviation = likely->bend,
+                     .capture_error_mm = likely->ruler_mm };
 }
 
 double error_beside_bend_mm(Captures captures, double ruler_error_mm, double linearity_percent)

@@ -25,6 +25,9 @@ struct BentFit {
     // Standard deviation of the track's bend, in parts of the captures' range, that the captures
     // make likely.
     double deviation = 0;
+
+    // Standard deviation of a capture that the captures make likely, on which the covariance rests.
+    double capture_error_mm = 0;
 };
 
 // Fits a line or a string to captures anew, with a track that may be bent. The bend is a Gaussian
@@ -32,7 +35,8 @@ struct BentFit {
 // 2006, chapters 2 and 5) that hardly changes over a third of the captures' range. Its standard
 // deviation is a quarter to twice `linearity_percent` of that range, as the captures' evidence
 // tells (Laplace's approximation); one track in five is straight to begin with. The ruler's error
-// is above 0 and stands for what is known of a capture, however well a few of them agree.
+// is above 0 and says how well the person is thought to read it: seven tenths of it to twice as
+// much, as the captures' evidence tells; what is twice is rare before.
 //
 // Captures from below and from above, where there are two of each, may differ by a slack in the
 // string; the model lies midway. The difference is part of the fit, of a standard deviation of 0 to
