@@ -16,6 +16,9 @@ constexpr std::size_t kFewestSamples = 32;
 constexpr std::size_t kFewestBursts = 8;
 constexpr std::size_t kOneInBurst = 150; // Of so many samples, one at least shares a burst.
 constexpr std::size_t kOneCountedAnew = 32;
+// Tenths of the time for learning that are kept where it failed: what was lost in it may be gone
+// soon.
+constexpr std::int64_t kKeptTenths = 9;
 constexpr double kSurely = 1.1; // Periods that a burst's last sample is late only if one was lost.
 
 // A point of the line's plane.
@@ -172,12 +175,13 @@ void EvenTimes::judge()
     if (is_evened_ && was_evened)
         fit();
     else if (is_evened_)
-        is_evened_ = unexplained_bursts() * 4 <= bursts_ && is_line_known_; // Some may be lost.
+        is_evened_ = unexplained_bursts() == 0 && is_line_known_;
     if (has_bursts && !is_evened_) { // Counting fails: it does not sample evenly, or lost some.
         is_line_known_ = false;
         if (was_evened)
             to_learn_ns_ = std::min(2 * to_learn_ns_, kLongestLearning_ns);
-        while (samples_.size() > 1)
+        auto const kept_ns = was_evened ? 0 : to_learn_ns_ * kKeptTenths / 10;
+        while (samples_.size() > 1 && samples_.back().arrival - samples_.front().arrival >= kept_ns)
             forget_oldest();
     }
 }

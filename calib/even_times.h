@@ -24,8 +24,9 @@ namespace tractus {
 // then. A sample that was lost or is one too many shows as a step of a period, at the latest three
 // bursts later, and is counted in; where there are many such steps the device does not sample
 // evenly: then all arrivals stay as they are, as in the first half second, and twice as much has
-// to be seen before it is tried again, up to four seconds. A stream whose bursts bring one sample
-// each stays as it is, too.
+// to be seen before it is tried again, up to four seconds. The beginning is a half second of which
+// nothing was lost, so that a loss cannot pass for another period. A stream whose bursts bring one
+// sample each stays as it is, too.
 //
 // After a silence of kSilence the device may have begun anew: its period is remembered, when its
 // samples fall is not, and is found again within the first bursts.

@@ -160,6 +160,19 @@ TEST(EvenTimes, CountsLostSamples)
     }
 }
 
+// What is lost while the rate is learnt is waited out, not learnt.
+TEST(EvenTimes, LearnsTheRateFromTheFirstHalfSecondWithoutALoss)
+{
+    auto all = samples(497, 4, bursts(0.016));
+    for (double const lost_s : { 0.36, 0.57 }) {
+        auto const lost = std::find_if(all.begin(), all.end(),
+                                       [&](Sample const& one) { return one.taken_s > lost_s; });
+        all.erase(lost, lost + 2);
+    }
+    EXPECT_LT(most(late_ms(all, 1.16)), 1);
+    EXPECT_GT(least(late_ms(all, 1.16)), -1);
+}
+
 TEST(EvenTimes, CountsSamplesThatAreOneTooMany)
 {
     auto all = samples(133, 6, bursts(0.016));
