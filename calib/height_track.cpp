@@ -129,13 +129,21 @@ Duration HeightTrack::usual_spacing() const
     return (newest() - first->time) / static_cast<std::int64_t>(count - 1);
 }
 
-// The reading some time before another one: far enough for a speed that is not all noise.
+// The reading some time before another one: far enough for a speed that is not all noise. That is
+// two readings, save where they are so scarce that two of them tell what a hand did long ago.
 HeightTrack::Place HeightTrack::some_time_before(Place const& reading) const
 {
     constexpr Duration kLeastApart = std::chrono::milliseconds(6);
+    constexpr Duration kMostApart = std::chrono::milliseconds(25);
+    constexpr int kReadings = 2;
     auto before = reading;
-    while (before != readings_.begin() && reading->time - before->time < kLeastApart)
-        --before;
+    for (int i = 0; before != readings_.begin(); ++i, --before) {
+        bool const is_near = reading->time - before->time < kLeastApart;
+        bool const is_one_more_near
+            = i < kReadings && reading->time - std::prev(before)->time < kMostApart;
+        if (!is_near && !is_one_more_near)
+            break;
+    }
     return before;
 }
 
@@ -146,17 +154,22 @@ double HeightTrack::speed_mm_per_s(Place const& from, Place const& to)
 }
 
 // How fast the carriage moves past the newest reading: as it did last, or slower if it was slowing
-// down, for then it goes on doing so.
+// down plainly, for then it goes on doing so. What noise makes of a steady movement is not plain:
+// taken for slowing down, it would hold back every other tip.
 double HeightTrack::newest_speed_mm_per_s() const
 {
     constexpr double kFastest_mm_per_s = 600; // Faster, a reading is a spike or a slip.
+    constexpr double kPlainly_mm_per_s = 40;
     auto const last = std::prev(readings_.end());
     auto const middle = some_time_before(last);
     double const speed
         = std::clamp(speed_mm_per_s(middle, last), -kFastest_mm_per_s, kFastest_mm_per_s);
     double const before = speed_mm_per_s(some_time_before(middle), middle);
-    double const next = 2 * speed - before;
-    if (std::abs(before) <= std::abs(speed) || before * speed <= 0)
+    // Speeds are those of the middles of their spans: from there to the middle of what comes next.
+    double const span_s = to_seconds(last->time - middle->time);
+    double const ahead = span_s > 0 ? 0.5 + 0.5 * to_seconds(usual_spacing()) / span_s : 1;
+    double const next = speed - ahead * (before - speed);
+    if (std::abs(before) <= std::abs(speed) + kPlainly_mm_per_s || before * speed <= 0)
         return speed;
     return next * speed > 0 ? next : 0;
 }
