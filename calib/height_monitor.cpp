@@ -11,6 +11,7 @@ namespace {
 
 // Jumps that follow each other within this time are one: away and back again.
 constexpr Duration kJumpLasts = std::chrono::milliseconds(500);
+constexpr Duration kStopIsTold = std::chrono::seconds(10); // Long enough to be read.
 
 // A change and the opposite one within this time are noise; so many of them make a noisy sensor.
 constexpr Duration kFlicker = std::chrono::milliseconds(100);
@@ -18,7 +19,7 @@ constexpr std::size_t kNoisyFlickers = 5;
 
 bool is_worse(HeightFault const& a, HeightFault const& b)
 {
-    if (a.kind != HeightFaultKind::Jump)
+    if (a.kind != HeightFaultKind::Jump && a.kind != HeightFaultKind::Stop)
         return a.end - a.begin > b.end - b.begin;
     return a.speed_mm_per_s != b.speed_mm_per_s ? a.speed_mm_per_s > b.speed_mm_per_s
                                                 : std::abs(a.step_mm) > std::abs(b.step_mm);
@@ -47,6 +48,7 @@ void HeightMonitor::push(HeightSample const& sample)
     watch_rail(sample);
     watch_jump(sample);
     watch_step(sample);
+    watch_stop(sample);
     watch_stuck(sample);
     watch_rate(sample.time);
     last_ = sample;
@@ -54,7 +56,8 @@ void HeightMonitor::push(HeightSample const& sample)
 
 void HeightMonitor::advance(Timestamp now)
 {
-    close_old_jump(now);
+    close_old(HeightFaultKind::Jump, kJumpLasts, now);
+    close_old(HeightFaultKind::Stop, kStopIsTold, now);
     if (!alive_)
         alive_ = now;
     if (now - *alive_ > limits_.silence_after)
@@ -86,11 +89,11 @@ void HeightMonitor::close(HeightFaultKind kind)
     open.reset();
 }
 
-void HeightMonitor::close_old_jump(Timestamp now)
+void HeightMonitor::close_old(HeightFaultKind kind, Duration lasts, Timestamp now)
 {
-    auto const& jump = watch(HeightFaultKind::Jump).open;
-    if (jump && now - jump->end > kJumpLasts)
-        close(HeightFaultKind::Jump);
+    auto const& open = watch(kind).open;
+    if (open && now - open->end > lasts)
+        close(kind);
 }
 
 bool HeightMonitor::is_on_rail(HeightSample const& sample) const
@@ -182,14 +185,19 @@ constexpr Duration kStepTakes = std::chrono::milliseconds(30);
 
 } // namespace
 
+std::optional<double> HeightMonitor::height_of(HeightSample const& sample) const
+{
+    if (sample.full_scale != rig_.full_scale_counts || is_on_rail(sample))
+        return std::nullopt;
+    return height_mm(rig_.height_model, sample.counts);
+}
+
 // The heights of 30 ms, and those of 30 ms that end 30 ms before. Between their middles a movement
 // goes as far as the mean of both speeds takes it, and exactly so under a steady acceleration.
 void HeightMonitor::watch_step(HeightSample const& sample)
 {
     constexpr std::size_t kLeastForStep = 3;
-    auto const height = sample.full_scale == rig_.full_scale_counts && !is_on_rail(sample)
-        ? height_mm(rig_.height_model, sample.counts)
-        : std::nullopt;
+    auto const height = height_of(sample);
     if (!height || (!path_.empty() && sample.time - path_.back().time > kStepTakes)
         || (!path_.empty() && sample.time < path_.back().time))
         path_.clear(); // Nobody knows what was between.
@@ -214,6 +222,19 @@ void HeightMonitor::watch_step(HeightSample const& sample)
               .end = when,
               .counts = sample.counts,
               .step_mm = step_mm });
+}
+
+void HeightMonitor::watch_stop(HeightSample const& sample)
+{
+    auto const height = height_of(sample);
+    if (!height)
+        return;
+    if (auto const moved = stop_.push(sample.time, *height))
+        see({ .kind = HeightFaultKind::Stop,
+              .begin = moved->time,
+              .end = moved->time,
+              .counts = sample.counts,
+              .step_mm = moved->to_mm - moved->from_mm });
 }
 
 void HeightMonitor::learn_noise(HeightSample const& sample)
@@ -299,6 +320,9 @@ std::string describe_fault(HeightFault const& fault)
     case HeightFaultKind::Stuck:
         return fmt::format("height stuck at {} for {:.0f} s: string torn or jammed?", fault.counts,
                            seconds);
+    case HeightFaultKind::Stop:
+        return fmt::format("lowest stop {:.0f} mm {} than before: has the string slipped?",
+                           std::abs(fault.step_mm), fault.step_mm > 0 ? "higher" : "lower");
     }
     return {};
 }
@@ -342,6 +366,12 @@ std::string describe_total(HeightFaultKind kind, HeightFaultTotal const& total, 
         return fmt::format("the height sensor stood still at {} {}: if the surface moved then, the "
                            "string is torn or jammed",
                            worst.counts, how_long(total, start));
+    case HeightFaultKind::Stop:
+        return fmt::format("the surface's lowest stop reads {:.1f} mm {} than before, as told at "
+                           "{:.1f} s: if nothing lies under it, the string has slipped: zero it "
+                           "with \"tractus calibrate zero\"",
+                           std::abs(worst.step_mm), worst.step_mm > 0 ? "higher" : "lower",
+                           to_seconds(worst.begin - start));
     }
     return {};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "calib/lowest_stop.h"
 #include "calib/rig.h"
 #include "drivers/height_sample.h"
 #include "engine/base/time.h"
@@ -21,8 +22,10 @@ enum class HeightFaultKind {
     Jump,    // The height changed faster than a hand moves, or stepped aside in the midst of a
              // movement: a slipping string, a loose contact.
     Stuck,   // The reading does not even show its noise any more: a torn or jammed string.
+    Stop,    // The surface is let down to another height than it used to be: a string that slipped
+             // slowly, or something that lies under it (lowest_stop.h).
 };
-constexpr std::size_t kHeightFaultKinds = 4;
+constexpr std::size_t kHeightFaultKinds = 5;
 
 // One fault while it lasted. Times are those of the data.
 struct HeightFault {
@@ -32,6 +35,7 @@ struct HeightFault {
     std::int32_t counts = 0;   // The reading, for a jump the one after it; 0 for silence.
     double speed_mm_per_s = 0; // Speed of a jump, the greatest …
     double step_mm = 0; // … and by how much the height stepped aside, up or down; 0: not told yet.
+                        // Of a stop: by how much higher it lies now.
 };
 
 // Total of all faults of one kind.
@@ -88,7 +92,7 @@ public:
     void advance(Timestamp now);
 
     // Returns what is wrong at this moment; the first of HeightFaultKind's order if several things
-    // are. A jump counts as present for half a second.
+    // are. A jump counts as present for half a second, a stop that has moved for ten.
     std::optional<HeightFault> present() const;
 
     // Returns the total of everything so far, what is present included.
@@ -111,10 +115,12 @@ private:
 
     void see(HeightFault const& fault);
     void close(HeightFaultKind kind);
-    void close_old_jump(Timestamp now);
+    void close_old(HeightFaultKind kind, Duration lasts, Timestamp now);
+    std::optional<double> height_of(HeightSample const& sample) const;
     void watch_rail(HeightSample const& sample);
     void watch_jump(HeightSample const& sample);
     void watch_step(HeightSample const& sample);
+    void watch_stop(HeightSample const& sample);
     void watch_stuck(HeightSample const& sample);
     void learn_noise(HeightSample const& sample);
     void watch_rate(Timestamp time);
@@ -134,6 +140,8 @@ private:
         double mm = 0;
     };
     std::deque<Height> path_ {};
+
+    LowestStop stop_ {};
 
     // Noise: a change of the reading and the opposite change soon after it, which no hand does.
     Timestamp last_change_ {};

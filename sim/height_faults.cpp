@@ -23,6 +23,7 @@ std::optional<std::int32_t> HeightFaults::apply(Timestamp now, std::int32_t coun
             counts = fault->counts;
             break;
         case HeightFaultKind::Jump:
+        case HeightFaultKind::Stop: // Slipped, whichever of them tells it.
             counts = std::clamp(counts + fault->counts, 0, full_scale);
             break;
         case HeightFaultKind::Stuck:

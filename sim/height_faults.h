@@ -15,8 +15,8 @@ struct SimulatedHeightFault {
     Timestamp begin {};
     Timestamp end {}; // It is well again from here on.
 
-    // Rail: what it reads. Jump: how much more than the truth it reads, as after a string's slip.
-    // Of no meaning for the others.
+    // Rail: what it reads. Jump or stop: how much more than the truth it reads, as after a string's
+    // slip. Of no meaning for the others.
     std::int32_t counts = 0;
 };
 

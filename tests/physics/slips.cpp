@@ -7,18 +7,23 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace tractus::physics {
 
 namespace {
 
 constexpr double kSeconds = 60;
+constexpr double kLowest_mm = 50;
 
-// A hand that draws: rests and movements of least jerk, one after the other.
+// A hand that draws: rests and movements of least jerk, one after the other. One that sets the
+// surface down does so every now and then: it comes down to a stop, where it stays for a second or
+// two, off by a tenth of a millimetre.
 class Hand {
 public:
-    explicit Hand(Dice& dice)
+    explicit Hand(Dice& dice, double sets_down_part = 0)
         : dice_(dice)
+        , sets_down_part_(sets_down_part)
     {
     }
 
@@ -35,15 +40,30 @@ private:
     {
         begins_s_ = ends_s_;
         from_mm_ = to_mm_;
+        bool const was_set_down = std::exchange(is_set_down_, false);
+        if (sets_down_part_ > 0 && !was_set_down && uniform(dice_, 0, 1) < sets_down_part_) {
+            is_set_down_ = true;
+        }
+        if (was_set_down) {
+            ends_s_ += uniform(dice_, 1, 2); // It lies at its stop.
+            return;
+        }
+        if (is_set_down_) {
+            to_mm_ = kLowest_mm + normal(dice_, 0.1);
+            ends_s_ += std::max(0.25, 1.875 * std::abs(to_mm_ - from_mm_) / 400);
+            return;
+        }
         bool const rests = uniform(dice_, 0, 1) < 0.3;
         if (!rests)
-            to_mm_ = std::clamp(to_mm_ + uniform(dice_, -150, 150), 50.0, 350.0);
+            to_mm_ = std::clamp(to_mm_ + uniform(dice_, -150, 150), kLowest_mm, 350.0);
         // Speed is 400 mm/s at most, where it is quickest.
         double const least_s = 1.875 * std::abs(to_mm_ - from_mm_) / 400;
         ends_s_ = begins_s_ + std::max(0.25, least_s) + uniform(dice_, 0, 1);
     }
 
     Dice& dice_;
+    double sets_down_part_ = 0;
+    bool is_set_down_ = false;
     double begins_s_ = 0;
     double ends_s_ = 0;
     double from_mm_ = 200;
@@ -55,22 +75,34 @@ struct Slip {
     double lasts_s = 0;
 };
 
-std::size_t jumps(Slip const& slip, Dice& dice)
+// What the monitor makes of a hand whose string slips halfway.
+HeightMonitor watch(Slip const& slip, Hand hand, double seconds, Dice& dice)
 {
-    constexpr double kSlips_s = 30;
     Rig rig;
     rig.height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = 0 };
     HeightMonitor monitor(rig);
-    Hand hand(dice);
-    for (double t = 0; t < kSeconds; t += 0.002) {
-        double const part = (t - kSlips_s) / std::max(slip.lasts_s, 1e-9);
+    for (double t = 0; t < seconds; t += 0.002) {
+        double const part = (t - seconds / 2) / std::max(slip.lasts_s, 1e-9);
         double const slipped_mm = slip.mm * std::clamp(part, 0.0, 1.0);
         double const counts = 10 * (hand.height_mm(t) + slipped_mm) + normal(dice, 1);
         monitor.push({ .time = Timestamp(std::chrono::nanoseconds(std::llround(t * 1e9))),
                        .counts = static_cast<int>(std::lround(counts)),
                        .full_scale = 4095 });
     }
-    return monitor.total(HeightFaultKind::Jump).count;
+    return monitor;
+}
+
+std::size_t jumps(Slip const& slip, Dice& dice)
+{
+    return watch(slip, Hand(dice), kSeconds, dice).total(HeightFaultKind::Jump).count;
+}
+
+// How often a surface that is set down every now and then is said to have another stop.
+std::size_t moved_stops(Slip const& slip, double sets_down_part, double seconds, Dice& dice)
+{
+    return watch(slip, Hand(dice, sets_down_part), seconds, dice)
+        .total(HeightFaultKind::Stop)
+        .count;
 }
 
 bool run_row(double mm, double lasts_s, double goal, Run const& run)
@@ -94,6 +126,39 @@ bool run_row(double mm, double lasts_s, double goal, Run const& run)
     return is_good;
 }
 
+// Slips that no movement shows, by the stop: ten minutes, in which the surface is set down some
+// twenty times before the slip and after it. Then as many without a slip, and without being set
+// down.
+bool check_stops(Run const& run)
+{
+    constexpr double kLong_s = 600;
+    constexpr double kSetsDown = 0.1;
+    unsigned const rigs = std::max(1U, run.rigs / 10);
+    Run const fewer { .rigs = rigs, .first_seed = run.first_seed };
+    bool all_good = true;
+    for (double const mm : { -5.0, 5.0 }) {
+        unsigned found = 0;
+        for (unsigned seed = fewer.first_seed; seed < fewer.end_seed(); ++seed) {
+            Dice dice(seed);
+            found += moved_stops({ .mm = mm, .lasts_s = 0.2 }, kSetsDown, kLong_s, dice) > 0;
+        }
+        std::printf("slip of %+2.0f mm in 200 ms, surface set down: found by its stop %5.1f %%\n",
+                    mm, 100.0 * found / rigs);
+        all_good &= is_enough(static_cast<double>(found) / rigs, 0.9, fewer);
+    }
+    std::size_t alarms = 0;
+    for (unsigned seed = fewer.first_seed; seed < fewer.end_seed(); ++seed)
+        for (double const sets_down : { 0.0, kSetsDown }) {
+            Dice dice(seed);
+            alarms += moved_stops({}, sets_down, kLong_s, dice);
+        }
+    std::printf("no slip: %zu stops told to have moved in %.1f hours\n", alarms,
+                2 * rigs * kLong_s / 3600);
+    if (!all_good)
+        std::printf("  MISSES ITS GOAL of 90 %%\n");
+    return all_good && alarms == 0;
+}
+
 bool check_false_alarms(Run const& run)
 {
     std::size_t alarms = 0;
@@ -111,6 +176,7 @@ bool check_slips(Run const& run)
 {
     std::printf("\nSlips: of a string while a hand moves the table, 0.1 mm of noise at 500 Hz\n");
     bool all_good = check_false_alarms(run);
+    all_good &= check_stops(run);
     for (double const mm : { 5.0, 20.0 })
         for (double const lasts_s : { 0.0, 0.01, 0.03 })
             all_good &= run_row(mm, lasts_s, 0.9, run);

@@ -1,0 +1,97 @@
+#include "calib/lowest_stop.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace tractus {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A surface that a hand moves at 200 mm/s from one height to the next, and leaves there.
+class Moved {
+public:
+    // Returns whether the stop was told to have moved, on the way or in half a second there.
+    bool to(double height_mm)
+    {
+        constexpr double kStep_mm = 0.4;
+        bool is_told = false;
+        while (std::abs(height_mm - height_mm_) > kStep_mm)
+            is_told |= step(height_mm > height_mm_ ? kStep_mm : -kStep_mm);
+        for (int i = 0; i < 250; ++i)
+            is_told |= step(i == 0 ? height_mm - height_mm_ : 0);
+        return is_told;
+    }
+
+    // Returns how often it was told that the stop had moved, of so many times down from 150 mm.
+    int down_to(double height_mm, int times)
+    {
+        int told = 0;
+        for (int i = 0; i < times; ++i) {
+            told += to(150);
+            told += to(height_mm);
+        }
+        return told;
+    }
+
+    LowestStop::Moved const& last() const { return last_; }
+
+private:
+    bool step(double by_mm)
+    {
+        height_mm_ += by_mm;
+        time_ += 2ms;
+        auto const moved = stop_.push(time_, height_mm_);
+        last_ = moved.value_or(last_);
+        return moved.has_value();
+    }
+
+    LowestStop stop_;
+    LowestStop::Moved last_ {};
+    Timestamp time_ {};
+    double height_mm_ = 100;
+};
+
+TEST(LowestStop, HasMovedWhenTheSurfaceIsLetDownHigherAgainAndAgain)
+{
+    Moved surface;
+    EXPECT_EQ(surface.down_to(20, 4), 0);
+    EXPECT_EQ(surface.down_to(25, 3), 0) << "it may be held there";
+    EXPECT_EQ(surface.down_to(25, 1), 1);
+    EXPECT_NEAR(surface.last().from_mm, 20, 0.1);
+    EXPECT_NEAR(surface.last().to_mm, 25, 0.1);
+    EXPECT_EQ(surface.down_to(25, 10), 0) << "told once";
+}
+
+TEST(LowestStop, HasMovedWhenTheSurfaceGoesBelowIt)
+{
+    Moved surface;
+    EXPECT_EQ(surface.down_to(20, 4), 0);
+    EXPECT_EQ(surface.down_to(15, 1), 0);
+    EXPECT_EQ(surface.down_to(15, 1), 1);
+    EXPECT_NEAR(surface.last().to_mm - surface.last().from_mm, -5, 0.2);
+}
+
+TEST(LowestStop, IsWhereItWasAsLongAsTheSurfaceComesThere)
+{
+    Moved surface;
+    EXPECT_EQ(surface.down_to(20, 4), 0);
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_EQ(surface.down_to(25, 3), 0);
+        EXPECT_EQ(surface.down_to(20, 1), 0);
+    }
+}
+
+TEST(LowestStop, IsNoneOfPlacesThatDiffer)
+{
+    Moved surface;
+    int told = 0;
+    for (double const height_mm : { 40.0, 31.0, 35.0, 22.0, 28.0, 20.0, 26.0, 24.0, 30.0, 21.0 })
+        told += surface.down_to(height_mm, 1);
+    EXPECT_EQ(told, 0);
+    EXPECT_EQ(surface.down_to(25, 4), 0) << "20 was reached but once";
+}
+
+} // namespace
+} // namespace tractus
