@@ -378,7 +378,10 @@ Result<BentLine> with_size(PenSketch const& whole, std::size_t place, StemSide s
         boundary = boundary_of(sketch, side);
     }
     if (!boundary)
-        return fail(Fault::User, "there is no boundary: draw the line that the organs' tips reach");
+        return fail(Fault::User,
+                    before.around.empty()
+                        ? "there is no boundary: draw the line that the organs' tips reach"
+                        : "the boundaries are in space: draw the one on this side again");
     auto const drawn = TRY(flat_line(*boundary));
     auto const places = hits(before, drawn, side);
     if (place >= places.size() || !places[place])

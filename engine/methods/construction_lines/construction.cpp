@@ -1,6 +1,8 @@
 #include "engine/methods/construction_lines/construction.h"
 
 #include "engine/base/check.h"
+#include "engine/methods/construction_lines/around_stem.h"
+#include "engine/methods/construction_lines/measure_boundaries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,40 +14,12 @@ namespace tractus::lines {
 
 namespace {
 
-enum class Side { Left = 1, Right = -1 };
-
-char const* name_of_side(Side side)
-{
-    return side == Side::Left ? "left" : "right";
-}
-
-double signed_for(Side side, double value)
-{
-    return static_cast<double>(side) * value;
-}
-
-template<typename Point>
-Result<std::vector<Point>> line_points(std::vector<Point> const& points, std::string const& name,
-                                       char const* what_to_draw)
-{
-    constexpr double kFarthest_mm = 1e5;
-    for (auto const& point : points)
-        if (!(point.array().abs() <= kFarthest_mm).all()) // True for NaN.
-            return fail(Fault::User,
-                        fmt::format("{} has a point that is farther than {:g} mm away: give "
-                                    "its points in millimetres",
-                                    name, kFarthest_mm));
-    auto result = without_repeats(points);
-    if (result.size() < 2)
-        return fail(Fault::User,
-                    fmt::format("{} is missing or only a dot: draw {}", name, what_to_draw));
-    return result;
-}
-
 std::size_t count_points(LineSketch const& sketch)
 {
     std::size_t points = sketch.stem.size() + sketch.left.size() + sketch.right.size();
     for (auto const& line : sketch.inclinations)
+        points += line.size();
+    for (auto const& line : sketch.around)
         points += line.size();
     return points;
 }
@@ -64,35 +38,6 @@ Result<DrawnStem> measure_stem(LineSketch const& sketch)
     return stem;
 }
 
-struct Boundaries {
-    DrawnLine left;
-    DrawnLine right;
-
-    DrawnLine const& of(Side side) const { return side == Side::Left ? left : right; }
-};
-
-Result<Boundaries> measure_boundaries(LineSketch const& sketch, DrawnStem const& stem,
-                                      std::vector<std::string>& notes)
-{
-    if (sketch.left.empty() && sketch.right.empty())
-        return fail(Fault::User,
-                    "there is no boundary: draw the line that the organs' tips reach, "
-                    "on the left and on the right of the stem");
-    auto const measure = [&](std::vector<Vec2> const& own, std::vector<Vec2> const& other,
-                             Side side) -> Result<DrawnLine> {
-        auto const name = fmt::format("the {} boundary", name_of_side(side));
-        constexpr char const* kWhatToDraw = "the line that the organs' tips reach on this side";
-        if (!own.empty())
-            return DrawnLine(TRY(line_points(own, name, kWhatToDraw)));
-        notes.push_back(name + " is missing: it is the other one, mirrored");
-        auto const points = TRY(line_points(other, "the only boundary", kWhatToDraw));
-        return DrawnLine(TRY(line_points(mirrored(stem.seen(), points), name, kWhatToDraw)));
-    };
-    auto left = TRY(measure(sketch.left, sketch.right, Side::Left));
-    auto right = TRY(measure(sketch.right, sketch.left, Side::Right));
-    return Boundaries { std::move(left), std::move(right) };
-}
-
 // An inclination line, where it crosses the stem.
 struct CrossingLine {
     DrawnLine const& line;
@@ -106,12 +51,12 @@ struct CrossingLine {
     {
         Vec2 const way = point - at;
         auto const along = direction(heading_deg);
-        return degrees(std::atan2(signed_for(side, cross(along, way)), along.dot(way)));
+        return degrees(std::atan2(signed_on(side, cross(along, way)), along.dot(way)));
     }
 
     bool is_beside(Side side, Vec2 const& point) const
     {
-        return signed_for(side, cross(direction(heading_deg), point - at)) > beside_mm;
+        return signed_on(side, cross(direction(heading_deg), point - at)) > beside_mm;
     }
 };
 
@@ -144,9 +89,12 @@ Result<std::optional<Vec2>> boundary_point(CrossingLine const& of, DrawnLine con
 Result<std::optional<double>> side_angle_deg(CrossingLine const& of, Boundaries const& boundaries,
                                              Side side)
 {
-    auto const end = TRY(boundary_point(of, boundaries.of(side), side));
-    if (end)
-        return of.angle_deg(side, *end);
+    auto const boundary = seen_on_side(boundaries, side);
+    auto const end = boundary ? boundary_point(of, *boundary, side) : std::nullopt;
+    if (!end && boundaries.of(side)) // One in space may be seen on the other side, too.
+        return fail(end.error().fault, end.error().message);
+    if (end && *end)
+        return of.angle_deg(side, **end);
     for (auto const& point : { of.line.points().front(), of.line.points().back() })
         if (of.is_beside(side, point))
             return of.angle_deg(side, point);
@@ -322,71 +270,6 @@ Result<void> check_nodes(std::vector<int> const& nodes, std::size_t layers)
     return {};
 }
 
-// The nodes' angles and sizes on one side. No size where the ray misses the boundary.
-struct SideNode {
-    double x = 0;
-    double angle_deg = 0;
-    std::optional<double> size {};
-};
-
-SideNode measure_node(DrawnStem const& stem, DrawnLine const& boundary, Side side, double x,
-                      double angle_deg)
-{
-    double const at_mm = stem.seen_mm(x);
-    Vec2 const way = direction(stem.seen().heading_deg(at_mm) + signed_for(side, angle_deg));
-    auto const hit_mm = boundary.nearest_hit_mm(stem.seen().point(at_mm), way);
-    auto const reach = in_space({ angle_deg, hit_mm.value_or(0) }, stem.pitch_deg(x));
-    SideNode node { x, reach.angle_deg };
-    if (hit_mm)
-        node.size = reach.length / stem.length_mm();
-    return node;
-}
-
-std::vector<SideNode> measure_nodes(Construction const& of, DrawnLine const& boundary, Side side)
-{
-    auto const angle_deg = side == Side::Left ? &Inclination::left_deg : &Inclination::right_deg;
-    std::vector<SideNode> nodes;
-    auto const add = [&](Inclination const& low, Inclination const& high, double share) {
-        nodes.push_back(measure_node(of.stem, boundary, side, low.x + share * (high.x - low.x),
-                                     low.*angle_deg + share * (high.*angle_deg - low.*angle_deg)));
-    };
-    for (std::size_t layer = 0; layer < of.nodes_per_layer.size(); ++layer)
-        for (int i = 0; i < of.nodes_per_layer[layer]; ++i)
-            add(of.inclinations[layer], of.inclinations[layer + 1],
-                static_cast<double>(i) / of.nodes_per_layer[layer]);
-    add(of.inclinations[of.inclinations.size() - 2], of.inclinations.back(), 1);
-    return nodes;
-}
-
-// Sizes that are missing, linear between those of the nearest nodes that have one.
-Result<void> fill_sizes(std::vector<SideNode>& nodes, Side side, std::vector<std::string>& notes)
-{
-    std::vector<SideNode> known;
-    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(known),
-                 [](SideNode const& node) { return node.size.has_value(); });
-    if (known.empty())
-        return fail(Fault::User,
-                    fmt::format("no organ on the {0} meets the {0} boundary: draw the boundary "
-                                "where the inclination lines point",
-                                name_of_side(side)));
-    if (auto const missing = nodes.size() - known.size(); missing > 0)
-        notes.push_back(fmt::format("{} of {} organs on the {} miss the boundary: they are as long "
-                                    "as their neighbours",
-                                    missing, nodes.size(), name_of_side(side)));
-    std::size_t next = 0;
-    for (auto& node : nodes) {
-        while (next < known.size() && known[next].x < node.x)
-            ++next;
-        auto const& above = known[std::min(next, known.size() - 1)];
-        auto const& below = known[next == 0 ? 0 : next - 1];
-        double const gap = above.x - below.x;
-        double const share = gap > 0 ? std::clamp((node.x - below.x) / gap, 0.0, 1.0) : 0;
-        if (!node.size)
-            node.size = *below.size + share * (*above.size - *below.size);
-    }
-    return {};
-}
-
 } // namespace
 
 Result<void> check_point_count(std::size_t points)
@@ -425,7 +308,51 @@ Reach as_seen(Reach const& organ, double pitch_deg)
 
 bool has_boundary(LineSketch const& sketch)
 {
-    return !sketch.left.empty() || !sketch.right.empty();
+    return !sketch.left.empty() || !sketch.right.empty() || !sketch.around.empty();
+}
+
+// On the sheet: the paper's case.
+static Result<void> measure_sides(Construction& of, Boundaries const& boundaries)
+{
+    auto left = measure_nodes(of, *boundaries.left, Side::Left);
+    auto right = measure_nodes(of, *boundaries.right, Side::Right);
+    TRY(fill_sizes(left, side_named(Side::Left), of.notes));
+    TRY(fill_sizes(right, side_named(Side::Right), of.notes));
+    for (std::size_t i = 0; i < left.size(); ++i)
+        of.nodes.push_back(
+            { left[i].x, left[i].angle_deg, right[i].angle_deg, *left[i].size, *right[i].size });
+    return {};
+}
+
+static Result<void> add_azimuth(Construction& of, double azimuth_deg, std::vector<SideNode> nodes,
+                                SideName const& name)
+{
+    TRY(fill_sizes(nodes, name, of.notes));
+    AzimuthSizes& added = of.around.emplace_back();
+    added.azimuth_deg = azimuth_deg;
+    for (auto const& node : nodes)
+        added.sizes.push_back(*node.size);
+    return {};
+}
+
+static Result<void> measure_all_around(Construction& of, Boundaries const& boundaries)
+{
+    of.nodes = nodes_without_sizes(of);
+    for (auto const side : { Side::Left, Side::Right })
+        if (boundaries.of(side))
+            TRY(add_azimuth(of, azimuth_of_side(side),
+                            measure_nodes(of, *boundaries.of(side), side), side_named(side)));
+    for (auto const& line : boundaries.around)
+        TRY(add_azimuth(of, line.azimuth_deg, measure_nodes(of, line.points, line.azimuth_deg),
+                        azimuth_named(line.azimuth_deg)));
+    std::sort(of.around.begin(), of.around.end(), [](AzimuthSizes const& a, AzimuthSizes const& b) {
+        return a.azimuth_deg < b.azimuth_deg;
+    });
+    for (std::size_t i = 0; i < of.nodes.size(); ++i) {
+        of.nodes[i].left_size = size_at(of, i, azimuth_of_side(Side::Left));
+        of.nodes[i].right_size = size_at(of, i, azimuth_of_side(Side::Right));
+    }
+    return {};
 }
 
 Result<Construction> measure_sketch(LineSketch const& sketch, Missing missing)
@@ -442,14 +369,38 @@ Result<Construction> measure_sketch(LineSketch const& sketch, Missing missing)
         = TRY(measure_inclinations(sketch, result.stem, boundaries, missing, result.notes));
     result.nodes_per_layer = nodes_of_layers(sketch, result.inclinations);
     TRY(check_nodes(result.nodes_per_layer, result.inclinations.size() - 1));
-    auto left = measure_nodes(result, boundaries.left, Side::Left);
-    auto right = measure_nodes(result, boundaries.right, Side::Right);
-    TRY(fill_sizes(left, Side::Left, result.notes));
-    TRY(fill_sizes(right, Side::Right, result.notes));
-    for (std::size_t i = 0; i < left.size(); ++i)
-        result.nodes.push_back(
-            { left[i].x, left[i].angle_deg, right[i].angle_deg, *left[i].size, *right[i].size });
+    if (boundaries.around.empty())
+        TRY(measure_sides(result, boundaries));
+    else
+        TRY(measure_all_around(result, boundaries));
     return result;
+}
+
+double size_at(Construction const& construction, std::size_t node, double azimuth_deg)
+{
+    auto const& around = construction.around;
+    if (around.empty()) {
+        auto const& sizes = construction.nodes[node];
+        double const right = 1 - std::fabs(azimuth_deg / 180 - 1);
+        return (1 - right) * sizes.left_size + right * sizes.right_size;
+    }
+    auto const count = around.size();
+    std::size_t low = count - 1; // Of azimuths below the first one, too.
+    for (std::size_t i = 0; i < count && around[i].azimuth_deg <= azimuth_deg; ++i)
+        low = i;
+    auto const turn = [](double from_deg, double to_deg) {
+        double const by_deg = to_deg - from_deg;
+        return by_deg < 0 ? by_deg + 360 : by_deg;
+    };
+    auto const gap_behind = [&](std::size_t i) {
+        return count == 1 ? 360 : turn(around[i].azimuth_deg, around[(i + 1) % count].azimuth_deg);
+    };
+    auto const high = (low + 1) % count;
+    auto const before = (low + count - 1) % count;
+    auto const size_of = [&](std::size_t i) { return around[i % count].sizes[node]; };
+    return size_between({ size_of(low), size_of(high), gap_behind(low), size_of(before),
+                          gap_behind(before), size_of(high + 1), gap_behind(high) },
+                        turn(around[low].azimuth_deg, azimuth_deg) / gap_behind(low));
 }
 
 FunctionValues values_at(Construction const& construction, double x)

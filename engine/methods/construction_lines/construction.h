@@ -27,7 +27,14 @@ struct LineSketch {
     // In place of it, if not empty: how many stand between each inclination line, in the order of
     // the list, and the next one above it. One number where there are fewer than two lines.
     std::vector<int> nodes_above {};
+    // Boundaries in space, (u, v, depth): each says how far organs reach at its azimuth around the
+    // stem (around_stem.h), in which no two are nearer than kSameAzimuth_deg; the left and the
+    // right one are at 0 and 180. Lines there that are all of the boundaries count as the left and
+    // right one on the sheet.
+    std::vector<std::vector<Vec3>> around {};
 };
+
+constexpr double kSameAzimuth_deg = 5;
 
 constexpr std::size_t kMostPoints = 20'000;         // Of all lines of a sketch.
 Result<void> check_point_count(std::size_t points); // Refuses more, as the user's fault.
@@ -56,6 +63,12 @@ struct OrganNode {
     double right_size = 0;
 };
 
+// The organs' sizes at one azimuth around the stem.
+struct AzimuthSizes {
+    double azimuth_deg = 0;
+    std::vector<double> sizes; // Of each node: shares of the stem's length.
+};
+
 // A sketch as measured: what parameterizes a plant.
 struct Construction {
     DrawnStem stem;
@@ -63,6 +76,9 @@ struct Construction {
     std::vector<int> nodes_per_layer;
     std::vector<OrganNode> nodes;   // From below; at least one.
     std::vector<std::string> notes; // What had to be guessed, a sentence each.
+    // At the boundaries, the azimuths rising, if they are in space; between them sizes follow
+    // size_between(). Else there is none: between left and right sizes are linear, as in the paper.
+    std::vector<AzimuthSizes> around {};
 
     // The shares of the stem below the lowest line and above the topmost one.
     double below() const { return inclinations.front().x; }
@@ -92,6 +108,9 @@ struct Reach {
 Reach in_space(Reach const& seen, double pitch_deg);
 Reach as_seen(Reach const& organ, double pitch_deg);
 
+// The size of a node's organs at an azimuth around the stem.
+double size_at(Construction const& construction, std::size_t node, double azimuth_deg);
+
 // What becomes of a sketch that lacks lines.
 enum class Missing {
     Refused, // With what to draw.
@@ -108,8 +127,9 @@ bool has_boundary(LineSketch const& sketch);
 //
 // Fails, as the user's fault, with what to draw or to change: a stem, both boundaries or a second
 // inclination line missing; one that does not cross the stem just once, or that meets a boundary on
-// the other's side; numbers of nodes that do not fit the lines; more points or nodes than the
-// limits above; numbers that are not finite.
+// the other's side; boundaries in space that go along the stem itself or beside each other; numbers
+// of nodes that do not fit the lines; more points or nodes than the limits above; numbers that are
+// not finite.
 Result<Construction> measure_sketch(LineSketch const& sketch, Missing missing = Missing::Refused);
 
 } // namespace tractus::lines

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tractus::lines {
 
@@ -76,6 +77,36 @@ Vec3 DrawnStem::point(double x) const
     double const at_mm = seen_mm(x);
     auto const seen = seen_.point(at_mm);
     return { seen.x(), seen.y(), value_in(depth_mm_, seen_.place(at_mm)) };
+}
+
+double DrawnStem::nearest_place(Vec3 const& point) const
+{
+    double least = std::numeric_limits<double>::infinity();
+    double at_mm = 0;
+    auto const seen = seen_.points();
+    Vec3 from(seen[0].x(), seen[0].y(), depth_mm_[0]);
+    for (std::size_t i = 1; i < seen.size(); ++i) {
+        Vec3 const to(seen[i].x(), seen[i].y(), depth_mm_[i]);
+        Vec3 const piece = to - from;
+        double const share = std::clamp((point - from).dot(piece) / piece.squaredNorm(), 0.0, 1.0);
+        double const distance = (from + share * piece - point).squaredNorm();
+        if (distance < least) {
+            least = distance;
+            at_mm = at_mm_[i - 1] + share * (at_mm_[i] - at_mm_[i - 1]);
+        }
+        from = to;
+    }
+    return at_mm / length_mm();
+}
+
+DrawnStem::Frame DrawnStem::frame(double x) const
+{
+    double const heading = radians(heading_deg(x));
+    double const pitch = radians(pitch_deg(x));
+    Vec3 const along(-std::sin(heading) * std::cos(pitch), std::cos(heading) * std::cos(pitch),
+                     std::sin(pitch));
+    Vec3 const left(-std::cos(heading), -std::sin(heading), 0);
+    return { along, left, left.cross(along) };
 }
 
 DrawnStem::Course DrawnStem::course(double x) const

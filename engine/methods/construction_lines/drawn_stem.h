@@ -29,6 +29,18 @@ public:
     // (u, v, w).
     Vec3 point(double x) const;
 
+    // The place that is nearest to a point in space.
+    double nearest_place(Vec3 const& point) const;
+
+    // How the stem stands at a place: unit vectors in (u, v, w) along it, to its left on the sheet,
+    // and away from the viewer, which are a turtle's heading, left and down.
+    struct Frame {
+        Vec3 heading;
+        Vec3 left;
+        Vec3 behind;
+    };
+    Frame frame(double x) const;
+
     // Its direction, as seen, and its rise with the corners of the polyline rounded, so that a stem
     // that goes so ends where the drawn one does. Unlike the tangent, which turns half way from
     // corner to corner, it stays within 0.0015 of the length of what was drawn.

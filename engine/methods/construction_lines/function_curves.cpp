@@ -65,15 +65,24 @@ std::vector<Vec2> tidy_points(std::vector<Vec2> const& points)
 
 // Linear from node to node, constant beyond them.
 FunctionCurve node_curve(std::vector<OrganNode> const& nodes, std::string const& name,
-                         double OrganNode::*value)
+                         std::vector<double> const& values)
 {
-    std::vector<Vec2> points { Vec2(0, nodes.front().*value) };
+    std::vector<Vec2> points { Vec2(0, values.front()) };
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         double const half = plateau_of(nodes, i);
-        points.emplace_back(nodes[i].x - half, nodes[i].*value);
-        points.emplace_back(nodes[i].x + half, nodes[i].*value);
+        points.emplace_back(nodes[i].x - half, values[i]);
+        points.emplace_back(nodes[i].x + half, values[i]);
     }
     return { name, tidy_points(points) };
+}
+
+FunctionCurve node_curve(std::vector<OrganNode> const& nodes, std::string const& name,
+                         double OrganNode::*value)
+{
+    std::vector<double> values;
+    for (auto const& node : nodes)
+        values.push_back(node.*value);
+    return node_curve(nodes, name, values);
 }
 
 // The places at which a stem's course is given: evenly, beside each plateau, and in the middle
@@ -177,13 +186,25 @@ FunctionCurve internode_curve(Construction const& construction)
 std::vector<FunctionCurve> function_curves(Construction const& construction)
 {
     auto const nodes = turned_nodes(construction);
-    return { stem_curve(construction, "heading", &DrawnStem::Course::heading_deg),
-             stem_curve(construction, "depth", &DrawnStem::Course::pitch_deg),
-             node_curve(nodes, "angle_left", &OrganNode::left_deg),
-             node_curve(nodes, "angle_right", &OrganNode::right_deg),
-             node_curve(nodes, "size_left", &OrganNode::left_size),
-             node_curve(nodes, "size_right", &OrganNode::right_size),
-             internode_curve(construction) };
+    std::vector<FunctionCurve> curves {
+        stem_curve(construction, "heading", &DrawnStem::Course::heading_deg),
+        stem_curve(construction, "depth", &DrawnStem::Course::pitch_deg),
+        node_curve(nodes, "angle_left", &OrganNode::left_deg),
+        node_curve(nodes, "angle_right", &OrganNode::right_deg),
+        node_curve(nodes, "size_left", &OrganNode::left_size),
+        node_curve(nodes, "size_right", &OrganNode::right_size),
+        internode_curve(construction)
+    };
+    for (auto const& side : construction.around) {
+        auto const name = fmt::format("size_around_{}", curves.size() + 1 - kFunctionsOfSides);
+        if (side.azimuth_deg == 0)
+            curves.push_back(node_curve(nodes, name, &OrganNode::left_size));
+        else if (side.azimuth_deg == 180)
+            curves.push_back(node_curve(nodes, name, &OrganNode::right_size));
+        else
+            curves.push_back(node_curve(nodes, name, side.sizes));
+    }
+    return curves;
 }
 
 std::string function_file(FunctionCurve const& curve)

@@ -3,6 +3,7 @@
 #include "engine/base/vectors.h"
 #include "engine/methods/construction_lines/construction.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,13 @@ constexpr int kFunctionSamples = 4001;
 constexpr double kShortPiece = 0.012;
 constexpr double kLongPiece = 0.02;
 
+// So many functions come before those of sizes around the stem.
+constexpr std::size_t kFunctionsOfSides = 7;
+
 // The functions of a construction in the order in which models number them: heading, depth (the
 // stem's pitch), angle_left, angle_right, size_left, size_right; and internode, the way to the next
-// node.
+// node; then, where boundaries are in space, size_around_1 and so on, the sizes at the azimuths of
+// Construction::around.
 //
 // cpfg finds a place on a curve only to 0.001. So each value that a node has to have stands on a
 // small plateau around it, and nothing is lost. Between nodes heading and depth are the stem's

@@ -20,15 +20,17 @@ namespace {
 constexpr std::array kPatterns {
     "distichous", "decussate", "spiral", "alternate", "whorled", "bare"
 };
-constexpr std::array kRoles {
-    "stem", "left", "right", "inclination", "half_inclination", "unsure"
-};
+constexpr std::array kRoles { "stem",   "left",  "right", "inclination", "half_inclination",
+                              "unsure", "around" };
 
 void list(Fields& fields, Pattern& pattern)
 {
     fields.word("pattern", pattern.kind, kPatterns);
     fields.field("divergence", &pattern.divergence_deg);
     fields.field("whorl", &pattern.whorl);
+    int half_ellipses = pattern.sizes == Pattern::Sizes::HalfEllipses ? 1 : 0;
+    fields.sparse_field("half_ellipses", &half_ellipses);
+    pattern.sizes = half_ellipses != 0 ? Pattern::Sizes::HalfEllipses : Pattern::Sizes::Linear;
 }
 
 Result<void> check_pattern(Pattern const& pattern)
@@ -55,7 +57,9 @@ Result<void> check_nodes(int nodes)
 
 std::string describe(Pattern const& pattern)
 {
-    auto const name = name_of(pattern.kind);
+    auto const name
+        = fmt::format("{}{}", name_of(pattern.kind),
+                      pattern.sizes == Pattern::Sizes::HalfEllipses ? " by half-ellipses" : "");
     if (pattern.kind == Pattern::Kind::Whorled)
         return fmt::format("{}, {} at a node", name, pattern.whorl);
     if (pattern.kind == Pattern::Kind::Spiral || pattern.kind == Pattern::Kind::Alternate)
@@ -119,6 +123,9 @@ void list(Fields& fields, AddLine& edit)
     int another_stem = edit.another_stem ? 1 : 0;
     fields.sparse_field("another_stem", &another_stem);
     edit.another_stem = another_stem != 0;
+    int depth_by = static_cast<int>(edit.depth_by);
+    fields.sparse_field("depth_by", &depth_by);
+    edit.depth_by = static_cast<DepthBy>(std::clamp(depth_by, 0, 2));
     fields.field("nodes", &edit.nodes);
     list(fields, edit.pattern);
     fields.field("scale", &edit.scale);
@@ -137,7 +144,8 @@ Result<DocumentState> begun(DocumentState state, AddLine const& edit)
         return fail(Fault::User, "the place for the plant is not a number: draw the stem again");
     SketchLine const stem { .id = take_id(state, edit.id),
                             .stroke = edit.stroke,
-                            .nodes = edit.nodes };
+                            .nodes = edit.nodes,
+                            .depth_by = edit.depth_by };
     auto sketch
         = TRY(with_line({ .lines = {}, .pattern = edit.pattern, .scale = edit.scale }, stem));
     if (!state.scale)
@@ -163,7 +171,8 @@ Result<DocumentState> applied(DocumentState state, AddLine const& edit, SceneBui
                            { .id = take_id(state, edit.id),
                              .stroke = edit.stroke,
                              .sheet = sheet,
-                             .nodes = edit.nodes }));
+                             .nodes = edit.nodes,
+                             .depth_by = edit.depth_by }));
     put_sketch(state, std::move(found));
     return state;
 }

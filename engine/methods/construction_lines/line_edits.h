@@ -17,6 +17,8 @@ struct AddLine {
     Stroke stroke {}; // World frame.
     // The line is another stem of the plant: beside the others, or where it begins on one, on that.
     bool another_stem = false;
+    // Sessions of before boundaries had a depth do not say it.
+    DepthBy depth_by = DepthBy::StemsHeight;
     int nodes = 8; // In the layer above the line, if it bounds one; see SketchLine.
     // Of a plant that begins. Its scale as of sketch::GrowAlongStroke: world millimetres per plant
     // millimetre, which a document whose scale nobody has set keeps.

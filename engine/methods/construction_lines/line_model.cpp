@@ -18,17 +18,34 @@ std::string arrays(Construction const& construction)
     for (auto const& line : construction.inclinations)
         places.push_back(line.x);
     auto const& layers = construction.nodes_per_layer;
-    return fmt::format("define: {{ {};\n"
-                       "          {}; }}\n",
-                       array_text("at", places),
-                       array_text("nodes", { layers.begin(), layers.end() }));
+    auto text = fmt::format("define: {{ {};\n"
+                            "          {};",
+                            array_text("at", places),
+                            array_text("nodes", { layers.begin(), layers.end() }));
+    if (!construction.around.empty())
+        text += fmt::format("\n          {};", array_text("azimuth", azimuths_of(construction)));
+    return text + " }\n";
+}
+
+// Of the functions behind those of the sides.
+std::string around_text(Construction const& construction)
+{
+    if (construction.around.empty())
+        return "";
+    return fmt::format(
+        "   is for other models; 8 to {} sizes, too, at the azimuths around the stem "
+        "in the table, of which\n"
+        "   the last one is the first one again. A step makes a node. */\n",
+        kFunctionsOfSides + construction.around.size());
 }
 
 } // namespace
 
-LineModel write_model(Construction const& construction, Pattern const& pattern,
-                      std::string const& name)
+LineModel write_model(Construction const& measured, Pattern const& pattern, std::string const& name)
 {
+    auto const construction = with_sizes_around(measured, pattern);
+    auto const sizes
+        = construction.around.empty() ? Pattern::Sizes::Linear : Pattern::Sizes::HalfEllipses;
     std::vector<std::pair<std::string, std::string>> functions;
     for (auto const& curve : function_curves(construction))
         functions.emplace_back(fmt::format("{}_{}.func", name, curve.name), function_file(curve));
@@ -36,21 +53,26 @@ LineModel write_model(Construction const& construction, Pattern const& pattern,
                                  .of = "the stem",
                                  .width = "(LEN / 60)",
                                  .layers = std::to_string(construction.nodes_per_layer.size()),
-                                 .longest_piece = longest_piece(construction.stem) };
+                                 .longest_piece = longest_piece(construction.stem),
+                                 .sides = construction.around.empty()
+                                     ? ""
+                                     : std::to_string(construction.around.size()) };
+    auto const around = around_text(construction);
     auto text = fmt::format(
         "/* A plant from construction lines, its organs {}. The functions of the place x on the "
         "stem,\n"
         "   0 to 1, are files that the view names: 1 the stem's heading, 2 its depth, 3 and 4 the\n"
         "   organs' angles on the left and the right, 5 and 6 their sizes; 7, the way to the next "
         "node,\n"
-        "   is for other models. A step makes a node. */\n"
-        "{}\n"
+        "{}{}\n"
         "Lsystem: 1\n"
         "derivation length: {}\n"
         "{}Axiom: +(func(1, 0))^(func(2, 0))A(0, 0, 0, 0)\n\n"
         "{}endlsystem\n",
-        name_of(pattern.kind), definitions_text(stem, pattern), count_steps(construction),
-        arrays(construction), stem_rules(pattern, Stems::One));
+        name_of(pattern.kind),
+        around.empty() ? "   is for other models. A step makes a node. */\n" : around,
+        definitions_text(stem, pattern), count_steps(construction), arrays(construction),
+        stem_rules(pattern, Stems::One, sizes));
     return model_with(std::move(text), functions, pattern, name);
 }
 

@@ -26,14 +26,17 @@ struct LineModel {
 //
 // At 0 and 180 degrees around the stem, so on its left and its right, organs have those sides'
 // angles and sizes; in between both change linearly with the angle around it, as in the paper.
-LineModel write_model(Construction const& construction, Pattern const& pattern,
+// Around boundaries in space, and where the pattern has it, sizes follow half-ellipses
+// (Construction::around).
+LineModel write_model(Construction const& measured, Pattern const& pattern,
                       std::string const& name);
 
 // The plant of several stems, at least one, for which the rules are there once: tables say where
 // each stem stands and which functions are its own, and stems with the same organs share theirs.
 // Stems that stand on another come with its nodes: where a stem is to bear one, it takes a step for
-// it. A stem is no thicker than what bears it. With a single stem it is the text of that one.
-LineModel write_model(std::span<MeasuredStem const> stems, Pattern const& pattern,
+// it. A stem is no thicker than what bears it. Where one of them has boundaries in space the sizes
+// of all of them follow half-ellipses. With a single stem it is the text of that one.
+LineModel write_model(std::span<MeasuredStem const> measured, Pattern const& pattern,
                       std::string const& name);
 
 // Where the tips of a plant's organs are in the sketch: (u, v, depth), millimetres, in the plant's

@@ -15,12 +15,14 @@ struct RuleWord {
     std::string_view several; // In a plant of several stems,
     std::string_view one {};  // and of a single one.
 };
-constexpr std::array<RuleWord, 7> kRuleWords { {
+constexpr std::array<RuleWord, 9> kRuleWords { {
     { "<s>", "s, " },         // The stem's number, the first parameter of modules.
     { "<t>", ", t" },         // The number of the next stem that it bears, the apex's last one.
     { "<low>", "low[s] + " }, // Where its lines begin in at[] and nodes[].
     { "<own>", "own[s] + " }, // Which functions are its heading and depth,
-    { "<organs>", "organs[s] + " }, // and which those of its organs.
+    { "<organs>", "organs[s] + " },     // and which those of its organs.
+    { "<first>", "first[s] + " },       // Where the azimuths of its boundaries begin in azimuth[].
+    { "<sides>", "sides[s]", "SIDES" }, // How many there are.
     { "<ofs>", " of stem s" },
     { "<taper>", "taper[s]", "0.7" }, // How much of its diameter a stem loses up to its top.
 } };
@@ -119,34 +121,128 @@ W(<s>x, i, j) : *
     --> /(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)~l(LEN * (a * func(<organs>5, x) + b * func(<organs>6, x)))
 )";
 
+// Each organ where sizes follow half-ellipses.
+constexpr std::string_view kDecussateAround
+    = R"(/* Pairs of organs: left and right, then behind and in front. */
+B(<s>x, i) : floor(i / 2) * 2 == i
+    --> [+(func(<organs>3, x))/(ROLL)~l(LEN * func(<organs>5, x))][/(180)+(func(<organs>4, x))/(ROLL)~l(LEN * func(<organs>6, x))]
+B(<s>x, i) : * --> [O(<s>x, 90)][O(<s>x, 270)]
+)";
+
+constexpr std::string_view kSpiralAround = R"(/* An organ i times the divergence around the stem. */
+B(<s>x, i) : * --> [O(<s>x, i * DIVERGENCE - 360 * floor(i * DIVERGENCE / 360))]
+)";
+
+constexpr std::string_view kWhorledAround
+    = R"(/* Organ j of a whorl. Every other whorl is turned by half the way from organ to organ. */
+W(<s>x, i, j) : *
+    { t = (360 * j + 180 * (i - 2 * floor(i / 2))) / WHORL; }
+    --> O(<s>x, t)
+)";
+
+// As size_between() has it (around_stem.h).
+constexpr std::string_view kAround
+    = R"(/* An organ t degrees around the stem from its left: its angle has a of the left's, b of the right's. Its size
+   lies between those of boundary k and the next one, m, which are "far" degrees apart; the organ stands u degrees
+   behind k. Up to a right angle it is on a quarter of an ellipse between them, from half a turn on on two quarters
+   with the mean as a half-axis in the middle, and else between both. Where a third boundary, p before them or n behind
+   them, stands within half a turn it is drawn to the ellipse through the three. q and e are 1 / size ^ 2. */
+O(<s>x, t) : *
+    {
+        b = 1 - fabs(t / 180 - 1);
+        a = 1 - b;
+        u = t;
+        if (u < azimuth[<first>0]) { u = u + 360; }
+        k = 0;
+        while (u >= azimuth[<first>k + 1]) { k = k + 1; }
+        m = k + 1;
+        if (m == <sides>) { m = 0; }
+        n = m + 1;
+        if (n == <sides>) { n = 0; }
+        p = k - 1;
+        if (p < 0) { p = <sides> - 1; }
+        u = u - azimuth[<first>k];
+        far = azimuth[<first>k + 1] - azimuth[<first>k];
+        before = azimuth[<first>p + 1] - azimuth[<first>p];
+        behind = azimuth[<first>m + 1] - azimuth[<first>m];
+        g = func(<organs>8 + k, x);
+        if (g < 0.000001) { g = 0.000001; }
+        h = func(<organs>8 + m, x);
+        if (h < 0.000001) { h = 0.000001; }
+        q = cos(90 * u / far) ^ 2 / g ^ 2 + sin(90 * u / far) ^ 2 / h ^ 2;
+        e = q;
+        if (far + before < 180) {
+            c = func(<organs>8 + p, x);
+            if (c < 0.000001) { c = 0.000001; }
+            c = sin(u) * sin(u - far) / (sin(before) * sin(far + before) * c ^ 2)
+                - sin(u + before) * sin(u - far) / (sin(before) * sin(far) * g ^ 2)
+                + sin(u + before) * sin(u) / (sin(far + before) * sin(far) * h ^ 2);
+            w = (180 - far - before) / 60;
+            if (w > 1) { w = 1; }
+            e = e + w ^ 2 * (1 - u / far) * (c - q);
+        }
+        if (far + behind < 180) {
+            c = func(<organs>8 + n, x);
+            if (c < 0.000001) { c = 0.000001; }
+            v = far - u;
+            c = sin(v) * sin(v - far) / (sin(behind) * sin(far + behind) * c ^ 2)
+                - sin(v + behind) * sin(v - far) / (sin(behind) * sin(far) * h ^ 2)
+                + sin(v + behind) * sin(v) / (sin(far + behind) * sin(far) * g ^ 2);
+            w = (180 - far - behind) / 60;
+            if (w > 1) { w = 1; }
+            e = e + w ^ 2 * u / far * (c - q);
+        }
+        v = g;
+        w = h;
+        if (g < h) { v = h; w = g; }
+        if (e < 0.5 / v ^ 2) { e = 0.5 / v ^ 2; }
+        if (e > 2 / w ^ 2) { e = 2 / w ^ 2; }
+        c = far / 90 - 1;
+        if (c < 0) { c = 0; }
+        if (c > 1) { c = 1; }
+        v = (g + h) / 2;
+        u = u / far;
+        if (u > 0.5) { g = h; u = 1 - u; }
+        h = 1 / sqrt(cos(180 * u) ^ 2 / g ^ 2 + sin(180 * u) ^ 2 / v ^ 2);
+        h = 1 / sqrt(e) + c * (h - 1 / sqrt(e));
+    }
+    --> /(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)~l(LEN * h)
+)";
+
 constexpr std::string_view kBare = R"(/* Nothing stands on the stem. */
 B(<s>x, i) : * --> *
 )";
 
-std::string organ_rules(Pattern const& pattern)
+std::string whorl_rules(Pattern const& pattern, std::string_view of_each)
 {
+    std::string text = "B(<s>x, i) -->";
+    for (int j = 0; j < pattern.whorl; ++j)
+        text += fmt::format(" [W(<s>x, i, {})]", j);
+    return text + "\n" + std::string(of_each);
+}
+
+std::string organ_rules(Pattern const& pattern, Pattern::Sizes sizes)
+{
+    bool const is_linear = sizes == Pattern::Sizes::Linear;
     switch (pattern.kind) {
     case Pattern::Kind::Distichous:
         return std::string(kDistichous);
     case Pattern::Kind::Decussate:
-        return std::string(kDecussate);
+        return std::string(is_linear ? kDecussate : kDecussateAround);
     case Pattern::Kind::Spiral:
     case Pattern::Kind::Alternate:
-        return std::string(kSpiral);
-    case Pattern::Kind::Bare:
-        return std::string(kBare);
+        return std::string(is_linear ? kSpiral : kSpiralAround);
     case Pattern::Kind::Whorled:
+        return whorl_rules(pattern, is_linear ? kWhorled : kWhorledAround);
+    case Pattern::Kind::Bare:
         break;
     }
-    std::string text = "B(<s>x, i) -->";
-    for (int j = 0; j < pattern.whorl; ++j)
-        text += fmt::format(" [W(<s>x, i, {})]", j);
-    return text + "\n" + std::string(kWhorled);
+    return std::string(kBare);
 }
 
 } // namespace
 
-std::string stem_rules(Pattern const& pattern, Stems stems)
+std::string stem_rules(Pattern const& pattern, Stems stems, Pattern::Sizes sizes)
 {
     bool const several = stems == Stems::Several;
     std::string text(kApex);
@@ -155,7 +251,10 @@ std::string stem_rules(Pattern const& pattern, Stems stems)
     text += kApexNodes;
     text += several ? kTopOfSeveral : kTop;
     text += kStemPieces;
-    return filled_in(text + organ_rules(pattern), stems);
+    text += organ_rules(pattern, sizes);
+    if (sizes == Pattern::Sizes::HalfEllipses && stands_all_around(pattern))
+        text += kAround;
+    return filled_in(text, stems);
 }
 
 } // namespace tractus::lines

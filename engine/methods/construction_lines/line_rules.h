@@ -12,7 +12,8 @@ enum class Stems { One, Several };
 // A model's rules behind its axiom: the apex, the stem and the organs. They read LEN, STEM, DX,
 // ROLL and LAYERS, DIVERGENCE and WHORL of patterns that have them, and the arrays at and nodes;
 // those of several stems the arrays foot, bears, taper, low, own and organs, too
-// (several_stem_model.cpp).
-std::string stem_rules(Pattern const& pattern, Stems stems);
+// (several_stem_model.cpp). Where sizes follow half-ellipses they read SIDES and the array azimuth,
+// or those of several stems the arrays azimuth, sides and first.
+std::string stem_rules(Pattern const& pattern, Stems stems, Pattern::Sizes sizes);
 
 } // namespace tractus::lines

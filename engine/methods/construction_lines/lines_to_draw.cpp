@@ -75,6 +75,8 @@ std::vector<std::vector<Vec2>> lines_to_draw(LineSketch const& sketch)
         return { bow_beside(stem, kSides[0]), bow_beside(stem, kSides[1]) };
     std::vector<Line> lines;
     std::array boundaries { without_repeats(sketch.left), without_repeats(sketch.right) };
+    if (!sketch.around.empty()) // Those may be all that are wanted.
+        return lines;
     for (std::size_t i = 0; i < boundaries.size(); ++i)
         if (boundaries[i].empty())
             lines.push_back(boundaries[i] = without_repeats(mirrored(stem, boundaries[1 - i])));

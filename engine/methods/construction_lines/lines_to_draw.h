@@ -12,7 +12,7 @@ namespace tractus::lines {
 // boundary, mirrored; the only inclination line, for all of the stem; organs that stand at 45
 // degrees. Without any boundary they are a proposal: a bow on each side. Inclination lines are
 // asked for when there is a boundary that they could reach. Empty where nothing is missing, and for
-// a sketch that cannot be measured.
+// a sketch that cannot be measured, or whose boundaries are in space.
 std::vector<std::vector<Vec2>> lines_to_draw(LineSketch const& sketch);
 
 } // namespace tractus::lines

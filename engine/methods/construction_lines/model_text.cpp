@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace tractus::lines {
 
@@ -56,7 +57,38 @@ std::string definitions_text(StemDefinitions const& stem, Pattern const& pattern
     if (pattern.kind == Pattern::Kind::Whorled)
         text += fmt::format("#define WHORL      {}    /* how many organs stand at a node */\n",
                             pattern.whorl);
+    if (!stem.sides.empty())
+        text += fmt::format(
+            "#define SIDES      {}    /* on so many of the stem boundaries are */\n", stem.sides);
     return text;
+}
+
+Construction with_sizes_around(Construction construction, Pattern const& pattern)
+{
+    if (!stands_all_around(pattern)) {
+        construction.around.clear();
+        return construction;
+    }
+    if (pattern.sizes == Pattern::Sizes::Linear || !construction.around.empty())
+        return construction;
+    AzimuthSizes left { 0, {} };
+    AzimuthSizes right { 180, {} };
+    for (auto const& node : construction.nodes) {
+        left.sizes.push_back(node.left_size);
+        right.sizes.push_back(node.right_size);
+    }
+    construction.around = { std::move(left), std::move(right) };
+    return construction;
+}
+
+std::vector<double> azimuths_of(Construction const& construction)
+{
+    std::vector<double> azimuths;
+    for (auto const& side : construction.around)
+        azimuths.push_back(side.azimuth_deg);
+    if (!azimuths.empty())
+        azimuths.push_back(azimuths.front() + 360);
+    return azimuths;
 }
 
 std::size_t count_steps(Construction const& construction)

@@ -29,8 +29,16 @@ struct StemDefinitions {
     std::string width;
     std::string layers;
     double longest_piece = 0;
+    std::string sides {}; // Where sizes follow half-ellipses.
 };
 std::string definitions_text(StemDefinitions const& stem, Pattern const& pattern);
+
+// What a model of the construction needs of its sizes around the stem: none where organs stand only
+// on its left and right, and those of these two where they are to follow half-ellipses.
+Construction with_sizes_around(Construction construction, Pattern const& pattern);
+
+// 360 degrees behind the first of a construction's azimuths they begin again.
+std::vector<double> azimuths_of(Construction const& construction);
 
 // How many steps of a derivation make the nodes of a stem: one for each, and one more for each
 // layer that has none.

@@ -38,4 +38,9 @@ int organs_at_node(Pattern const& pattern)
     return 0;
 }
 
+bool stands_all_around(Pattern const& pattern)
+{
+    return pattern.kind != Pattern::Kind::Distichous && pattern.kind != Pattern::Kind::Bare;
+}
+
 } // namespace tractus::lines

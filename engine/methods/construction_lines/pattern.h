@@ -15,9 +15,17 @@ struct Pattern {
         Bare,       // No organs: the stem alone.
     };
 
+    // How sizes change around the stem between its left and its right. Between boundaries in space
+    // they follow half-ellipses, whatever is said here.
+    enum class Sizes {
+        Linear, // As the paper has it.
+        HalfEllipses,
+    };
+
     Kind kind = Kind::Distichous;
     double divergence_deg = 137.5; // Spiral and Alternate; -360 to 360.
     int whorl = 3;                 // Whorled: how many, 2 to 24.
+    Sizes sizes = Sizes::Linear;
 };
 
 // The pattern's word, in small letters.
@@ -25,5 +33,9 @@ std::string name_of(Pattern::Kind kind);
 
 // How many organs stand at a node.
 int organs_at_node(Pattern const& pattern);
+
+// Whether some organs stand elsewhere than on the stem's left and right, so that it matters how
+// sizes change around it.
+bool stands_all_around(Pattern const& pattern);
 
 } // namespace tractus::lines

@@ -1,5 +1,6 @@
 #include "engine/methods/construction_lines/pen_sketch.h"
 
+#include "engine/methods/construction_lines/around_stem.h"
 #include "engine/methods/construction_lines/capture_line.h"
 #include "engine/methods/construction_lines/varied_sketch.h"
 #include "engine/scene/lsystem_source.h"
@@ -7,6 +8,7 @@
 #include "engine/stroke/upright_sheet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <utility>
@@ -58,6 +60,9 @@ void scale_lines(LineSketch& sketch, double factor)
     scale(sketch.left);
     scale(sketch.right);
     std::for_each(sketch.inclinations.begin(), sketch.inclinations.end(), scale);
+    for (auto& line : sketch.around)
+        for (auto& point : line)
+            point *= factor;
 }
 
 Result<void> check_stem(LineSketch const& sketch)
@@ -101,18 +106,107 @@ bool same(SketchLine const& one, SketchLine const& other)
     return one.id == other.id && one.stroke.tips.id() == other.stroke.tips.id()
         && one.sheet.offset_mm == other.sheet.offset_mm && one.sheet.size == other.sheet.size
         && one.role == other.role && one.nodes == other.nodes && one.stem == other.stem
-        && one.bearer == other.bearer;
+        && one.bearer == other.bearer && one.depth_by == other.depth_by
+        && one.level_mm == other.level_mm;
 }
 
 bool same(PenSketch const& one, PenSketch const& other)
 {
     return one.pattern.kind == other.pattern.kind
         && one.pattern.divergence_deg == other.pattern.divergence_deg
-        && one.pattern.whorl == other.pattern.whorl && one.scale == other.scale
+        && one.pattern.whorl == other.pattern.whorl && one.pattern.sizes == other.pattern.sizes
+        && one.scale == other.scale
         && std::equal(one.lines.begin(), one.lines.end(), other.lines.begin(), other.lines.end(),
                       [](SketchLine const& line, SketchLine const& another) {
                           return same(line, another);
                       });
+}
+
+// The surface's height where a line begins.
+Result<double> level_of(SketchLine const& line)
+{
+    auto const tips = TRY(line.stroke.tips.in_memory());
+    return tips.empty() ? 0 : tips.front().position_mm.z();
+}
+
+// Of its number; null where there is none.
+SketchLine const* stem_line(PenSketch const& sketch, std::size_t stem)
+{
+    auto const found
+        = std::find_if(sketch.lines.begin(), sketch.lines.end(), [&](SketchLine const& line) {
+              return line.role == Role::Stem && line.stem == stem;
+          });
+    return found == sketch.lines.end() ? nullptr : &*found;
+}
+
+SketchLine const* newest_stem(PenSketch const& sketch)
+{
+    auto const found = std::find_if(sketch.lines.rbegin(), sketch.lines.rend(),
+                                    [](SketchLine const& line) { return line.role == Role::Stem; });
+    return found == sketch.lines.rend() ? nullptr : &*found;
+}
+
+// Whether the surface has moved so far while the line was drawn beside the stem.
+Result<bool> leaves_sheet(SketchLine const& line, SketchLine const& stem)
+{
+    auto const tips = TRY(line.stroke.tips.in_memory());
+    auto const [lowest, highest]
+        = std::minmax_element(tips.begin(), tips.end(), [](TipSample const& a, TipSample const& b) {
+              return a.position_mm.z() < b.position_mm.z();
+          });
+    if (lowest == tips.end())
+        return false;
+    double const moved_mm = line.sheet.size * (highest->position_mm.z() - lowest->position_mm.z());
+    return moved_mm > kFlat * polyline_length_mm(TRY(points_on_sheet(stem)));
+}
+
+// A stem's lines in space have their depth from where it begins, also where it is drawn again.
+Result<PenSketch> with_levels(PenSketch sketch, std::size_t stem)
+{
+    auto const* const line = stem_line(sketch, stem);
+    if (!line)
+        return sketch;
+    double const level_mm = TRY(level_of(*line));
+    for (auto& other : sketch.lines)
+        if (other.role == Role::Stem)
+            other.level_mm.reset();
+        else if (other.stem == stem && other.level_mm)
+            other.level_mm = level_mm;
+    return sketch;
+}
+
+// Puts depths by pressure in the places of a stem's tips.
+void press(std::vector<Vec3>& places, std::vector<TipSample> const& tips)
+{
+    constexpr double kDepth = 0.5; // Of the stem's length, for all of the pressure's range.
+    constexpr double kWindow = 0.05;
+    constexpr int kSteps = 100; // At which the mean is taken.
+    std::vector<double> at { 0 };
+    for (std::size_t i = 1; i < places.size(); ++i)
+        at.push_back(at.back() + (places[i] - places[i - 1]).head<2>().norm());
+    double const length_mm = at.back();
+    if (!(length_mm > 0))
+        return;
+    std::vector<double> pressures;
+    for (int step = 0; step <= kSteps; ++step) {
+        double const middle = std::clamp(static_cast<double>(step) / kSteps, kWindow, 1 - kWindow);
+        double sum = 0;
+        double weights = 0;
+        for (std::size_t i = 0; i < tips.size(); ++i) {
+            double const off = std::fabs(at[i] / length_mm - middle) / kWindow;
+            double const weight = std::max(1e-9, 1 - off);
+            sum += weight * tips[i].pressure;
+            weights += weight;
+        }
+        pressures.push_back(sum / weights);
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        double const step = std::min(at[i] / length_mm, 1.0) * kSteps;
+        auto const low = std::min(static_cast<std::size_t>(step), pressures.size() - 2);
+        double const pressure
+            = std::lerp(pressures[low], pressures[low + 1], step - static_cast<double>(low));
+        places[i].z() = kDepth * length_mm * (pressure - pressures.front());
+    }
 }
 
 // Measured stems alone have none.
@@ -151,13 +245,18 @@ Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line)
     auto const dot
         = [] { return fail(Fault::User, "this is only a dot: draw a line of the sketch"); };
     auto const tips = TRY(line.stroke.tips.in_memory());
-    bool const is_flat = decide_surface(tips, StrokeSurface::Decided) == StrokeSurface::Paper;
+    bool const is_flat
+        = !line.level_mm && decide_surface(tips, StrokeSurface::Decided) == StrokeSurface::Paper;
+    double const lift_mm
+        = line.level_mm && !tips.empty() ? tips.front().position_mm.z() - *line.level_mm : 0;
     std::vector<Vec3> places;
     for (auto const& tip_mm : plant_tips(tips, StrokeSurface::Paper)) {
         auto const place_mm = line.sheet.on_sheet({ tip_mm.x(), tip_mm.z() });
         places.emplace_back(place_mm.x(), place_mm.y(),
-                            is_flat ? 0 : -line.sheet.size * tip_mm.y());
+                            is_flat ? 0 : line.sheet.size * (lift_mm - tip_mm.y()));
     }
+    if (line.role == Role::Stem && line.depth_by == DepthBy::Pressure)
+        press(places, tips.vector());
     auto const drawn = distinct_points(without_repeats(places));
     if (!drawn)
         return dot();
@@ -173,6 +272,12 @@ static Result<PenSketch> with_stroke(PenSketch sketch, SketchLine line, StemReco
     if (sketch.lines.size() >= kMostLines)
         return fail(Fault::User,
                     fmt::format("the sketch has {} lines already: begin another stem", kMostLines));
+    auto const* const stem = newest_stem(sketch);
+    if (stem && line.depth_by == DepthBy::Height && says == StemRecogniser::Says::Nothing
+        && TRY(leaves_sheet(line, *stem))) {
+        says = StemRecogniser::Says::InSpace;
+        line.level_mm = TRY(level_of(*stem));
+    }
     auto recogniser = TRY(recogniser_of(sketch));
     auto const& known = recogniser.add(TRY(points_on_sheet(line)), says);
     line.role = known.line.role;
@@ -183,7 +288,7 @@ static Result<PenSketch> with_stroke(PenSketch sketch, SketchLine line, StemReco
         sketch.lines.erase(sketch.lines.begin() + static_cast<std::ptrdiff_t>(*replaced));
     }
     sketch.lines.push_back(std::move(line));
-    return checked(std::move(sketch));
+    return checked(TRY(with_levels(std::move(sketch), known.stem)));
 }
 
 Result<PenSketch> with_line(PenSketch sketch, SketchLine line)
@@ -212,7 +317,7 @@ Result<PenSketch> with_role(PenSketch sketch, ItemId line, Role role)
             other.role = role;
             other.bearer = role == Role::Stem ? bearer : std::nullopt;
         }
-    return checked(std::move(sketch));
+    return checked(TRY(with_levels(std::move(sketch), stem)));
 }
 
 Result<PenSketch> with_other_stroke(PenSketch sketch, ItemId line, Stroke stroke)

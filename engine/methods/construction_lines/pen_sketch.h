@@ -25,6 +25,13 @@ struct SheetPlacement {
     Vec2 on_tablet(Vec2 const& sheet_mm) const { return (sheet_mm - offset_mm) / size; }
 };
 
+// Where a line's depth comes from.
+enum class DepthBy {
+    StemsHeight, // A stem's from the surface's height; all other lines are on the sheet.
+    Height,      // From the surface's height, of boundaries, too: see Role::Around.
+    Pressure,    // A stem's from the pen's pressure: where there is no sensor for the height.
+};
+
 // A line of a sketch as a pen drew it.
 struct SketchLine {
     ItemId id = 0;
@@ -36,6 +43,10 @@ struct SketchLine {
     int nodes = 0;
     std::size_t stem = 0; // The number of the stem to which it belongs; of a stem, its own.
     std::optional<std::size_t> bearer {}; // Of a stem: see StemLines.
+    DepthBy depth_by = DepthBy::StemsHeight;
+    // The surface's height where the depth is 0, that at which its stem begins, mm on the tablet.
+    // No value: the line does not leave the sheet, or it is a stem.
+    std::optional<double> level_mm {};
 };
 
 // A plant that is drawn with construction lines: the source that its base plant is built from. It
@@ -57,12 +68,18 @@ extern SourceKind const kPenSketch;
 
 // Where the tips of a line are on the sheet, (u, v, depth), the hand's tremor taken out
 // (capture_line.h). Where the surface has moved by less than a twentieth of the line's length the
-// depth is 0; else it is the height above pen-down. At least two points, no two neighbours at one
+// depth is 0; else it is the height above pen-down, or of a line that has a level above that. By
+// pressure a stem comes towards the viewer by half of its length on the sheet where the pen is
+// pressed with all of its range more than at its base; the mean of a twentieth of the stem counts,
+// and at its ends, where the pen comes down and is lifted, what is a twentieth from them. At
+// least two points, no two neighbours at one
 // place of the sheet. Fails, as the user's fault, for a dot.
 Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line);
 
 // The sketch with one more line, whose role is found out from how it lies to the others
 // (LineRecogniser). It takes the place of one that it draws again, and that one's number of nodes.
+// It is in space if its depth is to count and the surface has moved, while it was drawn, by more
+// than a twentieth of the length of the stem that was drawn last.
 //
 // Fails, as the user's fault, for a dot, a stem that is too short, too many lines, and for a line
 // with which the sketch gives no plant (measure_sketch()).

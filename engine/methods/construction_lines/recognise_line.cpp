@@ -1,5 +1,7 @@
 #include "engine/methods/construction_lines/recognise_line.h"
 
+#include "engine/methods/construction_lines/around_stem.h"
+#include "engine/methods/construction_lines/measure_nodes.h"
 #include "engine/stroke/polyline.h"
 #include "engine/stroke/resample.h"
 
@@ -235,6 +237,8 @@ std::string name_of(Role role)
         return "inclination";
     case Role::HalfInclination:
         return "half inclination";
+    case Role::Around:
+        return "around";
     case Role::Unsure:
         break;
     }
@@ -267,6 +271,49 @@ std::optional<std::size_t> LineRecogniser::newest(Role role) const
     return std::nullopt;
 }
 
+// The newest one that counts of those near an azimuth. On a sketch's sheet there are two azimuths.
+std::optional<std::size_t> LineRecogniser::newest_boundary(double azimuth_deg) const
+{
+    constexpr double kSameSide_deg = 20;
+    auto const stem = newest(Role::Stem);
+    for (std::size_t i = lines_.size(); stem && i-- > 0;) {
+        auto const role = lines_[i].role;
+        if (is_replaced(i))
+            continue;
+        std::optional<double> at_deg;
+        if (role == Role::Left || role == Role::Right)
+            at_deg = azimuth_of_side(role == Role::Left ? Side::Left : Side::Right);
+        else if (role == Role::Around)
+            at_deg = azimuth_of(strokes_[i], DrawnStem(strokes_[*stem]));
+        if (at_deg && degrees_between(*at_deg, azimuth_deg) < kSameSide_deg)
+            return i;
+    }
+    return std::nullopt;
+}
+
+// A boundary in space, which may be seen in front of the stem. No value: it is what it is on the
+// sheet, such as the stem, drawn again, or an inclination line.
+std::optional<RecognisedLine>
+LineRecogniser::recognise_in_space(std::vector<Vec3> const& stroke) const
+{
+    auto const stem_index = newest(Role::Stem);
+    if (!stem_index)
+        return std::nullopt;
+    DrawnStem const stem(strokes_[*stem_index]);
+    auto const lie = lie_of(sampled(stroke), sampled(strokes_[*stem_index]));
+    bool const is_across = is_inclination(lie) && lie.lean_deg > kLeaning_deg;
+    bool const is_along = lie.along > kWholeStem
+        || (lie.along > kBoundary && (lie.crossings == 0 || lie.lean_deg < kLeaning_deg));
+    if (is_across || !is_along || distance_in_space_mm(stroke, stem) < kFlat * stem.length_mm())
+        return std::nullopt;
+    auto const azimuth_deg = azimuth_of(stroke, stem);
+    if (!azimuth_deg)
+        return std::nullopt;
+    return RecognisedLine { .role = Role::Around,
+                            .replaces = newest_boundary(*azimuth_deg),
+                            .is_along_stem = lie.along > kWholeStem };
+}
+
 RecognisedLine LineRecogniser::recognise(DrawnLine const& stroke) const
 {
     auto const stem_index = newest(Role::Stem);
@@ -279,16 +326,21 @@ RecognisedLine LineRecogniser::recognise(DrawnLine const& stroke) const
     if (is_half(lie, stroke.length_mm() / stem.length_mm()))
         return { .role = Role::HalfInclination };
     if (is_boundary(lie)) {
-        auto const side = lie.left_share > 0.5 ? Role::Left : Role::Right;
-        return { .role = side, .replaces = newest(side), .is_along_stem = lie.along > kWholeStem };
+        auto const side = lie.left_share > 0.5 ? Side::Left : Side::Right;
+        return { .role = side == Side::Left ? Role::Left : Role::Right,
+                 .replaces = newest_boundary(azimuth_of_side(side)),
+                 .is_along_stem = lie.along > kWholeStem };
     }
     if (is_inclination(lie))
         return { .role = Role::Inclination };
     return { .role = Role::Unsure, .reason = reason_for(lie) };
 }
 
-RecognisedLine LineRecogniser::recognised(std::vector<Vec3> const& stroke) const
+RecognisedLine LineRecogniser::recognised(std::vector<Vec3> const& stroke, Lies lies) const
 {
+    if (lies == Lies::InSpace)
+        if (auto const line = recognise_in_space(stroke))
+            return *line;
     return recognise(sampled(stroke));
 }
 
@@ -305,9 +357,9 @@ double LineRecogniser::distance_mm(std::vector<Vec3> const& stroke) const
     return sum_mm / static_cast<double>(line.points().size());
 }
 
-RecognisedLine const& LineRecogniser::add(std::vector<Vec3> const& stroke)
+RecognisedLine const& LineRecogniser::add(std::vector<Vec3> const& stroke, Lies lies)
 {
-    auto line = recognised(stroke);
+    auto line = recognised(stroke, lies);
     lines_.push_back(std::move(line));
     strokes_.push_back(stroke);
     return lines_.back();
@@ -357,6 +409,9 @@ LineSketch LineRecogniser::sketch() const
         sketch.right = on_side(flat(strokes_[*right]), stem, -1);
     for (auto& line : inclinations(stem))
         sketch.inclinations.push_back(std::move(line.points));
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+        if (lines_[i].role == Role::Around && !is_replaced(i))
+            sketch.around.push_back(strokes_[i]);
     return sketch;
 }
 

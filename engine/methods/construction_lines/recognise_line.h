@@ -18,6 +18,7 @@ enum class Role {
     Inclination,
     HalfInclination, // From the stem to one side: counts on both until its other half is drawn.
     Unsure,          // None of them: it has no effect until somebody says what it is.
+    Around,          // A boundary in space, at its azimuth around the stem.
 };
 
 // The role's word, in small letters.
@@ -35,14 +36,19 @@ struct RecognisedLine {
 // others come in any order and in either direction. A stroke keeps its role whatever comes later;
 // one that is drawn again, or a second boundary on the same side, takes the earlier one's place and
 // says so.
+//
+// Of strokes other than the stem depth counts only where they are said to be in space: there one
+// that goes along the stem and away from it is a boundary that keeps its azimuth.
 class LineRecogniser {
 public:
+    enum class Lies { OnSheet, InSpace };
+
     // The next stroke, (u, v, depth) in millimetres: at least two points, no two neighbours at one
     // place of the sheet; all finite.
-    RecognisedLine const& add(std::vector<Vec3> const& stroke);
+    RecognisedLine const& add(std::vector<Vec3> const& stroke, Lies lies = Lies::OnSheet);
 
     // What add() would say of a stroke.
-    RecognisedLine recognised(std::vector<Vec3> const& stroke) const;
+    RecognisedLine recognised(std::vector<Vec3> const& stroke, Lies lies = Lies::OnSheet) const;
 
     // How far a stroke's points are from the stem on average; 0 where there is none yet.
     double distance_mm(std::vector<Vec3> const& stroke) const;
@@ -64,7 +70,9 @@ private:
     // The newest stroke of a role that counts.
     std::optional<std::size_t> newest(Role role) const;
     std::optional<std::size_t> line_drawn_again(DrawnLine const& stroke) const;
+    std::optional<std::size_t> newest_boundary(double azimuth_deg) const;
     RecognisedLine recognise(DrawnLine const& stroke) const;
+    std::optional<RecognisedLine> recognise_in_space(std::vector<Vec3> const& stroke) const;
     struct DrawnInclination {
         std::vector<Vec2> points;
         std::size_t stroke = 0;

@@ -17,6 +17,7 @@ Rank rank_of(RecognisedLine const& line)
     switch (line.role) {
     case Role::Left:
     case Role::Right:
+    case Role::Around:
         if (line.replaces)
             return Rank::TakenSide;
         return line.is_along_stem ? Rank::AlongStem : Rank::OpenSide;
@@ -30,15 +31,21 @@ Rank rank_of(RecognisedLine const& line)
     return Rank::Unknown;
 }
 
+LineRecogniser::Lies lies_as(StemRecogniser::Says says)
+{
+    return says == StemRecogniser::Says::InSpace ? LineRecogniser::Lies::InSpace
+                                                 : LineRecogniser::Lies::OnSheet;
+}
+
 } // namespace
 
-KnownLine StemRecogniser::nearest(std::vector<Vec3> const& stroke) const
+KnownLine StemRecogniser::nearest(std::vector<Vec3> const& stroke, LineRecogniser::Lies lies) const
 {
     KnownLine best;
     std::optional<std::pair<Rank, double>> least;
     for (std::size_t i = 0; i < stems_.size(); ++i) {
         auto const& stem = stems_[i];
-        auto const line = stem.lines.recognised(stroke);
+        auto const line = stem.lines.recognised(stroke, lies);
         std::pair const its_rank(rank_of(line), stem.lines.distance_mm(stroke));
         if (least && *least <= its_rank)
             continue;
@@ -60,7 +67,7 @@ KnownLine StemRecogniser::recognise(std::vector<Vec3> const& stroke, Says says) 
         return { .line = { .role = Role::Stem },
                  .stem = stems_.size(),
                  .bearer = bearer_at(stems(), stroke.front().head<2>()) };
-    return nearest(stroke);
+    return nearest(stroke, lies_as(says));
 }
 
 KnownLine const& StemRecogniser::add(std::vector<Vec3> const& stroke, Says says)
@@ -69,7 +76,7 @@ KnownLine const& StemRecogniser::add(std::vector<Vec3> const& stroke, Says says)
     if (known.stem == stems_.size())
         stems_.emplace_back().bearer = known.bearer;
     auto& stem = stems_[known.stem];
-    stem.lines.add(stroke);
+    stem.lines.add(stroke, lies_as(says));
     stem.strokes.push_back(lines_.size());
     return lines_.emplace_back(known);
 }

@@ -23,8 +23,9 @@ struct KnownLine {
 // yet.
 class StemRecogniser {
 public:
-    // What somebody says of a stroke before it is drawn.
-    enum class Says { Nothing, AnotherStem };
+    // What is known of a stroke before it is looked at: nothing, that it is another stem, or that
+    // its depth counts (LineRecogniser).
+    enum class Says { Nothing, AnotherStem, InSpace };
 
     // The next stroke, as of LineRecogniser. Only strokes of which that is said begin another stem.
     KnownLine const& add(std::vector<Vec3> const& stroke, Says says = Says::Nothing);
@@ -49,7 +50,7 @@ private:
         std::optional<std::size_t> bearer {};
     };
     KnownLine recognise(std::vector<Vec3> const& stroke, Says says) const;
-    KnownLine nearest(std::vector<Vec3> const& stroke) const;
+    KnownLine nearest(std::vector<Vec3> const& stroke, LineRecogniser::Lies lies) const;
 
     std::vector<Stem> stems_;
     std::vector<KnownLine> lines_;

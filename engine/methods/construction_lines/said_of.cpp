@@ -1,6 +1,10 @@
 #include "engine/methods/construction_lines/line_edits.h"
 
+#include "engine/methods/construction_lines/around_stem.h"
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace tractus::lines {
@@ -28,10 +32,27 @@ std::string what_it_is(Role role)
         return "an inclination line";
     case Role::HalfInclination:
         return "half an inclination line";
+    case Role::Around:
+        return "a boundary in space";
     case Role::Unsure:
         break;
     }
     return "unsure";
+}
+
+// The side of the stem on which a boundary in space is.
+std::string side_of(PenSketch const& sketch, SketchLine const& line)
+{
+    auto const stems = stem_sketches(sketch);
+    auto const points = points_on_sheet(line);
+    if (!stems || !points)
+        return "";
+    auto const azimuth_deg = azimuth_of(*points, DrawnStem(stems->at(line.stem).sketch.stem));
+    constexpr std::array kQuarters { "on the left", "behind", "on the right", "in front" };
+    auto const quarter
+        = static_cast<std::size_t>(std::lround(azimuth_deg.value_or(0) / 90)) % kQuarters.size();
+    return fmt::format(", {}, {:.0f} degrees around the stem", kQuarters[quarter],
+                       azimuth_deg.value_or(0));
 }
 
 bool has(LineSketch const& sketch, Role role)
@@ -50,7 +71,7 @@ std::string what_is_missing(LineSketch const& sketch)
     if (sketch.inclinations.size() == 1)
         return "draw a second inclination line; until then the first one holds all along the stem";
     for (auto const side : { Role::Left, Role::Right })
-        if (!has(sketch, side))
+        if (!has(sketch, side) && sketch.around.empty())
             return fmt::format("{} is the other one, mirrored, until you draw it",
                                what_it_is(side));
     return "";
@@ -91,8 +112,9 @@ std::string said_of(PenSketch const& sketch)
     if (line.role == Role::Unsure)
         return fmt::format("It has no effect: {}", reason_of(sketch));
     auto const missing = what_is_missing(sketch);
-    return fmt::format("This is {}{}{}",
+    return fmt::format("This is {}{}{}{}",
                        line.role == Role::Stem ? what_stem_it_is(line) : what_it_is(line.role),
+                       line.role == Role::Around ? side_of(sketch, line) : "",
                        missing.empty() ? "" : ": ", missing);
 }
 

@@ -34,6 +34,7 @@ struct ModelStem {
     std::size_t low = 0;             // Where its lines begin among all.
     std::size_t own_functions = 0;   // So many functions come before its heading,
     std::size_t organ_functions = 0; // and before those of its organs, less two.
+    std::size_t first_azimuth = 0;   // Where the azimuths of its boundaries begin among all.
 };
 
 double width_on(ModelStem const& bearer, double foot_x)
@@ -167,6 +168,7 @@ std::vector<double> of_each(std::vector<ModelStem> const& stems, Read const& rea
 
 // The lines of all stems, one behind the other: stems with the same ones share them.
 struct Lines {
+    std::vector<double> azimuths; // Where sizes follow half-ellipses.
     std::vector<double> at;
     std::vector<double>
         nodes; // As many; of a stem's topmost line, above which there is no layer, 1.
@@ -182,8 +184,12 @@ Lines write_lines(std::vector<ModelStem>& stems)
             [&](ModelStem const& other) { return other.of->functions == of.functions; });
         if (same != stems.begin() + static_cast<std::ptrdiff_t>(i)) {
             stems[i].low = same->low;
+            stems[i].first_azimuth = same->first_azimuth;
             continue;
         }
+        stems[i].first_azimuth = lines.azimuths.size();
+        auto const azimuths = azimuths_of(of.construction);
+        lines.azimuths.insert(lines.azimuths.end(), azimuths.begin(), azimuths.end());
         stems[i].low = lines.at.size();
         for (auto const& line : of.construction.inclinations)
             lines.at.push_back(line.x);
@@ -192,6 +198,17 @@ Lines write_lines(std::vector<ModelStem>& stems)
         lines.nodes.push_back(1);
     }
     return lines;
+}
+
+void add_azimuths(Tables& tables, std::vector<ModelStem> const& stems, Lines const& lines)
+{
+    tables.add(
+        "sides",
+        of_each(stems, [](ModelStem const& stem) { return stem.of->construction.around.size(); }),
+        "on so many of its sides boundaries are");
+    tables.add("first", of_each(stems, [](ModelStem const& stem) { return stem.first_azimuth; }),
+               "the azimuths around it begin here in the table below; the last is the first again");
+    tables.add("azimuth", lines.azimuths, "degrees around the stem from its left");
 }
 
 std::string tables_text(std::vector<ModelStem> const& stems, Lines const& lines)
@@ -224,6 +241,8 @@ std::string tables_text(std::vector<ModelStem> const& stems, Lines const& lines)
                "its lines begin here in the two tables below");
     tables.add("at", lines.at, "where lines cross the stem, 0 to 1");
     tables.add("nodes", lines.nodes, "how many there are from each line to the next");
+    if (!lines.azimuths.empty())
+        add_azimuths(tables, stems, lines);
     return tables.text();
 }
 
@@ -262,14 +281,29 @@ double longest_piece_of(std::vector<ModelStem> const& stems)
     return longest;
 }
 
+// As a model needs them: sizes of all stems follow half-ellipses, or of none.
+std::vector<MeasuredStem> stems_with_sizes(std::span<MeasuredStem const> stems, Pattern pattern)
+{
+    if (std::any_of(stems.begin(), stems.end(),
+                    [](MeasuredStem const& stem) { return !stem.construction.around.empty(); }))
+        pattern.sizes = Pattern::Sizes::HalfEllipses;
+    std::vector<MeasuredStem> result(stems.begin(), stems.end());
+    for (auto& stem : result)
+        stem.construction = with_sizes_around(std::move(stem.construction), pattern);
+    return result;
+}
+
 } // namespace
 
-LineModel write_model(std::span<MeasuredStem const> stems, Pattern const& pattern,
+LineModel write_model(std::span<MeasuredStem const> measured, Pattern const& pattern,
                       std::string const& name)
 {
-    CHECK(!stems.empty());
-    if (stems.size() == 1)
-        return write_model(stems.front().construction, pattern, name);
+    CHECK(!measured.empty());
+    if (measured.size() == 1)
+        return write_model(measured.front().construction, pattern, name);
+    auto const stems = stems_with_sizes(measured, pattern);
+    auto const sizes = stems.front().construction.around.empty() ? Pattern::Sizes::Linear
+                                                                 : Pattern::Sizes::HalfEllipses;
     auto of_model = numbered(stems);
     auto const functions = write_functions(of_model, name);
     auto const lines = write_lines(of_model);
@@ -285,15 +319,18 @@ LineModel write_model(std::span<MeasuredStem const> stems, Pattern const& patter
         "names:\n"
         "   1 its heading, 2 its depth, 3 and 4 the organs' angles on the left and the right, 5 "
         "and 6\n"
-        "   their sizes; 7, the way to the next node, is for other models. A step makes a node, or "
+        "   their sizes; 7, the way to the next node, is for other models{}. A step makes a node, "
+        "or "
         "a\n"
         "   stem that stands on another. */\n"
         "{}\n"
         "Lsystem: 1\n"
         "derivation length: {}\n"
         "{}{}{}endlsystem\n",
-        stems.size(), name_of(pattern.kind), definitions_text(each, pattern), count_steps(of_model),
-        tables_text(of_model, lines), axiom(of_model), stem_rules(pattern, Stems::Several));
+        stems.size(), name_of(pattern.kind),
+        lines.azimuths.empty() ? "" : "; 8 and on sizes, too, at azimuths around the stem",
+        definitions_text(each, pattern), count_steps(of_model), tables_text(of_model, lines),
+        axiom(of_model), stem_rules(pattern, Stems::Several, sizes));
     return model_with(std::move(text), functions, pattern, name);
 }
 

@@ -51,6 +51,7 @@ Construction with_functions_of(Construction stem, Construction const& other)
     stem.inclinations = other.inclinations;
     stem.nodes_per_layer = other.nodes_per_layer;
     stem.nodes = other.nodes;
+    stem.around = other.around;
     stem.notes.clear();
     return stem;
 }
@@ -139,7 +140,11 @@ Result<std::vector<MeasuredStem>> measure_stems(std::vector<StemLines> stems, Mi
         if (stem.bearer && !stem.sketch.stem.empty()) {
             auto const& bearer = result[*stem.bearer].construction.stem;
             foot_x = foot_on(bearer, stem.sketch.stem.front().head<2>());
+            double const depth_mm = stem.sketch.stem.front().z();
             move_foot(stem.sketch.stem, bearer.point(foot_x));
+            for (auto& line : stem.sketch.around)
+                for (auto& point : line)
+                    point.z() += stem.sketch.stem.front().z() - depth_mm;
         }
         result.push_back({ .construction = TRY(measure(stem, i, stems.size() == 1, missing)),
                            .bearer = stem.bearer,

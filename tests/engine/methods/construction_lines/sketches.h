@@ -81,6 +81,9 @@ inline LineSketch mirrored(LineSketch sketch)
     for (auto& line : sketch.inclinations)
         for (auto& point : line)
             point.x() = -point.x();
+    for (auto& line : sketch.around)
+        for (auto& point : line)
+            point.x() = -point.x();
     return sketch;
 }
 
