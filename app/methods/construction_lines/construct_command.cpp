@@ -156,6 +156,10 @@ void add_options(CLI::App& verb, ConstructArguments& arguments)
                     "How organs stand, in place of what the sketch says: distichous, decussate, "
                     "spiral, alternate or whorled(N)")
         ->type_name("PATTERN");
+    verb.add_option("--sizes", arguments.given.sizes,
+                    "How sizes change around the stem from left to right: linear or half-ellipses")
+        ->type_name("SIZES")
+        ->check(CLI::IsMember({ "linear", "half-ellipses" }));
     verb.add_option("--divergence", arguments.given.divergence_deg,
                     "Degrees from organ to organ, of spiral and alternate")
         ->type_name("DEGREES")
@@ -192,7 +196,8 @@ void add_construct_command(CLI::App& root, Action& action, Methods const& method
         "points\n"
         "[u,v] or [u,v,w], to the right, up and towards the viewer, base first; \"left\" and "
         "\"right\":\n"
-        "the boundaries; \"inclinations\": at least two lines; \"nodes_per_layer\": how many "
+        "the boundaries; \"boundaries\": more of them in space, [u,v,w]; \"inclinations\": at "
+        "least two lines; \"nodes_per_layer\": how many "
         "nodes\n"
         "stand between one line and the next, a number for each layer; \"stems\": more stems of "
         "the "

@@ -24,6 +24,23 @@ static Report print_functions(Construction const& construction)
     return functions;
 }
 
+// The sizes at a boundary's azimuth at the places of print_functions().
+static Report print_boundaries(Construction const& construction)
+{
+    constexpr int kPlaces = 21;
+    Report list = Report::array();
+    for (auto const& side : construction.around) {
+        auto along = construction; // With these sizes as those of the left.
+        for (std::size_t i = 0; i < along.nodes.size(); ++i)
+            along.nodes[i].left_size = side.sizes[i];
+        Report sizes;
+        for (int i = 0; i < kPlaces; ++i)
+            sizes.push_back(values_at(along, static_cast<double>(i) / (kPlaces - 1)).left_size);
+        list.push_back({ { "azimuth", side.azimuth_deg }, { "size", sizes } });
+    }
+    return list;
+}
+
 // A stem's numbers.
 static Report print_stem(Construction const& construction)
 {
@@ -33,12 +50,15 @@ static Report print_stem(Construction const& construction)
     Report node_x = Report::array();
     for (auto const& node : construction.nodes)
         node_x.push_back(node.x);
-    return Report { { "stem_length", construction.stem.length_mm() },
+    Report report { { "stem_length", construction.stem.length_mm() },
                     { "lines", lines },
                     { "d1", construction.below() },
                     { "d2", construction.above() },
                     { "node_x", node_x },
                     { "functions", print_functions(construction) } };
+    if (!construction.around.empty())
+        report["boundaries"] = print_boundaries(construction);
+    return report;
 }
 
 static Report print_stems(std::span<MeasuredStem const> stems)

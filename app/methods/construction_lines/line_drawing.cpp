@@ -1,5 +1,6 @@
 #include "app/methods/construction_lines/line_drawing.h"
 
+#include "engine/methods/construction_lines/around_stem.h"
 #include "engine/methods/construction_lines/capture_line.h"
 #include "engine/methods/construction_lines/recognise_stems.h"
 #include "engine/stroke/polyline.h"
@@ -38,6 +39,8 @@ LineSketch captured(LineSketch sketch)
     sketch.right = captured(sketch.right);
     for (auto& line : sketch.inclinations)
         line = captured(line);
+    for (auto& line : sketch.around)
+        line = captured(line);
     return sketch;
 }
 
@@ -65,6 +68,7 @@ Result<LineDrawing> recognise_strokes(LineSketchFile const& file, Smoothing smoo
     TRY(check_point_count(point_count));
     StemRecogniser recogniser;
     LineDrawing drawing;
+    std::vector<Vec3> stem_before; // With whose length the next strokes' depths are compared.
     std::vector<std::vector<int>> nodes_of_stems { file.sketch.nodes_per_layer };
     for (auto const& stroke : file.strokes) {
         auto const number = drawing.roles.size() + 1;
@@ -74,9 +78,14 @@ Result<LineDrawing> recognise_strokes(LineSketchFile const& file, Smoothing smoo
         if (smoothing == Smoothing::Hand)
             points = without_repeats(capture_line(points));
         auto const stem = file.stem_strokes.find(number - 1);
-        auto const begins = stem != file.stem_strokes.end() ? StemRecogniser::Says::AnotherStem
-                                                            : StemRecogniser::Says::Nothing;
-        auto const& known = recogniser.add(points, begins);
+        auto says = StemRecogniser::Says::Nothing;
+        if (stem != file.stem_strokes.end())
+            says = StemRecogniser::Says::AnotherStem;
+        else if (depth_of(points, stem_before) > kFlat)
+            says = StemRecogniser::Says::InSpace;
+        auto const& known = recogniser.add(points, says);
+        if (known.line.role == Role::Stem)
+            stem_before = points;
         if (stem != file.stem_strokes.end()) {
             nodes_of_stems.resize(known.stem + 1);
             nodes_of_stems[known.stem] = stem->second;

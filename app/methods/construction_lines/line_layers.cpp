@@ -84,7 +84,7 @@ constexpr Layer kStemLayer { .label = "drawn stem",
 constexpr Layer kBoundaryLayer { .label = "boundaries",
                                  .style = { .color = LayerStyle::Color::Purple,
                                             .pattern = LayerStyle::Pattern::Dashed },
-                                 .lines = lines_of<Turn::First, Left, Right> };
+                                 .lines = lines_of<Turn::First, Left, Right, Around> };
 constexpr Layer kInclinationLayer { .label = "inclination lines",
                                     .style = { .color = LayerStyle::Color::Orange },
                                     .lines = lines_of<Turn::First, Inclination, HalfInclination> };
@@ -94,7 +94,7 @@ constexpr Layer kOtherStemLayer { .label = "every other stem",
 constexpr Layer kOtherBoundaryLayer { .label = "its boundaries",
                                       .style = { .color = LayerStyle::Color::Green,
                                                  .pattern = LayerStyle::Pattern::Dashed },
-                                      .lines = lines_of<Turn::Second, Left, Right> };
+                                      .lines = lines_of<Turn::Second, Left, Right, Around> };
 constexpr Layer kOtherInclinationLayer { .label = "its inclination lines",
                                          .style = { .color = LayerStyle::Color::Blue },
                                          .lines

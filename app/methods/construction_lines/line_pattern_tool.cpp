@@ -3,6 +3,7 @@
 #include "app/methods/construction_lines/touched_sketch.h"
 #include "app/tools/erase_tool.h"
 
+#include <array>
 #include <fmt/format.h>
 
 namespace tractus {
@@ -36,17 +37,43 @@ lines::Pattern after(lines::Pattern pattern)
     return pattern;
 }
 
-Result<std::vector<Edit>> set_next(Tool const&, Stroke const&, Scene const& scene)
+lines::Pattern with_other_sizes(lines::Pattern pattern)
 {
-    auto const active = TRY(active_sketch(scene));
-    return std::vector<Edit> { lines::SetLinePattern { active.plant,
-                                                       after(active.sketch.pattern) } };
+    using enum lines::Pattern::Sizes;
+    pattern.sizes = pattern.sizes == Linear ? HalfEllipses : Linear;
+    return pattern;
 }
 
-std::string said(Tool const&, Scene const& scene)
+// In the order of What.
+constexpr std::array<OptionWord, 2> kPatternChanges { {
+    { "next", "Next pattern", nullptr, true },
+    { "sizes", "Sizes around", nullptr, true },
+} };
+
+void visit(OptionVisitor& visitor, LinePatternTool& tool)
+{
+    visitor.choice({ kPatternChanges }, tool.what);
+}
+
+Result<std::vector<Edit>> set_next(Tool const& tool, Stroke const&, Scene const& scene)
+{
+    auto const active = TRY(active_sketch(scene));
+    bool const is_next = tool.get<LinePatternTool>()->what == LinePatternTool::What::Next;
+    auto const pattern
+        = is_next ? after(active.sketch.pattern) : with_other_sizes(active.sketch.pattern);
+    return std::vector<Edit> { lines::SetLinePattern { active.plant, pattern } };
+}
+
+std::string said(Tool const& tool, Scene const& scene)
 {
     auto const* const sketch = lines::active_pen_sketch(scene.state);
-    return sketch ? fmt::format("The organs are {} now", lines::name_of(sketch->pattern.kind)) : "";
+    if (!sketch)
+        return "";
+    if (tool.get<LinePatternTool>()->what == LinePatternTool::What::Next)
+        return fmt::format("The organs are {} now", lines::name_of(sketch->pattern.kind));
+    return sketch->pattern.sizes == lines::Pattern::Sizes::Linear
+        ? "Sizes change evenly around the stem now, but between boundaries in space"
+        : "Sizes follow half-ellipses around the stem now";
 }
 
 } // namespace
@@ -57,12 +84,13 @@ constexpr ToolKind LinePatternTool::kKind {
     .title = "The next pattern",
     .done = "The organs have another pattern",
     .help = "gives the organs of the sketch that takes what is drawn the next pattern: "
-            "distichous, decussate, spiral, alternate, whorled",
+            "distichous, decussate, spiral, alternate, whorled; or lets their sizes follow "
+            "half-ellipses around the stem, or change evenly again",
     .group = "Sketch",
     .method = "From lines",
     .begins_group_of_buttons = true,
     .at_once = true,
-    .options = options_type<LinePatternTool>(),
+    .options = options_type<LinePatternTool, visit>(),
     .mean = set_next,
     .said = said,
     .other_end = { &EraseTool::kKind },

@@ -4,9 +4,15 @@
 
 namespace tractus {
 
-// The next pattern for the active plant's organs.
+// Changes how the active plant's organs stand around its stem.
 struct LinePatternTool {
     static ToolKind const kKind;
+
+    enum class What {
+        Next,  // They have the next pattern.
+        Sizes, // Sizes follow half-ellipses, or are linear again.
+    };
+    What what = What::Next;
 };
 
 } // namespace tractus

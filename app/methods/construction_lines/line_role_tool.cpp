@@ -12,15 +12,16 @@ namespace {
 
 using enum lines::Role;
 
-constexpr std::array<OptionWord, 6> kRoleWords { {
+constexpr std::array<OptionWord, 7> kRoleWords { {
     { "inclination", "It is an inclination" },
     { "half", "Half of one" },
     { "left", "Left" },
     { "right", "Right" },
+    { "around", "Around" },
     { "stem", "Stem" },
     { "none", "No line" },
 } };
-constexpr std::array kRoles { Inclination, HalfInclination, Left, Right, Stem, Unsure };
+constexpr std::array kRoles { Inclination, HalfInclination, Left, Right, Around, Stem, Unsure };
 
 void visit(OptionVisitor& visitor, LineRoleTool& tool)
 {

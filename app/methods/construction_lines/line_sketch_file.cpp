@@ -2,6 +2,7 @@
 
 #include "app/svg/svg_sketch.h"
 #include "drivers/file.h"
+#include "engine/methods/construction_lines/around_stem.h"
 
 #include <algorithm>
 #include <array>
@@ -18,8 +19,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kStemKeys { "stem", "left", "right", "inclinations", "nodes_per_layer" };
-constexpr std::array kOtherKeys { "pattern", "divergence", "strokes", "stems" };
+constexpr std::array kStemKeys { "stem",       "left",         "right",
+                                 "boundaries", "inclinations", "nodes_per_layer" };
+constexpr std::array kOtherKeys { "pattern", "divergence", "sizes", "strokes", "stems" };
 constexpr std::size_t kMostStrokes = 100; // And stems.
 
 // Not there, or said to be so.
@@ -60,14 +62,41 @@ Result<std::vector<Vec2>> read_flat_line(json const& value, std::string const& n
     return points;
 }
 
+// After the stem: one whose depth is another one than the stem's is in space.
+Result<std::vector<Vec2>> read_side(json const& file, char const* key, LineSketch& sketch)
+{
+    if (!has(file, key))
+        return std::vector<Vec2>();
+    auto line = TRY(read_line(file[key], key));
+    if (depth_of(line, sketch.stem) <= kFlat)
+        return read_flat_line(file[key], key);
+    sketch.around.push_back(std::move(line));
+    return std::vector<Vec2>();
+}
+
+Result<void> read_boundaries(json const& file, LineSketch& sketch)
+{
+    if (!has(file, "boundaries"))
+        return {};
+    auto const& lines = file["boundaries"];
+    if (!lines.is_array() || lines.size() > kMostStrokes)
+        return fail(Fault::User,
+                    fmt::format("boundaries is no list of at most {} lines: write [[[u, v, w], [u, "
+                                "v, w]]]",
+                                kMostStrokes));
+    int number = 0;
+    for (auto const& line : lines)
+        sketch.around.push_back(TRY(read_line(line, fmt::format("boundary {}", ++number))));
+    return {};
+}
+
 Result<void> read_lines(json const& file, LineSketch& sketch)
 {
     if (has(file, "stem"))
         sketch.stem = TRY(read_line(file["stem"], "stem"));
-    if (has(file, "left"))
-        sketch.left = TRY(read_flat_line(file["left"], "left"));
-    if (has(file, "right"))
-        sketch.right = TRY(read_flat_line(file["right"], "right"));
+    sketch.left = TRY(read_side(file, "left", sketch));
+    sketch.right = TRY(read_side(file, "right", sketch));
+    TRY(read_boundaries(file, sketch));
     if (!has(file, "inclinations"))
         return {};
     auto const& lines = file["inclinations"];
@@ -128,7 +157,7 @@ Result<void> read_strokes(json const& file, LineSketchFile& result)
                     fmt::format("strokes is no list of at most {} lines: write [[[u, v], [u, v]], "
                                 "[[u, v], [u, v]]], the stem first",
                                 kMostStrokes));
-    for (auto const* const key : { "stem", "left", "right", "inclinations", "stems" })
+    for (auto const* const key : { "stem", "left", "right", "boundaries", "inclinations", "stems" })
         if (has(file, key))
             return fail(
                 Fault::User,
@@ -228,9 +257,21 @@ Result<Pattern> read_pattern_word(json const& file)
     return fail(Fault::User, fmt::format("pattern is \"{}\": {}", word.substr(0, 40), kWhatToGive));
 }
 
+Result<Pattern::Sizes> read_sizes(json const& file)
+{
+    if (!has(file, "sizes") || file["sizes"] == "linear")
+        return Pattern::Sizes::Linear;
+    if (file["sizes"] == "half-ellipses")
+        return Pattern::Sizes::HalfEllipses;
+    return fail(Fault::User,
+                "sizes is no way to change around the stem: give \"linear\" or "
+                "\"half-ellipses\"");
+}
+
 Result<Pattern> read_pattern(json const& file)
 {
     auto pattern = TRY(read_pattern_word(file));
+    pattern.sizes = TRY(read_sizes(file));
     if (pattern.kind == Pattern::Kind::Alternate)
         pattern.divergence_deg = 180;
     if (!has(file, "divergence"))
@@ -321,6 +362,8 @@ Result<LineSketchFile> read_file_sketch(Result<json> file, std::string const& na
     if (file && file->is_object()) {
         if (!given.pattern.empty())
             (*file)["pattern"] = given.pattern;
+        if (!given.sizes.empty())
+            (*file)["sizes"] = given.sizes;
         if (given.divergence_deg)
             (*file)["divergence"] = *given.divergence_deg;
         if (!given.nodes_per_layer.empty())

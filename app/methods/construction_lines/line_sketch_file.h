@@ -33,20 +33,26 @@ struct LineSketchFile {
 //   pattern          "distichous", "decussate", "spiral", "alternate", or "whorled(N)", N 2 to 24
 //   divergence       of "spiral" and "alternate"; without it 137.5 and 180
 //   stem             [[u, v], …] or [[u, v, w], …]: right, up, and towards the viewer; base first
-//   left, right      [[u, v], …]: the boundaries; one of them may be missing
-//   inclinations     [[[u, v], …], …]; may be missing
-//   strokes          [[[u, v], …], …]: all of these lines, the stem first, without saying which is
-//                    which
+//   sizes            how they change around the stem: "linear" or "half-ellipses"; without it
+//   linear left, right      [[u, v], …]: the boundaries; one of them may be missing. With [u, v, w]
+//   of
+//                    which some w is by over a twentieth of the stem's length not that of the
+//                    stem's base, one of
+//   boundaries       [[[u, v, w], …], …]: more of them, each in space at its azimuth around the
+//   stem inclinations     [[[u, v], …], …]; may be missing strokes          [[[u, v], …], …]: all
+//   of these lines, the stem first, without saying which is
 //                    which. One that begins another stem is an object {"stem": [[u, v], …]}
 //   nodes_per_layer  [N, …]: one number for each layer between neighbouring inclination lines
 //   stems            [{…}, …]: more stems of the plant, each an object of stem, left, right,
-//                    inclinations and nodes_per_layer, of which only the stem has to be there
+//                    boundaries, inclinations and nodes_per_layer, of which only the stem has to be
+//                    there
 //
 // What is given besides a file counts in place of what the file says.
 //
 // Fails, as the user's fault, with file, place and what to write.
 struct GivenBesides {
     std::string pattern;
+    std::string sizes {};
     std::optional<double> divergence_deg;
     std::vector<int> nodes_per_layer;
 };

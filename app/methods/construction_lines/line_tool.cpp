@@ -27,10 +27,20 @@ constexpr std::array<OptionWord, 5> kPatternWords { {
     { "whorled", "Whorls" },
 } };
 
+// In the order of lines::DepthBy. Logs of before boundaries had a depth do not say it.
+constexpr std::array<OptionWord, 3> kDepthWords { {
+    { "stems_height", "height, stem" },
+    { "height", "height" },
+    { "pressure", "pressure, stem" },
+} };
+
 void visit(OptionVisitor& visitor, LineTool& tool)
 {
     visitor.choice({ kPlantWords }, tool.plant);
     visitor.choice({ kPatternWords, WordOption::Offered::InHand }, tool.pattern);
+    visitor.choice(
+        { .words = kDepthWords, .offered = WordOption::Offered::InTurn, .label = "Depth" },
+        tool.depth_by);
     visitor.number({ "nodes", "", 0, lines::kMostNodesInLayer, 1, "Nodes" }, tool.nodes);
     visitor.number({ "divergence", "degrees", -360, 360, 0.5, "Divergence" }, tool.divergence_deg);
     visitor.number({ "organs", "", 2, 24, 1, "Organs" }, tool.organs);
@@ -58,6 +68,7 @@ lines::AddLine line_drawn(LineTool const& tool, Stroke const& stroke, Scene cons
 {
     lines::AddLine edit;
     edit.stroke = stroke;
+    edit.depth_by = tool.depth_by;
     edit.nodes = static_cast<int>(std::lround(tool.nodes));
     edit.pattern = pattern_of(tool);
     if (tool.plant != LineTool::Plant::NewStem && lines::active_pen_sketch(scene.state)) {

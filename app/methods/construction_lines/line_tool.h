@@ -16,6 +16,7 @@ struct LineTool {
         NewStem,     // Always with another one.
     };
     Plant plant = Plant::GoOn;
+    lines::DepthBy depth_by = lines::DepthBy::Height;
     double nodes = 8; // In the layer above the line.
     // Of a plant that begins.
     lines::Pattern::Kind pattern = lines::Pattern::Kind::Distichous;

@@ -52,12 +52,12 @@ TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
               "Around the trunk*, Around branches, "
               "| Next!, Even!, Spiral!, "
               "Decussate!, Whorls!, Two rows!, Horizontal!, Erase, ");
-    EXPECT_EQ(
-        buttons(Tool(*find_tool_kind(tools, "line_role"))),
-        "Along a stroke, From an outline, From lines*, A leaf, | Line, Another stem, Another "
-        "plant, | "
-        "Next pattern!, | Nodes of a layer, | It is an inclination*, Half of one, Left, Right, "
-        "Stem, No line, ");
+    EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "line_role"))),
+              "Along a stroke, From an outline, From lines*, A leaf, | Line, Another stem, Another "
+              "plant, | "
+              "Next pattern!, Sizes around!, | Nodes of a layer, | It is an inclination*, Half of "
+              "one, Left, Right, "
+              "Around, Stem, No line, ");
 }
 
 // A number is asked for in a panel: its button leaves the tool in hand as it is.

@@ -79,6 +79,102 @@ TEST_F(ConstructCommand, TheExportedTextGivesTheSamePlant)
     }
 }
 
+// An upright stem in an elliptic cylinder, 40 mm across and 25 mm deep, of four lines.
+std::string in_cylinder(std::string const& pattern, std::string const& lines)
+{
+    return R"({"pattern":")" + pattern + R"(","nodes_per_layer":[12],"stem":[[0,0],[0,200]],
+        "inclinations":[[[-60,75],[0,40],[60,75]],[[-60,195],[0,160],[60,195]]],)"
+        + lines + "}";
+}
+
+constexpr char const* kFourLines = R"("left":[[-40,-9],[-40,350]],"right":[[40,-9],[40,350]],
+    "boundaries":[[[0,-9,25],[0,350,25]],[[0,-9,-25],[0,350,-25]]])";
+
+TEST_F(ConstructCommand, BoundariesInSpaceKeepTheirAzimuths)
+{
+    std::ofstream(folder_ / "cylinder.json") << in_cylinder("spiral", kFourLines);
+    auto const outcome = run({ "construct", path("cylinder.json"), "-o", path("out"), "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    auto const report = nlohmann::json::parse(outcome.out);
+    ASSERT_EQ(report["leaf_tips"].size(), 13U);
+    for (auto const& tip : report["leaf_tips"])
+        EXPECT_NEAR(std::hypot(tip[0].get<double>() / 40, tip[2].get<double>() / 25), 1, 0.01);
+    ASSERT_EQ(report["boundaries"].size(), 4U);
+    EXPECT_NEAR(report["boundaries"][1]["azimuth"].get<double>(), 90, 1e-9);
+    double const sine = std::sin(std::atan2(60, 35));
+    EXPECT_NEAR(report["boundaries"][3]["size"][10].get<double>(), 25 / 200.0 / sine, 1e-6);
+    EXPECT_NEAR(report["functions"]["left_size"][10].get<double>(), 40 / 200.0 / sine, 1e-6);
+}
+
+TEST_F(ConstructCommand, TheExportedTextOfBoundariesInSpaceGivesTheSamePlant)
+{
+    for (std::string const pattern : { "decussate", "spiral", "whorled(5)" }) {
+        std::ofstream(folder_ / "cylinder.json") << in_cylinder(pattern, kFourLines);
+        ASSERT_EQ(
+            run({ "construct", path("cylinder.json"), "-o", path(pattern), "--report" }).exit_code,
+            0);
+        ASSERT_EQ(run({ "construct", path("cylinder.json"), "-o", path("once.glb") }).exit_code, 0);
+        auto const text = path(pattern + "/cylinder.l");
+        EXPECT_EQ(run({ "lsystem", "check", text }).err, "");
+        ASSERT_EQ(run({ "grow", text, "-o", path("again.glb") }).exit_code, 0);
+        EXPECT_TRUE(file_bytes(path("once.glb")) == file_bytes(path("again.glb"))) << pattern;
+    }
+}
+
+// Strokes that do not say what they are, and sides with a depth, are the same lines.
+TEST_F(ConstructCommand, TellsBoundariesInSpaceByTheirDepth)
+{
+    auto const functions = [&](std::string const& text) {
+        std::ofstream(folder_ / "lines.json") << text;
+        auto const outcome
+            = run({ "construct", path("lines.json"), "-o", path("out"), "--report" });
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        auto report = nlohmann::json::parse(outcome.out);
+        report.erase("roles");
+        return report;
+    };
+    auto const said = functions(in_cylinder("spiral", kFourLines));
+    EXPECT_EQ(functions(R"({"pattern":"spiral","nodes_per_layer":[12],"strokes":[[[0,0],[0,200]],
+        [[0,-9,25],[0,350,25]],[[-60,75],[0,40],[60,75]],[[-40,-9],[-40,350]],
+        [[40,-9],[40,350]],[[0,-9,-25],[0,350,-25]],[[-60,195],[0,160],[60,195]]]})"),
+              said);
+    auto const leaning = functions(in_cylinder(
+        "spiral", R"("left":[[-40,-9,20],[-40,350,20]],"right":[[40,-9,2],[40,350,2]])"));
+    ASSERT_EQ(leaning["boundaries"].size(), 2U);
+    EXPECT_EQ(leaning["boundaries"][0]["azimuth"], 180);
+    EXPECT_NEAR(leaning["boundaries"][1]["azimuth"].get<double>(),
+                360 - std::atan2(20, 40) * 180 / 3.14159265, 1e-6);
+}
+
+// Half-ellipses are those of the facts: .2209, .2000 and .1697 from .25 to .15.
+TEST_F(ConstructCommand, SizesMayFollowHalfEllipses)
+{
+    std::ofstream(folder_ / "round.json")
+        << R"({"pattern":"spiral","divergence":45,"sizes":"half-ellipses","nodes_per_layer":[4],
+               "stem":[[0,0],[0,200]],"left":[[-50,0],[-50,300]],"right":[[30,0],[30,300]],
+               "inclinations":[[[-60,40],[60,40]],[[-60,160],[60,160]]]})";
+    auto const reaches = [&](std::vector<std::string> const& options) {
+        std::vector<std::string> words { "construct", path("round.json"), "-o", path("out"),
+                                         "--report" };
+        words.insert(words.end(), options.begin(), options.end());
+        auto const outcome = run(words);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        std::vector<double> found;
+        auto const report = nlohmann::json::parse(outcome.out);
+        for (auto const& tip : report["leaf_tips"])
+            found.push_back(std::hypot(tip[0].get<double>(), tip[2].get<double>()) / 200);
+        return found;
+    };
+    auto const expect = [](std::vector<double> const& found, std::vector<double> const& wanted) {
+        ASSERT_EQ(found.size(), wanted.size());
+        for (std::size_t i = 0; i < wanted.size(); ++i)
+            EXPECT_NEAR(found[i], wanted[i], 1e-4) << i;
+    };
+    expect(reaches({}), { 0.25, 0.2209, 0.2, 0.1697, 0.15 });
+    expect(reaches({ "--sizes", "linear" }), { 0.25, 0.225, 0.2, 0.175, 0.15 });
+}
+
 // A frond, a smaller one beside it, a lateral axis on that, and a fork of the first.
 constexpr char const* kStems = R"({"pattern":"PATTERN","nodes_per_layer":[5],
     "stem":[[0,0],[4,100],[0,200]],"left":[[-60,0],[-40,120],[-5,220]],
@@ -236,6 +332,18 @@ TEST_F(ConstructCommand, SaysWhatIsWrongWithASketch)
     auto const nothing = run({ "construct", path("none.json"), "-o", path("out") });
     EXPECT_EQ(nothing.exit_code, 1);
     EXPECT_NE(nothing.err.find("none.json"), std::string::npos) << nothing.err;
+}
+
+TEST_F(ConstructCommand, SaysWhatIsWrongWithBoundariesInSpace)
+{
+    auto const with
+        = [&](std::string const& words) { return refusal(in_cylinder("spiral", words)); };
+    EXPECT_EQ(with(R"("boundaries":[[0,1]])"),
+              "point 1 of boundary 1 is no point: write [u, v] in millimetres\n");
+    EXPECT_EQ(with(R"("boundaries":7)").substr(0, 40), "boundaries is no list of at most 100 lin");
+    EXPECT_EQ(with(R"("boundaries":[[[0,0,1e-9],[0,200,0]]])").substr(0, 45),
+              "boundary 1 in space goes along the stem or ar");
+    EXPECT_EQ(with(R"("sizes":"round")").substr(0, 34), "sizes is no way to change around t");
 }
 
 TEST_F(ConstructCommand, SaysWhatItHadToGuess)

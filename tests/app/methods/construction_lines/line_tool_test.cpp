@@ -57,20 +57,26 @@ void draw_frond(Document& document)
 
 TEST(LineTool, SaysItsOptionsInLogs)
 {
-    EXPECT_EQ(line_of(LineTool {}), "construction_line ");
+    EXPECT_EQ(line_of(LineTool {}), "construction_line height");
+    EXPECT_EQ(line_of(LineTool { .depth_by = lines::DepthBy::StemsHeight }), "construction_line ")
+        << "as older logs mean it";
+    EXPECT_EQ(line_of(LineTool { .depth_by = lines::DepthBy::Pressure }),
+              "construction_line pressure");
     EXPECT_EQ(line_of(LineTool { .plant = LineTool::Plant::NewStem,
+                                 .depth_by = lines::DepthBy::StemsHeight,
                                  .nodes = 12,
                                  .pattern = Pattern::Kind::Whorled,
                                  .divergence_deg = 99.5,
                                  .organs = 5 }),
               "construction_line new_stem whorled nodes=12 divergence=99.5 organs=5");
     EXPECT_EQ(line_of(LineTool { .plant = LineTool::Plant::AnotherStem }),
-              "construction_line another_stem");
+              "construction_line another_stem height");
     EXPECT_EQ(line_of(Tool(LinePatternTool {}).done_at_once()), "line_pattern now");
     EXPECT_EQ(line_of(Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once()),
               "layer_nodes fewer now");
     EXPECT_EQ(line_of(LayerNodesTool { .nodes = 30 }), "layer_nodes count=30");
     EXPECT_EQ(line_of(LineRoleTool { Role::Left }), "line_role left");
+    EXPECT_EQ(line_of(LineRoleTool { Role::Around }), "line_role around");
     EXPECT_NE(parse_tool(all_methods().tools, "construction_line", "nodes=501")
                   .error()
                   .message.find("from 0 to 500"),
@@ -207,6 +213,73 @@ TEST_F(LineToolAndCommand, GiveTheSameText)
         EXPECT_EQ(text, read_file(path("out/" + name)).value()) << name;
 }
 
+// In front of the frond, and behind it: seen from the front both are on its stem.
+std::vector<Stroke> frond_in_space()
+{
+    auto strokes = frond();
+    strokes.push_back(
+        stroke_through({ { -40, -58, 50 }, { -41, 0, 95 }, { -38, 40, 85 }, { -36, 63, 55 } }));
+    strokes.push_back(
+        stroke_through({ { -39, -58, 50 }, { -41, 0, 20 }, { -38, 40, 25 }, { -36, 63, 48 } }));
+    return strokes;
+}
+
+void draw_frond_in_space(Document& document)
+{
+    for (auto const& stroke : frond_in_space())
+        document.draw({ stroke, spiral() });
+}
+
+TEST(LineTool, DrawsBoundariesWhileTheSurfaceMoves)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    draw_frond_in_space(document);
+    auto const drawn = document.take_drawn();
+    EXPECT_EQ(drawn[5].said.substr(0, 38), "This is a boundary in space, in front,");
+    auto const& after = document.newest()->scene;
+    auto const& sketch = *lines::active_pen_sketch(after.state);
+    EXPECT_EQ(sketch.lines[5].role, Role::Around);
+    EXPECT_EQ(sketch.lines[6].role, Role::Around);
+    EXPECT_EQ(kBoundaryLayer.lines(after).size(), 4U);
+    EXPECT_EQ(kStemLayer.lines(after).size(), 1U);
+    EXPECT_TRUE(kLinesToDrawLayer.lines(after).empty());
+    // As older logs had it the stem is drawn again.
+    Document older(Scene {}, Document::Working::AtOnce);
+    for (auto const& stroke : frond_in_space())
+        older.draw(
+            { stroke, parse_tool(all_methods().tools, "construction_line", "spiral").value() });
+    for (auto const& line : lines::active_pen_sketch(older.newest()->scene.state)->lines)
+        EXPECT_NE(line.role, Role::Around);
+}
+
+// The plant is the model that the command writes of the same strokes, in space.
+TEST_F(LineToolAndCommand, GiveTheSameTextOfBoundariesInSpace)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    draw_frond_in_space(document);
+    nlohmann::json file { { "pattern", "spiral" }, { "nodes_per_layer", { 6 } } };
+    for (auto const& stroke : frond_in_space()) {
+        nlohmann::json line;
+        for (auto const& tip : stroke.tips)
+            line.push_back({ tip.position_mm.x(), tip.position_mm.y(), tip.position_mm.z() - 50 });
+        file["strokes"].push_back(line);
+    }
+    ASSERT_TRUE(write_file(path("lines.json"), file.dump()));
+    auto const outcome
+        = run({ "construct", path("lines.json"), "--smooth", "--report", "-o", path("out") });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report["roles"][5], "around");
+    ASSERT_EQ(report["boundaries"].size(), 4U);
+    EXPECT_EQ(report["boundaries"][0]["azimuth"], 0);
+    auto const model
+        = lines::model_of(*lines::active_pen_sketch(document.newest()->scene.state)).value();
+    EXPECT_EQ(model.source.text, read_file(path("out/lines.l")).value());
+    ASSERT_EQ(model.functions.size(), 11U);
+    for (auto const& [name, text] : model.functions)
+        EXPECT_EQ(text, read_file(path("out/" + name)).value()) << name;
+}
+
 // A recording by the simulated hand, with a tremor, in which the pen is the tool.
 Log recorded_sketch()
 {
@@ -322,6 +395,23 @@ TEST_F(LineToolAndCommand, ASessionKeepsTheSketch)
     EXPECT_NE(log.out.find("begins a plant of construction lines, spiral"), std::string::npos)
         << log.out << log.err;
     EXPECT_NE(log.out.find("alternate, 180 degrees"), std::string::npos) << log.out;
+}
+
+TEST_F(LineToolAndCommand, ASessionKeepsBoundariesInSpace)
+{
+    auto const options = session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; });
+    auto const before
+        = drawn_in(Session::create(path("space.tractus"), { .plant = "small.l", .program = "1" },
+                                   std::vector<Edit> { small_model() }, options)
+                       .value(),
+                   draw_frond_in_space);
+    auto const again = Session::open(path("space.tractus"), options).value();
+    EXPECT_EQ(again.unknown().count, 0U);
+    auto const* const sketch = lines::active_pen_sketch(again.scene().state);
+    ASSERT_TRUE(sketch);
+    EXPECT_EQ(sketch->lines[5].role, Role::Around);
+    EXPECT_EQ(lines::model_of(*sketch)->functions,
+              lines::model_of(*lines::active_pen_sketch(before.state))->functions);
 }
 
 TEST_F(LineToolAndCommand, ASessionKeepsStemsAndWhatTheyStandOn)
@@ -487,6 +577,26 @@ TEST(LinePatternTool, GoesThroughThePatterns)
     Scene scene = small_scene();
     EXPECT_NE(draw({}, LinePatternTool {}, scene).refusal.find("has no construction lines"),
               std::string::npos);
+}
+
+TEST(LinePatternTool, LetsSizesFollowHalfEllipsesAndBack)
+{
+    Document document(Scene {}, Document::Working::AtOnce);
+    draw_frond(document);
+    auto const model = [&] {
+        return lines::model_of(*lines::active_pen_sketch(document.newest()->scene.state)).value();
+    };
+    auto const linear = model();
+    Tool const sizes(LinePatternTool { LinePatternTool::What::Sizes });
+    EXPECT_EQ(line_of(sizes.done_at_once()), "line_pattern sizes now");
+    document.draw({ {}, sizes.done_at_once() });
+    EXPECT_EQ(model().functions.size(), linear.functions.size() + 2);
+    EXPECT_EQ(document.take_drawn().back().said, "Sizes follow half-ellipses around the stem now");
+    document.draw({ {}, Tool(LinePatternTool {}).done_at_once() });
+    EXPECT_NE(model().source.text.find("azimuth[0]"), std::string::npos) << "in any pattern";
+    document.undo();
+    document.draw({ {}, sizes.done_at_once() });
+    EXPECT_EQ(model().source.text, linear.source.text);
 }
 
 // Drawn where it is proposed, the other boundary changes nothing.
