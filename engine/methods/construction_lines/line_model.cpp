@@ -14,17 +14,7 @@ namespace {
 
 std::string arrays(Construction const& construction)
 {
-    std::vector<double> places;
-    for (auto const& line : construction.inclinations)
-        places.push_back(line.x);
-    auto const& layers = construction.nodes_per_layer;
-    auto text = fmt::format("define: {{ {};\n"
-                            "          {};",
-                            array_text("at", places),
-                            array_text("nodes", { layers.begin(), layers.end() }));
-    if (!construction.around.empty())
-        text += fmt::format("\n          {};", array_text("azimuth", azimuths_of(construction)));
-    return text + " }\n";
+    return fmt::format("define: {{ {}; }}\n", fmt::join(arrays_of(construction), ";\n          "));
 }
 
 // Of the functions behind those of the sides.

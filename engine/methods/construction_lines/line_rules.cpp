@@ -8,31 +8,40 @@ namespace tractus::lines {
 
 namespace {
 
-// Rules are written once. What they say otherwise of a plant of several stems than of a single one
-// stands for words in <>.
+// Rules are written once. What they say otherwise of a plant of several stems, or of a stem whose
+// organs are models, than of a single one stands for words in <>.
 struct RuleWord {
     std::string_view word;
-    std::string_view several; // In a plant of several stems,
-    std::string_view one {};  // and of a single one.
+    std::string_view one;      // Of a single stem,
+    std::string_view several;  // of several ones,
+    std::string_view composed; // and of one whose organs are models.
 };
-constexpr std::array<RuleWord, 9> kRuleWords { {
-    { "<s>", "s, " },         // The stem's number, the first parameter of modules.
-    { "<t>", ", t" },         // The number of the next stem that it bears, the apex's last one.
-    { "<low>", "low[s] + " }, // Where its lines begin in at[] and nodes[].
-    { "<own>", "own[s] + " }, // Which functions are its heading and depth,
-    { "<organs>", "organs[s] + " },     // and which those of its organs.
-    { "<first>", "first[s] + " },       // Where the azimuths of its boundaries begin in azimuth[].
-    { "<sides>", "sides[s]", "SIDES" }, // How many there are.
-    { "<ofs>", " of stem s" },
-    { "<taper>", "taper[s]", "0.7" }, // How much of its diameter a stem loses up to its top.
+constexpr std::array<RuleWord, 14> kRuleWords { {
+    { "<s>", "", "s, ", "" },         // The stem's number, the first parameter of modules.
+    { "<t>", "", ", t", "" },         // The number of the next stem that it bears.
+    { "<low>", "", "low[s] + ", "" }, // Where its lines begin in at[] and nodes[].
+    { "<own>", "", "own[s] + ", "<offset> + " },       // Which functions are its heading and depth,
+    { "<organs>", "", "organs[s] + ", "<offset> + " }, // and which those of its organs.
+    { "<first>", "", "first[s] + ", "" },              // Where its boundaries begin in azimuth[].
+    { "<sides>", "SIDES", "sides[s]", "SIDES" },       // How many there are.
+    { "<ofs>", "", " of stem s", "" },
+    { "<taper>", "0.7", "taper[s]", "0.7" }, // How much of its diameter a stem loses up to its top.
+    { "<layer>", "", "", ", k" },            // The layer of organs at a node,
+    { "<toplayer>", "", "", ", LAYERS - 1" },
+    { "<z>", "", "", ", z" }, // and as a parameter of theirs.
+    { "<leaf>", "~l(LEN * ", "~l(LEN * ", "Q(z, " },
+    { "<leaf h>", "~l(h)", "~l(h)", "Q(z, h / LEN)" },
 } };
 
 std::string filled_in(std::string_view text, Stems stems)
 {
     std::string result(text);
-    for (auto const& [word, several, one] : kRuleWords)
+    for (auto const& [word, one, several, composed] : kRuleWords)
         for (auto at = result.find(word); at != std::string::npos; at = result.find(word, at))
-            result.replace(at, word.size(), stems == Stems::Several ? several : one);
+            result.replace(at, word.size(),
+                           stems == Stems::One           ? one
+                               : stems == Stems::Several ? several
+                                                         : composed);
     return result;
 }
 
@@ -66,11 +75,11 @@ constexpr std::string_view kApexNodes = R"(A(<s>x, k, j, i<t>) : k < LAYERS
         n = j + 1;
         if (n >= nodes[<low>k]) { m = k + 1; n = 0; }
     }
-    --> S(<s>x, y)B(<s>y, i)A(<s>y, m, n, i + 1<t>)
+    --> S(<s>x, y)B(<s>y, i<layer>)A(<s>y, m, n, i + 1<t>)
 )";
 
 constexpr std::string_view kTop
-    = "A(x, k, j, i) : * --> S(x, at[LAYERS])B(at[LAYERS], i)S(at[LAYERS], 1)\n";
+    = "A(x, k, j, i) : * --> S(x, at[LAYERS])B(at[LAYERS], i<toplayer>)S(at[LAYERS], 1)\n";
 
 // What stands between the topmost line and the top comes after it.
 constexpr std::string_view kTopOfSeveral = R"(A(s, x, k, j, i, t) : k == LAYERS
@@ -93,51 +102,54 @@ S(<s>x, y) : * --> *
 )";
 
 constexpr std::string_view kDistichous = R"(/* An organ on the left and one on the right. */
-B(<s>x, i) --> [+(func(<organs>3, x))/(ROLL)~l(LEN * func(<organs>5, x))][-(func(<organs>4, x))/(0 - ROLL)~l(LEN * func(<organs>6, x))]
+B(<s>x, i<z>) --> [+(func(<organs>3, x))/(ROLL)<leaf>func(<organs>5, x))][-(func(<organs>4, x))/(0 - ROLL)<leaf>func(<organs>6, x))]
 )";
 
 constexpr std::string_view kDecussate
     = R"(/* Pairs of organs: left and right, then behind and in front. */
-B(<s>x, i) : floor(i / 2) * 2 == i
-    --> [+(func(<organs>3, x))/(ROLL)~l(LEN * func(<organs>5, x))][/(180)+(func(<organs>4, x))/(ROLL)~l(LEN * func(<organs>6, x))]
-B(<s>x, i) : *
+B(<s>x, i<z>) : floor(i / 2) * 2 == i
+    --> [+(func(<organs>3, x))/(ROLL)<leaf>func(<organs>5, x))][/(180)+(func(<organs>4, x))/(ROLL)<leaf>func(<organs>6, x))]
+B(<s>x, i<z>) : *
     { a = (func(<organs>3, x) + func(<organs>4, x)) / 2; h = LEN * (func(<organs>5, x) + func(<organs>6, x)) / 2; }
-    --> [/(90)+(a)/(ROLL)~l(h)][/(270)+(a)/(ROLL)~l(h)]
+    --> [/(90)+(a)/(ROLL)<leaf h>][/(270)+(a)/(ROLL)<leaf h>]
 )";
 
 // The remainder is written out: cpfg's % takes integers.
 constexpr std::string_view kSpiral
     = R"(/* An organ t degrees around the stem from its left: a of the left's, b of the right's. */
-B(<s>x, i) : *
+B(<s>x, i<z>) : *
     { t = i * DIVERGENCE - 360 * floor(i * DIVERGENCE / 360); b = 1 - fabs(t / 180 - 1); a = 1 - b; }
-    --> [/(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)~l(LEN * (a * func(<organs>5, x) + b * func(<organs>6, x)))]
+    --> [/(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)<leaf>(a * func(<organs>5, x) + b * func(<organs>6, x)))]
 )";
 
 constexpr std::string_view kWhorled
     = R"(/* Organ j of a whorl, t degrees around the stem from its left: a of the left's, b of the
    right's. Every other whorl is turned by half the way from organ to organ. */
-W(<s>x, i, j) : *
+W(<s>x, i, j<z>) : *
     { t = (360 * j + 180 * (i - 2 * floor(i / 2))) / WHORL; b = 1 - fabs(t / 180 - 1); a = 1 - b; }
-    --> /(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)~l(LEN * (a * func(<organs>5, x) + b * func(<organs>6, x)))
+    --> /(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)<leaf>(a * func(<organs>5, x) + b * func(<organs>6, x)))
 )";
+
+// Of layers whose organs are no models.
+constexpr char const* kLeaves = "Q(z, h) : organ[z] == 0 --> ~l(LEN * h)\n";
 
 // Each organ where sizes follow half-ellipses.
 constexpr std::string_view kDecussateAround
     = R"(/* Pairs of organs: left and right, then behind and in front. */
-B(<s>x, i) : floor(i / 2) * 2 == i
-    --> [+(func(<organs>3, x))/(ROLL)~l(LEN * func(<organs>5, x))][/(180)+(func(<organs>4, x))/(ROLL)~l(LEN * func(<organs>6, x))]
-B(<s>x, i) : * --> [O(<s>x, 90)][O(<s>x, 270)]
+B(<s>x, i<z>) : floor(i / 2) * 2 == i
+    --> [+(func(<organs>3, x))/(ROLL)<leaf>func(<organs>5, x))][/(180)+(func(<organs>4, x))/(ROLL)<leaf>func(<organs>6, x))]
+B(<s>x, i<z>) : * --> [O(<s>x, 90<z>)][O(<s>x, 270<z>)]
 )";
 
 constexpr std::string_view kSpiralAround = R"(/* An organ i times the divergence around the stem. */
-B(<s>x, i) : * --> [O(<s>x, i * DIVERGENCE - 360 * floor(i * DIVERGENCE / 360))]
+B(<s>x, i<z>) : * --> [O(<s>x, i * DIVERGENCE - 360 * floor(i * DIVERGENCE / 360)<z>)]
 )";
 
 constexpr std::string_view kWhorledAround
     = R"(/* Organ j of a whorl. Every other whorl is turned by half the way from organ to organ. */
-W(<s>x, i, j) : *
+W(<s>x, i, j<z>) : *
     { t = (360 * j + 180 * (i - 2 * floor(i / 2))) / WHORL; }
-    --> O(<s>x, t)
+    --> O(<s>x, t<z>)
 )";
 
 // As size_between() has it (around_stem.h).
@@ -147,7 +159,7 @@ constexpr std::string_view kAround
    behind k. Up to a right angle it is on a quarter of an ellipse between them, from half a turn on on two quarters
    with the mean as a half-axis in the middle, and else between both. Where a third boundary, p before them or n behind
    them, stands within half a turn it is drawn to the ellipse through the three. q and e are 1 / size ^ 2. */
-O(<s>x, t) : *
+O(<s>x, t<z>) : *
     {
         b = 1 - fabs(t / 180 - 1);
         a = 1 - b;
@@ -206,18 +218,18 @@ O(<s>x, t) : *
         h = 1 / sqrt(cos(180 * u) ^ 2 / g ^ 2 + sin(180 * u) ^ 2 / v ^ 2);
         h = 1 / sqrt(e) + c * (h - 1 / sqrt(e));
     }
-    --> /(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)~l(LEN * h)
+    --> /(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)<leaf>h)
 )";
 
 constexpr std::string_view kBare = R"(/* Nothing stands on the stem. */
-B(<s>x, i) : * --> *
+B(<s>x, i<z>) : * --> *
 )";
 
 std::string whorl_rules(Pattern const& pattern, std::string_view of_each)
 {
-    std::string text = "B(<s>x, i) -->";
+    std::string text = "B(<s>x, i<z>) -->";
     for (int j = 0; j < pattern.whorl; ++j)
-        text += fmt::format(" [W(<s>x, i, {})]", j);
+        text += fmt::format(" [W(<s>x, i, {}<z>)]", j);
     return text + "\n" + std::string(of_each);
 }
 
@@ -250,10 +262,13 @@ std::string stem_rules(Pattern const& pattern, Stems stems, Pattern::Sizes sizes
         text += kBearing;
     text += kApexNodes;
     text += several ? kTopOfSeveral : kTop;
-    text += kStemPieces;
-    text += organ_rules(pattern, sizes);
+    auto organs = organ_rules(pattern, sizes);
     if (sizes == Pattern::Sizes::HalfEllipses && stands_all_around(pattern))
-        text += kAround;
+        organs += kAround;
+    if (stems == Stems::Composed)
+        text.append(organs).append("<calls>").append(kStemPieces).append(kLeaves);
+    else
+        text.append(kStemPieces).append(organs);
     return filled_in(text, stems);
 }
 

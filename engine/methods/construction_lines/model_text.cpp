@@ -98,11 +98,32 @@ std::size_t count_steps(Construction const& construction)
         + static_cast<std::size_t>(std::count(layers.begin(), layers.end(), 0));
 }
 
-static std::string view_text(std::vector<std::pair<std::string, std::string>> const& functions,
-                             Pattern const& pattern)
+std::vector<std::string> arrays_of(Construction const& construction)
+{
+    std::vector<double> places;
+    for (auto const& line : construction.inclinations)
+        places.push_back(line.x);
+    auto const& layers = construction.nodes_per_layer;
+    std::vector<std::string> arrays { array_text("at", places),
+                                      array_text("nodes", { layers.begin(), layers.end() }) };
+    if (!construction.around.empty())
+        arrays.push_back(array_text("azimuth", azimuths_of(construction)));
+    return arrays;
+}
+
+std::string leaf_text(char letter, Pattern const& pattern)
 {
     constexpr double kBroad = 0.4;
     constexpr double kSlender = 0.25; // Leaflets of a frond, side by side.
+    return fmt::format(
+        "organ: {} leaf kind=blade material=2 length=1 width={} petiole=0 widest=0.4 "
+        "tip=0.8 base=0.5 fold=8 curl=0\n",
+        letter, pattern.kind == Pattern::Kind::Distichous ? kSlender : kBroad);
+}
+
+static std::string view_text(std::vector<std::pair<std::string, std::string>> const& functions,
+                             Pattern const& pattern)
+{
     std::string text = "angle increment: 45\n"
                        "initial line width: 1\n"
                        "initial color: 1\n";
@@ -110,10 +131,7 @@ static std::string view_text(std::vector<std::pair<std::string, std::string>> co
         text += fmt::format("function: {} {}\n", function.first, kFunctionSamples);
     text += "material: 1 stem kind=stem color=0.36,0.46,0.20 roughness=0.7\n"
             "material: 2 leaf kind=leaf color=0.26,0.46,0.16 roughness=0.5 translucency=0.45\n";
-    return text
-        + fmt::format("organ: l leaf kind=blade material=2 length=1 width={} petiole=0 widest=0.4 "
-                      "tip=0.8 base=0.5 fold=8 curl=0\n",
-                      pattern.kind == Pattern::Kind::Distichous ? kSlender : kBroad);
+    return text + leaf_text('l', pattern);
 }
 
 LineModel model_with(std::string text,

@@ -44,6 +44,12 @@ std::vector<double> azimuths_of(Construction const& construction);
 // layer that has none.
 std::size_t count_steps(Construction const& construction);
 
+// A stem's lines, of at[], nodes[] and azimuth[], as the definitions of an L-system.
+std::vector<std::string> arrays_of(Construction const& construction);
+
+// An organ's shape in a view, a leaf, by its letter.
+std::string leaf_text(char letter, Pattern const& pattern);
+
 // The model of a text, with its functions by the names of their files, in the order of their
 // numbers, and their texts.
 LineModel model_with(std::string text,

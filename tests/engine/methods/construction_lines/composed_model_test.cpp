@@ -1,0 +1,177 @@
+#include "engine/methods/construction_lines/composed_model.h"
+
+#include "tests/engine/methods/construction_lines/sketches.h"
+
+namespace tractus::lines {
+namespace {
+
+using Kind = Pattern::Kind;
+
+LineModel composed(ComposedSketch const& sketch)
+{
+    auto const model = write_composed_model(sketch, "plant");
+    EXPECT_TRUE(model) << model.error().message;
+    return model.value();
+}
+
+std::string refusal_of(ComposedSketch const& sketch)
+{
+    auto const model = write_composed_model(sketch, "plant");
+    return model ? "it is written" : model.error().message;
+}
+
+// On the sheet, from the foot of the first stem.
+Vec3 on_sheet(Vec3 const& place_mm)
+{
+    return Vec3(place_mm.x(), place_mm.z(), -place_mm.y()) / 10;
+}
+
+std::vector<Vec3> tops_of(Plant const& plant)
+{
+    std::vector<Vec3> tops;
+    for (auto const& axis : plant.axes)
+        tops.push_back(on_sheet(plant.positions(axis).back()));
+    return tops;
+}
+
+ComposedSketch leaf()
+{
+    return { .construction = measured(bent_sketch()) };
+}
+
+// The paper's double-compound leaf: as many leaves of leaflets as the one sketch has leaves, whose
+// tops are on its boundaries.
+TEST(ComposedModel, OrgansReachTheBoundariesOfWhatBearsThem)
+{
+    for (auto const& sketch : { hand_sketch(), bent_sketch() }) {
+        auto const plant = grown(composed(
+            { .construction = measured(sketch), .organs = { leaf() }, .organ_of_layer = { 1 } }));
+        auto const count = 2 * measured(sketch).nodes.size();
+        ASSERT_EQ(plant.axes.size(), 1 + count);
+        EXPECT_EQ(plant.organs.size(), count * 14);
+        auto const tops = tops_of(plant);
+        auto const length_mm = measured(sketch).stem.length_mm();
+        for (std::size_t i = 1; i < tops.size(); ++i) {
+            // The organ's own stem bends: how far its top is from its foot, not its length.
+            auto const foot = on_sheet(plant.positions(plant.axes[i]).front());
+            EXPECT_LT(std::fabs(foot.z()), 1e-3) << "in the plane of a frond";
+            EXPECT_GT((tops[i] - foot).norm(), 0.1 * length_mm);
+        }
+    }
+}
+
+// With a straight stem an organ ends where the leaf in its place ends.
+TEST(ComposedModel, AnOrgansTopIsWhereTheLeafsTipWouldBe)
+{
+    for (auto const kind : { Kind::Distichous, Kind::Decussate, Kind::Spiral, Kind::Whorled })
+        for (auto const& sketch : { hand_sketch(), bent_sketch() }) {
+            Pattern const pattern { .kind = kind, .whorl = 3 };
+            auto const tips = tips_of(sketch, pattern);
+            ComposedSketch const organ { .construction = measured(hand_sketch()) };
+            auto const plant = grown(composed({ .construction = measured(sketch),
+                                                .pattern = pattern,
+                                                .organs = { organ },
+                                                .organ_of_layer = { 1 } }));
+            auto const tops = tops_of(plant);
+            ASSERT_EQ(tops.size(), 1 + tips.size());
+            for (auto const& tip : tips) {
+                double least_mm = 1e9;
+                for (auto const& top : tops)
+                    least_mm = std::min(least_mm, (top - tip).norm());
+                EXPECT_LT(least_mm, 0.05) << name_of(kind);
+            }
+        }
+}
+
+// What stands on an organ is what its own sketch has, made smaller and turned.
+TEST(ComposedModel, AnOrganIsThePlantOfItsSketch)
+{
+    Pattern const spiral { .kind = Kind::Spiral };
+    auto const own = measured(hand_sketch());
+    auto const alone = tips_of(hand_sketch(), spiral);
+    auto const plant = grown(composed({ .construction = measured(hand_sketch()),
+                                        .organs = { { .construction = own, .pattern = spiral } },
+                                        .organ_of_layer = { 1 } }));
+    ASSERT_EQ(plant.organs.size(), 10U * alone.size());
+    auto const tips = organ_tips(own, plant);
+    auto const leaves = alone.size();
+    for (std::size_t organ = 0; organ < 10; ++organ) {
+        double const scale = (tips[organ * leaves + 1] - tips[organ * leaves]).norm()
+            / (alone[1] - alone[0]).norm();
+        for (std::size_t i = 1; i < leaves; ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_NEAR((tips[organ * leaves + i] - tips[organ * leaves + k]).norm(),
+                            scale * (alone[i] - alone[k]).norm(), 0.02);
+    }
+}
+
+// Leaves below and flowers above, one sketch.
+TEST(ComposedModel, LayersMayBearDifferentOrgans)
+{
+    auto sketch = hand_sketch();
+    sketch.inclinations.push_back({ Vec2(-60, 100), Vec2(40, 100) });
+    sketch.nodes_per_layer = { 3, 2 };
+    ComposedSketch plant { .construction = measured(sketch),
+                           .organs = { leaf(), { .construction = measured(hand_sketch()) } },
+                           .organ_of_layer = { 0, 2 } };
+    auto const above = grown(composed(plant));
+    EXPECT_EQ(above.axes.size(), 1 + 2U * 3) << "two nodes, and one on the topmost line";
+    EXPECT_EQ(above.organs.size(), 2U * 3 + 2 * 3 * 10);
+    plant.organ_of_layer = { 1, 0 };
+    EXPECT_EQ(grown(composed(plant)).organs.size(), 2U * 3 * 14 + 2 * 3);
+    plant.organ_of_layer = {};
+    EXPECT_EQ(grown(composed(plant)).organs.size(), 2U * 6) << "leaves everywhere";
+}
+
+TEST(ComposedModel, OrgansMayHaveOrgansOfTheirOwn)
+{
+    ComposedSketch const inner { .construction = measured(hand_sketch()) };
+    ComposedSketch const middle { .construction = measured(hand_sketch()),
+                                  .pattern = { .kind = Kind::Decussate },
+                                  .organs = { inner },
+                                  .organ_of_layer = { 1 } };
+    auto const plant = grown(
+        composed({ .construction = measured(hand_sketch()),
+                   .pattern = { .kind = Kind::Spiral, .sizes = Pattern::Sizes::HalfEllipses },
+                   .organs = { middle },
+                   .organ_of_layer = { 1 } }));
+    EXPECT_EQ(plant.axes.size(), 1U + 5 + 5 * 10);
+    EXPECT_EQ(plant.organs.size(), 5U * 10 * 10);
+}
+
+// The derivation ends when the last leaf is there.
+TEST(ComposedModel, GrowsUntilAllIsThere)
+{
+    auto const text = compiled(composed({ .construction = measured(hand_sketch()),
+                                          .organs = { leaf() },
+                                          .organ_of_layer = { 1 } }));
+    auto const after = [&](int steps) {
+        DeriveOptions options;
+        options.steps = steps;
+        return *interpret(text, *derive(text, options));
+    };
+    auto const whole = after(text.steps);
+    EXPECT_EQ(after(text.steps + 3).organs.size(), whole.organs.size());
+    EXPECT_LT(after(text.steps / 2).organs.size(), whole.organs.size());
+}
+
+TEST(ComposedModel, RefusesWhatIsTooMuch)
+{
+    auto large = hand_sketch();
+    large.nodes_per_layer = { 400 };
+    ComposedSketch const organ { .construction = measured(large) };
+    EXPECT_EQ(
+        refusal_of(
+            { .construction = measured(large), .organs = { organ }, .organ_of_layer = { 1 } }),
+        "the plant would have 643204 leaves, more than 100000: give its layers fewer nodes");
+    EXPECT_EQ(refusal_of({ .construction = measured(hand_sketch()),
+                           .organs = { leaf() },
+                           .organ_of_layer = { 2 } }),
+              "layer 1 is to bear organ 2, but there are 1");
+    ComposedSketch many { .construction = measured(hand_sketch()),
+                          .organs = std::vector<ComposedSketch>(12, leaf()) };
+    EXPECT_EQ(refusal_of(many), "the plant is composed of more than 12 sketches: leave some out");
+}
+
+} // namespace
+} // namespace tractus::lines
