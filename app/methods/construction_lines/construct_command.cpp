@@ -96,12 +96,37 @@ Result<std::string> write_folder(ConstructArguments const& arguments, LoadModel 
                        arguments.session ? ", .tractus" : "");
 }
 
-Result<void> make_plant(ConstructArguments const& arguments, lines::Pattern const& pattern,
+lines::Smoothing smoothing_of(ConstructArguments const& arguments)
+{
+    return arguments.smooth ? lines::Smoothing::Hand : lines::Smoothing::None;
+}
+
+// The model; of a sketch some of whose organs are sketches with those.
+Result<lines::LineModel> write_model(ConstructArguments const& arguments,
+                                     lines::LineSketchFile const& file, Stems const& stems)
+{
+    auto const name = model_name(arguments.sketch);
+    bool const is_composed = std::any_of(file.organs.begin(), file.organs.end(),
+                                         [](std::string const& organ) { return !organ.empty(); });
+    if (!is_composed)
+        return lines::write_model(stems, file.pattern, name);
+    std::vector<std::string> notes;
+    auto const sketch
+        = TRY(lines::load_composed(arguments.sketch, file, stems, smoothing_of(arguments), notes));
+    for (auto const& note : notes)
+        print_warning(note);
+    auto model = lines::write_composed_model(sketch, name);
+    if (!model)
+        return about(arguments.sketch, model.error());
+    return model;
+}
+
+Result<void> make_plant(ConstructArguments const& arguments, lines::LineSketchFile const& file,
                         lines::LineDrawing const& drawing, Stems const& stems)
 {
     bool const to_file = is_plant_file(arguments.output);
     auto const name = model_name(arguments.sketch);
-    auto const model = lines::write_model(stems, pattern, name);
+    auto const model = TRY(write_model(arguments, file, stems));
     LoadModel const load { .source = model.source, .includes = model.functions };
     auto const scene = TRY(apply_edit({}, load, make_load_options()));
     auto written = arguments.output.string();
@@ -130,14 +155,13 @@ Result<void> construct_plant(ConstructArguments const& arguments)
     for (auto const& key : file.unknown_keys)
         print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so",
                                   arguments.sketch.string(), key.substr(0, 40)));
-    auto const drawing = lines::prepare_drawing(
-        file, arguments.smooth ? lines::Smoothing::Hand : lines::Smoothing::None);
+    auto const drawing = lines::prepare_drawing(file, smoothing_of(arguments));
     if (!drawing)
         return about(arguments.sketch, drawing.error());
     auto const stems = measure(arguments, *drawing);
     if (!stems)
         return about(arguments.sketch, stems.error());
-    return make_plant(arguments, file.pattern, *drawing, *stems);
+    return make_plant(arguments, file, *drawing, *stems);
 }
 
 void add_options(CLI::App& verb, ConstructArguments& arguments)
@@ -196,16 +220,16 @@ void add_construct_command(CLI::App& root, Action& action, Methods const& method
         "points\n"
         "[u,v] or [u,v,w], to the right, up and towards the viewer, base first; \"left\" and "
         "\"right\":\n"
-        "the boundaries; \"boundaries\": more of them in space, [u,v,w]; \"inclinations\": at "
-        "least two lines; \"nodes_per_layer\": how many "
-        "nodes\n"
-        "stand between one line and the next, a number for each layer; \"stems\": more stems of "
-        "the "
-        "plant,\n"
-        "objects of \"stem\" and, if what grows on the first one does not grow on it, too, lines "
-        "of "
-        "its own.\n"
-        "A stem that begins on another one stands there, on its top as a fork.");
+        "the boundaries; \"boundaries\": more of them in space, [u,v,w]; \"sizes\": linear or\n"
+        "half-ellipses from left to right around the stem; \"inclinations\": at least two lines;\n"
+        "\"nodes_per_layer\": how many nodes stand between one line and the next, a number for "
+        "each\n"
+        "layer; \"organs\": for each layer from below null, or the file of a sketch whose plants "
+        "stand\n"
+        "there; \"stems\": more stems of the plant, objects of \"stem\" and, if what grows on the "
+        "first\n"
+        "one does not grow on it, too, lines of its own. A stem that begins on another one stands\n"
+        "there, on its top as a fork.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return construct_plant(*arguments); }; });
 }

@@ -101,7 +101,84 @@ Result<LineDrawing> recognise_strokes(LineSketchFile const& file, Smoothing smoo
     return drawing;
 }
 
+namespace fs = std::filesystem;
+
+// Reads sketches that are organs of others.
+class Composer {
+public:
+    Composer(Smoothing smoothing, std::vector<std::string>& notes)
+        : smoothing_(smoothing)
+        , notes_(notes)
+    {
+    }
+
+    Result<ComposedSketch> compose(fs::path const& path, LineSketchFile const& file,
+                                   std::vector<MeasuredStem> const& stems);
+
+private:
+    Result<ComposedSketch> load_organ(fs::path const& path);
+
+    Smoothing smoothing_;
+    std::vector<std::string>& notes_;
+    std::vector<fs::path> chain_ {}; // From the first sketch to the one that is read.
+};
+
+Result<ComposedSketch> Composer::load_organ(fs::path const& path)
+{
+    constexpr std::size_t kDeepest = 5;
+    auto const about = [&](Error const& error) {
+        return fail(error.fault, fmt::format("{}: {}", path.string(), error.message));
+    };
+    if (std::find(chain_.begin(), chain_.end(), path) != chain_.end() || chain_.size() >= kDeepest)
+        return about({ Fault::User,
+                       "it is an organ of itself, or of an organ of an organ and so on: "
+                       "leave it out" });
+    auto const file = TRY(load_line_sketch(path));
+    auto const drawing = prepare_drawing(file, smoothing_);
+    if (!drawing)
+        return about(drawing.error());
+    auto const stems = measure_stems(drawing->stems);
+    if (!stems)
+        return about(stems.error());
+    for (auto const& found : { drawing->notes, notes_of(*stems) })
+        for (auto const& note : found)
+            notes_.push_back(fmt::format("{}: {}", path.string(), note));
+    return compose(path, file, *stems);
+}
+
+Result<ComposedSketch> Composer::compose(fs::path const& path, LineSketchFile const& file,
+                                         std::vector<MeasuredStem> const& stems)
+{
+    if (stems.size() > 1)
+        return fail(Fault::User,
+                    fmt::format("{}: a sketch with organs that are sketches, or that is one, has "
+                                "one stem: leave the others out",
+                                path.string()));
+    chain_.push_back(path);
+    ComposedSketch sketch { .construction = stems.front().construction, .pattern = file.pattern };
+    std::vector<std::string> names; // Of the organs that are there.
+    for (auto const& name : file.organs) {
+        auto known = std::find(names.begin(), names.end(), name);
+        if (known == names.end() && !name.empty()) {
+            auto const organ = (path.parent_path() / name).lexically_normal();
+            sketch.organs.push_back(TRY(load_organ(organ)));
+            known = names.insert(names.end(), name);
+        }
+        sketch.organ_of_layer.push_back(
+            name.empty() ? 0 : static_cast<std::size_t>(known - names.begin()) + 1);
+    }
+    chain_.pop_back();
+    return sketch;
+}
+
 } // namespace
+
+Result<ComposedSketch> load_composed(fs::path const& path, LineSketchFile const& file,
+                                     std::vector<MeasuredStem> const& stems, Smoothing smoothing,
+                                     std::vector<std::string>& notes)
+{
+    return Composer(smoothing, notes).compose(path.lexically_normal(), file, stems);
+}
 
 Result<LineDrawing> prepare_drawing(LineSketchFile const& file, Smoothing smoothing)
 {

@@ -2,9 +2,11 @@
 
 #include "app/methods/construction_lines/line_sketch_file.h"
 #include "engine/base/result.h"
+#include "engine/methods/construction_lines/composed_model.h"
 #include "engine/methods/construction_lines/several_stems.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -23,5 +25,15 @@ struct LineDrawing {
 
 // Fails, as the user's fault, for a stroke that is only a dot.
 Result<LineDrawing> prepare_drawing(LineSketchFile const& file, Smoothing smoothing);
+
+// The sketch of a file with those that its organs are, whose files are read, too. `stems` are the
+// ones measured in it. What had to be guessed in the others is added to `notes`.
+//
+// Fails, as the user's fault, like load_line_sketch() and measure_stems(), and says of which file;
+// and for a sketch of several stems that has such organs, or is one, and where a sketch is an organ
+// of itself.
+Result<ComposedSketch> load_composed(std::filesystem::path const& path, LineSketchFile const& file,
+                                     std::vector<MeasuredStem> const& stems, Smoothing smoothing,
+                                     std::vector<std::string>& notes);
 
 } // namespace tractus::lines

@@ -21,7 +21,7 @@ using nlohmann::json;
 
 constexpr std::array kStemKeys { "stem",       "left",         "right",
                                  "boundaries", "inclinations", "nodes_per_layer" };
-constexpr std::array kOtherKeys { "pattern", "divergence", "sizes", "strokes", "stems" };
+constexpr std::array kOtherKeys { "pattern", "divergence", "sizes", "organs", "strokes", "stems" };
 constexpr std::size_t kMostStrokes = 100; // And stems.
 
 // Not there, or said to be so.
@@ -311,6 +311,22 @@ std::vector<std::string> unknown_keys(json const& file)
     return result;
 }
 
+Result<std::vector<std::string>> read_organs(json const& file)
+{
+    std::vector<std::string> organs;
+    if (!has(file, "organs"))
+        return organs;
+    auto const list = file["organs"].is_array() ? file["organs"] : json::array({ file["organs"] });
+    for (auto const& organ : list) {
+        if (!organ.is_null() && !organ.is_string())
+            return fail(Fault::User,
+                        "organs are no sketches: write [\"leaf.json\", null], for each layer from "
+                        "below the file of a sketch, or null for leaves");
+        organs.push_back(organ.is_null() ? "" : organ.get<std::string>());
+    }
+    return organs;
+}
+
 Result<LineSketchFile> read_sketch(json const& file)
 {
     if (!file.is_object())
@@ -326,6 +342,7 @@ Result<LineSketchFile> read_sketch(json const& file)
     TRY(read_strokes(file, result));
     TRY(std::move(nodes));
     TRY(read_stems(file, result));
+    result.organs = TRY(read_organs(file));
     return result;
 }
 

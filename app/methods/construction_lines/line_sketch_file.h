@@ -25,6 +25,9 @@ struct LineSketchFile {
     // that one have.
     std::map<std::size_t, std::vector<int>> stem_strokes {};
     Pattern pattern;
+    // What the organs of each layer are, from below: the name of another sketch's file, or empty:
+    // leaves. The last one counts for all layers above, too.
+    std::vector<std::string> organs {};
     std::vector<std::string> unknown_keys; // What else the file says.
 };
 
@@ -46,6 +49,10 @@ struct LineSketchFile {
 //   stems            [{…}, …]: more stems of the plant, each an object of stem, left, right,
 //                    boundaries, inclinations and nodes_per_layer, of which only the stem has to be
 //                    there
+//
+//   organs           ["leaf.json", null, …] or "leaf.json": what the organs of each layer are, from
+//                    below: plants of another sketch, the file's name from where this one is, or
+//                    leaves; what is said last counts for all layers above, too
 //
 // What is given besides a file counts in place of what the file says.
 //

@@ -175,6 +175,46 @@ TEST_F(ConstructCommand, SizesMayFollowHalfEllipses)
     expect(reaches({ "--sizes", "linear" }), { 0.25, 0.225, 0.2, 0.175, 0.15 });
 }
 
+// Organs that are sketches: the exported text is the plant, as of one alone.
+TEST_F(ConstructCommand, OrgansMayBeSketches)
+{
+    auto const inner = in_cylinder("spiral", kFourLines);
+    std::ofstream(folder_ / "inner.json") << inner;
+    for (std::string const pattern : { "distichous", "decussate", "spiral", "whorled(3)" }) {
+        auto outer = in_cylinder(pattern, kFourLines);
+        outer.insert(1, R"("organs":"inner.json",)");
+        outer.replace(outer.find("[12]"), 4, "[3]");
+        std::ofstream(folder_ / "outer.json") << outer;
+        ASSERT_EQ(
+            run({ "construct", path("outer.json"), "-o", path(pattern), "--report" }).exit_code, 0);
+        ASSERT_EQ(run({ "construct", path("outer.json"), "-o", path("once.glb") }).exit_code, 0);
+        auto const text = path(pattern + "/outer.l");
+        EXPECT_EQ(run({ "lsystem", "check", text }).err, "");
+        ASSERT_EQ(run({ "grow", text, "-o", path("again.glb") }).exit_code, 0);
+        EXPECT_TRUE(file_bytes(path("once.glb")) == file_bytes(path("again.glb"))) << pattern;
+    }
+    auto const report = run({ "construct", path("outer.json"), "-o", path("out"), "--report" });
+    EXPECT_EQ(nlohmann::json::parse(report.out)["leaf_tips"].size(), 4U * 3 * 13);
+}
+
+TEST_F(ConstructCommand, SaysWhichOrganIsWrong)
+{
+    auto const with = [&](std::string const& organs) {
+        auto text = in_cylinder("spiral", kFourLines);
+        return refusal(text.insert(1, "\"organs\":" + organs + ","));
+    };
+    EXPECT_NE(with(R"(["none.json"])").find("none.json"), std::string::npos);
+    EXPECT_EQ(with("[7]").substr(0, 24), "organs are no sketches: ");
+    EXPECT_EQ(with(R"("wrong.json")").substr(0, 23), "it is an organ of itsel");
+    std::ofstream(folder_ / "half.json") << R"({"pattern":"spiral","nodes_per_layer":[3]})";
+    EXPECT_NE(with(R"([null,"half.json"])").find("half.json: the stem is missing"),
+              std::string::npos);
+    std::ofstream(folder_ / "clump.json")
+        << R"({"pattern":"spiral","nodes_per_layer":[3],"stem":[[0,0],[0,90]],"left":[[-9,0],[-9,90]],
+               "stems":[{"stem":[[40,0],[40,90]]}]})";
+    EXPECT_NE(with(R"("clump.json")").find("has one stem"), std::string::npos);
+}
+
 // A frond, a smaller one beside it, a lateral axis on that, and a fork of the first.
 constexpr char const* kStems = R"({"pattern":"PATTERN","nodes_per_layer":[5],
     "stem":[[0,0],[4,100],[0,200]],"left":[[-60,0],[-40,120],[-5,220]],
