@@ -96,11 +96,14 @@ constexpr ToolKind LineTool::kKind {
     .label = "Line",
     .title = "Draw a plant's construction lines",
     .done = "The plant follows the line",
-    .help = "adds a line to a sketch of stem, boundaries and inclination lines, which a plant "
-            "follows: the stem begins the plant, on the tablet as on paper that stands upright, "
-            "and another_stem stands beside it, or on it where it begins there; a "
-            "layer between two inclination lines has so many nodes, and a plant that begins has "
-            "this pattern, with a divergence in degrees of spirals and so many organs of whorls",
+    .help
+    = "adds a line to a sketch of stem, boundaries and inclination lines, which a plant "
+      "follows: the stem begins the plant, on the tablet as on paper that stands upright, "
+      "and another_stem stands beside it, or on it where it begins there; a "
+      "layer between two inclination lines has so many nodes, and a plant that begins has "
+      "this pattern, with a divergence in degrees of spirals and so many organs of whorls; by "
+      "the surface's height the stem has a depth and a boundary is in space, else the stem "
+      "alone has one, or has it by the pen's pressure",
     .group = "Sketch",
     .method = "From lines",
     .icon = "5951 292351 898351 245684",
