@@ -2,6 +2,7 @@
 
 #include "app/document/document.h"
 #include "app/methods/all_methods.h"
+#include "app/methods/construction_lines/line_tool.h"
 #include "app/methods/silhouettes/arrange_tool.h"
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_layer.h"
@@ -62,9 +63,12 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     auto const line = line_from_branch(*silhouette::outlined_tree(*tree.drawn));
     EXPECT_EQ(meant(line, tree, *of_branches.get<OutlineTool>()).search,
               silhouette::Search::OnTrunk);
-    // No other kind begins with more than what its logs mean without arguments.
+    // Of other kinds construction lines alone begin with more than what their logs mean without
+    // arguments: with depths.
     for (auto const* const kind : tools) {
-        auto const begun = kind == &OutlineTool::kKind ? Tool(tool_of_old_logs()) : Tool(*kind);
+        auto const begun = kind == &OutlineTool::kKind ? Tool(tool_of_old_logs())
+            : kind == &LineTool::kKind ? Tool(LineTool { .depth_by = lines::DepthBy::StemsHeight })
+                                       : Tool(*kind);
         EXPECT_EQ(parse_tool(tools, kind->word, "").value(), begun) << kind->word;
     }
 }
