@@ -11,11 +11,14 @@
 namespace tractus {
 namespace {
 
+// What the pen draws is there already: it would be undone in place of the leaves.
 LiveWindow window_with_tree()
 {
     auto options = live_options();
     options.scene = our_plant("broadleaf");
-    return LiveWindow::create(drawing_devices(false), std::move(options)).value();
+    auto window = LiveWindow::create(drawing_devices(false), std::move(options)).value();
+    advance_to_end(window);
+    return window;
 }
 
 // Where the card of that title is.
