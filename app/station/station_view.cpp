@@ -25,7 +25,11 @@ StationView::Preview StationView::Previewing::show(WantedPreview const& wanted)
         made_by = make;
     }
     auto lines = previewer->show({ wanted.scene, wanted.tool, wanted.ink, wanted.orders });
-    return { std::move(lines), previewer->note(), wanted.stroke };
+    if (lines.empty())
+        last.reset();
+    else if (!last || *last != lines)
+        last = std::make_shared<std::vector<SkeletonLine> const>(std::move(lines));
+    return { last, previewer->note(), wanted.stroke };
 }
 
 StationView::StationView(Station const& station, Document const& document)
@@ -208,9 +212,11 @@ void StationView::take_preview()
 
 void StationView::set_preview(Preview preview)
 {
-    state_.preview_revision += !(preview.lines.empty() && state_.preview.empty());
-    state_.preview = std::move(preview.lines);
     state_.preview_note = std::move(preview.note);
+    if (std::exchange(previewed_, preview.lines) == preview.lines)
+        return; // Most samples of the pen change nothing.
+    ++state_.preview_revision;
+    state_.preview = preview.lines ? *preview.lines : std::vector<SkeletonLine>();
 }
 
 // While a pen selects, its path so far, and what is undetermined, are seen in their own colours.

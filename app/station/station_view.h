@@ -71,7 +71,8 @@ private:
         std::size_t stroke = 0;   // Which it is, by its number.
     };
     struct Preview {
-        std::vector<SkeletonLine> lines {};
+        // Shared by those in which they are alike; nobody changes them. Null: none.
+        std::shared_ptr<std::vector<SkeletonLine> const> lines {};
         std::string note {};
         std::size_t stroke = 0; // Of which stroke, by its number.
     };
@@ -81,6 +82,7 @@ private:
 
         std::unique_ptr<StrokePreviewer> (*made_by)() = nullptr;
         std::unique_ptr<StrokePreviewer> previewer {};
+        std::shared_ptr<std::vector<SkeletonLine> const> last {};
     };
 
     struct WantedProposal {
@@ -141,6 +143,7 @@ private:
     bool is_selecting_ = false;
     std::unique_ptr<NewestJob<WantedPreview, Preview>> preview_; // On the heap, as the grower.
     std::uint64_t previewed_live_ = 0;                           // The ink's revision.
+    std::shared_ptr<std::vector<SkeletonLine> const> previewed_; // As the state has them.
     // On the heap, as the grower. It gives null for edits that cannot be made.
     std::unique_ptr<NewestJob<WantedProposal, std::shared_ptr<Scene const>>> proposal_;
     std::unique_ptr<NewestJob<std::shared_ptr<std::string const>, ReadPicture>> reading_;

@@ -21,6 +21,8 @@ struct SkeletonLine {
     std::vector<Vec3f> points_mm;
     float width_mm = 1; // Diameter at the base.
     State state = State::Unselected;
+
+    bool operator==(SkeletonLine const&) const = default;
 };
 
 } // namespace tractus

@@ -63,6 +63,29 @@ public:
     std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
     {
         note_.clear();
+        auto lines = show_if_grown(stroke);
+        if (lines.empty())
+            shown_.reset();
+        return lines;
+    }
+
+private:
+    // What the lines are made of but the stroke's way between its nodes: as long as this is the
+    // same, so are they, and most samples of the pen make no node.
+    struct Shown {
+        sketch::Rule rule {};
+        sketch::ModelRule model {};
+        StrokeSurface surface = StrokeSurface::Decided;
+        double scale = 1;
+        SketchTool::Place place = SketchTool::Place::Ground;
+        std::shared_ptr<Scene const> scene {};
+        std::vector<Vec3> nodes_mm {};
+
+        bool operator==(Shown const&) const = default;
+    };
+
+    std::vector<SkeletonLine> show_if_grown(UnfinishedStroke const& stroke)
+    {
         auto const& tool = *stroke.tool.get<SketchTool>();
         Stroke const ink { std::vector(stroke.ink.begin(), stroke.ink.end()) };
         auto const again = tool.place == SketchTool::Place::Again
@@ -81,8 +104,15 @@ public:
         auto const& place = find_place(tool, edit, stroke.scene);
         if (place && *place)
             fit_to_branch(edit, **place);
-        if (!place)
+        auto nodes_mm = sketch::drawn_nodes_mm(edit);
+        if (!place || !nodes_mm)
             return {};
+        Shown shown { rule,       edit.model,   edit.surface,        edit.scale,
+                      tool.place, stroke.scene, *std::move(nodes_mm) };
+        if (shown_ == shown) {
+            note_ = shown_note_;
+            return shown_lines_;
+        }
         auto built = sketch::build_sketch(edit, options);
         if (!built && edit.model.is_set()) {
             built = drawn_axis_of(edit);
@@ -99,10 +129,12 @@ public:
         std::vector<SkeletonLine> lines;
         for (auto const& axis : built->plant.axes)
             lines.push_back(line_of(built->plant, axis, placement, stroke.scene->placement));
+        shown_ = std::move(shown);
+        shown_lines_ = lines;
+        shown_note_ = note_;
         return lines;
     }
 
-private:
     // Looked for once a stroke: that goes through all plants.
     Result<std::optional<BranchPlace>> const& find_place(SketchTool const& tool,
                                                          sketch::GrowAlongStroke const& edit,
@@ -122,6 +154,9 @@ private:
     }
 
     std::string note_;
+    std::optional<Shown> shown_; // What was shown last: these lines, with this note.
+    std::vector<SkeletonLine> shown_lines_;
+    std::string shown_note_;
     std::optional<Result<std::optional<BranchPlace>>> place_; // For what follows.
     StrokeSurface surface_ = StrokeSurface::Decided;
     Vec3 begin_mm_ = Vec3::Zero();

@@ -1,5 +1,6 @@
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 
+#include "app/station/station_view.h"
 #include "app/stream/stream_output.h"
 #include "tests/app/flat_station.h"
 
@@ -150,6 +151,28 @@ TEST(SketchSteps, AreNoneWhereNumbersAreChanged)
     auto tool = in_space();
     tool.place = SketchTool::Place::Change;
     EXPECT_TRUE(of_type(told_along_a_line(tool, 110), "step").empty());
+}
+
+// Between two applications nothing is made anew, neither lines nor what is drawn of them.
+TEST(SketchSteps, AreWhenThePreviewChanges)
+{
+    auto station = flat_station(in_space());
+    Document document(Scene {}, Document::Working::AtOnce);
+    StationView view(station, document);
+    auto draw_to = [&, i = 0](double x_mm) mutable {
+        for (; 2 * i <= x_mm; ++i)
+            station.push(kPen, at_ms(5 * i), pen_report(50 + 2 * i, 50, true));
+        view.show(station, document);
+        view.settle();
+        return view.state().preview_revision;
+    };
+    auto const none = draw_to(28);
+    auto const one = draw_to(34);
+    EXPECT_NE(one, none);
+    EXPECT_FALSE(view.state().preview.empty());
+    EXPECT_EQ(draw_to(44), one);
+    EXPECT_EQ(draw_to(54), one);
+    EXPECT_NE(draw_to(60), one);
 }
 
 } // namespace
