@@ -42,7 +42,7 @@ constexpr std::array<OptionWord, 17> kCardWords { {
     { "fern", "Fern" },
     { "herb", "Herb" },
     { "tufts", "Tufts" },
-    { "compound_leaf", "Compound leaf" },
+    { "compound_leaf", "Compound" },
     // Models, by their names (ready_models.h).
     { "birch", "Birch", kModelTitle },
     { "broadleaf", "Broadleaf", kModelTitle },
