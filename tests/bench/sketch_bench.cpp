@@ -14,6 +14,7 @@
 #include "tests/bench/report.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <thread>
@@ -96,14 +97,18 @@ BENCHMARK(sketch_sample_p99)->ArgName("internodes")->Arg(20'000)->UseManualTime(
 void sketch_application(benchmark::State& state)
 {
     auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
-    auto const ink = tips_up(length_mm(tool));
+    // With the last internode and without it by turns, since what is there already is not made
+    // anew.
+    std::array const inks { tips_up(length_mm(tool)),
+                            tips_up(length_mm(tool) - tool.first_length_mm) };
+    std::size_t turn = 0;
     auto const scene = std::make_shared<Scene const>();
     auto const previewer = sketch_previewer();
     Tool const hand = tool;
     WindowState seen;
     std::size_t lines = 0;
     for (auto _ : state) {
-        seen.preview = previewer->show({ scene, hand, ink, 99 });
+        seen.preview = previewer->show({ scene, hand, inks[turn++ % 2], 99 });
         benchmark::DoNotOptimize(pad_preview_curves(seen).data());
         benchmark::DoNotOptimize(preview_curves(seen).data());
         lines = seen.preview.size();
