@@ -324,6 +324,30 @@ Result<void> open_window(WindowArguments const& arguments)
     return show_devices(arguments, TRY(std::move(devices)), clock);
 }
 
+// What is drawn with, and where it is kept.
+void add_drawing_options(CLI::App& verb, WindowArguments& arguments)
+{
+    verb.add_option(
+            "--device", arguments.devices,
+            fmt::format("What to read in place of what is found, each {}", device_name_help()))
+        ->type_name("DEVICE...");
+    verb.add_option("--log", arguments.played,
+                    "Read this recording as if its devices were there: its pen draws and presses "
+                    "what the window shows; with --frames the same at each run")
+        ->type_name("FILE")
+        ->excludes("--device");
+    verb.add_option("--record", arguments.recording,
+                    "Record all that the devices send and every choice of a tool: a new "
+                    ".tractus-log")
+        ->type_name("FILE");
+    verb.add_option("--session", arguments.session,
+                    "Keep every stroke in this session as soon as it ends: a new one of the plant, "
+                    "or one that is gone on with; without it, a new one named after the plant and "
+                    "the time, in ~/.local/share/tractus")
+        ->type_name("FILE.tractus")
+        ->check(name_ending_in({ ".tractus" }));
+}
+
 // How the window looks, and for how long.
 void add_look_options(CLI::App& verb, WindowArguments& arguments)
 {
@@ -387,26 +411,7 @@ void add_window_verb(CLI::App& root, Action& action, Methods const& methods)
         "tablets and "
         "the height sensor that are found, and with the mouse in place of what is "
         "missing");
-    verb->add_option(
-            "--device", arguments->devices,
-            fmt::format("What to read in place of what is found, each {}", device_name_help()))
-        ->type_name("DEVICE...");
-    verb->add_option("--log", arguments->played,
-                     "Read this recording as if its devices were there: its pen draws and presses "
-                     "what the window shows; with --frames the same at each run")
-        ->type_name("FILE")
-        ->excludes("--device");
-    verb->add_option("--record", arguments->recording,
-                     "Record all that the devices send and every choice of a tool: a new "
-                     ".tractus-log")
-        ->type_name("FILE");
-    verb->add_option(
-            "--session", arguments->session,
-            "Keep every stroke in this session as soon as it ends: a new one of the plant, "
-            "or one that is gone on with; without it, a new one named after the plant and "
-            "the time, in ~/.local/share/tractus")
-        ->type_name("FILE.tractus")
-        ->check(name_ending_in({ ".tractus" }));
+    add_drawing_options(*verb, *arguments);
     add_plant_option(*verb, arguments->model)->required(false);
     verb->add_flag("--start-page", arguments->wants_start_page,
                    "Begin with the page on which one chooses, also with --log, --record, --frames "

@@ -17,7 +17,7 @@ std::string arrays(Construction const& construction)
     return fmt::format("define: {{ {}; }}\n", fmt::join(arrays_of(construction), ";\n          "));
 }
 
-// Of the functions behind those of the sides.
+// What a model says of its functions behind those of the sides, if it has some.
 std::string around_text(Construction const& construction)
 {
     if (construction.around.empty())

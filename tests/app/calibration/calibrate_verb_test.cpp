@@ -3,6 +3,7 @@
 #include "tests/app/verbs/outcome.h"
 
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <unistd.h>
 
@@ -125,24 +126,19 @@ TEST_F(CalibrateVerb, RefusesFewerCapturesThanParameters)
     EXPECT_FALSE(fs::exists(path("my.rig.toml")));
 }
 
+// Tilt needs no heights, but adds to a rig.
 TEST_F(CalibrateVerb, WantsTheHeightsFirst)
 {
-    auto const outcome = calibrate({ "check", "--rig", path("my.rig.toml"), "--simulate" });
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_NE(outcome.err.find("is not there, and calibrate check needs the heights in it: use "
-                               "\"tractus calibrate height --rig "),
-              std::string::npos)
-        << outcome.err;
-}
-
-TEST_F(CalibrateVerb, AsksForNoHeightsWhereTiltNeedsNone)
-{
-    auto const outcome = calibrate({ "tilt", "--rig", path("my.rig.toml"), "--simulate" });
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_NE(outcome.err.find("is not there, and calibrate tilt only adds to a rig that is there: "
-                               "use \"tractus calibrate height --rig "),
-              std::string::npos)
-        << outcome.err;
+    for (auto const& [what, why] : { std::pair { "check", "needs the heights in it" },
+                                     std::pair { "tilt", "only adds to a rig that is there" } }) {
+        auto const outcome = calibrate({ what, "--rig", path("my.rig.toml"), "--simulate" });
+        EXPECT_EQ(outcome.exit_code, 1);
+        EXPECT_NE(outcome.err.find(fmt::format("is not there, and calibrate {} {}: use \"tractus "
+                                               "calibrate height --rig ",
+                                               what, why)),
+                  std::string::npos)
+            << outcome.err;
+    }
 }
 
 TEST_F(CalibrateVerb, RefusesARigOfALaterVersion)

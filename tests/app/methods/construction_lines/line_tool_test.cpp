@@ -11,6 +11,7 @@
 #include "drivers/file.h"
 #include "engine/methods/construction_lines/line_model.h"
 #include "tests/app/flat_station.h"
+#include "tests/app/methods/construction_lines/drawn_frond.h"
 #include "tests/app/replayed.h"
 #include "tests/app/simulated_drawing.h"
 #include "tests/app/verbs/outcome.h"
@@ -24,36 +25,9 @@ namespace tractus {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace line_tests;
 using lines::Pattern;
 using lines::Role;
-
-std::string line_of(Tool const& tool)
-{
-    auto const words = words_for(tool);
-    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), tool);
-    return words.name + " " + words.arguments;
-}
-
-// A stem, both boundaries, and two lines across.
-std::vector<Stroke> frond()
-{
-    return { stroke_through({ { -40, -60, 50 }, { -42, 0, 50 }, { -36, 60, 50 } }),
-             stroke_through({ { -70, -62, 50 }, { -75, 0, 50 }, { -55, 68, 50 } }),
-             stroke_through({ { -15, -58, 50 }, { -10, 10, 50 }, { -18, 70, 50 } }),
-             stroke_through({ { -90, -30, 50 }, { -41, -45, 50 }, { 0, -20, 50 } }),
-             stroke_through({ { -80, 70, 50 }, { -38, 35, 50 }, { 5, 72, 50 } }) };
-}
-
-Tool spiral(double nodes = 6)
-{
-    return LineTool { .nodes = nodes, .pattern = Pattern::Kind::Spiral };
-}
-
-void draw_frond(Document& document)
-{
-    for (auto const& stroke : frond())
-        document.draw({ stroke, spiral() });
-}
 
 TEST(LineTool, SaysItsOptionsInLogs)
 {
@@ -534,129 +508,6 @@ TEST(LineTool, ShowsThePlantThatFollows)
     }
     auto const dot = stroke_through({ { 0, 0, 0 }, { 0, 0, 0 } });
     EXPECT_TRUE(line_previewer()->show({ shared, tool, dot.tips.vector(), 99 }).empty());
-}
-
-// In front of the plant, wherever it stands and in whatever size it is shown.
-TEST(LineLayers, ShowTheLinesByWhatTheyAre)
-{
-    Document document(Scene {}, Document::Working::AtOnce);
-    draw_frond(document);
-    document.draw({ stroke_through({ { 80, 0, 50 }, { 90, 10, 50 } }), spiral() });
-    auto const& drawn = document.newest()->scene;
-    EXPECT_EQ(kBoundaryLayer.lines(drawn).size(), 2U);
-    EXPECT_EQ(kInclinationLayer.lines(drawn).size(), 2U);
-    EXPECT_EQ(kUnsureLayer.lines(drawn).size(), 1U);
-    EXPECT_TRUE(kLinesToDrawLayer.lines(drawn).empty());
-    EXPECT_TRUE(kStemLayer.lines(small_scene()).empty());
-    EXPECT_TRUE(kLinesToDrawLayer.lines(small_scene()).empty());
-    std::vector<Edit> const changes { MovePlant { drawn.state.active, { 25, 10, 0 } },
-                                      SetScale { 0.04 } };
-    for (auto const& scene : { drawn, apply_edits(drawn, changes).value() }) {
-        auto const stems = kStemLayer.lines(scene);
-        ASSERT_EQ(stems.size(), 1U);
-        auto const at_mm = [&](Vec3f const& point_mm) { return Vec3(point_mm.cast<double>()); };
-        EXPECT_NEAR((at_mm(stems[0].front()) - scene.placement.origin_mm).norm(), 0, 0.01);
-        auto const& axis = scene.base->axes.at(0);
-        Vec3 const top_mm = scene.placement.world_of_plant(scene.base->positions(axis).back());
-        EXPECT_NEAR((at_mm(stems[0].back()) - top_mm).norm(), 0, 0.5);
-    }
-}
-
-TEST(LinePatternTool, GoesThroughThePatterns)
-{
-    Document document(Scene {}, Document::Working::AtOnce);
-    draw_frond(document);
-    std::string patterns;
-    for (int i = 0; i < 5; ++i) {
-        document.draw({ {}, Tool(LinePatternTool {}).done_at_once() });
-        patterns += fmt::format("{} ", document.newest()->scene.base->organs.size());
-    }
-    // Seven nodes: alternate, whorls of three, then two, two, and a spiral again.
-    EXPECT_EQ(patterns, "7 21 14 14 7 ");
-    EXPECT_EQ(document.take_drawn().back().said, "The organs are spiral now");
-    Scene scene = small_scene();
-    EXPECT_NE(draw({}, LinePatternTool {}, scene).refusal.find("has no construction lines"),
-              std::string::npos);
-}
-
-TEST(LinePatternTool, LetsSizesFollowHalfEllipsesAndBack)
-{
-    Document document(Scene {}, Document::Working::AtOnce);
-    draw_frond(document);
-    auto const model = [&] {
-        return lines::model_of(*lines::active_pen_sketch(document.newest()->scene.state)).value();
-    };
-    auto const linear = model();
-    Tool const sizes(LinePatternTool { LinePatternTool::What::Sizes });
-    EXPECT_EQ(line_of(sizes.done_at_once()), "line_pattern sizes now");
-    document.draw({ {}, sizes.done_at_once() });
-    EXPECT_EQ(model().functions.size(), linear.functions.size() + 2);
-    EXPECT_EQ(document.take_drawn().back().said, "Sizes follow half-ellipses around the stem now");
-    document.draw({ {}, Tool(LinePatternTool {}).done_at_once() });
-    EXPECT_NE(model().source.text.find("azimuth[0]"), std::string::npos) << "in any pattern";
-    document.undo();
-    document.draw({ {}, sizes.done_at_once() });
-    EXPECT_EQ(model().source.text, linear.source.text);
-}
-
-// Drawn where it is proposed, the other boundary changes nothing.
-TEST(LineLayers, ShowWhereALineIsMissing)
-{
-    Document document(Scene {}, Document::Working::AtOnce);
-    for (std::size_t i : { 0U, 1U, 3U, 4U }) // All but the right boundary.
-        document.draw({ frond()[i], spiral() });
-    auto const scene = document.newest()->scene;
-    auto const missing = kLinesToDrawLayer.lines(scene);
-    ASSERT_EQ(missing.size(), 1U);
-    std::vector<Vec3> points;
-    for (auto const& point : missing[0])
-        points.emplace_back(point.x(), point.z() - 100, 50); // From upright paper to the tablet.
-    document.draw({ stroke_through(points), spiral() });
-    auto const drawn = document.take_drawn();
-    EXPECT_EQ(drawn.back().said, "This is the right boundary");
-    EXPECT_TRUE(kLinesToDrawLayer.lines(document.newest()->scene).empty());
-}
-
-TEST(LayerNodesTool, ChangesTheLayerThatIsTouchedOrTheTopmost)
-{
-    Document document(Scene {}, Document::Working::AtOnce);
-    draw_frond(document);
-    auto const organs = [&] { return document.newest()->scene.base->organs.size(); };
-    document.draw(
-        { stroke_through({ { -90, -60, 50 }, { -45, 0, 50 } }), LayerNodesTool { .nodes = 20 } });
-    EXPECT_EQ(organs(), 21U);
-    document.draw({ {}, Tool(LayerNodesTool { LayerNodesTool::What::More }).done_at_once() });
-    EXPECT_EQ(organs(), 22U);
-    for (int i = 0; i < 2; ++i)
-        document.draw({ {}, Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once() });
-    EXPECT_EQ(organs(), 20U);
-    document.draw({ frond()[0], LayerNodesTool { .nodes = 0 } });
-    EXPECT_EQ(organs(), 1U);
-    document.take_drawn();
-    document.draw({ {}, Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once() });
-    EXPECT_EQ(document.take_drawn().back().refusal,
-              "the topmost layer has 0 nodes, and cannot have fewer");
-}
-
-TEST(LineRoleTool, SaysWhatTheTouchedLineIs)
-{
-    Document document(Scene {}, Document::Working::AtOnce);
-    draw_frond(document);
-    auto const touch = [](double x, double y) {
-        return stroke_through({ { x - 3, y, 50 }, { x, y, 50 } });
-    };
-    document.draw({ touch(-12, 0), LineRoleTool { Role::Unsure } });
-    auto const* sketch = lines::active_pen_sketch(document.newest()->scene.state);
-    EXPECT_EQ(sketch->lines[2].role, Role::Unsure);
-    document.draw({ touch(-12, 0), LineRoleTool { Role::Right } });
-    sketch = lines::active_pen_sketch(document.newest()->scene.state);
-    EXPECT_EQ(sketch->lines[2].role, Role::Right);
-    document.take_drawn();
-    document.draw({ touch(100, 0), LineRoleTool { Role::Right } });
-    document.draw({ touch(-42, 0), LineRoleTool { Role::Left } });
-    auto const drawn = document.take_drawn();
-    EXPECT_NE(drawn[0].refusal.find("no construction line here"), std::string::npos);
-    EXPECT_NE(drawn[1].refusal.find("would have no stem"), std::string::npos);
 }
 
 } // namespace

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "app/document/document.h"
+#include "app/methods/all_methods.h"
+#include "app/methods/construction_lines/line_tool.h"
+#include "tests/app/simulated_drawing.h"
+
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+namespace tractus::line_tests {
+
+inline std::string line_of(Tool const& tool)
+{
+    auto const words = words_for(tool);
+    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), tool);
+    return words.name + " " + words.arguments;
+}
+
+// A stem, both boundaries, and two lines across.
+inline std::vector<Stroke> frond()
+{
+    return { stroke_through({ { -40, -60, 50 }, { -42, 0, 50 }, { -36, 60, 50 } }),
+             stroke_through({ { -70, -62, 50 }, { -75, 0, 50 }, { -55, 68, 50 } }),
+             stroke_through({ { -15, -58, 50 }, { -10, 10, 50 }, { -18, 70, 50 } }),
+             stroke_through({ { -90, -30, 50 }, { -41, -45, 50 }, { 0, -20, 50 } }),
+             stroke_through({ { -80, 70, 50 }, { -38, 35, 50 }, { 5, 72, 50 } }) };
+}
+
+inline Tool spiral(double nodes = 6)
+{
+    return LineTool { .nodes = nodes, .pattern = lines::Pattern::Kind::Spiral };
+}
+
+inline void draw_frond(Document& document)
+{
+    for (auto const& stroke : frond())
+        document.draw({ stroke, spiral() });
+}
+
+} // namespace tractus::line_tests
