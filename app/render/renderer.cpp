@@ -109,7 +109,8 @@ void Renderer::draw(Stage const& stage, Camera const& camera, Canvas const& canv
     view.depth_terms = Vec2f(projection(2, 2), projection(2, 3));
 
     bool const is_lit = stage.lighting == Stage::Lighting::Lit;
-    if (stage.backdrop.has_ground || (is_lit && !stage.meshes.empty()))
+    bool const has_ground = shows_ground(stage);
+    if (has_ground || (is_lit && !stage.meshes.empty()))
         parts_->shadow.draw(stage, view.box, shadow_map_side(canvas));
     canvas.bind();
     glDisable(GL_CULL_FACE);
@@ -124,7 +125,7 @@ void Renderer::draw(Stage const& stage, Camera const& camera, Canvas const& canv
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     if (stage.picture)
         parts_->draw_picture(view);
-    if (stage.backdrop.has_ground) {
+    if (has_ground) {
         parts_->draw_ground(view);
         parts_->draw_ground_shade(view);
     }

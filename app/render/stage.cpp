@@ -21,11 +21,25 @@ static void add_box(Bounds& sum, Bounds const& box, Eigen::Affine3d const& T_sum
                        corner & 4 ? box.max_mm.z() : box.min_mm.z()));
 }
 
-Bounds bounds(Stage const& stage)
+static Bounds mesh_bounds(Stage const& stage)
 {
     Bounds sum;
     for (auto const& placed : stage.meshes)
         add_box(sum, placed.mesh->bounds(), placed.T_world_plant.cast<double>());
+    return sum;
+}
+
+bool shows_ground(Stage const& stage)
+{
+    constexpr double kHiddenShare = 0.1;
+    auto const box = mesh_bounds(stage);
+    return stage.backdrop.has_ground
+        && (box.empty() || -box.min_mm.z() <= kHiddenShare * (box.max_mm.z() - box.min_mm.z()));
+}
+
+Bounds bounds(Stage const& stage)
+{
+    auto sum = mesh_bounds(stage);
     for (auto const* curves : stage.curves)
         add_box(sum, curves->bounds(), Eigen::Affine3d::Identity());
     return sum;

@@ -36,7 +36,7 @@ struct Backdrop {
     Vec3f top { 0.83f, 0.87f, 0.90f };
     Vec3f bottom { 0.95f, 0.94f, 0.92f };
     Vec3f ground { 0.80f, 0.77f, 0.72f };
-    bool has_ground = true; // Ground at z = 0, with shadows on it.
+    bool has_ground = true; // Ground at z = 0, with shadows on it; see shows_ground().
 };
 
 // Dark surroundings for pictures inside a dark window.
@@ -66,6 +66,10 @@ struct Stage {
     };
     Fade fade;
 };
+
+// Whether the ground is drawn: not where it would hide roots or a valley's plants, as it is opaque.
+// Meshes that reach below it by over a tenth of their height are taken for such.
+bool shows_ground(Stage const& stage);
 
 // The box around all meshes and curves. Empty for an empty stage.
 Bounds bounds(Stage const& stage);

@@ -122,7 +122,7 @@ void SunShadow::draw_depth(Stage const& stage)
 
 void SunShadow::draw_ground(Stage const& stage)
 {
-    if (!stage.backdrop.has_ground)
+    if (!shows_ground(stage))
         return;
     glBindFramebuffer(GL_FRAMEBUFFER, ground_target_.name());
     glViewport(0, 0, side_ / 2, side_ / 2);

@@ -168,7 +168,7 @@ Result<void> Derivation::step(int number)
     out_.kinds.clear();
     out_.parameters.clear();
     if (table_) // A module is a byte.
-        table_->rewrite(in_.kinds, out_.kinds, std::min(limit().modules, limit().bytes));
+        table_->rewrite(in_.kinds, out_.kinds, std::min(limit().modules, limit().bytes), piece_);
     else if (plan_.is_fixed() && !subsystems_)
         TRY(rewrite_fixed());
     else

@@ -1,5 +1,8 @@
 #include "engine/lsystem/fast_rewriting/context_table.h"
 
+#include "engine/base/parallel.h"
+
+#include <algorithm>
 #include <bit>
 
 namespace tractus {
@@ -52,17 +55,17 @@ std::optional<ContextTable> ContextTable::create(Model const& model)
 
 ContextTable::ContextTable(Model const& model)
     : kind_bits_(static_cast<unsigned>(std::bit_width(model.alphabet.kinds.size())))
-    , none_(static_cast<KindId>(model.alphabet.kinds.size()))
 {
+    roles_.none = static_cast<KindId>(model.alphabet.kinds.size());
     auto const count = model.alphabet.kinds.size();
     for (std::size_t i = 0; i < count; ++i) {
         char const symbol = model.alphabet.kinds[i].symbol;
-        roles_[i] = symbol == '[' ? Role::Opening
-            : symbol == ']'       ? Role::Closing
-            : model.ignored[i]    ? Role::Ignored
-                                  : Role::Seen;
-        sees_branches_ = sees_branches_ && !(symbol == '[' && model.ignored[i]);
-        is_row_ = is_row_ && roles_[i] == Role::Seen;
+        roles_.of_kind[i] = symbol == '[' ? Role::Opening
+            : symbol == ']'               ? Role::Closing
+            : model.ignored[i]            ? Role::Ignored
+                                          : Role::Seen;
+        roles_.sees_branches = roles_.sees_branches && !(symbol == '[' && model.ignored[i]);
+        is_row_ = is_row_ && roles_.of_kind[i] == Role::Seen;
         successors_.push_back(FixedSuccessor::copy(static_cast<KindId>(i), 0));
     }
     for (auto const& rule : model.rules.rules) {
@@ -93,52 +96,54 @@ ContextTable::ContextTable(Model const& model)
             one_to_one_.push_back(successors_[successor].first_kinds[0]);
 }
 
-// A branch has nothing to its right; what stands behind it is the right neighbour of what bears it.
-void ContextTable::find_right_neighbours(Column<KindId> const& in)
+void ContextTable::find_right_neighbours(Task const& task)
 {
-    for (auto* const column : { &right_, &stack_ }) // Strings grow: not at every step anew.
-        if (column->capacity() < in.size() + 1)
-            column->reserve(in.size() + in.size() / 2 + 1);
-    auto* const rights = right_.data();
-    auto* const stack = stack_.data();
-    std::size_t depth = 0;
-    auto neighbour = none_;
-    for (auto i = in.size(); i-- > 0;) {
-        rights[i] = neighbour;
-        auto const kind = in[i];
-        auto const role = roles_[kind];
-        if (!sees_branches_ && (role == Role::Closing || role == Role::Opening))
-            continue;
-        if (role == Role::Closing) {
-            stack[depth++] = neighbour;
-            neighbour = none_;
-        } else if (role == Role::Opening) {
-            neighbour = depth > 0 ? stack[--depth] : none_;
-        } else {
-            neighbour = role == Role::Seen ? kind : neighbour;
-        }
-    }
+    auto const size = task.in.size();
+    if (right_.capacity() < size + 1) // Strings grow: not at every step anew.
+        right_.reserve(size + size / 2 + 1);
+    pieces_.resize(task.piece_count);
+    parallel_for(task.piece_count, 1, [&](std::size_t first, std::size_t last) {
+        for (auto i = first; i < last; ++i)
+            pieces_[i].read(roles_, task.in.data(), i * task.piece,
+                            std::min((i + 1) * task.piece, size), right_.data());
+    });
+    join_neighbours(roles_, pieces_);
+    parallel_for(task.piece_count, 1, [&](std::size_t first, std::size_t last) {
+        for (auto i = first; i < last; ++i)
+            pieces_[i].write_missing(right_.data());
+    });
 }
 
+// Appends what the modules of a piece become.
 template<bool kIsRow, bool kIsOneToOne>
-void ContextTable::write(Column<KindId> const& in, Column<KindId>& out, std::size_t max_modules)
+void ContextTable::write(Task const& task, std::size_t number, Column<KindId>& waiting,
+                         Column<KindId>& out) const
 {
     constexpr std::size_t kBlock = 4096; // Modules between two looks at the memory.
-    auto const size = in.size();
-    auto const* const kinds = in.data();
+    auto const size = task.in.size();
+    auto const first = number * task.piece;
+    auto const last = std::min(first + task.piece, size);
+    auto const* const kinds = task.in.data();
     auto const* const rights = right_.data();
-    auto* const stack = stack_.data();
+    auto left = first > 0 ? kinds[first - 1] : roles_.none;
+    KindId* stack = nullptr;
     std::size_t depth = 0;
-    auto left = none_;
-    out.clear();
-    out.reserve(std::min(size, max_modules)); // Seldom shorter, and grown without copying.
-    for (std::size_t begin = 0; begin < size && out.size() <= max_modules; begin += kBlock) {
-        auto const end = std::min(begin + kBlock, size);
+    if constexpr (!kIsRow) {
+        auto const& neighbours = pieces_[number];
+        left = neighbours.left();
+        depth = neighbours.waiting_lefts().size();
+        if (waiting.capacity() < depth + task.piece)
+            waiting.reserve(depth + task.piece);
+        stack = waiting.data();
+        std::copy_n(neighbours.waiting_lefts().data(), depth, stack);
+    }
+    for (auto begin = first; begin < last && out.size() <= task.max_modules; begin += kBlock) {
+        auto const end = std::min(begin + kBlock, last);
         out.reserve_more((end - begin) * longest_ + FixedSuccessor::kShort);
         auto* to = out.data() + out.size();
         for (auto i = begin; i < end; ++i) {
             auto const kind = kinds[i];
-            auto const right = !kIsRow ? rights[i] : i + 1 < size ? kinds[i + 1] : none_;
+            auto const right = !kIsRow ? rights[i] : i + 1 < size ? kinds[i + 1] : roles_.none;
             auto const successor = index(left, kind, right);
             if constexpr (kIsOneToOne)
                 *to++ = one_to_one_[successor];
@@ -148,11 +153,11 @@ void ContextTable::write(Column<KindId> const& in, Column<KindId>& out, std::siz
                 left = kind;
                 continue;
             }
-            auto const role = roles_[kind];
+            auto const role = roles_.of_kind[kind];
             if (role == Role::Opening)
                 stack[depth++] = left;
             else if (role == Role::Closing)
-                left = depth > 0 ? stack[--depth] : none_;
+                left = depth > 0 ? stack[--depth] : roles_.none;
             else
                 left = role == Role::Seen ? kind : left;
         }
@@ -160,14 +165,50 @@ void ContextTable::write(Column<KindId> const& in, Column<KindId>& out, std::siz
     }
 }
 
-void ContextTable::rewrite(Column<KindId> const& in, Column<KindId>& out, std::size_t max_modules)
+void ContextTable::write_piece(Task const& task, std::size_t number, Column<KindId>& stack,
+                               Column<KindId>& out) const
 {
     if (is_row_)
-        return is_one_to_one_ ? write<true, true>(in, out, max_modules)
-                              : write<true, false>(in, out, max_modules);
-    find_right_neighbours(in);
-    return is_one_to_one_ ? write<false, true>(in, out, max_modules)
-                          : write<false, false>(in, out, max_modules);
+        return is_one_to_one_ ? write<true, true>(task, number, stack, out)
+                              : write<true, false>(task, number, stack, out);
+    return is_one_to_one_ ? write<false, true>(task, number, stack, out)
+                          : write<false, false>(task, number, stack, out);
+}
+
+// Several pieces at a time, each to a place of its own; then these are put one behind the other.
+void ContextTable::write_in_parallel(Task const& task, Column<KindId>& out)
+{
+    constexpr std::size_t kPiecesAtATime = 32;
+    written_.resize(std::min(task.piece_count, kPiecesAtATime));
+    for (std::size_t first = 0; first < task.piece_count && out.size() <= task.max_modules;
+         first += written_.size()) {
+        auto const count = std::min(written_.size(), task.piece_count - first);
+        parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+            for (auto i = begin; i < end; ++i) {
+                written_[i].out.clear();
+                write_piece(task, first + i, written_[i].stack, written_[i].out);
+            }
+        });
+        for (std::size_t i = 0; i < count && out.size() <= task.max_modules; ++i)
+            out.append(written_[i].out.data(), written_[i].out.size());
+    }
+}
+
+void ContextTable::rewrite(Column<KindId> const& in, Column<KindId>& out, std::size_t max_modules,
+                           std::size_t piece)
+{
+    bool const is_parallel = in.size() > 2 * piece && thread_count() > 1;
+    Task task { in, max_modules, is_parallel ? piece : in.size(), 1 };
+    if (is_parallel)
+        task.piece_count = (in.size() + piece - 1) / piece;
+    if (!is_row_)
+        find_right_neighbours(task);
+    out.clear();
+    out.reserve(std::min(in.size(), max_modules)); // Seldom shorter, and grown without copying.
+    if (is_parallel)
+        return write_in_parallel(task, out);
+    written_.resize(1);
+    write_piece(task, 0, written_.front().stack, out);
 }
 
 } // namespace tractus

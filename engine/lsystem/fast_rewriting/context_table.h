@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/lsystem/fast_rewriting/piece_neighbours.h"
 #include "engine/lsystem/language/model.h"
 #include "engine/lsystem/language/module_string.h"
 #include "engine/lsystem/rewriting/fixed_successor.h"
@@ -14,38 +15,52 @@ namespace tractus {
 
 // The rules of a model without parameters and chance whose contexts are of one module at most, such
 // as those that send signals through a plant: what becomes of a module then depends on three kinds
-// alone, its own and its neighbours', and stands in a table. A string is rewritten in two passes,
-// from the right for the right neighbours and from the left for the rest, each with a stack for the
-// branches.
+// alone, its own and its neighbours', and stands in a table. A string is read from the right for
+// the right neighbours and rewritten from the left, each with a stack for the branches, in pieces.
 class ContextTable {
 public:
     // No value if the model has other rules, or none with a context. The model must outlive the
     // table.
     static std::optional<ContextTable> create(Model const& model);
 
-    // Rewrites all of `in`. Stops when `out` has more than `max_modules`.
-    void rewrite(Column<KindId> const& in, Column<KindId>& out, std::size_t max_modules);
+    // Rewrites all of `in`, on several threads if it has more than two pieces of `piece` modules.
+    // Stops when `out` has more than `max_modules`.
+    void rewrite(Column<KindId> const& in, Column<KindId>& out, std::size_t max_modules,
+                 std::size_t piece);
 
 private:
-    // Role of a kind for its neighbours. In a row of modules that all are seen, the neighbours are
-    // those next to it.
-    enum class Role : std::uint8_t { Seen, Ignored, Opening, Closing };
+    using Role = NeighbourRoles::Role;
+
+    // A step's work on a string.
+    struct Task {
+        Column<KindId> const& in;
+        std::size_t max_modules = 0;
+        std::size_t piece = 0;
+        std::size_t piece_count = 0;
+    };
+    // Buffers of a piece that is written beside others.
+    struct Written {
+        Column<KindId> out;
+        Column<KindId> stack;
+    };
 
     explicit ContextTable(Model const& model);
 
-    void find_right_neighbours(Column<KindId> const& in);
+    void find_right_neighbours(Task const& task);
+    void write_in_parallel(Task const& task, Column<KindId>& out);
+    void write_piece(Task const& task, std::size_t number, Column<KindId>& stack,
+                     Column<KindId>& out) const;
     template<bool kIsRow, bool kIsOneToOne>
-    void write(Column<KindId> const& in, Column<KindId>& out, std::size_t max_modules);
+    void write(Task const& task, std::size_t number, Column<KindId>& stack,
+               Column<KindId>& out) const;
     std::size_t index(std::size_t left, std::size_t kind, std::size_t right) const
     {
         return ((left << kind_bits_ | kind) << kind_bits_) | right;
     }
 
     unsigned kind_bits_ = 0;
-    KindId none_ = 0; // Stands for "no neighbour".
-    std::array<Role, 256> roles_ {};
+    NeighbourRoles roles_;
     bool is_row_ = true;
-    bool sees_branches_ = true;        // Right contexts see branches.
     bool is_one_to_one_ = true;        // Every successor is one module.
     std::vector<std::uint16_t> table_; // Indices into successors_.
     std::vector<KindId> one_to_one_;   // The successors themselves, if is_one_to_one_.
@@ -53,7 +68,8 @@ private:
     std::size_t longest_ = 1;
     // Memory alone, of which no more is touched than what is written.
     Column<KindId> right_; // Each module's right neighbour.
-    Column<KindId> stack_;
+    std::vector<PieceNeighbours> pieces_;
+    std::vector<Written> written_;
 };
 
 } // namespace tractus

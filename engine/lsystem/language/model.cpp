@@ -1,5 +1,6 @@
 #include "engine/lsystem/language/model.h"
 
+#include "engine/lsystem/language/definition_parser.h"
 #include "engine/lsystem/language/expression_compiler.h"
 #include "engine/lsystem/language/rule_parser.h"
 #include "engine/lsystem/language/statement_compiler.h"
@@ -19,8 +20,6 @@ namespace {
 using NewNames = ExpressionCompiler::NewNames;
 
 constexpr int kMaxDepth = 1'000'000;
-constexpr double kMaxArraySize = 1e6;
-constexpr std::size_t kMaxArrayElements = 10'000'000; // Limit for all arrays together.
 constexpr std::size_t kMaxRules = 65'000;
 constexpr std::size_t kMaxSystems = 1'000;
 
@@ -65,13 +64,7 @@ private:
     Result<bool> section();
     Result<void> axiom();
     Result<void> rule();
-    Result<double> constant_value();
     Result<Block> block();
-    Result<void> definitions();
-    Result<void> array_definition();
-    Result<void> array_values(ArrayVariable& variable);
-    Result<void> external_definition();
-    Result<void> new_array(std::string const& name);
     Result<void> end_line();
     Result<void> end_of_system();
     Result<void> rule_or_misspelt_statement();
@@ -87,12 +80,12 @@ private:
     Model model_;
     Names names_;
     RuleParser rules_parser_ { cursor_, names_, model_.alphabet };
+    DefinitionParser definitions_parser_ { cursor_, names_ };
     LSystem system_; // The one that is being read.
     RuleSet* rules_ = &system_.rules;
     SymbolList seen_;                 // Its ignore: or consider: statement.
     std::vector<SymbolList> ignored_; // Lists of those that have been read, the main one first.
     bool has_axiom_ = false;
-    std::size_t array_elements_ = 0;
 };
 
 // A word of the language, in either case, with blanks where `word` has them.
@@ -253,17 +246,17 @@ Result<bool> Parser::header_item()
     if (take_word("axiom:")) {
         TRY(axiom());
     } else if (take_word("derivation length:") || take_word("derivationlength:")) {
-        auto const value = TRY(constant_value());
+        auto const value = TRY(constant_value(cursor_, names_));
         if (is_main())
             model_.steps = static_cast<int>(std::clamp(value, 0.0, 1e9));
     } else if (take_word("seed:")) {
-        auto const value = TRY(constant_value());
+        auto const value = TRY(constant_value(cursor_, names_));
         if (rules_ == &system_.rules) {
             system_.stochastic = true;
             system_.seed = static_cast<std::uint64_t>(std::clamp(value, 0.0, 1e15));
         }
     } else if (take_word("maximum depth:")) {
-        auto const value = TRY(constant_value());
+        auto const value = TRY(constant_value(cursor_, names_));
         rules_->max_depth = static_cast<int>(std::clamp(value, 0.0, double { kMaxDepth }));
     } else if (take_word("ring l-system") || take_word("ring lsystem")) {
         system_.ring = true;
@@ -280,7 +273,7 @@ Result<bool> Parser::header_item()
 Result<bool> Parser::block_item()
 {
     if (take_word("define:")) {
-        TRY(definitions());
+        TRY(definitions_parser_.block(system_));
         return true;
     }
     Block* target = nullptr;
@@ -320,17 +313,6 @@ Result<bool> Parser::section()
     return true;
 }
 
-Result<double> Parser::constant_value()
-{
-    ExpressionCompiler compiler(cursor_, names_, NewNames::Global);
-    Program program;
-    auto const position = cursor_.position();
-    auto const value = TRY(compiler.expression(program));
-    if (!program.empty())
-        return cursor_.error_at(position, "expected an expression of numbers alone");
-    return compiler.frame().value(value);
-}
-
 Result<Block> Parser::block()
 {
     Block result;
@@ -338,98 +320,6 @@ Result<Block> Parser::block()
     TRY(StatementCompiler(compiler).block(result.program));
     result.frame = compiler.frame().take_frame();
     return result;
-}
-
-// define: { array NAME[size]... = { values }, ...; external NAME, NAME[size]..., ...; }
-Result<void> Parser::definitions()
-{
-    if (!cursor_.take("{"))
-        return cursor_.unexpected("'{'");
-    cursor_.enter_block();
-    while (!cursor_.take("}")) {
-        cursor_.skip();
-        auto const position = cursor_.position();
-        auto const word = ExpressionCompiler::name(cursor_);
-        if (!word)
-            return cursor_.unexpected("'array' or 'external'");
-        if (word != "array" && word != "external")
-            return cursor_.error_at(
-                position, fmt::format("found '{}', expected 'array' or 'external'", shown(*word)));
-        do
-            TRY(word == "array" ? array_definition() : external_definition());
-        while (cursor_.take(","));
-        if (!cursor_.take(";"))
-            return cursor_.unexpected("';'");
-    }
-    cursor_.leave_block();
-    return {};
-}
-
-// The sizes follow in brackets.
-Result<void> Parser::new_array(std::string const& name)
-{
-    Names::Array array { name, {} };
-    double size = 1;
-    while (cursor_.take("[")) {
-        auto const extent = TRY(constant_value());
-        size *= extent;
-        if (!(extent >= 1) || !(size <= kMaxArraySize))
-            return cursor_.error(
-                fmt::format("the size of array {} must be 1 to {}", name, kMaxArraySize));
-        array.sizes.push_back(static_cast<std::size_t>(extent));
-        if (!cursor_.take("]"))
-            return cursor_.unexpected("']'");
-    }
-    std::size_t count = 1;
-    for (auto const extent : array.sizes)
-        count *= extent;
-    array_elements_ += count;
-    if (array_elements_ > kMaxArrayElements || names_.arrays.size() >= Names::kMax)
-        return cursor_.error(
-            fmt::format("the model's arrays have more than {} elements", kMaxArrayElements));
-    names_.arrays.push_back(std::move(array));
-    system_.arrays.push_back({ name, std::vector<double>(count) });
-    return {};
-}
-
-Result<void> Parser::array_definition()
-{
-    auto const name = ExpressionCompiler::name(cursor_);
-    if (!name || cursor_.peek() != '[')
-        return cursor_.unexpected("an array's name and '['");
-    TRY(new_array(*name));
-    if (!cursor_.take("="))
-        return {};
-    return array_values(system_.arrays.back());
-}
-
-Result<void> Parser::array_values(ArrayVariable& variable)
-{
-    if (!cursor_.take("{"))
-        return cursor_.unexpected("'{'");
-    for (std::size_t i = 0; !cursor_.take("}"); ++i) {
-        auto const value = TRY(constant_value());
-        if (i < variable.values.size())
-            variable.values[i] = value;
-        if (!cursor_.take(",") && cursor_.peek() != '}')
-            return cursor_.unexpected("',' or '}'");
-    }
-    return {};
-}
-
-Result<void> Parser::external_definition()
-{
-    auto const name = ExpressionCompiler::name(cursor_);
-    if (!name)
-        return cursor_.unexpected("the name of a variable or an array");
-    if (cursor_.peek() == '[') {
-        auto const index = static_cast<std::uint16_t>(names_.arrays.size());
-        TRY(new_array(*name));
-        system_.externals.push_back({ true, index });
-    } else {
-        system_.externals.push_back({ false, TRY(names_.add_variable(*name, cursor_)) });
-    }
-    return {};
 }
 
 Result<void> Parser::rule()

@@ -14,8 +14,6 @@ static constexpr std::size_t kMaxTextSize = std::size_t { 16 } << 20;
 static constexpr std::size_t kMaxWork = std::size_t { 64 } << 20;
 static constexpr std::size_t kTokenCost = 16;
 static constexpr std::size_t kMaxTokens = 2'000'000; // Held at once.
-static constexpr std::size_t kMaxMacroNesting = 200;
-static constexpr std::size_t kMaxHiddenSets = 100'000;
 static constexpr int kMaxCallNesting = 64;
 
 static bool is_blank_token(std::string const& characters)
@@ -145,9 +143,7 @@ MacroTable::Macro const* MacroTable::macro_for(Token const& token) const
     auto const macro = macros_.find(token.characters);
     if (macro == macros_.end())
         return nullptr;
-    auto const& hidden = hidden_[token.hidden];
-    bool const is_hidden = std::binary_search(hidden.begin(), hidden.end(), macro->second.number);
-    return is_hidden ? nullptr : &macro->second;
+    return hidden_.has(token.hidden, macro->second.number) ? nullptr : &macro->second;
 }
 
 // Whether the token was __LINE__ or __FILE__, which it is no longer then.
@@ -184,6 +180,15 @@ bool MacroTable::ends_in_call(PlacedText const& text) const
         }
     }
     return depth > 0 || follows_macro;
+}
+
+Result<HiddenMacros::Id> MacroTable::known_set(std::optional<HiddenMacros::Id> set,
+                                               SourcePlace const& place) const
+{
+    if (!set)
+        return error(place,
+                     fmt::format("macros are nested deeper than {}", HiddenMacros::kMaxNesting));
+    return *set;
 }
 
 Result<void> MacroTable::spend(std::size_t size, SourcePlace const& place)
@@ -263,12 +268,12 @@ template<typename Sink> Result<void> MacroTable::expand(Tokens& rest, int depth,
             TRY(sink(token));
             continue;
         }
-        hidden = TRY(hidden_with(hidden, macro->number, token.place));
+        hidden = TRY(known_set(hidden_.with(hidden, macro->number), token.place));
         auto replacement = TRY(substitute(*macro, call));
         TRY(spend(0, token.place));
         for (auto& part : replacement) {
             TRY(spend(part.characters.size(), token.place));
-            part.hidden = TRY(hidden_in_any(part.hidden, hidden, token.place));
+            part.hidden = TRY(known_set(hidden_.in_any(part.hidden, hidden), token.place));
         }
         if (rest.size() + replacement.size() > kMaxTokens)
             return error(token.place, "macros make more than 16 MB of text here");
@@ -279,7 +284,7 @@ template<typename Sink> Result<void> MacroTable::expand(Tokens& rest, int depth,
 
 // Takes a call's arguments from the text. False if no parenthesis follows the name.
 Result<bool> MacroTable::take_call(Macro const& macro, Token const& name, Tokens& rest, Call& call,
-                                   HiddenId& hidden)
+                                   HiddenMacros::Id& hidden)
 {
     auto open = rest.size();
     while (open > 0 && is_blank_token(rest[open - 1].characters))
@@ -295,7 +300,7 @@ Result<bool> MacroTable::take_call(Macro const& macro, Token const& name, Tokens
         rest.pop_back();
         depth += (token.characters == "(") - (token.characters == ")");
         if (depth == 0) {
-            hidden = TRY(hidden_in_both(hidden, token.hidden, name.place));
+            hidden = TRY(known_set(hidden_.in_both(hidden, token.hidden), name.place));
             TRY(check_arguments(macro, { name.characters, open_place, false, false, 0 }, call));
             return true;
         }
@@ -466,48 +471,6 @@ void MacroTable::paste(Tokens& result, Tokens const& next)
         }
     }
     result.insert(result.end(), from, next.end());
-}
-
-Result<MacroTable::HiddenId> MacroTable::hidden_id(std::vector<std::uint32_t> set,
-                                                   SourcePlace const& place)
-{
-    if (set.size() > kMaxMacroNesting || hidden_.size() > kMaxHiddenSets)
-        return error(place, fmt::format("macros are nested deeper than {}", kMaxMacroNesting));
-    auto const [found, is_new]
-        = hidden_ids_.try_emplace(set, static_cast<HiddenId>(hidden_.size()));
-    if (is_new)
-        hidden_.push_back(std::move(set));
-    return found->second;
-}
-
-Result<MacroTable::HiddenId> MacroTable::hidden_in_both(HiddenId a, HiddenId b,
-                                                        SourcePlace const& place)
-{
-    if (a == b)
-        return a;
-    std::vector<std::uint32_t> both;
-    std::set_intersection(hidden_[a].begin(), hidden_[a].end(), hidden_[b].begin(),
-                          hidden_[b].end(), std::back_inserter(both));
-    return hidden_id(std::move(both), place);
-}
-
-Result<MacroTable::HiddenId> MacroTable::hidden_in_any(HiddenId a, HiddenId b,
-                                                       SourcePlace const& place)
-{
-    if (a == 0 || a == b)
-        return b;
-    std::vector<std::uint32_t> any;
-    std::set_union(hidden_[a].begin(), hidden_[a].end(), hidden_[b].begin(), hidden_[b].end(),
-                   std::back_inserter(any));
-    return hidden_id(std::move(any), place);
-}
-
-Result<MacroTable::HiddenId> MacroTable::hidden_with(HiddenId set, std::uint32_t macro,
-                                                     SourcePlace const& place)
-{
-    auto with = hidden_[set];
-    with.insert(std::lower_bound(with.begin(), with.end(), macro), macro);
-    return hidden_id(std::move(with), place);
 }
 
 } // namespace tractus

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/lsystem/text/hidden_macros.h"
 #include "engine/lsystem/text/placed_text.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,8 +20,7 @@ namespace tractus {
 // begins.
 // `#` stands for itself where no parameter follows, as it is a turtle symbol. As in gcc, the
 // variable arguments may have a name, and a comma before ## __VA_ARGS__ goes where there is none in
-// the call. Errors are the user's, with their
-// place.
+// the call. Errors are the user's, with their place.
 class MacroTable {
 public:
     // `files` are the names of the files that places are in; they must outlive the table.
@@ -45,15 +46,14 @@ public:
     Result<bool> expand_whole(PlacedText const& text, PlacedText& out);
 
 private:
-    using HiddenId = std::uint32_t; // Number of a set of macros in hidden_; 0 is the empty one.
-
     // A preprocessing token, or one blank.
     struct Token {
         std::string characters;
         SourcePlace place;       // Place of its first character.
         bool is_in_body = false; // Then all its characters are at the call's place.
         bool is_paste = false;   // The operator ##, in a body.
-        HiddenId hidden = 0;     // The macros that it came from, which do not replace it again.
+        // The macros that it came from, which do not replace it again.
+        HiddenMacros::Id hidden = HiddenMacros::kEmpty;
     };
     using Tokens = std::vector<Token>;
 
@@ -85,7 +85,7 @@ private:
 
     template<typename Sink> Result<void> expand(Tokens& rest, int depth, Sink const& sink);
     Result<bool> take_call(Macro const& macro, Token const& name, Tokens& rest, Call& call,
-                           HiddenId& hidden);
+                           HiddenMacros::Id& hidden);
     Result<void> check_arguments(Macro const& macro, Token const& name, Call& call) const;
     Result<Tokens> substitute(Macro const& macro, Call& call);
     Result<void> substitute_token(Macro const& macro, Call& call, std::size_t at, Tokens& result);
@@ -94,10 +94,8 @@ private:
     static bool takes_comma(Macro const& macro, Call const& call, std::size_t at, Tokens& result);
     static void paste(Tokens& result, Tokens const& next);
 
-    Result<HiddenId> hidden_id(std::vector<std::uint32_t> set, SourcePlace const& place);
-    Result<HiddenId> hidden_in_both(HiddenId a, HiddenId b, SourcePlace const& place);
-    Result<HiddenId> hidden_in_any(HiddenId a, HiddenId b, SourcePlace const& place);
-    Result<HiddenId> hidden_with(HiddenId set, std::uint32_t macro, SourcePlace const& place);
+    Result<HiddenMacros::Id> known_set(std::optional<HiddenMacros::Id> set,
+                                       SourcePlace const& place) const;
     Result<void> spend(std::size_t size, SourcePlace const& place);
 
     tl::unexpected<Error> error(PlacedText const& text, std::size_t index,
@@ -110,11 +108,10 @@ private:
     std::vector<std::string> const& files_;
     std::map<std::string, Macro, std::less<>> macros_;
     std::uint32_t next_number_ = 0;
-    std::vector<std::vector<std::uint32_t>> hidden_ { {} }; // Sorted.
-    std::map<std::vector<std::uint32_t>, HiddenId> hidden_ids_ { { {}, 0 } };
+    HiddenMacros hidden_;
     std::size_t spent_ = 0;
-    bool ended_in_call_
-        = false; // A text that was expanded, before or behind an opening parenthesis.
+    // A text that was expanded did, before or behind an opening parenthesis.
+    bool ended_in_call_ = false;
 };
 
 } // namespace tractus

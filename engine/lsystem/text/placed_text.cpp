@@ -6,6 +6,21 @@
 
 namespace tractus {
 
+void PlacedText::append(PlacedText const& other, std::size_t begin, std::size_t end)
+{
+    characters.append(other.characters, begin, end - begin);
+    places.insert(places.end(), other.places.begin() + static_cast<std::ptrdiff_t>(begin),
+                  other.places.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
+PlacedText part_of(PlacedText const& text, std::string_view view)
+{
+    PlacedText result;
+    auto const begin = static_cast<std::size_t>(view.data() - text.characters.data());
+    result.append(text, begin, begin + view.size());
+    return result;
+}
+
 tl::unexpected<Error> error_in(PlacedText const& text, std::size_t index,
                                std::vector<std::string> const& files, std::string const& what)
 {

@@ -22,8 +22,13 @@ struct PlacedText {
         characters.push_back(character);
         places.push_back(place);
     }
+    // Appends characters `begin` to `end` of another text.
+    void append(PlacedText const& other, std::size_t begin, std::size_t end);
     std::size_t size() const { return characters.size(); }
 };
+
+// A part of a text, which a view into its characters names.
+PlacedText part_of(PlacedText const& text, std::string_view view);
 
 // "FILE:LINE:COLUMN: what", as the user's fault, for a character of the text.
 tl::unexpected<Error> error_in(PlacedText const& text, std::size_t index,

@@ -1,7 +1,7 @@
 #include "engine/lsystem/text/source_text.h"
 
-#include "engine/lsystem/text/condition.h"
 #include "engine/lsystem/text/macro_table.h"
+#include "engine/lsystem/text/open_conditions.h"
 #include "engine/lsystem/text/placed_text.h"
 #include "engine/lsystem/text/user_text.h"
 
@@ -27,15 +27,6 @@ std::string beside(std::string const& file, std::string const& name)
 {
     return file.substr(0, file.rfind('/') + 1) + name;
 }
-
-// One #if that is open.
-struct Condition {
-    bool is_on = false;  // Its part that is being read is to be read.
-    bool was_on = false; // One of its parts was.
-    bool has_else = false;
-    bool is_possible = true; // The text around it is read.
-    SourcePlace place;
-};
 
 // Where the lines behind a #line are said to be.
 struct Presumed {
@@ -64,16 +55,7 @@ private:
     Result<void> set_line(PlacedText const& line, std::string_view rest);
     Result<std::uint32_t> add_name(std::string const& name);
     Result<void> include_file(PlacedText const& line, std::string_view rest, int nesting);
-    Result<bool> condition(PlacedText const& line, std::string_view word, std::string_view rest);
-    Result<void> next_part(PlacedText const& line, std::string_view word, std::string_view rest);
-    Result<bool> value(PlacedText const& line, std::string_view rest);
-    Result<bool> is_defined(PlacedText const& line, std::string_view rest,
-                            std::string_view word) const;
 
-    bool active() const
-    {
-        return conditions_.empty() || (conditions_.back().is_possible && conditions_.back().is_on);
-    }
     tl::unexpected<Error> error(PlacedText const& text, std::size_t index,
                                 std::string const& what) const
     {
@@ -83,10 +65,9 @@ private:
     IncludeReader const& include_;
     std::vector<std::string> files_;
     MacroTable macros_ { files_ };
-    std::vector<Condition> conditions_;
-    std::size_t first_condition_ = 0; // Of the file that is read.
-    std::string name_;                // Of that file.
-    std::set<std::string> once_;      // Files that are not included again.
+    OpenConditions conditions_ { macros_, files_ };
+    std::string name_;           // Name of the file that is read.
+    std::set<std::string> once_; // Files that are not included again.
     std::optional<Presumed> presumed_;
     std::vector<std::string> warnings_;
     PlacedText out_;
@@ -100,9 +81,6 @@ bool is_directive(std::string_view line)
 // Words behind a #, besides those of conditions.
 constexpr std::array<std::string_view, 7> kWords { "define",  "undef", "include", "error",
                                                    "warning", "line",  "pragma" };
-constexpr std::array<std::string_view, 8> kConditionWords {
-    "if", "ifdef", "ifndef", "elif", "else", "elifdef", "elifndef", "endif"
-};
 
 // The word that was perhaps meant behind a #, which may be a turtle symbol before others as well:
 // only longer words alone and in small letters are looked at.
@@ -113,7 +91,7 @@ std::string_view meant_word(std::string_view word, std::string_view behind)
         = std::all_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
     if (!is_alone || !is_small || word.size() < 3)
         return {};
-    auto const condition = nearest_word(word, kConditionWords);
+    auto const condition = nearest_word(word, OpenConditions::kWords);
     return condition.empty() ? nearest_word(word, kWords) : condition;
 }
 
@@ -123,22 +101,6 @@ bool is_line_marker(std::string_view after_hash)
     auto const words = trimmed_line(after_hash);
     auto const behind = trimmed_line(words.substr(first_name(words).size()));
     return !words.empty() && is_digit(words.front()) && behind.substr(0, 1) == "\"";
-}
-
-void append(PlacedText& text, PlacedText const& other, std::size_t begin, std::size_t end)
-{
-    text.characters.append(other.characters, begin, end - begin);
-    text.places.insert(text.places.end(), other.places.begin() + static_cast<std::ptrdiff_t>(begin),
-                       other.places.begin() + static_cast<std::ptrdiff_t>(end));
-}
-
-// A part of a line, which a view into it names.
-PlacedText part_of(PlacedText const& line, std::string_view view)
-{
-    PlacedText result;
-    auto const begin = static_cast<std::size_t>(view.data() - line.characters.data());
-    append(result, line, begin, begin + view.size());
-    return result;
 }
 
 Result<void> Preprocessor::add_file(std::string const& name, std::string_view source, int nesting)
@@ -154,15 +116,15 @@ Result<void> Preprocessor::add_file(std::string const& name, std::string_view so
         return fail(Fault::User,
                     fmt::format("{}:{}:{}: the comment that begins here has no */", name,
                                 open_comment->line, open_comment->column));
-    auto const first_before = std::exchange(first_condition_, conditions_.size());
+    auto const around = conditions_.begin_file();
     auto const name_before = std::exchange(name_, name);
     auto const presumed_before = std::exchange(presumed_, std::nullopt);
     TRY(add_lines(text, nesting));
-    if (conditions_.size() != first_condition_)
-        return fail(Fault::User,
-                    fmt::format("{}:{}:{}: this #if has no #endif", name,
-                                conditions_.back().place.line, conditions_.back().place.column));
-    first_condition_ = first_before;
+    if (auto const open = conditions_.open_in_file())
+        return fail(
+            Fault::User,
+            fmt::format("{}:{}:{}: this #if has no #endif", name, open->line, open->column));
+    conditions_.end_file(around);
     name_ = name_before;
     presumed_ = presumed_before;
     return {};
@@ -179,7 +141,7 @@ Result<void> Preprocessor::add_lines(PlacedText const& text, int nesting)
                 out_.push('\n', line.places.back());
             continue;
         }
-        if (!active())
+        if (!conditions_.are_on())
             continue;
         bool is_whole = false;
         for (int i = 0; i < kMaxCallLines && begin < text.size(); ++i) {
@@ -188,7 +150,7 @@ Result<void> Preprocessor::add_lines(PlacedText const& text, int nesting)
             auto const more = is_whole ? PlacedText {} : take_line(text, next);
             if (is_whole || is_directive(more.characters))
                 break;
-            append(line, more, 0, more.size());
+            line.append(more, 0, more.size());
             begin = next;
         }
         if (!is_whole)
@@ -215,7 +177,7 @@ PlacedText Preprocessor::take_written_line(PlacedText const& text, std::size_t& 
         = [&] { return std::min(text.characters.find('\n', begin), text.size() - 1) + 1; };
     PlacedText line;
     auto end = line_end();
-    append(line, text, begin, end);
+    line.append(text, begin, end);
     begin = end;
     if (!is_directive(line.characters))
         return line;
@@ -226,10 +188,10 @@ PlacedText Preprocessor::take_written_line(PlacedText const& text, std::size_t& 
         line.places.resize(size - 2);
         end = line_end();
         PlacedText next;
-        append(next, text, begin, end);
-        if (active())
+        next.append(text, begin, end);
+        if (conditions_.are_on())
             warn_of_joined_line(line, next);
-        append(line, text, begin, end);
+        line.append(text, begin, end);
         begin = end;
     }
     return line;
@@ -262,20 +224,21 @@ Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
     auto const word = first_name(rest);
     auto const behind = rest.substr(word.size());
     rest = trimmed_line(behind);
-    if (TRY(condition(line, word, rest)))
+    if (TRY(conditions_.obey(line, word, rest)))
         return true;
     bool const is_marker = is_line_marker(after_hash);
     bool const is_known = std::find(kWords.begin(), kWords.end(), word) != kWords.end();
-    if (auto const meant = is_known || is_marker || !active() ? "" : meant_word(word, behind);
+    if (auto const meant
+        = is_known || is_marker || !conditions_.are_on() ? "" : meant_word(word, behind);
         !meant.empty())
         return error(line, line.characters.find('#'),
                      fmt::format("found '{}', expected '#{}', perhaps",
                                  shown(trimmed_line(line.characters)), meant));
     if (!is_marker && !is_known)
         return false;
-    if (active() && is_marker)
+    if (conditions_.are_on() && is_marker)
         TRY(set_line(line, trimmed_line(after_hash)));
-    else if (active())
+    else if (conditions_.are_on())
         TRY(obey(line, word, rest, nesting));
     return true;
 }
@@ -343,108 +306,6 @@ Result<std::uint32_t> Preprocessor::add_name(std::string const& name)
             fmt::format("{}: there are more than {} includes before this one", name, kMaxFiles));
     files_.push_back(name);
     return static_cast<std::uint32_t>(files_.size() - 1);
-}
-
-// Whether the line was #if or what belongs to it. What is not read is not computed, either.
-Result<bool> Preprocessor::condition(PlacedText const& line, std::string_view word,
-                                     std::string_view rest)
-{
-    if (word == "elif" || word == "elifdef" || word == "elifndef" || word == "else"
-        || word == "endif") {
-        TRY(next_part(line, word, rest));
-        return true;
-    }
-    if (word != "if" && word != "ifdef" && word != "ifndef")
-        return false;
-    Condition opened;
-    opened.is_possible = active();
-    opened.place = line.places[line.characters.find('#')];
-    if (opened.is_possible)
-        opened.is_on = word == "if" ? TRY(value(line, rest))
-                                    : TRY(is_defined(line, rest, word)) == (word == "ifdef");
-    opened.was_on = opened.is_on;
-    conditions_.push_back(opened);
-    return true;
-}
-
-Result<bool> Preprocessor::is_defined(PlacedText const& line, std::string_view rest,
-                                      std::string_view word) const
-{
-    auto const name = first_name(rest);
-    if (name.empty() || !is_name_start(name.front()))
-        return error(line, 0, fmt::format("found #{} {}, expected a name", word, shown(rest)));
-    return macros_.is_defined(name);
-}
-
-Result<void> Preprocessor::next_part(PlacedText const& line, std::string_view word,
-                                     std::string_view rest)
-{
-    if (conditions_.size() == first_condition_) // One of the file that includes this stays open.
-        return error(line, 0, fmt::format("found #{} without #if", word));
-    auto& open = conditions_.back();
-    if (word == "endif") {
-        conditions_.pop_back();
-        return {};
-    }
-    if (open.has_else)
-        return error(
-            line, 0,
-            fmt::format("found #{} behind the #else of the #if at line {}", word, open.place.line));
-    bool const is_open = open.is_possible && !open.was_on;
-    open.has_else = word == "else";
-    open.is_on = is_open
-        && (open.has_else
-            || (word == "elif" ? TRY(value(line, rest))
-                               : TRY(is_defined(line, rest, word)) == (word == "elifdef")));
-    open.was_on = open.was_on || open.is_on;
-    return {};
-}
-
-// Value of an #if's expression. `defined` is replaced before macros are.
-Result<bool> Preprocessor::value(PlacedText const& line, std::string_view rest)
-{
-    auto const text = part_of(line, rest);
-    PlacedText ready;
-    std::string_view const characters = text.characters;
-    auto const skip_blanks = [&](std::size_t from) {
-        return std::min(characters.find_first_not_of(" \t\r\n", from), characters.size());
-    };
-    for (std::size_t i = 0; i < characters.size();) {
-        auto const begin = i;
-        if (characters[begin] == '\'') // Before macros could replace what is in it.
-            if (auto const constant = character_constant(characters, begin)) {
-                i = constant->end;
-                for (char const digit : fmt::format("({})", constant->value))
-                    ready.push(digit, text.places[begin]);
-                continue;
-            }
-        i = token_end(characters, i);
-        if (characters.substr(begin, i - begin) != "defined") {
-            append(ready, text, begin, i);
-            continue;
-        }
-        auto name_at = skip_blanks(i);
-        bool const is_enclosed = characters.substr(name_at, 1) == "(";
-        if (is_enclosed)
-            name_at = skip_blanks(name_at + 1);
-        auto const name = first_name(characters.substr(name_at));
-        i = name_at + name.size();
-        if (is_enclosed)
-            i = skip_blanks(i);
-        if (name.empty() || !is_name_start(name.front())
-            || (is_enclosed && characters.substr(i, 1) != ")"))
-            return error(text, begin, "found 'defined', expected a name or (NAME) behind it");
-        i += is_enclosed;
-        ready.push(macros_.is_defined(name) ? '1' : '0', text.places[begin]);
-    }
-    PlacedText expanded;
-    TRY(macros_.expand(ready, expanded));
-    auto const end_place = line.places.back();
-    expanded.push(' ', end_place);
-    auto const result = TRY(condition_value(expanded.characters, [&](auto index, auto const& what) {
-        return error(expanded, std::min(index, expanded.size() - 1), what);
-    }));
-    return result != 0;
 }
 
 Result<void> Preprocessor::include_file(PlacedText const& line, std::string_view rest, int nesting)

@@ -115,6 +115,26 @@ TEST_F(RendererTest, FadesTheGroundIntoTheBackdrop)
     EXPECT_NE(empty.at(kWidth / 2, kHeight / 2), bare.at(kWidth / 2, kHeight / 2));
 }
 
+// A post that goes 100 mm down is a root and 10 mm are a foot in the ground.
+TEST_F(RendererTest, LeavesTheGroundOutWhereItWouldHideRoots)
+{
+    GpuMesh const mesh(post_with_leaves());
+    Stage stage;
+    auto const lowered = [&](float depth_mm) {
+        stage.meshes = { { &mesh, Eigen::Affine3f(Eigen::Translation3f(0, 0, -depth_mm)) } };
+        return picture(stage);
+    };
+    Vec3 const root(0, -20, -40);
+    Vec3 const open_ground(-400, 400, 0);
+    auto const with_ground = lowered(10);
+    auto const without = lowered(100);
+    EXPECT_LT(brightness(at(without, root)) + 60, brightness(at(with_ground, root)));
+    stage.meshes.clear();
+    stage.backdrop.has_ground = false;
+    EXPECT_EQ(at(without, open_ground), at(picture(stage), open_ground));
+    EXPECT_NE(at(with_ground, open_ground), at(picture(stage), open_ground));
+}
+
 TEST_F(RendererTest, ShowsLightThroughLeaves)
 {
     auto mesh = post_with_leaves();

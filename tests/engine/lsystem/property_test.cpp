@@ -70,6 +70,27 @@ RC_GTEST_PROP(LSystemProperty, ContextTableAgreesWithTheSearch, ())
         RC_ASSERT(to_string(tabled, *string) == to_string(searched, *expected));
 }
 
+// Brackets that do not match among them, and those that contexts do not see.
+RC_GTEST_PROP(LSystemProperty, PiecesAgreeOnTheNeighboursAcrossThem, ())
+{
+    auto const rules = *rc::gen::container<std::vector<std::string>>(random_rule_text());
+    auto const seen
+        = *rc::gen::element<std::string>("", "ignore: +-\n", "consider: ABC\n", "ignore: []+\n");
+    std::string text = seen + "Axiom: A"
+        + *rc::gen::container<std::string>(rc::gen::elementOf(std::string("ABC+-[[]]"))) + "\n";
+    for (auto const& rule : rules)
+        text += rule;
+    auto const model = compiled(with_header(text, *rc::gen::inRange(1, 6)));
+    DeriveOptions options;
+    options.limits.max_modules = 100'000;
+    auto const serial = derive(model, options);
+    RC_PRE(serial.has_value());
+    auto const expected = to_string(model, *serial);
+    options.piece = *rc::gen::inRange<std::size_t>(1, 12);
+    RC_ASSERT(derived_by(1, model, options) == expected);
+    RC_ASSERT(derived_by(4, model, options) == expected);
+}
+
 // Rules of all kinds, of which every string is cut into pieces.
 RC_GTEST_PROP(LSystemProperty, ParallelAgreesWithSerial, ())
 {

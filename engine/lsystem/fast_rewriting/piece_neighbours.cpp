@@ -1,0 +1,109 @@
+#include "engine/lsystem/fast_rewriting/piece_neighbours.h"
+
+#include <algorithm>
+
+namespace tractus {
+
+using Role = NeighbourRoles::Role;
+
+// A branch has nothing to its right; what stands behind it is the right neighbour of what bears it.
+void PieceNeighbours::read(NeighbourRoles const& roles, KindId const* string, std::size_t begin,
+                           std::size_t end, KindId* rights)
+{
+    missing_.clear();
+    lefts_.assign(1, std::nullopt);
+    waiting_.reserve(end - begin);
+    auto* const waiting = waiting_.data();
+    std::size_t depth = 0;
+    std::size_t taken = 0;
+    std::size_t closing_count = 0;
+    Neighbour right = kOutside;
+    bool wants_left = true;
+    for (auto i = end; i-- > begin;) {
+        if (right >= kOutside)
+            missing_.push_back({ i, right - kOutside });
+        rights[i] = static_cast<KindId>(right);
+        auto const kind = string[i];
+        auto const role = roles.of_kind[kind];
+        if (role == Role::Closing) {
+            ++closing_count;
+            if (!roles.sees_branches)
+                continue;
+            waiting[depth++] = right;
+            right = roles.none;
+        } else if (role == Role::Opening) {
+            if (closing_count > 0)
+                --closing_count;
+            else
+                lefts_.emplace_back();
+            wants_left = !lefts_.back();
+            if (roles.sees_branches)
+                right = depth > 0 ? waiting[--depth] : kOutside + static_cast<Neighbour>(++taken);
+        } else if (role == Role::Seen) {
+            right = kind;
+            if (wants_left && closing_count == 0) {
+                lefts_.back() = kind;
+                wants_left = false;
+            }
+        }
+    }
+    waiting_.set_size(depth);
+    right_ = right;
+    taken_count_ = taken;
+    closing_count_ = closing_count;
+}
+
+void PieceNeighbours::write_missing(KindId* rights) const
+{
+    for (auto const& [module, outside] : missing_)
+        rights[module] = outside_[outside];
+}
+
+static KindId take(NeighbourRoles const& roles, std::vector<KindId>& waiting)
+{
+    if (waiting.empty())
+        return roles.none;
+    auto const last = waiting.back();
+    waiting.pop_back();
+    return last;
+}
+
+void PieceNeighbours::take_from_right(NeighbourRoles const& roles, KindId& right,
+                                      std::vector<KindId>& waiting)
+{
+    outside_.assign(1, right);
+    for (std::size_t i = 0; i < taken_count_; ++i)
+        outside_.push_back(take(roles, waiting));
+    for (auto const neighbour : waiting_.span())
+        waiting.push_back(value(neighbour));
+    right = value(right_);
+}
+
+void PieceNeighbours::take_from_left(NeighbourRoles const& roles, KindId& left,
+                                     std::vector<KindId>& waiting)
+{
+    left_ = left;
+    auto const first = waiting.size() - std::min(waiting.size(), closing_count_);
+    waiting_lefts_.assign(waiting.begin() + static_cast<std::ptrdiff_t>(first), waiting.end());
+    for (std::size_t i = 0; i < closing_count_; ++i)
+        left = take(roles, waiting);
+    for (auto i = lefts_.size(); i-- > 0;) {
+        left = lefts_[i].value_or(left);
+        if (i > 0)
+            waiting.push_back(left);
+    }
+}
+
+void join_neighbours(NeighbourRoles const& roles, std::span<PieceNeighbours> pieces)
+{
+    std::vector<KindId> waiting;
+    auto neighbour = roles.none;
+    for (auto i = pieces.size(); i-- > 0;)
+        pieces[i].take_from_right(roles, neighbour, waiting);
+    waiting.clear();
+    neighbour = roles.none;
+    for (auto& piece : pieces)
+        piece.take_from_left(roles, neighbour, waiting);
+}
+
+} // namespace tractus
