@@ -81,7 +81,7 @@ ContextTable::ContextTable(Model const& model)
     for (std::size_t left = 0; left <= count; ++left)
         for (std::size_t kind = 0; kind < count; ++kind)
             for (std::size_t right = 0; right <= count; ++right) {
-                auto& successor = table_[index(left, kind, right)];
+                auto& successor = table_[index(kind_bits_, left, kind, right)];
                 successor = static_cast<std::uint16_t>(kind);
                 for (auto const number : model.rules.by_kind[kind]) {
                     auto const& rule = model.rules.rules[number];
@@ -114,7 +114,8 @@ void ContextTable::find_right_neighbours(Task const& task)
     });
 }
 
-// Appends what the modules of a piece become.
+// Appends what the modules of a piece become. Members are copied: kinds are bytes, and the compiler
+// must think that writing them changes whatever else lies in memory.
 template<bool kIsRow, bool kIsOneToOne>
 void ContextTable::write(Task const& task, std::size_t number, Column<KindId>& waiting,
                          Column<KindId>& out) const
@@ -125,7 +126,12 @@ void ContextTable::write(Task const& task, std::size_t number, Column<KindId>& w
     auto const last = std::min(first + task.piece, size);
     auto const* const kinds = task.in.data();
     auto const* const rights = right_.data();
-    auto left = first > 0 ? kinds[first - 1] : roles_.none;
+    auto const roles = roles_;
+    auto const bits = kind_bits_;
+    auto const* const table = table_.data();
+    auto const* const successors = successors_.data();
+    auto const* const one_to_one = one_to_one_.data();
+    auto left = first > 0 ? kinds[first - 1] : roles.none;
     KindId* stack = nullptr;
     std::size_t depth = 0;
     if constexpr (!kIsRow) {
@@ -143,21 +149,21 @@ void ContextTable::write(Task const& task, std::size_t number, Column<KindId>& w
         auto* to = out.data() + out.size();
         for (auto i = begin; i < end; ++i) {
             auto const kind = kinds[i];
-            auto const right = !kIsRow ? rights[i] : i + 1 < size ? kinds[i + 1] : roles_.none;
-            auto const successor = index(left, kind, right);
+            auto const right = !kIsRow ? rights[i] : i + 1 < size ? kinds[i + 1] : roles.none;
+            auto const at = index(bits, left, kind, right);
             if constexpr (kIsOneToOne)
-                *to++ = one_to_one_[successor];
+                *to++ = one_to_one[at];
             else
-                successors_[table_[successor]].write_kinds(to);
+                successors[table[at]].write_kinds(to);
             if constexpr (kIsRow) {
                 left = kind;
                 continue;
             }
-            auto const role = roles_.of_kind[kind];
+            auto const role = roles.of_kind[kind];
             if (role == Role::Opening)
                 stack[depth++] = left;
             else if (role == Role::Closing)
-                left = depth > 0 ? stack[--depth] : roles_.none;
+                left = depth > 0 ? stack[--depth] : roles.none;
             else
                 left = role == Role::Seen ? kind : left;
         }
@@ -189,26 +195,33 @@ void ContextTable::write_in_parallel(Task const& task, Column<KindId>& out)
                 write_piece(task, first + i, written_[i].stack, written_[i].out);
             }
         });
-        for (std::size_t i = 0; i < count && out.size() <= task.max_modules; ++i)
-            out.append(written_[i].out.data(), written_[i].out.size());
+        std::vector<std::size_t> places { out.size() };
+        for (std::size_t i = 0; i < count; ++i)
+            places.push_back(places.back() + written_[i].out.size());
+        out.reserve_more(places.back() - out.size());
+        out.set_size(places.back());
+        if (out.size() <= task.max_modules)
+            parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+                for (auto i = begin; i < end; ++i)
+                    std::copy_n(written_[i].out.data(), written_[i].out.size(),
+                                out.data() + places[i]);
+            });
     }
 }
 
 void ContextTable::rewrite(Column<KindId> const& in, Column<KindId>& out, std::size_t max_modules,
                            std::size_t piece)
 {
-    bool const is_parallel = in.size() > 2 * piece && thread_count() > 1;
-    Task task { in, max_modules, is_parallel ? piece : in.size(), 1 };
-    if (is_parallel)
-        task.piece_count = (in.size() + piece - 1) / piece;
+    Task const task { in, max_modules, piece, (in.size() + piece - 1) / piece };
     if (!is_row_)
         find_right_neighbours(task);
     out.clear();
     out.reserve(std::min(in.size(), max_modules)); // Seldom shorter, and grown without copying.
-    if (is_parallel)
+    if (task.piece_count > 2 && thread_count() > 1)
         return write_in_parallel(task, out);
     written_.resize(1);
-    write_piece(task, 0, written_.front().stack, out);
+    for (std::size_t i = 0; i < task.piece_count && out.size() <= max_modules; ++i)
+        write_piece(task, i, written_.front().stack, out);
 }
 
 } // namespace tractus

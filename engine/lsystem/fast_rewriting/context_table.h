@@ -53,9 +53,9 @@ private:
     template<bool kIsRow, bool kIsOneToOne>
     void write(Task const& task, std::size_t number, Column<KindId>& stack,
                Column<KindId>& out) const;
-    std::size_t index(std::size_t left, std::size_t kind, std::size_t right) const
+    static std::size_t index(unsigned bits, std::size_t left, std::size_t kind, std::size_t right)
     {
-        return ((left << kind_bits_ | kind) << kind_bits_) | right;
+        return ((left << bits | kind) << bits) | right;
     }
 
     unsigned kind_bits_ = 0;

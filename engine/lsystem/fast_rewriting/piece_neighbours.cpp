@@ -7,18 +7,19 @@ namespace tractus {
 using Role = NeighbourRoles::Role;
 
 // A branch has nothing to its right; what stands behind it is the right neighbour of what bears it.
-void PieceNeighbours::read(NeighbourRoles const& roles, KindId const* string, std::size_t begin,
-                           std::size_t end, KindId* rights)
+template<bool kSeesBranches>
+void PieceNeighbours::read_all(NeighbourRoles const& roles, KindId const* string, std::size_t begin,
+                               std::size_t end, KindId* rights)
 {
+    constexpr auto kFound = static_cast<std::size_t>(-1);
     missing_.clear();
     lefts_.assign(1, std::nullopt);
     waiting_.reserve(end - begin);
     auto* const waiting = waiting_.data();
-    std::size_t depth = 0;
-    std::size_t taken = 0;
-    std::size_t closing_count = 0;
+    std::size_t depth = 0;      // Of branches that end in what has been read and begin before it.
+    std::size_t left_depth = 0; // Where the left neighbour is looked for.
+    Neighbour taken = 0;
     Neighbour right = kOutside;
-    bool wants_left = true;
     for (auto i = end; i-- > begin;) {
         if (right >= kOutside)
             missing_.push_back({ i, right - kOutside });
@@ -26,31 +27,39 @@ void PieceNeighbours::read(NeighbourRoles const& roles, KindId const* string, st
         auto const kind = string[i];
         auto const role = roles.of_kind[kind];
         if (role == Role::Closing) {
-            ++closing_count;
-            if (!roles.sees_branches)
-                continue;
             waiting[depth++] = right;
-            right = roles.none;
+            if (kSeesBranches)
+                right = roles.none;
+        } else if (role == Role::Opening && depth > 0) {
+            --depth;
+            if (kSeesBranches)
+                right = waiting[depth];
         } else if (role == Role::Opening) {
-            if (closing_count > 0)
-                --closing_count;
-            else
-                lefts_.emplace_back();
-            wants_left = !lefts_.back();
-            if (roles.sees_branches)
-                right = depth > 0 ? waiting[--depth] : kOutside + static_cast<Neighbour>(++taken);
-        } else if (role == Role::Seen) {
-            right = kind;
-            if (wants_left && closing_count == 0) {
+            lefts_.emplace_back();
+            left_depth = 0;
+            if (kSeesBranches)
+                right = kOutside + ++taken;
+        } else {
+            right = role == Role::Seen ? kind : right;
+            if (depth == left_depth && role == Role::Seen) {
                 lefts_.back() = kind;
-                wants_left = false;
+                left_depth = kFound;
             }
         }
     }
-    waiting_.set_size(depth);
+    waiting_.set_size(kSeesBranches ? depth : 0);
     right_ = right;
     taken_count_ = taken;
-    closing_count_ = closing_count;
+    closing_count_ = depth;
+}
+
+void PieceNeighbours::read(NeighbourRoles const& roles, KindId const* string, std::size_t begin,
+                           std::size_t end, KindId* rights)
+{
+    if (roles.sees_branches)
+        read_all<true>(roles, string, begin, end, rights);
+    else
+        read_all<false>(roles, string, begin, end, rights);
 }
 
 void PieceNeighbours::write_missing(KindId* rights) const

@@ -43,6 +43,10 @@ public:
     std::vector<KindId> const& waiting_lefts() const { return waiting_lefts_; }
 
 private:
+    template<bool kSeesBranches>
+    void read_all(NeighbourRoles const& roles, KindId const* string, std::size_t begin,
+                  std::size_t end, KindId* rights);
+
     friend void join_neighbours(NeighbourRoles const& roles, std::span<PieceNeighbours> pieces);
 
     // A kind; or kOutside + i: what stands i branches outside of the piece's last module.
