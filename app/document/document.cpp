@@ -216,6 +216,12 @@ void Document::settle()
     changed_.wait(lock, [&] { return queue_.empty() && !is_at_work_ && !is_trying_again_; });
 }
 
+Result<void> Document::set_name(std::string name)
+{
+    settle();
+    return session_.set_name(std::move(name));
+}
+
 void Document::perform(ToolStroke const& stroke)
 {
     DrawnStroke drawn { stroke.stroke, stroke.tool };

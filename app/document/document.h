@@ -123,6 +123,9 @@ public:
 
     Session const& session() const { return session_; } // While is_settled().
 
+    // Session::set_name(), when all that has come is done.
+    Result<void> set_name(std::string name);
+
 private:
     struct Undo { };
     struct Redo { };

@@ -1,7 +1,7 @@
 #include "app/live/choice_page.h"
 
+#include "app/live/drawing_name.h"
 #include "app/live/picture_files.h"
-#include "app/live/recent_drawings.h"
 #include "app/methods/all_leaves.h"
 
 #include <algorithm>

@@ -78,7 +78,8 @@ static Result<OpenedDrawing> open_named(WantedDrawing const& wanted, EditKinds k
 {
     OpenedDrawing opened;
     opened.session = TRY(open_or_begin(wanted, kinds, opened.trouble));
-    opened.name = wanted.session.stem().string();
+    opened.name
+        = opened.session->name().empty() ? wanted.session.stem().string() : opened.session->name();
     return opened;
 }
 

@@ -1,10 +1,11 @@
 #include "app/live/recent_drawings.h"
 
+#include "app/live/drawing_name.h"
 #include "app/plants/session_plant.h"
+#include "app/session/session_copy.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <ctime>
 #include <fmt/chrono.h>
 #include <fmt/core.h>
@@ -30,34 +31,6 @@ std::chrono::sys_days day_of(std::tm const& time)
                                  / std::chrono::day(static_cast<unsigned>(time.tm_mday)));
 }
 
-// Takes "-" and a number off the end; false if they are not there, or the number has not so many
-// digits.
-bool take_number(std::string_view& name, std::optional<std::size_t> digits = std::nullopt)
-{
-    auto const last = name.find_last_not_of("0123456789");
-    if (last == std::string_view::npos || name[last] != '-')
-        return false;
-    auto const found = name.size() - last - 1;
-    if (found == 0 || found != digits.value_or(found))
-        return false;
-    name.remove_suffix(found + 1);
-    return true;
-}
-
-// Without the time that unnamed_session_path() puts behind it, and the number behind that.
-std::string plant_of(std::string const& stem)
-{
-    for (bool const numbered : { false, true }) {
-        std::string_view plant = stem;
-        if (numbered && !take_number(plant))
-            continue;
-        if (take_number(plant, 4) && take_number(plant, 2) && take_number(plant, 2)
-            && take_number(plant, 4) && !plant.empty())
-            return std::string(plant);
-    }
-    return stem;
-}
-
 } // namespace
 
 std::string time_in_words(sys_seconds time, sys_seconds now)
@@ -77,14 +50,6 @@ std::string time_in_words(sys_seconds time, sys_seconds now)
         = fmt::format("{} {}", then.tm_mday, kMonths.at(static_cast<std::size_t>(then.tm_mon)));
     return then.tm_year == today.tm_year ? fmt::format("{}, {}", date, clock)
                                          : fmt::format("{} {}", date, then.tm_year + 1900);
-}
-
-std::string name_in_words(std::string stem)
-{
-    std::replace(stem.begin(), stem.end(), '_', ' ');
-    if (!stem.empty())
-        stem.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(stem.front())));
-    return stem;
 }
 
 sys_seconds written_last(fs::path const& file)
@@ -113,7 +78,7 @@ std::vector<RecentDrawing> recent_drawings(fs::path const& folder, std::size_t m
     std::vector<RecentDrawing> recent;
     for (auto const& [time, file] : found)
         recent.push_back(
-            { file, name_in_words(plant_of(file.stem().string())), time_in_words(time, now) });
+            { file, name_of_drawing(file, session_name(file)), time_in_words(time, now) });
     return recent;
 }
 

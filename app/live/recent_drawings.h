@@ -11,7 +11,7 @@ namespace tractus {
 // A session that somebody has drawn in.
 struct RecentDrawing {
     std::filesystem::path file {};
-    std::string name {}; // The plant's, as the file has it (unnamed_session.h); else the file's.
+    std::string name {}; // See name_of_drawing().
     std::string time {}; // When it was last drawn in: see time_in_words().
 };
 
@@ -25,8 +25,5 @@ std::chrono::sys_seconds written_last(std::filesystem::path const& file);
 
 // "Today, 14:03", "Yesterday, 9:12", "24 November, 18:40", "3 March 2025": in local time.
 std::string time_in_words(std::chrono::sys_seconds time, std::chrono::sys_seconds now);
-
-// A file's stem as a name for people: "lombardy_poplar" is "Lombardy poplar".
-std::string name_in_words(std::string stem);
 
 } // namespace tractus

@@ -52,6 +52,8 @@ private:
     void perform_kind(DragDrawnGlyph const&) { }
     void perform_kind(OpenLeaves const&) { }
     void perform_kind(DressActivePlant const&) { }
+    void perform_kind(NameDrawing const&) { } // It is a recording's.
+    void perform_kind(SaveCopy const&) { }
     void perform_kind(SetPressingAreas const&) { } // The hand was elsewhere.
     void perform_kind(PressInstead const&) { }
     void perform_kind(MoveMousePen const&) { }

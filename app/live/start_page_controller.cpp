@@ -1,5 +1,6 @@
 #include "app/live/start_page_controller.h"
 
+#include "app/live/drawing_name.h"
 #include "app/live/recent_drawings.h"
 #include "app/live/unnamed_session.h"
 #include "app/resources.h"

@@ -1,16 +1,20 @@
 #include "app/live/station_controller.h"
 
 #include "app/dated_path.h"
+#include "app/live/drawing_name.h"
 #include "app/live/picture_files.h"
+#include "app/live/unnamed_session.h"
 #include "app/methods/all_leaves.h"
 #include "app/plants/glb_size.h"
 #include "app/plants/plant_file.h"
 #include "app/plants/plant_group.h"
 #include "app/plants/plant_season.h"
+#include "app/session/session_copy.h"
 #include "app/station/orphans.h"
 #include "drivers/file.h"
 
 #include <array>
+#include <chrono>
 #include <fmt/core.h>
 #include <utility>
 
@@ -31,6 +35,7 @@ StationController::StationController(Station const& station, std::optional<Sessi
     , folder_(std::move(folder))
 {
     view_.state().has_session = document_->session().is_in_file();
+    show_name();
     view_.state().status = document_->session().unknown().sentence();
 }
 
@@ -410,6 +415,54 @@ void StationController::perform(ExportPlant const& command, Station&)
                                   options));
              return note;
          });
+}
+
+// What the drawing is called: as a person says, else as its file.
+void StationController::show_name()
+{
+    auto const& session = document_->session();
+    auto& state = view_.state();
+    state.drawing_name.reset();
+    if (session.is_in_file())
+        state.drawing_name = name_of_drawing(session.path(), session.name());
+}
+
+void StationController::perform(NameDrawing const& command, Station&)
+{
+    auto const named
+        = [&]() -> Result<void> { return document_->set_name(TRY(name_as_typed(command.name))); }();
+    auto& state = view_.state();
+    show_name();
+    state.status = named ? fmt::format("The drawing is called {}", *state.drawing_name)
+                         : named.error().message;
+    if (named)
+        state.title = fmt::format("tractus: {}", *state.drawing_name);
+}
+
+// The copy is of all that was drawn until now.
+void StationController::perform(SaveCopy const& command, Station& station)
+{
+    auto const begin = [&]() -> Result<void> {
+        auto const name = TRY(name_as_typed(command.name));
+        TRY(finish(station, now_));
+        if (!document_->session().is_in_file())
+            return fail(Fault::User,
+                        "there is no file to copy: what is drawn is kept in memory "
+                        "alone");
+        auto const now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+        auto path = TRY(unnamed_session_path(file_name_of(name), now));
+        view_.state().status = fmt::format("Writing {}", path.string());
+        view_.state().is_saving = true;
+        files_->add({ std::move(path),
+                      [name, from = document_->session().path()](
+                          std::filesystem::path const& copy) -> Result<std::string> {
+                          TRY(copy_session(from, copy, name));
+                          return std::string();
+                      } });
+        return {};
+    }();
+    if (!begin)
+        view_.state().status = begin.error().message;
 }
 
 void StationController::save(std::string_view ending,

@@ -66,6 +66,8 @@ public:
     void perform(PickVariation const& command, Station& station);
     void perform(SavePicture const& command, Station& station);
     void perform(ExportPlant const& command, Station& station);
+    void perform(NameDrawing const& command, Station& station);
+    void perform(SaveCopy const& command, Station& station);
     void perform(Undo const&, Station& station);
     void perform(Redo const&, Station& station);
     void perform(TakeOrphansAway const&, Station& station);
@@ -90,6 +92,7 @@ public:
     void show_again(Station const& station, std::string const& status);
 
 private:
+    void show_name();
     void save(std::string_view ending,
               std::function<Result<std::string>(std::filesystem::path const&)> write);
     void take_strokes(Station& station);

@@ -118,7 +118,9 @@ Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edi
                               EditKinds kinds)
 {
     auto options = session_by_the_clock(kinds, [] { return load_options(); });
-    SessionOrigin const origin { plant_name(edits), TRACTUS_VERSION, options.now() };
+    SessionOrigin const origin { .plant = plant_name(edits),
+                                 .program = TRACTUS_VERSION,
+                                 .created = options.now() };
     return Session::create(path, origin, edits, options);
 }
 

@@ -87,8 +87,10 @@ Result<Session> Session::create(fs::path const& path, SessionOrigin const& origi
     auto scene = TRY(build_scene(builder, history.state()));
     TRY(write_new_session(path, origin, beginning_rows(edits, origin.created), 0));
     auto database = TRY(open_to_write(path));
-    return Session(SessionStore(path, std::move(database), options.kinds), options,
-                   std::move(history), std::move(builder), std::move(scene));
+    Session session(SessionStore(path, std::move(database), options.kinds), options,
+                    std::move(history), std::move(builder), std::move(scene));
+    session.name_ = origin.name;
+    return session;
 }
 
 Session Session::in_memory(Scene beginning, SessionOptions options)
@@ -124,6 +126,7 @@ Result<Session> Session::open(fs::path const& path, SessionOptions options)
     Session session(std::move(store), std::move(options), std::move(built->first),
                     std::move(builder), std::move(built->second));
     session.unknown_ = summary.unknown;
+    session.name_ = summary.origin.name;
     session.is_derived_anew_ = is_of_older_language && has_models(session.scene().state);
     return session;
 }
@@ -204,6 +207,17 @@ Result<void> Session::go_to(std::size_t step)
         TRY(store_->write_cursor(step));
     history_.go_to(step, scene.state);
     scene_ = std::move(scene);
+    return {};
+}
+
+Result<void> Session::set_name(std::string name)
+{
+    if (!store_)
+        return fail(Fault::User,
+                    "there is no file that would keep a name: what is drawn is kept "
+                    "in memory alone");
+    TRY(store_->write_name(name));
+    name_ = std::move(name);
     return {};
 }
 

@@ -86,6 +86,11 @@ public:
     Result<void> undo();
     Result<void> redo();
 
+    // What a person calls it; empty: nothing. It is no step. Fails, as the user's fault, where it
+    // cannot be written, as without a file.
+    std::string const& name() const { return name_; }
+    Result<void> set_name(std::string name);
+
 private:
     Session(std::optional<SessionStore> store, SessionOptions options, SessionHistory history,
             SceneBuilder builder, Scene scene);
@@ -100,6 +105,7 @@ private:
     Scene scene_; // The scene of the history's state.
     UnknownEdits unknown_;
     bool is_derived_anew_ = false;
+    std::string name_;
 };
 
 } // namespace tractus

@@ -1,12 +1,9 @@
 #include "app/session/session_file.h"
 
-#include "drivers/file.h"
+#include "app/session/new_session_file.h"
 
-#include <cerrno>
-#include <cstring>
 #include <fmt/core.h>
 #include <functional>
-#include <unistd.h>
 #include <utility>
 #include <zlib.h>
 
@@ -25,14 +22,6 @@ tl::unexpected<Error> damaged(std::string const& name, std::string const& what)
         fmt::format("{0} is damaged ({1}): \"tractus session repair {0} -o NEW.tractus\" brings "
                     "back what is whole",
                     name, what));
-}
-
-tl::unexpected<Error> already_there(fs::path const& path)
-{
-    return fail(Fault::User,
-                fmt::format("{} is already there: choose another name, a session is never written "
-                            "over",
-                            path.string()));
 }
 
 // The format's version, one that this program knows.
@@ -138,6 +127,8 @@ Result<SessionSummary> read_all(Database const& database, std::string const& nam
         auto const key = meta.bytes(0);
         if (key == "plant")
             summary.origin.plant = meta.bytes(1);
+        else if (key == "name")
+            summary.origin.name = meta.bytes(1);
         else if (key == "program")
             summary.origin.program = meta.bytes(1);
         else if (key == "created")
@@ -255,6 +246,8 @@ static Result<void> write_tables(Database const& database, SessionOrigin const& 
                          "kind TEXT NOT NULL, fields TEXT NOT NULL, numbers BLOB NOT NULL, "
                          "made INTEGER NOT NULL, checksum INTEGER NOT NULL);"));
     TRY(write_meta(database, "plant", origin.plant));
+    if (!origin.name.empty())
+        TRY(write_name(database, origin.name));
     TRY(write_meta(database, "program", origin.program));
     TRY(write_meta(database, "created", origin.created.time_since_epoch().count()));
     TRY(write_language(database));
@@ -263,49 +256,14 @@ static Result<void> write_tables(Database const& database, SessionOrigin const& 
     return database.execute("COMMIT");
 }
 
-// Puts a whole file under its name, if nothing is there.
-static Result<void> appear(fs::path const& made, fs::path const& path)
-{
-    // A link, since renaming would write over what is there.
-    bool const is_linked = ::link(made.c_str(), path.c_str()) == 0;
-    int const reason = errno;
-    std::error_code ignored;
-    if (!is_linked && reason != EEXIST && !fs::exists(path, ignored)) {
-        if (rename_on_disk(made, path)) // File systems without links need it.
-            return {};
-    }
-    fs::remove(made, ignored);
-    flush_name_to_disk(path);
-    if (is_linked)
-        return {};
-    return reason == EEXIST
-        ? already_there(path)
-        : fail(Fault::User,
-               fmt::format("cannot write {}: {}", path.string(), std::strerror(reason)));
-}
-
 Result<void> write_new_session(fs::path const& path, SessionOrigin const& origin,
                                std::span<EditRow const> rows, std::size_t step)
 {
-    std::error_code ignored;
-    if (fs::exists(path, ignored))
-        return already_there(path);
-    TRY(check_writable(path));
-    if (path.has_parent_path())
-        TRY(make_folder(path.parent_path()));
-    auto const made = fs::path(fmt::format("{}.{}.part", path.string(), ::getpid()));
-    auto const write = [&]() -> Result<void> {
+    return make_session_file(path, [&](fs::path const& made) -> Result<void> {
         auto const database = TRY(Database::open(made, Database::Access::Create));
         TRY(write_tables(database, origin, rows, step));
         return database.execute("PRAGMA journal_mode = WAL");
-    };
-    if (auto const written = write(); !written) {
-        fs::remove(made, ignored);
-        return fail(
-            Fault::User,
-            fmt::format("cannot begin the session {}: {}", path.string(), written.error().message));
-    }
-    return appear(made, path);
+    });
 }
 
 std::vector<EditRow> beginning_rows(std::span<Edit const> edits, std::chrono::sys_seconds made)
@@ -409,6 +367,13 @@ Result<void> migrate(Database const& database, std::filesystem::path const& path
 Result<void> write_language(Database const& database)
 {
     return write_meta(database, "language", std::int64_t { kLanguageVersion });
+}
+
+Result<void> write_name(Database const& database, std::string const& name)
+{
+    if (name.empty())
+        return database.execute("DELETE FROM meta WHERE key = 'name'");
+    return write_meta(database, "name", name);
 }
 
 Result<void> write_cursor(Database const& database, std::size_t step)

@@ -23,8 +23,8 @@ namespace tractus {
 //          made     when, in Unix seconds; 0 where nobody knows
 //          checksum CRC-32 of what stands before, so that damage does not pass for a drawing
 //   meta   key, value: "plant", "program", "created" (Unix seconds), "step", the last that counts:
-//          later ones are undone; and "language", the kLanguageVersion by which its models were
-//          read last, where that is not 1.
+//          later ones are undone; "name", if a person gave it one; and "language", the
+//          kLanguageVersion by which its models were read last, where that is not 1.
 //
 // The file's application_id is "TRAC", its user_version the format's version: 1 had neither made
 // nor checksum, 2 no edit of the kind "erase_tips", 3 named strokes and indicators by their numbers
@@ -34,6 +34,7 @@ constexpr std::int64_t kSessionFormat = 4;
 // Where a session comes from.
 struct SessionOrigin {
     std::string plant {};                // The name of the model that it began with.
+    std::string name {};                 // What a person calls it; may be empty.
     std::string program {};              // The version of tractus that began it.
     std::chrono::sys_seconds created {}; // Time by the clock on the wall.
     int language = 1;                    // The kLanguageVersion of what drew in it last.
@@ -140,6 +141,9 @@ Result<void> migrate(Database const& database, std::filesystem::path const& path
 // The kLanguageVersion by which the models are read from now on: this program's. Inside of a
 // transaction.
 Result<void> write_language(Database const& database);
+
+// What a person calls it; empty: nothing. Inside of a transaction.
+Result<void> write_name(Database const& database, std::string const& name);
 
 // The last step that counts. Inside of a transaction.
 Result<void> write_cursor(Database const& database, std::size_t step);

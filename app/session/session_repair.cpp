@@ -106,6 +106,7 @@ Result<SalvagedSession> salvage_session(fs::path const& path, EditKinds kinds)
     SalvagedSession session { .kinds = kinds };
     session.missing = missing_numbers(scanned.rows);
     session.origin = { .plant = text_of(scanned, "plant", path.stem().c_str()),
+                       .name = text_of(scanned, "name", ""),
                        .program = text_of(scanned, "program", "an unknown version") };
     session.origin.created
         = std::chrono::sys_seconds(std::chrono::seconds(whole_of(scanned, "created").value_or(0)));

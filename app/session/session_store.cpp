@@ -181,4 +181,10 @@ Result<void> SessionStore::write_cursor(std::size_t step)
         [&](Database const& database) { return tractus::write_cursor(database, step); });
 }
 
+Result<void> SessionStore::write_name(std::string const& name)
+{
+    return file_->commit(
+        [&](Database const& database) { return tractus::write_name(database, name); });
+}
+
 } // namespace tractus

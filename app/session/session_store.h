@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tractus {
@@ -43,6 +44,7 @@ public:
     // begun, which is what keeps others from writing. Fails as the database does.
     Result<void> write(NewStep const& step);
     Result<void> write_cursor(std::size_t step);
+    Result<void> write_name(std::string const& name);
 
 private:
     class File;

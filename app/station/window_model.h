@@ -189,8 +189,10 @@ struct WindowState {
     // Pictures and exports are being written in the background; the status will say where to, or
     // why not.
     bool is_saving = false;
-    bool may_calibrate = false;   // There is a height sensor: see OpenCalibration.
-    bool may_begin_anew = false;  // See OpenStartPage.
+    bool may_calibrate = false;  // There is a height sensor: see OpenCalibration.
+    bool may_begin_anew = false; // See OpenStartPage.
+    // What the drawing is called; no value: no file keeps it.
+    std::optional<std::string> drawing_name {};
     bool has_session = false;     // What is drawn is kept in a file. Undo works without one, too.
     std::size_t unkept_steps = 0; // Of what is seen: not on the disk yet.
     double progress = 0;          // Of the recording, 0 to 1.
@@ -282,6 +284,15 @@ struct Redo { }; // What was undone last.
 // Closes the drawing, which is kept, and shows WindowModel::start_page(). Where not all can be kept
 // the status says so, and drawing goes on, as with may_close().
 struct OpenStartPage { };
+// Calls the drawing otherwise, or copies it to a new file, named so, in the folder of a person's
+// drawings; drawing goes on in the present one. Only with WindowState::drawing_name. The status
+// says so, or why not.
+struct NameDrawing {
+    std::string name;
+};
+struct SaveCopy {
+    std::string name;
+};
 struct TakeOrphansAway { }; // All of WindowState::orphans; a step that can be undone.
 
 // Where on the surface a touch of the pen presses what the window shows there, and does not draw.
@@ -335,7 +346,8 @@ using WindowCommand
                    PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
                    OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
                    AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard, OpenPictures,
-                   LayPictureFile, DragDrawnGlyph, OpenLeaves, DressActivePlant>;
+                   LayPictureFile, DragDrawnGlyph, OpenLeaves, DressActivePlant, NameDrawing,
+                   SaveCopy>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

@@ -47,7 +47,7 @@ WindowPart CardsPanel::show(WindowModel& model, Workbench& bench, Controls const
     ImGui::PopStyleVar();
     show_cards(model, bench, bar.width - 2 * around);
     if (auto const* const own = card_in_hand(state))
-        show_own(model, controls, *own);
+        show_own(model, bench, controls, *own);
     if (controls.button("Keep this one", 180))
         model.perform(KeepCard {});
     ImGui::SameLine();
@@ -120,7 +120,9 @@ bool CardsPanel::show_card(ToolCard const& card, bool is_on) const
 }
 
 // What can be done with the own card in the hand.
-void CardsPanel::show_own(WindowModel& model, Controls const& controls, ToolCard const& card)
+// With the pen alone, the name has a panel with keys.
+void CardsPanel::show_own(WindowModel& model, Workbench& bench, Controls const& controls,
+                          ToolCard const& card)
 {
     if (std::exchange(named_, card.name) != card.name)
         typed_ = card.name;
@@ -131,7 +133,10 @@ void CardsPanel::show_own(WindowModel& model, Controls const& controls, ToolCard
         = ImGui::InputText("##name", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::PopStyleVar();
     ImGui::SameLine();
-    if (controls.button("Rename", 110) || is_entered)
+    bool const is_pressed = controls.button("Rename", 110);
+    if (is_pressed && typed_ == name)
+        return bench.ask_name({ Workbench::AskedName::Of::Card, name });
+    if (is_pressed || is_entered)
         return model.perform(RenameCard { name, typed_ });
     ImGui::SameLine();
     if (controls.button("Remove##card", 110))

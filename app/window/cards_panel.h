@@ -25,7 +25,8 @@ public:
 private:
     void show_cards(WindowModel& model, Workbench& bench, float width_px);
     bool show_card(ToolCard const& card, bool is_on) const;
-    void show_own(WindowModel& model, Controls const& controls, ToolCard const& card);
+    void show_own(WindowModel& model, Workbench& bench, Controls const& controls,
+                  ToolCard const& card);
 
     float scale_ = 1;
     float height_px_ = 0;  // As it was shown last.

@@ -219,15 +219,12 @@ std::vector<BarButton> Controls::tool_meanings(WindowModel& model, Workbench& be
             .press = [&model, &bench, tool = meaning.tool] { bench.choose(model, tool); }
         };
         if (meaning.number)
-            button.press = [&bench, is_asked, number = meaning.number] {
-                bench.asked_number = is_asked ? std::nullopt : number;
-                bench.cards_are_shown = false;
+            button.press = [&bench, is_asked, number = *meaning.number] {
+                is_asked ? bench.close_panels() : bench.ask_number(number);
             };
         else if (meaning.opens_cards)
-            button.press = [&bench] {
-                bench.cards_are_shown = !bench.cards_are_shown;
-                bench.asked_number.reset();
-            };
+            button.press
+                = [&bench] { bench.cards_are_shown ? bench.close_panels() : bench.show_cards(); };
         buttons.push_back(std::move(button));
     }
     if (state.hand.kind().like_drawn)

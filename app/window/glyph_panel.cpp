@@ -182,7 +182,7 @@ void GlyphPanel::let_go(WindowModel& model, Workbench& bench, Glyph::Handle cons
     } else if (bench.adjusted) {
         bench.adjust(model, hand, Slider::Released);
     } else if (auto const number = number_of(hand, handle)) {
-        bench.asked_number = number;
+        bench.ask_number(*number);
     }
 }
 

@@ -98,6 +98,8 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
         covered_.push_back(number_panel_.show(model, bench_, controls_, bar));
     if (bench_.cards_are_shown)
         covered_.push_back(cards_panel_.show(model, bench_, controls_, bar));
+    if (bench_.asked_name)
+        covered_.push_back(name_panel_.show(model, bench_, controls_, bar));
     show_menu(model, renderer);
     if (bench_.keys_are_listed)
         covered_.push_back(show_shortcuts(model.state().tools, kPanelFlags, scale_));

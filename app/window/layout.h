@@ -7,6 +7,7 @@
 #include "app/window/glyph_panel.h"
 #include "app/window/menu.h"
 #include "app/window/mouse_hand.h"
+#include "app/window/name_panel.h"
 #include "app/window/number_panel.h"
 #include "app/window/pen_pointer.h"
 #include "app/window/start_view.h"
@@ -34,6 +35,7 @@ public:
         , number_panel_(scale)
         , glyph_panel_(scale)
         , cards_panel_(scale)
+        , name_panel_(scale)
         , start_(title_font, scale)
     {
     }
@@ -86,6 +88,7 @@ private:
     NumberPanel number_panel_;
     GlyphPanel glyph_panel_;
     CardsPanel cards_panel_;
+    NamePanel name_panel_;
     StartView start_;
     PadView pad_;
     SkeletonView skeleton_;

@@ -50,7 +50,7 @@ WindowPart Menu::show(WindowModel& model, Workbench& bench, Controls const& cont
     if (bench.menu == Page::Plant)
         show_plant(model, controls);
     else if (bench.menu == Page::Keep)
-        show_keeping(model, controls, picture);
+        show_keeping(model, bench, controls, picture);
     else if (bench.menu == Page::Devices)
         show_devices(model, controls);
     else
@@ -79,7 +79,7 @@ void Menu::show_pages(Workbench& bench, Controls const& controls) const
     ImGui::Dummy({ 1, 8 * scale_ });
 }
 
-void Menu::show_keeping(WindowModel& model, Controls const& controls,
+void Menu::show_keeping(WindowModel& model, Workbench& bench, Controls const& controls,
                         std::function<Image()> const& picture)
 {
     using Format = ExportPlant::Format;
@@ -99,6 +99,20 @@ void Menu::show_keeping(WindowModel& model, Controls const& controls,
             model.perform(ExportPlant { format, organs_ });
     }
     show_organs(controls);
+    show_leaving(model, controls);
+    if (auto const& name = model.state().drawing_name; name && !bench.asked_name) {
+        using Of = Workbench::AskedName::Of;
+        if (controls.button("Name ...", item_px(2)))
+            bench.ask_name({ Of::Drawing, *name });
+        ImGui::SameLine();
+        if (controls.button("Save a copy ...", item_px(2)))
+            bench.ask_name({ Of::Copy, *name + ", a copy" });
+    }
+}
+
+// What ends with the drawing, or with what was drawn.
+void Menu::show_leaving(WindowModel& model, Controls const& controls) const
+{
     bool const may_begin_anew = model.state().may_begin_anew;
     if (model.state().is_live && controls.button("Start again", item_px(may_begin_anew ? 2 : 1)))
         model.perform(Restart {});

@@ -32,8 +32,9 @@ private:
     void show_pages(Workbench& bench, Controls const& controls) const;
     void show_plant(WindowModel& model, Controls const& controls);
     void show_season(WindowModel& model);
-    void show_keeping(WindowModel& model, Controls const& controls,
+    void show_keeping(WindowModel& model, Workbench& bench, Controls const& controls,
                       std::function<Image()> const& picture);
+    void show_leaving(WindowModel& model, Controls const& controls) const;
     void show_organs(Controls const& controls);
     void show_devices(WindowModel& model, Controls const& controls);
     void show_window(WindowState const& state, Workbench& bench, Controls const& controls) const;

@@ -1,6 +1,7 @@
 #include "app/window/workbench.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tractus {
 
@@ -14,8 +15,7 @@ void Workbench::choose(WindowModel& model, Tool tool)
         if (shown != Shown::All)
             shown = is_select ? Shown::Skeleton : Shown::Pad;
         if (&tool.kind() != &model.state().hand.kind()) {
-            asked_number.reset();
-            cards_are_shown = false;
+            close_panels();
         }
         remember(tool);
     }
@@ -60,8 +60,7 @@ std::vector<Tool> Workbench::remembered(WindowState const& state) const
 void Workbench::choose_view_tool()
 {
     turns_views = true;
-    asked_number.reset();
-    cards_are_shown = false;
+    close_panels();
     if (shown == Shown::Pad)
         shown = Shown::Plant;
 }
@@ -81,8 +80,7 @@ void Workbench::enter_stage()
     is_on_stage = true;
     close_menu();
     keys_are_listed = false;
-    asked_number.reset();
-    cards_are_shown = false;
+    close_panels();
     if (!will_fill_display())
         turn_full_screen();
 }
@@ -90,6 +88,32 @@ void Workbench::enter_stage()
 bool Workbench::will_fill_display() const
 {
     return full_screen_wished ? full_screen_wished->is_on : filled_display.has_value();
+}
+
+void Workbench::close_panels()
+{
+    asked_number.reset();
+    cards_are_shown = false;
+    asked_name.reset();
+}
+
+void Workbench::ask_number(std::size_t number)
+{
+    close_panels();
+    asked_number = number;
+}
+
+void Workbench::show_cards()
+{
+    close_panels();
+    cards_are_shown = true;
+}
+
+void Workbench::ask_name(AskedName name)
+{
+    close_panels();
+    close_menu();
+    asked_name = std::move(name);
 }
 
 void Workbench::open_menu(MenuPage page)

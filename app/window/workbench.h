@@ -64,6 +64,14 @@ struct Workbench {
     // The number, among those of the tool in hand, that its panel is open for.
     std::optional<std::size_t> asked_number {};
     bool cards_are_shown = false; // Of the kind in hand.
+    // What a panel with keys asks for a name of, and the name that it has.
+    struct AskedName {
+        enum class Of { Drawing, Copy, Card } of = Of::Drawing;
+        std::string now {};
+
+        bool operator==(AskedName const& other) const = default;
+    };
+    std::optional<AskedName> asked_name {};
     // Shows the tool in hand as a drawing, if its kind has one.
     bool glyph_is_shown = true;
     bool drawn_glyph_is_shown = false; // Likewise for what was drawn with it.
@@ -86,6 +94,11 @@ struct Workbench {
     void turn_full_screen(); // On if it is off.
     void enter_stage();      // In full screen.
     bool will_fill_display() const;
+    // One of the panels above the bar, in place of another one.
+    void ask_number(std::size_t number);
+    void show_cards();
+    void ask_name(AskedName name); // In place of the menu, too.
+    void close_panels();
     void open_menu(MenuPage page);
     void close_menu() { menu = MenuPage::None; }
     bool menu_is_open() const { return menu != MenuPage::None; }

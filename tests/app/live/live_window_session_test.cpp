@@ -1,6 +1,8 @@
+#include "app/live/recent_drawings.h"
 #include "app/plants/session_plant.h"
 #include "tests/app/live/live_window_devices.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -71,6 +73,47 @@ protected:
     fs::path const path_
         = fs::temp_directory_path() / fmt::format("tractus_growth_{}.tractus", ::getpid());
 };
+
+// The copy has the stroke and the name, lies among the drawings, and drawing goes on in the
+// original.
+TEST_F(LiveWindowWithSession, NamesTheDrawingAndSavesCopies)
+{
+    auto const home = fs::temp_directory_path() / fmt::format("tractus_named_home_{}", ::getpid());
+    ::setenv("XDG_DATA_HOME", home.c_str(), 1);
+    {
+        auto window
+            = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
+        EXPECT_TRUE(window.state().drawing_name);
+        advance_to_end(window);
+        window.perform(NameDrawing { " Ash by the gate " });
+        EXPECT_EQ(window.state().drawing_name, "Ash by the gate");
+        EXPECT_EQ(window.state().title, "tractus: Ash by the gate");
+        window.perform(SaveCopy { "oak/ash" });
+        window.settle();
+        EXPECT_NE(window.state().status.find("oak-ash"), std::string::npos);
+        window.perform(NameDrawing { "" });
+        EXPECT_NE(window.state().status.find("at least one letter"), std::string::npos);
+        EXPECT_EQ(window.state().drawing_name, "Ash by the gate");
+    }
+    auto const drawings = recent_drawings(home / "tractus", 12, {});
+    ASSERT_EQ(drawings.size(), 1u);
+    EXPECT_EQ(drawings.front().name, "oak/ash");
+    EXPECT_EQ(read_session(drawings.front().file, all_methods().edits).value().step, 1u);
+    auto const again
+        = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
+    EXPECT_EQ(again.state().drawing_name, "Ash by the gate");
+    ::unsetenv("XDG_DATA_HOME");
+    fs::remove_all(home);
+}
+
+// Without a file there is nothing to be named, and the window offers it not.
+TEST(LiveWindow, HasNoNameWithoutAFile)
+{
+    auto window = LiveWindow::create(drawing_devices(false), live_options()).value();
+    EXPECT_FALSE(window.state().drawing_name);
+    window.perform(SaveCopy { "Ash" });
+    EXPECT_NE(window.state().status.find("memory alone"), std::string::npos);
+}
 
 TEST_F(LiveWindowWithSession, KeepsGrowthAndTakesItBack)
 {

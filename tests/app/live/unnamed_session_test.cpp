@@ -1,5 +1,6 @@
 #include "app/live/unnamed_session.h"
 
+#include "app/live/drawing_name.h"
 #include "app/plants/session_plant.h"
 #include "drivers/file.h"
 #include "tests/app/small_model.h"
@@ -39,6 +40,20 @@ TEST_F(UnnamedSession, IsNamedAfterThePlantAndTheTime)
     // Whatever the time zone.
     EXPECT_EQ(path().filename().string().substr(0, 14), "shrub-2026-01-");
     EXPECT_EQ(path().extension(), ".tractus");
+}
+
+TEST(DrawingName, IsAPersonsElseThePlants)
+{
+    EXPECT_EQ(name_of_drawing("x/lombardy_poplar-2026-01-09-1403-2.tractus", ""),
+              "Lombardy poplar");
+    EXPECT_EQ(name_of_drawing("mine.tractus", ""), "Mine");
+    EXPECT_EQ(name_of_drawing("mine.tractus", "Ash by the gate"), "Ash by the gate");
+    EXPECT_EQ(name_as_typed("  Ash by the gate ").value(), "Ash by the gate");
+    EXPECT_NE(name_as_typed("   ").error().message.find("at least one letter"), std::string::npos);
+    EXPECT_FALSE(name_as_typed("two\nlines"));
+    EXPECT_FALSE(name_as_typed(std::string(61, 'x')));
+    EXPECT_EQ(file_name_of("oak/ash"), "oak-ash");
+    EXPECT_EQ(file_name_of("../ash"), "-.-ash");
 }
 
 TEST_F(UnnamedSession, TakesNoNameThatIsTaken)

@@ -96,15 +96,19 @@ public:
                 state_.hand = adjusted->tool;
             (moves ? moved : released).push_back(adjusted->tool);
         }
+        if (auto const* const named = std::get_if<NameDrawing>(&command))
+            given_names.push_back(named->name);
         if (auto const* const pen = std::get_if<MoveMousePen>(&command))
             touches += std::any_of(pen->path.begin(), pen->path.end(),
                                    [](MousePen const& moment) { return moment.touching; });
     }
 
+    void name(std::string drawing) { state_.drawing_name = std::move(drawing); }
     void add_card(ToolCard card) { state_.cards.push_back(std::move(card)); }
 
-    std::vector<Tool> moved {};    // What tools in hand are adjusted to,
-    std::vector<Tool> released {}; // and left as.
+    std::vector<Tool> moved {};              // What tools in hand are adjusted to,
+    std::vector<Tool> released {};           // and left as.
+    std::vector<std::string> given_names {}; // To the drawing.
     std::size_t touches = 0;
 
     std::optional<CardsModel> start {};

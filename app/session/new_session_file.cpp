@@ -1,0 +1,63 @@
+#include "app/session/new_session_file.h"
+
+#include "drivers/file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fmt/core.h>
+#include <unistd.h>
+
+namespace tractus {
+
+namespace fs = std::filesystem;
+
+static tl::unexpected<Error> already_there(fs::path const& path)
+{
+    return fail(Fault::User,
+                fmt::format("{} is already there: choose another name, a session is never written "
+                            "over",
+                            path.string()));
+}
+
+// Puts a whole file under its name, if nothing is there.
+static Result<void> appear(fs::path const& made, fs::path const& path)
+{
+    // A link, since renaming would write over what is there.
+    bool const is_linked = ::link(made.c_str(), path.c_str()) == 0;
+    int const reason = errno;
+    std::error_code ignored;
+    if (!is_linked && reason != EEXIST && !fs::exists(path, ignored)) {
+        if (rename_on_disk(made, path)) // File systems without links need it.
+            return {};
+    }
+    fs::remove(made, ignored);
+    flush_name_to_disk(path);
+    if (is_linked)
+        return {};
+    return reason == EEXIST
+        ? already_there(path)
+        : fail(Fault::User,
+               fmt::format("cannot write {}: {}", path.string(), std::strerror(reason)));
+}
+
+Result<void> make_session_file(fs::path const& path,
+                               std::function<Result<void>(fs::path const& made)> const& write)
+{
+    std::error_code ignored;
+    if (fs::exists(path, ignored))
+        return already_there(path);
+    TRY(check_writable(path));
+    if (path.has_parent_path())
+        TRY(make_folder(path.parent_path()));
+    auto const made = fs::path(fmt::format("{}.{}.part", path.string(), ::getpid()));
+    if (auto const written = write(made); !written) {
+        for (auto const* const ending : { "", "-wal", "-shm" }) // SQLite's files beside it, too.
+            fs::remove(made.string() + ending, ignored);
+        return fail(
+            Fault::User,
+            fmt::format("cannot begin the session {}: {}", path.string(), written.error().message));
+    }
+    return appear(made, path);
+}
+
+} // namespace tractus

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/window/controls.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tractus {
+
+// A panel above the bar for a name, of the drawing, of a copy of it or of a card: typed on keys
+// that a pen can press, or on a keyboard.
+class NamePanel {
+public:
+    explicit NamePanel(float scale)
+        : scale_(scale)
+    {
+    }
+
+    // Shows it for `bench.asked_name` above `bar`, and takes that back when it is done or closed.
+    // Returns where it is.
+    WindowPart show(WindowModel& model, Workbench& bench, Controls const& controls,
+                    WindowPart const& bar);
+
+private:
+    void show_name(WindowModel& model, Workbench& bench, Controls const& controls, float width);
+    void show_keys(Controls const& controls, float width);
+    void show_row(std::string_view keys, Controls const& controls, float width);
+    void press(char key);
+
+    float scale_ = 1;
+    float height_px_ = 0;                          // As it was shown last.
+    std::optional<Workbench::AskedName> asked_ {}; // What `typed_` is a name of.
+    std::string typed_ {};
+    bool types_capitals_ = true;
+};
+
+} // namespace tractus

@@ -1,0 +1,91 @@
+#include "tests/app/window/layout_fixture.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace tractus {
+
+using namespace layout_tests;
+using Of = Workbench::AskedName::Of;
+
+namespace {
+
+constexpr std::size_t kButtonCount = 2 + 40 + 3;
+
+// The panel's buttons, row after row: what does it and Close, four rows of ten keys, and three.
+std::vector<DrawnFrame::Button> name_buttons(DrawnFrame const& drawn)
+{
+    std::vector<DrawnFrame::Button> buttons;
+    for (auto const& button : drawn.buttons)
+        if (button.whole.panel.find("name") != std::string::npos)
+            buttons.push_back(button);
+    std::sort(buttons.begin(), buttons.end(), [](auto const& one, auto const& other) {
+        bool const is_row = std::abs(one.whole.top - other.whole.top) < 4;
+        return is_row ? one.whole.left < other.whole.left : one.whole.top < other.whole.top;
+    });
+    return buttons;
+}
+
+} // namespace
+
+TEST_F(LayoutTest, ShowsKeysForANameInTheWindow)
+{
+    for (auto const& size : sizes())
+        for (auto const of : { Of::Drawing, Of::Copy, Of::Card }) {
+            SCOPED_TRACE(fmt::format("{}, {}", text_of(size), static_cast<int>(of)));
+            show(
+                { size.width, size.height }, size.scale,
+                [&](Layout& layout, DrawingModel&) {
+                    layout.bench().ask_name({ of, "A name of some length for what was drawn" });
+                },
+                [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
+                    auto const buttons = name_buttons(drawn);
+                    EXPECT_EQ(buttons.size(), kButtonCount);
+                    for (std::size_t i = 0; i < buttons.size(); ++i) {
+                        auto const& box = buttons[i].visible;
+                        EXPECT_GE(box.left, -1.5f) << text_of(box);
+                        EXPECT_GE(box.top, -1.5f) << text_of(box);
+                        EXPECT_LE(box.right, size_px.x + 1.5f) << text_of(box);
+                        EXPECT_LE(box.bottom, size_px.y + 1.5f) << text_of(box);
+                        for (std::size_t k = 0; k < i; ++k)
+                            EXPECT_FALSE(overlap(box, buttons[k].visible)) << text_of(box);
+                    }
+                });
+        }
+}
+
+// The keys are found as they were drawn, and pressed; the first letter is a capital.
+TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
+{
+    ImVec2 const size { 1600, 900 };
+    std::vector<DrawnFrame::Button> buttons;
+    auto const ask = [](Layout& layout) { layout.bench().ask_name({ Of::Drawing, "" }); };
+    show(
+        size, 1, [&](Layout& layout, DrawingModel&) { ask(layout); },
+        [&](DrawnFrame const& drawn, ImVec2 const&) { buttons = name_buttons(drawn); });
+    ASSERT_EQ(buttons.size(), kButtonCount);
+    constexpr std::size_t kA = 2 + 20;
+    constexpr std::size_t kS = kA + 1;
+    constexpr std::size_t kH = kA + 5;
+    constexpr std::size_t kSpace = 2 + 40 + 1;
+    constexpr std::size_t kDelete = kSpace + 1;
+    constexpr std::size_t kTwo = 2 + 1;
+    constexpr std::size_t kDone = 0;
+    DrawingModel model;
+    model.name("Shrub");
+    std::vector<Moment> moments { { { 0, 0 } }, { { 0, 0 } } };
+    for (auto const key : { kA, kS, kH, kH, kDelete, kSpace, kTwo, kDone }) {
+        auto const& box = buttons[key].whole;
+        ImVec2 const middle { (box.left + box.right) / 2, (box.top + box.bottom) / 2 };
+        for (bool const is_down : { false, true, false })
+            moments.push_back({ middle, is_down });
+    }
+    work(size, moments, model, ask, [](Layout& layout) {
+        EXPECT_FALSE(layout.bench().asked_name) << "the panel closes when it is done";
+    });
+    ASSERT_EQ(model.given_names.size(), 1u);
+    EXPECT_EQ(model.given_names.front(), "Ash 2");
+    EXPECT_EQ(model.touches, 0u) << "nothing is drawn below the panel";
+}
+
+} // namespace tractus
