@@ -223,7 +223,10 @@ void Layout::begin_frame(WindowModel& model, HandInput const& input)
     covered_.clear();
     pad_part_.reset();
     pad_is_pointed_at_ = false;
-    if (ImGui::GetIO().WantTextInput)
+    bool const is_typed = ImGui::GetIO().WantTextInput || bench_.asked_name;
+    if (bench_.asked_name && ImGui::IsKeyPressed(ImGuiKey_Escape))
+        bench_.close_panels();
+    if (is_typed)
         return;
     for (auto const& press : input.presses)
         if (auto* const start = model.start_page(); start && model.calibration() == nullptr)

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <imgui_stdlib.h>
+#include <imgui.h>
 
 namespace tractus {
 
@@ -61,6 +61,25 @@ void take_last(std::string& text)
         text.pop_back();
 }
 
+// A code point as UTF-8 (RFC 3629, section 3).
+void append_letter(std::string& text, unsigned int letter)
+{
+    constexpr unsigned int kSix = 0x3f;
+    if (letter < 0x20 || letter == 0x7f)
+        return;
+    auto const add = [&](unsigned int byte) { text += static_cast<char>(byte); };
+    if (letter < 0x80) {
+        add(letter);
+    } else if (letter < 0x800) {
+        add(0xc0 | letter >> 6);
+        add(0x80 | (letter & kSix));
+    } else {
+        add(0xe0 | letter >> 12);
+        add(0x80 | (letter >> 6 & kSix));
+        add(0x80 | (letter & kSix));
+    }
+}
+
 } // namespace
 
 WindowPart NamePanel::show(WindowModel& model, Workbench& bench, Controls const& controls,
@@ -80,8 +99,6 @@ WindowPart NamePanel::show(WindowModel& model, Workbench& bench, Controls const&
     ImGui::Begin("name", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
                      | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-    if (is_new)
-        ImGui::SetKeyboardFocusHere();
     constexpr float kWidest = kLettersInRow * kWidestKey_px + (kLettersInRow - 1) * kKeyGap_px;
     float const width = std::min((bar.width - 2 * around) / scale_, kWidest);
     show_name(model, bench, controls, width);
@@ -100,11 +117,8 @@ void NamePanel::show_name(WindowModel& model, Workbench& bench, Controls const& 
                           float width)
 {
     auto const words = words_of(asked_->of);
-    theme::push_button_frame(scale_);
-    ImGui::SetNextItemWidth((width - 2 * (kNameButton_px + kKeyGap_px)) * scale_);
-    bool const is_entered = ImGui::InputTextWithHint("##name", words.question, &typed_,
-                                                     ImGuiInputTextFlags_EnterReturnsTrue);
-    ImGui::PopStyleVar();
+    show_typed(words.question, width - 2 * (kNameButton_px + kKeyGap_px));
+    bool const is_entered = ImGui::IsKeyPressed(ImGuiKey_Enter, false);
     ImGui::SameLine();
     bool const is_done = controls.button(words.button, kNameButton_px) || is_entered;
     ImGui::SameLine();
@@ -112,6 +126,27 @@ void NamePanel::show_name(WindowModel& model, Workbench& bench, Controls const& 
         bench.asked_name.reset();
     if (is_done)
         perform(model, *asked_, typed_);
+}
+
+// Takes what is typed on a keyboard, too. A field of ImGui's would hold the keyboard's letters back
+// from the keys' and the other way round.
+void NamePanel::show_typed(char const* question, float width)
+{
+    for (auto const letter : ImGui::GetIO().InputQueueCharacters)
+        append_letter(typed_, letter);
+    if (ImGui::IsKeyPressed(ImGuiKey_Backspace))
+        take_last(typed_);
+    auto const& field = ImGui::GetStyleColorVec4(ImGuiCol_FrameBg);
+    for (auto const color : { ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive })
+        ImGui::PushStyleColor(color, field);
+    ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, { 0, 0.5f });
+    auto const shown = typed_.empty() ? std::string(question) : typed_ + "|";
+    ImGui::BeginDisabled(typed_.empty());
+    ImGui::Button((shown + "###typed").c_str(),
+                  { width * scale_, theme::kButtonHeight_px * scale_ });
+    ImGui::EndDisabled();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor(3);
 }
 
 void NamePanel::show_keys(Controls const& controls, float width)

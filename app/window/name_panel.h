@@ -24,6 +24,7 @@ public:
 
 private:
     void show_name(WindowModel& model, Workbench& bench, Controls const& controls, float width);
+    void show_typed(char const* question, float width);
     void show_keys(Controls const& controls, float width);
     void show_row(std::string_view keys, Controls const& controls, float width);
     void press(char key);

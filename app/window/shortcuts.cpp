@@ -20,13 +20,12 @@ constexpr double kKeySpeed_mm_s = 80;
 // window.
 void take_escape(Workbench& bench, ToolRing& ring)
 {
-    bool const is_anything_open = ring.is_open() || bench.menu_is_open() || bench.keys_are_listed
-        || bench.asked_number || bench.asked_name;
+    bool const is_anything_open
+        = ring.is_open() || bench.menu_is_open() || bench.keys_are_listed || bench.asked_number;
     ring.close();
     bench.close_menu();
     bench.keys_are_listed = false;
     bench.asked_number.reset();
-    bench.asked_name.reset();
     if (is_anything_open)
         return;
     if (bench.is_on_stage)

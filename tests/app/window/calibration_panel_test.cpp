@@ -1,9 +1,8 @@
-#include "app/calibration/height_plots.h"
 #include "app/window/palette.h"
 #include "app/window/window.h"
 #include "drivers/file.h"
-#include "sim/simulated_person.h"
 #include "tests/app/render/read_png.h"
+#include "tests/app/window/still_calibration.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -13,36 +12,18 @@
 namespace tractus {
 namespace {
 
-// Shows one calibration.
-class StillCalibration : public WindowModel, public CalibrationModel {
+// Shows it.
+class StillWindow : public WindowModel {
 public:
-    StillCalibration()
-    {
-        double const heights[] { 0, 60, 200, 400, 300, 120, 20 };
-        view_.captures
-            = simulate_captures({}, heights, { .slip = Slip { .capture = 2, .wrong_by_mm = 20 } });
-        auto const fit = fit_height(view_.captures).value();
-        view_.residuals_mm = fit.residuals_mm;
-        view_.slipped = fit.slipped;
-        view_.plots = height_plots(fit, view_.captures, 4095);
-        view_.reading = "2034.0 counts, noise 1.0, at rest";
-        view_.message = "Press Keep to write the rig's file, or capture more heights.";
-        view_.report = fit.reason;
-        view_.may_keep = true;
-    }
-
     void advance(Duration) override { }
     WindowState const& state() const override { return state_; }
     void perform(WindowCommand const&) override { }
-    CalibrationModel* calibration() override { return this; }
-    CalibrationView const& view() const override { return view_; }
-    void perform(CalibrationCommand const&) override { ++commands; }
+    CalibrationModel* calibration() override { return &still; }
 
-    int commands = 0;
+    StillCalibration still {};
 
 private:
     WindowState state_;
-    CalibrationView view_;
 };
 
 // How many pixels are within 12 levels of a colour.
@@ -61,7 +42,7 @@ TEST(CalibrationPanel, ShowsCapturesAndPlots)
 {
     auto const path = std::filesystem::temp_directory_path()
         / ("tractus_calibration_" + std::to_string(::getpid()) + ".png");
-    StillCalibration model;
+    StillWindow model;
     auto const shown
         = run_window(model, { .width = 1500, .height = 900, .frames = 3, .screenshot = path });
     ASSERT_TRUE(shown) << shown.error().message;
@@ -72,7 +53,7 @@ TEST(CalibrationPanel, ShowsCapturesAndPlots)
         << "the noise, and captures from below";
     EXPECT_GT(colored(picture, theme::palette().stroke), 300) << "captures from above";
     EXPECT_GT(colored(picture, { 0.93f, 0.40f, 0.33f }), 200) << "the slip";
-    EXPECT_EQ(model.commands, 0);
+    EXPECT_EQ(model.still.commands, 0);
 }
 
 } // namespace

@@ -86,6 +86,7 @@ public:
     void advance(Duration) override { }
     WindowState const& state() const override { return state_; }
     StartPageModel* start_page() override { return start ? &*start : nullptr; }
+    CalibrationModel* calibration() override { return calibrated; }
     void perform(WindowCommand const& command) override
     {
         if (auto const* const choice = std::get_if<ChooseTool>(&command))
@@ -112,6 +113,7 @@ public:
     std::size_t touches = 0;
 
     std::optional<CardsModel> start {};
+    CalibrationModel* calibrated = nullptr; // What is shown in place of the drawing; not owned.
 
 private:
     Methods methods_;

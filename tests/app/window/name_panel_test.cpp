@@ -80,6 +80,7 @@ TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
         for (bool const is_down : { false, true, false })
             moments.push_back({ middle, is_down });
     }
+    moments[1].input.presses.push_back({ 'C' }); // A tool's key, elsewhere.
     work(size, moments, model, ask, [](Layout& layout) {
         EXPECT_FALSE(layout.bench().asked_name) << "the panel closes when it is done";
     });
