@@ -12,10 +12,11 @@
 namespace tractus {
 
 // Distances of the states that are kept: those of so many steps around the last that counts, and of
-// every so many farther away, up to a distance. Few, since each has a list of all strokes, though
-// their tips are shared; and making a step again costs next to nothing.
-static constexpr std::size_t kNear = 2;
-static constexpr std::size_t kEvery = 64;
+// every so many farther away, up to a distance. Not all, since each has a list of all strokes,
+// though the strokes are shared; and enough that an undo makes few steps again, some of which take
+// a tenth of a second on large plants.
+static constexpr std::size_t kNear = 16;
+static constexpr std::size_t kEvery = 16;
 static constexpr std::size_t kFar = 192;
 
 static std::size_t distance(std::size_t one, std::size_t other)

@@ -64,35 +64,65 @@ public:
 
     void replace(std::size_t index, T element)
     {
-        auto block = *blocks_[index / kBlock];
-        block[index % kBlock] = std::move(element);
-        blocks_[index / kBlock] = std::make_shared<Block const>(std::move(block));
+        std::vector<std::pair<std::size_t, T>> one;
+        one.emplace_back(index, std::move(element));
+        replace(std::move(one));
+    }
+
+    // Elements with their indices, in that order: what they share a block with is copied once.
+    void replace(std::vector<std::pair<std::size_t, T>> elements)
+    {
+        for (std::size_t i = 0; i < elements.size();) {
+            auto const number = elements[i].first / kBlock;
+            auto block = *blocks_[number];
+            for (; i < elements.size() && elements[i].first / kBlock == number; ++i)
+                block[elements[i].first % kBlock] = std::move(elements[i].second);
+            blocks_[number] = std::make_shared<Block const>(std::move(block));
+        }
     }
 
     void push_back(T element)
     {
-        Block block;
-        block.reserve(kBlock);
-        if (size_ % kBlock > 0) {
-            block.assign(blocks_.back()->begin(), blocks_.back()->end());
-            blocks_.pop_back();
-        }
-        block.push_back(std::move(element));
-        blocks_.push_back(std::make_shared<Block const>(std::move(block)));
-        ++size_;
+        std::vector<T> one;
+        one.push_back(std::move(element));
+        append(std::move(one));
     }
 
-    // Removes an element; those after it move up.
-    void erase(std::size_t index)
+    // Likewise.
+    void append(std::vector<T> elements)
     {
-        auto const first = index / kBlock * kBlock; // The block's first element.
+        for (std::size_t i = 0; i < elements.size();) {
+            Block block;
+            block.reserve(kBlock);
+            if (size_ % kBlock > 0) {
+                block.assign(blocks_.back()->begin(), blocks_.back()->end());
+                blocks_.pop_back();
+            }
+            for (; i < elements.size() && block.size() < kBlock; ++i, ++size_)
+                block.push_back(std::move(elements[i]));
+            blocks_.push_back(std::make_shared<Block const>(std::move(block)));
+        }
+    }
+
+    // Removes elements, whose indices are in order; those after them move up.
+    void erase(std::vector<std::size_t> const& indices)
+    {
+        if (indices.empty())
+            return;
+        auto const first = indices.front() / kBlock * kBlock; // Its block's first element.
         auto const before = std::exchange(*this, {});
         blocks_.assign(before.blocks_.begin(),
                        before.blocks_.begin() + static_cast<std::ptrdiff_t>(first / kBlock));
         size_ = first;
+        std::vector<T> after;
+        after.reserve(before.size() - first);
+        auto removed = indices.begin();
         for (auto i = first; i < before.size(); ++i)
-            if (i != index)
-                push_back(before[i]);
+            if (removed != indices.end() && *removed == i)
+                ++removed;
+            else
+                after.push_back(before[i]);
+        append(std::move(after));
     }
 
     void clear() { *this = {}; }

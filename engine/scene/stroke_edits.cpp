@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <functional>
 #include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -19,14 +20,40 @@ namespace {
 constexpr std::array kPropagations { "selected", "descendants", "both" };
 constexpr std::array kFits { "start", "chord", "world" };
 
-// After hours of drawing each branch has been drawn many times: its place is held once.
-void share_with_earlier(PlantState const& plant, Anchored<ShapingStroke>& drawn)
+struct AddressHash {
+    std::size_t operator()(PathAddress const& path) const
+    {
+        std::size_t hash = 0;
+        for (auto const* const address : { &path.first, &path.last })
+            for (auto const number : *address)
+                hash = (hash ^ number) * 0x100000001B3u;
+        return hash;
+    }
+};
+
+using Place = SharedVector<PathAddress>;
+
+// The places, each shared with an earlier stroke if there is one at it: after hours of drawing each
+// branch has been drawn many times, and its place is held once.
+std::vector<Place> shared_places(SharedList<Anchored<ShapingStroke>> const& strokes,
+                                 SharedVector<PathAddress> const& wanted)
 {
-    for (auto i = plant.strokes.size(); i-- > 0;)
-        if (plant.strokes[i].at == drawn.at) {
-            drawn.at = plant.strokes[i].at;
-            return;
-        }
+    std::unordered_map<PathAddress, Place, AddressHash> places;
+    for (auto const& at : wanted)
+        places.try_emplace(at, Place { at });
+    std::size_t left = places.size();
+    for (auto i = strokes.size(); i-- > 0 && left > 0;) {
+        auto const& at = strokes[i].at;
+        auto const found = at.size() == 1 ? places.find(at.front()) : places.end();
+        if (found == places.end() || found->second.id() == at.id())
+            continue;
+        found->second = at;
+        --left;
+    }
+    std::vector<Place> shared;
+    for (auto const& at : wanted)
+        shared.push_back(places.at(at));
+    return shared;
 }
 
 // A stroke by its number among those of a plant, and that plant's number.
@@ -64,8 +91,8 @@ Result<std::vector<StrokeNumber>> named_strokes(DocumentState const& state,
     return found;
 }
 
-// Each once, the last first: the others keep their numbers when it goes. Refuses strokes that are
-// not there, and none at all.
+// Each once, in the order of plants and strokes. Refuses strokes that are not there, and none at
+// all.
 Result<std::vector<StrokeNumber>> find_strokes(DocumentState const& state, Items const& strokes)
 {
     if (strokes.empty())
@@ -73,17 +100,47 @@ Result<std::vector<StrokeNumber>> find_strokes(DocumentState const& state, Items
     auto found = TRY(numbered_strokes(state, strokes.numbers));
     for (auto const& stroke : TRY(named_strokes(state, strokes.ids)))
         found.push_back(stroke);
-    std::sort(found.begin(), found.end(), std::greater<> {});
+    std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 
-void replace_stroke(DocumentState& state, StrokeNumber const& number,
-                    Anchored<ShapingStroke> stroke)
+// Calls `change(plant, numbers)` for each plant of the strokes, which are as of find_strokes().
+template<typename Change>
+Result<DocumentState> change_plants(DocumentState state, std::vector<StrokeNumber> const& found,
+                                    Change const& change)
 {
-    change_plant(state, number.first, [&](PlantState& plant) {
-        plant.strokes.replace(number.second, std::move(stroke));
-    });
+    for (auto stroke = found.begin(); stroke != found.end();) {
+        auto const plant = stroke->first;
+        std::vector<std::size_t> numbers;
+        for (; stroke != found.end() && stroke->first == plant; ++stroke)
+            numbers.push_back(stroke->second);
+        Result<void> changed;
+        change_plant(state, plant,
+                     [&](PlantState& of) { changed = change(of, std::as_const(numbers)); });
+        TRY(std::move(changed));
+    }
+    return state;
+}
+
+// Puts what `change` makes of them in the place of strokes.
+Result<DocumentState> with_other_strokes(DocumentState state, Items const& strokes,
+                                         std::function<Result<void>(ShapingStroke&)> const& change)
+{
+    auto const found = TRY(find_strokes(state, strokes));
+    return change_plants(
+        std::move(state), found,
+        [&](PlantState& plant, std::vector<std::size_t> const& numbers) -> Result<void> {
+            std::vector<std::pair<std::size_t, Anchored<ShapingStroke>>> changed;
+            for (auto const number : numbers) {
+                auto stroke = plant.strokes[number];
+                TRY(change(stroke.what));
+                TRY(check_shaping_stroke(stroke.what));
+                changed.emplace_back(number, std::move(stroke));
+            }
+            plant.strokes.replace(std::move(changed));
+            return {};
+        });
 }
 
 // As find_strokes() understands them: what older sessions count from 0, people count from 1.
@@ -106,17 +163,15 @@ with_changed_strokes(DocumentState state, Items const& strokes,
 {
     Stroke drawn;
     Stroke changed;
-    for (auto const& number : TRY(find_strokes(state, strokes))) {
-        auto stroke = state.plants[number.first]->strokes[number.second];
-        if (stroke.what.stroke.tips.id() != drawn.tips.id()) {
-            drawn = stroke.what.stroke;
-            changed = TRY(change(drawn));
-        }
-        stroke.what.stroke = changed;
-        TRY(check_shaping_stroke(stroke.what));
-        replace_stroke(state, number, std::move(stroke));
-    }
-    return state;
+    return with_other_strokes(std::move(state), strokes,
+                              [&](ShapingStroke& stroke) -> Result<void> {
+                                  if (stroke.stroke.tips.id() != drawn.tips.id()) {
+                                      drawn = stroke.stroke;
+                                      changed = TRY(change(drawn));
+                                  }
+                                  stroke.stroke = changed;
+                                  return {};
+                              });
 }
 
 void list(Fields& fields, Associate& edit)
@@ -139,12 +194,10 @@ Result<DocumentState> applied(DocumentState state, Associate const& edit, SceneB
     TRY(check_shaping_stroke(stroke));
     auto const edit_number = edit_of_item(take_id(state, edit.id));
     change_active(state, [&](PlantState& plant) {
-        std::size_t item = 0;
-        for (auto const& at : plant.selection) {
-            Anchored<ShapingStroke> drawn { item_id(edit_number, item++), stroke, { at } };
-            share_with_earlier(plant, drawn);
-            plant.strokes.push_back(std::move(drawn));
-        }
+        std::vector<Anchored<ShapingStroke>> drawn;
+        for (auto& at : shared_places(plant.strokes, plant.selection))
+            drawn.push_back({ item_id(edit_number, drawn.size()), stroke, std::move(at) });
+        plant.strokes.append(std::move(drawn));
     });
     return state;
 }
@@ -190,13 +243,11 @@ void list(Fields& fields, SmoothStroke& edit)
 
 Result<DocumentState> applied(DocumentState state, SmoothStroke const& edit, SceneBuilder&)
 {
-    for (auto const& number : TRY(find_strokes(state, edit.strokes))) {
-        auto stroke = state.plants[number.first]->strokes[number.second];
-        stroke.what.detail_weight = edit.detail_weight;
-        TRY(check_shaping_stroke(stroke.what));
-        replace_stroke(state, number, std::move(stroke));
-    }
-    return state;
+    return with_other_strokes(std::move(state), edit.strokes,
+                              [&](ShapingStroke& stroke) -> Result<void> {
+                                  stroke.detail_weight = edit.detail_weight;
+                                  return {};
+                              });
 }
 
 std::string described(SmoothStroke const& edit)
@@ -212,10 +263,13 @@ void list(Fields& fields, DeleteStroke& edit)
 
 Result<DocumentState> applied(DocumentState state, DeleteStroke const& edit, SceneBuilder&)
 {
-    for (auto const& number : TRY(find_strokes(state, edit.strokes)))
-        change_plant(state, number.first,
-                     [&](PlantState& plant) { plant.strokes.erase(number.second); });
-    return state;
+    auto const found = TRY(find_strokes(state, edit.strokes));
+    return change_plants(
+        std::move(state), found,
+        [](PlantState& plant, std::vector<std::size_t> const& numbers) -> Result<void> {
+            plant.strokes.erase(numbers);
+            return {};
+        });
 }
 
 std::string described(DeleteStroke const& edit)

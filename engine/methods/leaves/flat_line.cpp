@@ -27,9 +27,9 @@ double area_of(std::span<Vec2 const> ring)
 bool is_inside(std::span<Vec2 const> ring, Vec2 const& place)
 {
     bool inside = false;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        auto const& a = ring[i];
-        auto const& b = ring[(i + 1) % ring.size()];
+    for (std::size_t i = 0, before = ring.size() - 1; i < ring.size(); before = i++) {
+        auto const& a = ring[before];
+        auto const& b = ring[i];
         if ((a.y() > place.y()) != (b.y() > place.y())
             && place.x() < a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
             inside = !inside;

@@ -45,12 +45,44 @@ TEST(SharedList, LosesAnyElement)
     for (std::size_t const index : { 0u, 31u, 32u, 63u, 69u }) {
         auto list = counted_to(70);
         auto expected = list.vector();
-        list.erase(index);
+        list.erase({ index });
         expected.erase(expected.begin() + static_cast<std::ptrdiff_t>(index));
         EXPECT_EQ(list.vector(), expected);
         list.push_back(7);
         EXPECT_EQ(list.back(), 7);
     }
+}
+
+// Against a vector; lists of a block's length and its neighbours, and indices at the blocks' ends.
+TEST(SharedList, ChangesManyElementsAtOnce)
+{
+    for (int const length : { 1, 31, 32, 33, 64, 100 })
+        for (std::size_t const step : { 1u, 3u, 31u, 32u }) {
+            auto const before = counted_to(length);
+            auto list = before;
+            auto expected = list.vector();
+            std::vector<std::size_t> indices;
+            std::vector<std::pair<std::size_t, int>> elements;
+            for (std::size_t i = 0; i < expected.size(); i += step) {
+                indices.push_back(i);
+                elements.emplace_back(i, -static_cast<int>(i));
+                expected[i] = -static_cast<int>(i);
+            }
+            list.replace(elements);
+            EXPECT_EQ(list.vector(), expected);
+            list.append({ 7, 8, 9 });
+            expected.insert(expected.end(), { 7, 8, 9 });
+            EXPECT_EQ(list.vector(), expected);
+            list.erase(indices);
+            for (auto i = indices.rbegin(); i != indices.rend(); ++i)
+                expected.erase(expected.begin() + static_cast<std::ptrdiff_t>(*i));
+            EXPECT_EQ(list.vector(), expected);
+            EXPECT_EQ(before.vector(), counted_to(length).vector()) << "copies stay";
+        }
+    SharedList<int> all = counted_to(40);
+    all.append({});
+    all.erase({});
+    EXPECT_EQ(all.size(), 40u);
 }
 
 } // namespace

@@ -1,0 +1,124 @@
+#pragma once
+
+#include "app/document/draw.h"
+#include "app/methods/all_methods.h"
+#include "app/tools/bent_plant.h"
+#include "app/tools/tool_choices.h"
+#include "engine/base/random.h"
+#include "engine/scene/paper.h"
+#include "engine/scene/scene.h"
+#include "tests/app/small_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// Somebody who takes any tool with any options and draws anywhere, on plants more often than not.
+class RandomHand {
+public:
+    explicit RandomHand(std::uint64_t seed)
+        : random_({ .seed = seed })
+    {
+    }
+
+    bool happens(double share) { return random_.uniform() < share; }
+
+    // Somebody who has not succeeded with a tool yet tries it more often, and where it was drawn
+    // before.
+    void has_done(Tool const& tool) { ++done_[tool.kind().word]; }
+    std::size_t times_done(ToolKind const& kind) { return done_[kind.word]; }
+
+    ToolStroke stroke(Scene const& scene)
+    {
+        auto tool = any_tool(scene);
+        if (tool.can_be_done_at_once() && (tool.kind().at_once || happens(0.5)))
+            return { {}, tool.done_at_once() };
+        return { path(tool, scene), tool };
+    }
+
+    SetGrowth growth(SetGrowth growth)
+    {
+        growth.seed = static_cast<std::uint64_t>(below(5)) + 1;
+        growth.age = random_.uniform(0.5, 1);
+        return growth;
+    }
+
+private:
+    std::size_t below(std::size_t count)
+    {
+        return std::min(static_cast<std::size_t>(random_.uniform() * static_cast<double>(count)),
+                        count - 1);
+    }
+
+    // Where there are many plants already, more of them go than come.
+    Tool any_tool(Scene const& scene)
+    {
+        constexpr std::size_t kMany = 5;
+        auto const tools = all_methods().tools;
+        auto const* kind = tools[below(tools.size())];
+        for (std::size_t tries = 0; tries < 4 && times_done(*kind) > 0; ++tries)
+            kind = tools[below(tools.size())];
+        if (scene.plants.size() > kMany && happens(0.3))
+            kind = find_tool_kind(tools, "remove_plant");
+        Tool tool(*kind);
+        auto const words = chosen_words(tool);
+        for (std::size_t i = 0; i < words.size(); ++i)
+            if (happens(0.4))
+                tool = with_word(tool, i, static_cast<int>(below(words[i].option.words.size())));
+        auto const numbers = chosen_numbers(tool);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            auto const& [option, value] = numbers[i];
+            if (happens(
+                    0.4)) // Not far, or nearly all plants would be the largest that there may be.
+                tool = with_number(tool, i,
+                                   std::clamp(std::round(value * random_.uniform(0.7, 1.2)),
+                                              option.least, option.greatest));
+        }
+        return tool;
+    }
+
+    Vec3 anywhere()
+    {
+        return { random_.uniform(-90, 90), random_.uniform(-60, 60), random_.uniform(0, 200) };
+    }
+
+    Vec3 on_plant(Scene const& scene)
+    {
+        if (scene.plants.empty())
+            return anywhere();
+        auto const& plant = *scene.plants[below(scene.plants.size())];
+        if (plant.base->segment_count() == 0)
+            return anywhere();
+        auto const segment = static_cast<SegmentId>(below(plant.base->segment_count()));
+        return plant.placement.world_of_plant(BentPlant(plant).end_of(segment));
+    }
+
+    Stroke path(Tool const& tool, Scene const& scene)
+    {
+        if (!drawn_.empty() && happens(0.3))
+            return drawn_[drawn_.size() - 1 - below(std::min<std::size_t>(drawn_.size(), 6))];
+        auto const place = [&] { return happens(0.7) ? on_plant(scene) : anywhere(); };
+        std::vector<Vec3> places { place() };
+        for (std::size_t more = 1 + below(4); more > 0; --more)
+            places.push_back(happens(0.3) ? place() : Vec3(places.back() + 0.3 * anywhere()));
+        if (happens(0.2)) // An outline comes back.
+            places.push_back(places.front());
+        if (tool.kind().surface != Surface::Space)
+            for (auto& at : places) {
+                auto const sheet_mm = paper_of(scene.state).sheet_of_world(at);
+                at = Vec3(sheet_mm.x(), sheet_mm.y(), 100);
+            }
+        drawn_.push_back(stroke_through(places));
+        return drawn_.back();
+    }
+
+    Random random_;
+    std::map<std::string, std::size_t> done_;
+    std::vector<Stroke> drawn_;
+};
+
+} // namespace tractus

@@ -1,0 +1,160 @@
+// Steps of all methods on plants of 50,000 segments and more: from a finished stroke, or from undo,
+// to the document's next snapshot.
+#include "app/document/document.h"
+#include "app/methods/all_methods.h"
+#include "app/plants/malloc_tuning.h"
+#include "tests/app/methods/pairs/random_hand.h"
+#include "tests/bench/monopodial_tree.h"
+#include "tests/bench/report.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fmt/core.h>
+#include <map>
+
+namespace tractus {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kSegments = 50'000;
+constexpr std::size_t kMostSegments = 100'000;
+constexpr std::size_t kSteps = 1000;
+constexpr int kTreeSteps = 16; // 2^16 - 1 segments.
+
+std::size_t segment_count(Scene const& scene)
+{
+    std::size_t count = 0;
+    for (auto const& plant : scene.plants)
+        count += plant->base->segment_count();
+    return count;
+}
+
+// The seconds that each of a random hand's steps took.
+class RandomSteps {
+public:
+    RandomSteps()
+    {
+        return_large_blocks(); // The window does it, too.
+        while (seconds_.size() < kSteps) {
+            auto const segments = segment_count(document_.newest()->scene);
+            if (segments < kSegments)
+                plant_tree();
+            else if (segments > kMostSegments)
+                document_.undo();
+            else if (hand_.happens(0.1))
+                add("undo", time_of([&] { document_.undo(); }));
+            else if (hand_.happens(0.05))
+                add("redo", time_of([&] { document_.redo(); }));
+            else
+                draw();
+        }
+    }
+
+    // The time that so large a share of the steps stayed within.
+    double within(double share) const
+    {
+        auto sorted = seconds_;
+        std::ranges::sort(sorted);
+        return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+    }
+
+    // Of each tool, and of undo and redo: how often it was a step, how long the longest took, and
+    // how many segments there were then.
+    struct Kind {
+        std::size_t count = 0;
+        double longest_s = 0;
+        std::size_t segments = 0;
+    };
+    std::map<std::string, Kind> const& kinds() const { return kinds_; }
+
+private:
+    void plant_tree()
+    {
+        document_.make({ [](Scene const&) -> Result<WantedStep::Change> {
+            return WantedStep::Change { { LoadModel {
+                                            .source = { .name = "tree.l", .text = kMonopodialTree },
+                                            .steps = kTreeSteps,
+                                            .drawn = Drawn::Beside } },
+                                        "" };
+        } });
+    }
+
+    // What is refused is no step.
+    void draw()
+    {
+        auto stroke = hand_.stroke(document_.newest()->scene);
+        auto const* const word = stroke.tool.kind().word;
+        auto const took = time_of([&] { document_.draw(std::move(stroke)); });
+        for (auto const& drawn : document_.take_drawn()) {
+            if (!drawn.refusal.empty())
+                continue;
+            hand_.has_done(drawn.tool);
+            add(word, took);
+        }
+    }
+
+    template<typename Step> static double time_of(Step const& step)
+    {
+        auto const begin = Clock::now();
+        step();
+        return std::chrono::duration<double>(Clock::now() - begin).count();
+    }
+
+    // What makes far larger plants is measured by its method's own benchmarks.
+    void add(std::string const& what, double took)
+    {
+        auto const now = segment_count(document_.newest()->scene);
+        if (now > kMostSegments)
+            return;
+        seconds_.push_back(took);
+        auto& [count, longest, segments] = kinds_[what];
+        ++count;
+        if (took > longest) {
+            longest = took;
+            segments = now;
+        }
+    }
+
+    Document document_ { Scene {}, Document::Working::AtOnce };
+    RandomHand hand_ { 4 };
+    std::vector<double> seconds_;
+    std::map<std::string, Kind> kinds_;
+};
+
+void print_kinds(RandomSteps const& steps)
+{
+    for (auto const& [word, kind] : steps.kinds())
+        fmt::print(stderr, "{:20} {:4} steps, at most {:6.1f} ms, with {} segments\n", word,
+                   kind.count, 1000 * kind.longest_s, kind.segments);
+}
+
+// Of each kind of step the longest is printed where the environment has TRACTUS_BENCH_EACH_TOOL.
+RandomSteps const& random_steps()
+{
+    static RandomSteps const steps;
+    static bool const is_printed
+        = std::getenv("TRACTUS_BENCH_EACH_TOOL") != nullptr && (print_kinds(steps), true);
+    static_cast<void>(is_printed);
+    return steps;
+}
+
+void random_step(benchmark::State& state)
+{
+    auto const& steps = random_steps();
+    for (auto _ : state)
+        state.SetIterationTime(steps.within(static_cast<double>(state.range(0)) / 100));
+    report(state, { .item = "steps" });
+}
+BENCHMARK(random_step)
+    ->ArgName("percent_within")
+    ->Arg(50)
+    ->Arg(99)
+    ->Arg(100)
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
+} // namespace
+} // namespace tractus
