@@ -51,4 +51,11 @@ Result<fs::path> find_model(std::string_view name)
                             name, fmt::join(model_names(), ", ")));
 }
 
+Result<fs::path> find_plant(std::string_view name)
+{
+    if (name == "empty")
+        return fs::path();
+    return find_model(name);
+}
+
 } // namespace tractus

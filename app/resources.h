@@ -18,6 +18,9 @@ Result<std::filesystem::path> find_resource(std::string_view name);
 // Fails, as the user's fault, listing ours.
 Result<std::filesystem::path> find_model(std::string_view name);
 
+// Does as find_model(), but that "empty" is an empty sheet, whose path is empty.
+Result<std::filesystem::path> find_plant(std::string_view name);
+
 // The names of ours, in alphabetical order; none where they are not installed.
 std::vector<std::string> model_names();
 

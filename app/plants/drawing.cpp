@@ -7,6 +7,7 @@
 #include "app/plants/session_plant.h"
 #include "app/plants/stroke_file.h"
 #include "app/play/paced_log.h"
+#include "app/session/begin_empty.h"
 #include "app/station/log_replay.h"
 #include "calib/rig_file.h"
 #include "drivers/log.h"
@@ -193,6 +194,8 @@ std::string growth_name(std::filesystem::path const& model, GrowthOptions const&
 Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth,
                                               std::uint64_t seed)
 {
+    if (plant.model.empty()) // What is drawn brings its own growth.
+        return std::vector<Edit> { BeginEmpty {} };
     std::vector<Edit> edits;
     std::optional<GrowthParameters> own;
     if (is_session_file(plant.model)) {
@@ -223,7 +226,7 @@ Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOp
 Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit> const& edits)
 {
     auto scene = TRY(scene_after({}, edits));
-    if (scene.base->segment_count() == 0)
+    if (scene.base->segment_count() == 0 && !model.empty())
         return fail(Fault::User,
                     fmt::format("{}: the plant has no branch that a stroke could shape: its "
                                 "derivation draws nothing",

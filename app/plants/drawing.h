@@ -32,7 +32,7 @@ std::string growth_name(std::filesystem::path const& model, GrowthOptions const&
 
 // A plant to be drawn on: its file, and of which kinds its edits may be if that is a session.
 struct PlantChoice {
-    std::filesystem::path model;
+    std::filesystem::path model; // Empty: an empty sheet, on which the drawing makes plants.
     EditKinds kinds;
 };
 
@@ -42,7 +42,7 @@ struct PlantChoice {
 Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth,
                                               std::uint64_t seed);
 
-// The scene that such edits give. Fails, as the user's fault, for a plant without branches.
+// The scene that such edits give. Fails, as the user's fault, for a model's plant without branches.
 Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit> const& edits);
 
 // Does both: the edits of the choice, and their scene. Fails like either.

@@ -147,7 +147,7 @@ Result<Scene> Job::load_plant()
     report_.growth = options_.growth;
     report_.age = options_.age;
     report_.seed = options_.seed;
-    report_.model = options_.model.string();
+    report_.model = options_.model.empty() ? "an empty sheet" : options_.model.string();
     report_.notes = scene.model_warnings;
     report_.segments = scene.base->segment_count();
     report_.organs = scene.base->organs.size();
@@ -231,7 +231,9 @@ Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
     std::vector<PlacedMesh> plants;
     for (std::size_t i = 0; i < sequence.size(); ++i)
         plants.push_back(
-            { .name = fmt::format("{} {}", options_.model.stem().string(), sequence.name(i)),
+            { .name = fmt::format("{} {}",
+                                  options_.model.empty() ? "plant" : options_.model.stem().string(),
+                                  sequence.name(i)),
               .position_mm
               = spacing_mm * Vec3(static_cast<double>(i % row), -static_cast<double>(i / row), 0),
               .mesh = std::function<Mesh()>([&sequence, &style = options_.mesh, i] {

@@ -59,7 +59,7 @@ void add_replay_verb(CLI::App& root, Action& action, Methods const& methods)
             auto job = arguments->job;
             job.drawing.methods = methods;
             TRY(check_writable(job.folder / "report.txt"));
-            job.model = TRY(find_model(arguments->model));
+            job.model = TRY(find_plant(arguments->model));
             if (!arguments->rig.empty())
                 job.drawing.rig = arguments->rig;
             if (!arguments->height.empty())

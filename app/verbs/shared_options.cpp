@@ -14,7 +14,8 @@ CLI::Option* add_plant_option(CLI::App& verb, std::string& model)
                           "The plant's model: an L-system file (.l), a skeleton "
                           "of lines (.obj, .glb), a measured tree (.csv, .txt, .ply, .mtg), a "
                           "session with what was drawn in it (.tractus), or one of ours by its "
-                          "name: broadleaf, conifer, daisy, shrub, …")
+                          "name: broadleaf, conifer, daisy, shrub, …; where a drawing is replayed, "
+                          "empty is an empty sheet")
               ->type_name("MODEL");
     return model.empty() ? option->required() : option->capture_default_str();
 }

@@ -75,7 +75,7 @@ std::string window_title(std::string const& hand, std::string const& drawing)
 // Where a drawing has to be of something.
 Result<std::filesystem::path> model_of(WindowArguments const& arguments)
 {
-    return find_model(arguments.model.empty() ? kUsualModel : arguments.model);
+    return find_plant(arguments.model.empty() ? kUsualModel : arguments.model);
 }
 
 // What a program looks at, or a film, is the same for everybody.
@@ -146,7 +146,8 @@ Result<void> show_replay(WindowArguments const& arguments)
                                            std::filesystem::current_path(), std::move(session)));
     auto const name = std::filesystem::path(log.name).filename().string();
     auto const on = arguments.session.empty() ? model : std::filesystem::path(arguments.session);
-    return run_window(window, window_options(arguments, window_title(name, on.stem().string())));
+    auto const title = window_title(name, on.empty() ? "an empty sheet" : on.stem().string());
+    return run_window(window, window_options(arguments, title));
 }
 
 // Nothing was asked for that a window could begin with, or end with.

@@ -3,6 +3,7 @@
 
 #include "app/plants/model_file.h"
 #include "app/play/simulated_recording.h"
+#include "app/resources.h"
 #include "calib/rig_file.h"
 #include "drivers/file.h"
 #include "engine/export/glb_reader.h"
@@ -95,6 +96,21 @@ TEST_F(LeafyJob, ShowsTheDrawingInFourSeasons)
     for (auto const* name :
          { "leafy 1", "leafy spring", "leafy summer", "leafy autumn", "leafy winter" })
         EXPECT_NE(bytes.find(name), std::string::npos) << name;
+}
+
+// The recording brings the plant.
+TEST_F(LeafyJob, BeginsWithAnEmptySheet)
+{
+    JobOptions options { .variations = 2, .folder = folder_ / "sheet" };
+    options.drawing.log = find_resource("demo/first-plants/sketch-surface.tractus-log").value();
+    options.drawing.methods = all_methods();
+    Progress progress;
+    auto const report = run_job(options, progress);
+    ASSERT_TRUE(report) << report.error().message;
+    EXPECT_EQ(report->model, "an empty sheet");
+    EXPECT_EQ(report->plants, 2u);
+    EXPECT_GT(report->triangles, 0u);
+    EXPECT_TRUE(fs::exists(folder_ / "sheet" / "collection.glb"));
 }
 
 TEST_F(LeafyJob, SaysThatTheRigIsAnotherOne)
