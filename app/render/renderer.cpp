@@ -262,6 +262,7 @@ void Renderer::Parts::draw_meshes(View const& view) const
             shader.use();
             shader.set("T_world_plant", placed.T_world_plant.matrix());
             shader.set("roughness", material.roughness);
+            shader.set("metalness", material.metalness);
             shader.set("translucency", material.translucency);
             shader.set("veins", material.kind == Material::Kind::Leaf ? 1.0f : 0.0f);
             // Texture coordinates of a leaf that has its own picture are no unit square.

@@ -84,9 +84,15 @@ Result<std::optional<TriangleMesh>> read_primitive(tinygltf::Model const& model,
         mesh.texture_coordinates.assign(vertex_count, Vec2f::Zero());
     if (mesh.normals.size() != vertex_count || mesh.texture_coordinates.size() != vertex_count)
         return fail_reading("a mesh's attributes have different counts");
-    for (auto& texture : mesh.texture_coordinates)
+    auto const place = primitive.material >= 0
+            && static_cast<std::size_t>(primitive.material) < model.materials.size()
+        ? texture_transform(model.materials[static_cast<std::size_t>(primitive.material)])
+        : Eigen::Affine2f::Identity();
+    for (auto& texture : mesh.texture_coordinates) {
+        texture = place * texture;
         if (!texture.allFinite())
             texture.setZero();
+    }
     return std::optional(std::move(mesh));
 }
 

@@ -42,6 +42,7 @@ public:
             material.base_color[static_cast<Eigen::Index>(i)] = static_cast<float>(
                 srgb_from_linear(std::clamp(surface.baseColorFactor[i], 0.0, 1.0)));
         material.roughness = share(surface.roughnessFactor);
+        material.metalness = share(surface.metallicFactor);
         material.kind = from.doubleSided ? Material::Kind::Leaf : Material::Kind::Solid;
         read_pictures(from, material.textures);
         read_transmission(from, material);
@@ -120,7 +121,47 @@ private:
     std::map<int, TextureSlot> pictures_; // Keyed by the texture's number.
 };
 
+// Two numbers of a JSON array; `usual` where there are none.
+Vec2f two_numbers(tinygltf::Value const& from, char const* name, float usual)
+{
+    auto const& list = from.Get(name);
+    Vec2f pair = Vec2f::Constant(usual);
+    for (int i = 0; i < 2; ++i)
+        if (list.IsArray() && list.Get(i).IsNumber())
+            pair[i] = static_cast<float>(std::clamp(list.Get(i).GetNumberAsDouble(), -1e4, 1e4));
+    return pair;
+}
+
 } // namespace
+
+// A turn is counterclockwise where v grows upwards, so clockwise in glTF's coordinates, as
+// Khronos' own viewer has it.
+Eigen::Affine2f texture_transform(tinygltf::Material const& material)
+{
+    auto const& surface = material.pbrMetallicRoughness;
+    tinygltf::ExtensionMap const* extensions = nullptr;
+    auto const take = [&](auto const& info) {
+        if (!extensions && info.index >= 0)
+            extensions = &info.extensions;
+    };
+    take(surface.baseColorTexture);
+    take(surface.metallicRoughnessTexture);
+    take(material.normalTexture);
+    take(material.occlusionTexture);
+    auto result = Eigen::Affine2f::Identity();
+    if (!extensions)
+        return result;
+    auto const found = extensions->find("KHR_texture_transform");
+    if (found == extensions->end() || !found->second.IsObject())
+        return result;
+    auto const& turn = found->second.Get("rotation");
+    result.translate(two_numbers(found->second, "offset", 0));
+    if (turn.IsNumber())
+        result.rotate(Eigen::Rotation2Df(-static_cast<float>(
+            std::remainder(std::clamp(turn.GetNumberAsDouble(), -1e6, 1e6), 2 * kPi))));
+    result.scale(two_numbers(found->second, "scale", 1));
+    return result;
+}
 
 std::vector<Material> read_materials(tinygltf::Model const& model)
 {

@@ -39,8 +39,8 @@ struct MaterialTextures {
     enum class Color { Multiplied, Replaced } color = Color::Multiplied;
 };
 
-// How a surface looks: enough for the renderer and for glTF's metallic-roughness model, in which
-// plants are not metallic.
+// How a surface looks: enough for the renderer and for glTF's metallic-roughness model. Plants are
+// not metallic; pots are.
 struct Material {
     enum class Kind {
         Bark,  // Opaque tubes; the renderer and the texture maker roughen it along the axis.
@@ -54,6 +54,7 @@ struct Material {
     Kind kind = Kind::Bark;
     Vec3f base_color { 0.31f, 0.23f, 0.16f }; // sRGB as people write it, 0 to 1.
     float roughness = 0.9f;                   // 0 to 1, as in glTF 2.0 section 3.9.2.
+    float metalness = 0;                      // Likewise; other programs' files alone have metal.
     float translucency = 0; // Share of light that passes through, 0 to 1; Leaf and Petal only.
     MaterialTextures textures {}; // Missing ones are the exporter's own for the kind.
 };

@@ -65,10 +65,11 @@ uniform sampler2D normals;
 uniform float occluded;
 uniform sampler2D occlusions; // Red.
 uniform float roughened;
-uniform sampler2D roughnesses; // Green.
+uniform sampler2D roughnesses; // Green; blue: metal.
 uniform float passing;
 uniform sampler2D passings; // Alpha.
 uniform float roughness;
+uniform float metalness;
 uniform float translucency;
 uniform float veins;
 uniform float drawn_veins; // 0: the blade has none of its own.
@@ -96,6 +97,8 @@ vec3 surface_color()
 vec4 own_color(vec3 color) { return vec4(pow(clamp(color, 0.0, 1.0), vec3(1.0 / 2.2)), coverage); }
 
 float surface_roughness() { return roughened > 0.0 ? roughness * texture(roughnesses, coordinate).g : roughness; }
+
+float surface_metal() { return roughened > 0.0 ? metalness * texture(roughnesses, coordinate).b : metalness; }
 
 float surface_translucency() { return passing > 0.0 ? translucency * texture(passings, coordinate).a : translucency; }
 
@@ -252,7 +255,13 @@ void main()
         return;
     }
     Light light = light_at(n, view);
-    pixel = vec4(display(color * light.front + light.gloss), coverage);
+    vec3 sum = color * light.front + light.gloss;
+    float metal = surface_metal();
+    if (metal > 0.0) { // What is mirrored has the metal's colour, and nothing is scattered.
+        vec3 mirrored_sky = ambient(reflect(-view, n)) * sky * surface_openness();
+        sum = mix(sum, color * (mirrored_sky + light.gloss / 0.04), metal);
+    }
+    pixel = vec4(display(sum), coverage);
 }
 #endif
 )";

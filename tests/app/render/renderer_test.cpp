@@ -115,6 +115,29 @@ TEST_F(RendererTest, FadesTheGroundIntoTheBackdrop)
     EXPECT_NE(empty.at(kWidth / 2, kHeight / 2), bare.at(kWidth / 2, kHeight / 2));
 }
 
+// Metal scatters nothing: the sunlit side of a rough block gets darker, in its own colour.
+TEST_F(RendererTest, MetalMirrorsInsteadOfScattering)
+{
+    auto mesh = post_with_leaves();
+    auto& post = mesh.materials[kBarkMaterial];
+    post = { .name = "pot",
+             .kind = Material::Kind::Solid,
+             .base_color = { 0.9f, 0.6f, 0.2f },
+             .roughness = 0.9f };
+    Stage stage;
+    stage.sun.direction = Vec3f(0, -1, 0.6f); // On the side that is seen.
+    auto const front = [&](float metalness) {
+        post.metalness = metalness;
+        GpuMesh const pot(mesh);
+        stage.meshes = { { &pot } };
+        return at(picture(stage), Vec3(0, -20, 150));
+    };
+    auto const solid = front(0);
+    auto const metal = front(1);
+    EXPECT_LT(brightness(metal) + 30, brightness(solid));
+    EXPECT_GT(metal.red, metal.blue + 30);
+}
+
 // A post that goes 100 mm down is a root and 10 mm are a foot in the ground.
 TEST_F(RendererTest, LeavesTheGroundOutWhereItWouldHideRoots)
 {

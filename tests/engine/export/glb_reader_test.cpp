@@ -3,6 +3,7 @@
 #include "engine/base/random.h"
 #include "engine/export/glb_writer.h"
 #include "engine/export/gltf_material.h"
+#include "engine/export/read_materials.h"
 #include "engine/mesh/make_mesh.h"
 #include "tests/engine/export/glb_of.h"
 #include "tests/engine/mesh/mesh_checks.h"
@@ -118,6 +119,28 @@ TEST(GlbReader, ReadsMaterialsBack)
     EXPECT_GT(light.x(), 1.2);
     EXPECT_FLOAT_EQ(leaf.roughness, 0.6f);
     EXPECT_FLOAT_EQ(leaf.translucency, 0.4f);
+}
+
+// Scaled first, then turned, then moved; a quarter turn takes u to -v in glTF's coordinates, in
+// which v grows downwards.
+TEST(GlbReader, PlacesPicturesAsTheirTransformSays)
+{
+    tinygltf::Material material;
+    EXPECT_TRUE(texture_transform(material).isApprox(Eigen::Affine2f::Identity()));
+    material.normalTexture.index = 0;
+    material.normalTexture.extensions["KHR_texture_transform"] = tinygltf::Value(
+        tinygltf::Value::Object { { "offset",
+                                    tinygltf::Value(tinygltf::Value::Array {
+                                        tinygltf::Value(0.5), tinygltf::Value(0.25) }) },
+                                  { "rotation", tinygltf::Value(kPi / 2) },
+                                  { "scale",
+                                    tinygltf::Value(tinygltf::Value::Array {
+                                        tinygltf::Value(2.0), tinygltf::Value(3.0) }) } });
+    auto const place = texture_transform(material);
+    EXPECT_LT((place * Vec2f(1, 0) - Vec2f(0.5f, 0.25f - 2)).norm(), 1e-6f);
+    EXPECT_LT((place * Vec2f(0, 1) - Vec2f(0.5f + 3, 0.25f)).norm(), 1e-6f);
+    material.pbrMetallicRoughness.baseColorTexture.index = 0; // Which has none.
+    EXPECT_TRUE(texture_transform(material).isApprox(Eigen::Affine2f::Identity()));
 }
 
 TEST(GlbReader, ReadsTheColorsPictureAndItsMask)
