@@ -1,4 +1,5 @@
 // From the pen's leaving the tablet after a construction line to the plant that follows it.
+#include "engine/methods/construction_lines/composed_model.h"
 #include "engine/methods/construction_lines/line_edits.h"
 #include "engine/scene/scene.h"
 #include "tests/bench/report.h"
@@ -20,8 +21,15 @@ Stroke stroke_along(std::vector<Vec3> const& corners_mm)
     return stroke;
 }
 
-// A frond without its upper inclination line, that has so many nodes when it is there.
-Scene frond(int nodes)
+// Where the last of so many layers of a frond ends.
+Stroke top_line()
+{
+    return stroke_along({ { -50, 90, 0 }, { 2, 60, 0 }, { 60, 90, 0 } });
+}
+
+// A frond without its uppermost inclination line, whose layers have so many nodes when that is
+// there.
+Scene frond(int nodes, int layers = 1)
 {
     Scene scene;
     auto const draw = [&](std::vector<Vec3> const& corners_mm) {
@@ -34,22 +42,70 @@ Scene frond(int nodes)
     draw({ { 0, -75, 0 }, { 8, 0, 0 }, { 0, 75, 0 } });
     draw({ { -45, -75, 0 }, { -30, 80, 0 } });
     draw({ { 50, -75, 0 }, { 40, 80, 0 } });
-    draw({ { -50, -50, 0 }, { 0, -65, 0 }, { 60, -50, 0 } });
+    for (int i = 0; i < layers; ++i) {
+        double const rise = 125.0 * i / layers;
+        draw({ { -50, -50 + rise, 0 }, { 4, -65 + rise, 0 }, { 60, -50 + rise, 0 } });
+    }
     return scene;
+}
+
+void follow(benchmark::State& state, Scene const& scene)
+{
+    AddLine const line { .plant = scene.state.active, .stroke = top_line() };
+    std::size_t organs = 0;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(organs = apply_edit(scene, line)->base->organs.size());
+    report(state, { .items = static_cast<double>(organs), .item = "organs" });
 }
 
 // The goal is 16 ms at 500 organs.
 void follow_line(benchmark::State& state)
 {
-    auto const organs = state.range(0);
-    auto const scene = frond(static_cast<int>(organs / 2 - 1));
-    AddLine const line { .plant = scene.state.active,
-                         .stroke = stroke_along({ { -50, 90, 0 }, { 2, 60, 0 }, { 60, 90, 0 } }) };
-    for (auto _ : state)
-        benchmark::DoNotOptimize(apply_edit(scene, line)->base->organs.size());
-    report(state, { .items = static_cast<double>(organs), .item = "organs" });
+    follow(state, frond(static_cast<int>(state.range(0) / 2 - 1)));
 }
 BENCHMARK(follow_line)->ArgName("organs")->Arg(20)->Arg(100)->Arg(500)->Arg(1000);
+
+// The goal is 100 ms at 10,000 organs, on one stem of ten layers here.
+void follow_line_of_ten_layers(benchmark::State& state)
+{
+    follow(state, frond(static_cast<int>(state.range(0) / 20 - 1), 10));
+}
+BENCHMARK(follow_line_of_ten_layers)->ArgName("organs")->Arg(2'000)->Arg(10'000);
+
+// A stem with boundaries and two inclination lines, as measured.
+Construction sprig(int nodes)
+{
+    return measure_sketch({ .stem = { { 0, 0, 0 }, { 0, 100, 0 } },
+                            .left = { { -30, 0 }, { -20, 100 } },
+                            .right = { { 30, 0 }, { 20, 100 } },
+                            .inclinations = { { { -40, 25 }, { 0, 5 }, { 40, 25 } },
+                                              { { -40, 115 }, { 0, 95 }, { 40, 115 } } },
+                            .nodes_per_layer = { nodes } })
+        .value();
+}
+
+std::shared_ptr<Plant const> plant_of(LineModel const& model)
+{
+    LoadModel const load { .source = model.source, .includes = model.functions };
+    return apply_edit(Scene {}, load).value().base;
+}
+
+// Sketches as organs of a sketch: from the measured lines to the plant, text and derivation
+// included. The goal is 100 ms at 100 by 100.
+void compose_sketches(benchmark::State& state)
+{
+    auto const nodes = static_cast<int>(state.range(0)) / 2;
+    ComposedSketch const sketch { .construction = sprig(nodes - 1),
+                                  .organs = { { .construction = sprig(nodes - 1) } },
+                                  .organ_of_layer = { 1 } };
+    std::size_t organs = 0;
+    for (auto _ : state) {
+        auto const model = write_composed_model(sketch, "composed").value();
+        organs = plant_of(model)->organs.size();
+    }
+    report(state, { .items = static_cast<double>(organs), .item = "organs" });
+}
+BENCHMARK(compose_sketches)->ArgName("organs_of_each")->Arg(100)->UseRealTime();
 
 } // namespace
 } // namespace tractus::lines
