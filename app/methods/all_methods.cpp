@@ -22,6 +22,8 @@
 #include "app/methods/plants/remove_plant_tool.h"
 #include "app/methods/plants/take_off_tool.h"
 #include "app/methods/silhouettes/arrange_tool.h"
+#include "app/methods/silhouettes/crown_tool.h"
+#include "app/methods/silhouettes/erase_crown_tool.h"
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_layer.h"
 #include "app/methods/silhouettes/outline_tool.h"
@@ -52,12 +54,13 @@ Methods all_methods()
         &SmoothTool::kKind,      &DeleteTool::kKind,        &SelectTool::kKind,
         &IndicateTool::kKind,    &MoveIndicatorTool::kKind, &DeleteIndicatorTool::kKind,
         &EraseTool::kKind,       &SketchTool::kKind,        &ShortenSketchTool::kKind,
-        &OutlineTool::kKind,     &ArrangeTool::kKind,       &EraseOutlineTool::kKind,
-        &LineTool::kKind,        &LinePatternTool::kKind,   &LayerNodesTool::kKind,
-        &LineRoleTool::kKind,    &LeafLineTool::kKind,      &EraseLeafTool::kKind,
-        &ChoosePlantTool::kKind, &MovePlantTool::kKind,     &CopyPlantTool::kKind,
-        &HidePlantTool::kKind,   &RemovePlantTool::kKind,   &GraftPlantTool::kKind,
-        &TakeOffTool::kKind,     &HideBranchTool::kKind,    &PictureTool::kKind,
+        &OutlineTool::kKind,     &CrownTool::kKind,         &EraseCrownTool::kKind,
+        &ArrangeTool::kKind,     &EraseOutlineTool::kKind,  &LineTool::kKind,
+        &LinePatternTool::kKind, &LayerNodesTool::kKind,    &LineRoleTool::kKind,
+        &LeafLineTool::kKind,    &EraseLeafTool::kKind,     &ChoosePlantTool::kKind,
+        &MovePlantTool::kKind,   &CopyPlantTool::kKind,     &HidePlantTool::kKind,
+        &RemovePlantTool::kKind, &GraftPlantTool::kKind,    &TakeOffTool::kKind,
+        &HideBranchTool::kKind,  &PictureTool::kKind,
     };
     static constexpr std::array kLayers {
         &kOutlineLayer,     &kTrunkLayer,       &kStemLayer,          &kBoundaryLayer,

@@ -58,9 +58,9 @@ Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& 
                 EraseTreePart { plant, DrawTree::Part::OwnOutline, tree->own_outlines[i].id });
     if (!edits.empty())
         return edits;
-    if (runs_over(stroke, drawing.trunk))
+    if (!tree->trunk.tips.empty() && runs_over(stroke, drawing.trunk))
         edits.push_back(EraseTreePart { plant, DrawTree::Part::Trunk });
-    else if (!drawing.outline.empty() && runs_over(stroke, drawing.outline[0]))
+    else if (!tree->outline.tips.empty() && runs_over(stroke, drawing.outline[0]))
         edits.push_back(EraseTreePart { plant, DrawTree::Part::Outline });
     if (edits.empty())
         return fail(Fault::User,

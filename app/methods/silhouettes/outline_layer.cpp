@@ -9,7 +9,9 @@ namespace {
 
 using Lines = std::vector<std::vector<Vec3f>>;
 
-void add(Stroke const& stroke, BuiltPlant const& plant, Lines& lines)
+enum class Lies { OnSheet, InSpace }; // Where z is how far behind the sheet it is.
+
+void add(Stroke const& stroke, BuiltPlant const& plant, Lines& lines, Lies lies = Lies::OnSheet)
 {
     constexpr float kApart_mm = 0.5f; // Points that are nearer show nothing.
     auto const tips = stroke.tips.in_memory();
@@ -18,7 +20,10 @@ void add(Stroke const& stroke, BuiltPlant const& plant, Lines& lines)
     Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
     std::vector<Vec3f> line;
     for (auto const& tip : *tips) {
-        Vec3f const at_mm = paper.world_of_sheet(tip.position_mm.head<2>()).cast<float>();
+        Vec3 world_mm = paper.world_of_sheet(tip.position_mm.head<2>());
+        if (lies == Lies::InSpace)
+            world_mm.y() += tip.position_mm.z();
+        auto const at_mm = world_mm.cast<float>().eval();
         if (line.empty() || (at_mm - line.back()).norm() >= kApart_mm)
             line.push_back(at_mm);
     }
@@ -35,6 +40,8 @@ Lines outline_of(BuiltPlant const& plant)
             add(own.stroke, plant, lines);
         for (auto& line : lines)
             line.push_back(Vec3f(line.front()));
+        for (auto const& drawn : tree->crown_lines)
+            add(drawn.stroke, plant, lines, Lies::InSpace);
     }
     return lines;
 }

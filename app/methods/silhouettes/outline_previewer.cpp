@@ -46,7 +46,7 @@ public:
         if (may_become_a_branchs(*edit, scene))
             return {};
         auto tree = tree_with(*edit, scene);
-        if (!tree || tree->outline.tips.empty())
+        if (!tree || !tree->has_crown())
             return {};
         tree->form.levels = 1;
         auto const skeleton = silhouette::skeleton_of(*tree);

@@ -280,7 +280,7 @@ std::string said_of_tree(Tool const& tool, Scene const& after)
     auto const* const tree = silhouette::outlined_tree(*after.drawn);
     if (!tree)
         return {};
-    if (tree->outline.tips.empty())
+    if (!tree->has_crown())
         return "A trunk stands: draw the outline of its crown around it, back to where you began";
     if (tree->is_leaf)
         return "The crown is a leaf: touch it once more as a leaf, and it has branches again";

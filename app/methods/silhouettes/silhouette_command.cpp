@@ -153,6 +153,7 @@ Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& 
         print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so", drawing.string(),
                                   key.substr(0, 40)));
     auto const form = form_of(arguments);
+    auto const as_read = file;
     auto const skeleton
         = silhouette::infer_lines(file, silhouette::skeleton_options(form), arguments.style_to);
     if (!skeleton)
@@ -165,9 +166,9 @@ Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& 
     if (!arguments.output.empty())
         written = TRY(write_tree(arguments, drawing, tree.plant));
     if (arguments.session)
-        written += ", " + TRY(write_session(arguments, drawing, file, *skeleton));
+        written += ", " + TRY(write_session(arguments, drawing, as_read, *skeleton));
     if (arguments.report)
-        return print_out(silhouette::print_report(*skeleton, tree, style));
+        return print_out(silhouette::print_report(*skeleton, tree, style, as_read.crown_lines));
     return print_out(fmt::format("{}: {} branches, {} leaves, {:.0f} % of the outline covered\n",
                                  written, tree.plant.axes.size() - 1 + tree.sprays, tree.leaves,
                                  100 * skeleton->systems[0].coverage_after));
@@ -322,7 +323,9 @@ void add_silhouette_command(CLI::App& root, Action& action, Methods const& metho
         "\"splits\" and\n"
         "\"joins\" are points on bumps of an outline, and between two, that make two of one, or "
         "one of two.\n"
-        "\"styles\" are strokes from a branch over others, which branch as that one does.");
+        "\"styles\" are strokes from a branch over others, which branch as that one does. "
+        "\"rings\",\n"
+        "\"climbs\" and \"sides\" are lines in space on the crown's surface.");
     verb->callback(
         [arguments, &action] { action = [arguments] { return make_trees(*arguments); }; });
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -16,13 +17,14 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view kExample = "write [[x, y], [x, y], …] in millimetres";
+constexpr std::string_view kExampleInSpace = "write [[x, y, z], [x, y, z], …] in millimetres";
 
 // Those that say nothing of the drawing are for other readers.
 bool is_known(std::string const& key)
 {
-    constexpr std::array kKeys { "outline", "trunk",    "branches",  "parts", "leaves",
-                                 "splits",  "joins",    "styles",    "what",  "unit",
-                                 "closed",  "expected", "tolerance", "name" };
+    constexpr std::array kKeys { "outline", "trunk",  "branches", "parts",     "leaves", "splits",
+                                 "joins",   "styles", "rings",    "climbs",    "sides",  "what",
+                                 "unit",    "closed", "expected", "tolerance", "name" };
     return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
 }
 
@@ -40,6 +42,23 @@ Result<std::vector<Vec2>> read_stroke(json const& list, std::string const& name)
         points.emplace_back(point[0].get<double>(), point[1].get<double>());
     }
     return points;
+}
+
+Result<CrownLine> read_line_in_space(json const& list, std::string const& name)
+{
+    CrownLine line;
+    if (!list.is_array())
+        return fail(Fault::User, fmt::format("{} is no line in space: {}", name, kExampleInSpace));
+    for (auto const& point : list) {
+        bool const is_point = point.is_array() && point.size() == 3 && point[0].is_number()
+            && point[1].is_number() && point[2].is_number();
+        if (!is_point)
+            return fail(Fault::User,
+                        fmt::format("point {} of {} is no point in space: {}", line.size() + 1,
+                                    name, kExampleInSpace));
+        line.emplace_back(point[0].get<double>(), point[1].get<double>(), point[2].get<double>());
+    }
+    return line;
 }
 
 // Whether a list holds strokes and not points.
@@ -82,6 +101,62 @@ Result<void> read_touches(json const& file, char const* key, BumpTouch::Kind kin
     return {};
 }
 
+// Something with a number and a line, as {"height": 20, "ring": [[x, z], …]}.
+struct NumberedLine {
+    double number = 0;
+    std::vector<Vec2> line;
+};
+Result<std::vector<NumberedLine>> read_numbered(json const& file, char const* key,
+                                                char const* number, char const* line)
+{
+    std::vector<NumberedLine> result;
+    if (!file.contains(key))
+        return result;
+    for (auto const& entry : file[key]) {
+        auto const name = fmt::format("{} {}", line, result.size() + 1);
+        if (result.size() == kMostStrokes)
+            return fail(Fault::User,
+                        fmt::format("there are more than {} {}: give fewer", kMostStrokes, key));
+        if (!entry.is_object() || !entry.contains(number) || !entry[number].is_number()
+            || !entry.contains(line))
+            return fail(Fault::User,
+                        fmt::format("entry {} of {} is none: write {{\"{}\": 20, \"{}\": [[x, y], "
+                                    "…]}}",
+                                    result.size() + 1, key, number, line));
+        result.push_back({ entry[number].get<double>(), TRY(read_stroke(entry[line], name)) });
+    }
+    return result;
+}
+
+// Lines in space; the drawing has its trunk already.
+Result<void> read_crown_lines(json const& file, SilhouetteFile& result)
+{
+    for (auto const& [height, ring] : TRY(read_numbered(file, "rings", "height", "ring"))) {
+        auto& line = result.crown_lines.emplace_back();
+        for (auto const& point : ring)
+            line.emplace_back(point.x(), height, point.y());
+    }
+    if (file.contains("climbs"))
+        for (auto const& climb : file["climbs"])
+            result.crown_lines.push_back(TRY(
+                read_line_in_space(climb, fmt::format("climb {}", result.crown_lines.size() + 1))));
+    auto const& trunk = result.drawing.trunk;
+    double const foot = trunk.empty() ? 0 : trunk.front().x();
+    for (auto const& [azimuth_deg, side] :
+         TRY(read_numbered(file, "sides", "azimuth", "outline"))) {
+        auto& line = result.crown_lines.emplace_back();
+        double const angle = radians(azimuth_deg);
+        for (auto const& point : side) {
+            double const out = point.x() - foot;
+            line.emplace_back(foot + out * std::cos(angle), point.y(), out * std::sin(angle));
+        }
+    }
+    if (result.crown_lines.size() > kMostStrokes)
+        return fail(Fault::User,
+                    fmt::format("there are more than {} lines in space: give fewer", kMostStrokes));
+    return {};
+}
+
 // Without an outline the first leaf is the crown.
 void settle_crown(SilhouetteFile& file)
 {
@@ -110,7 +185,11 @@ Result<void> read_outline(json const& outline, SilhouetteFile& result)
 
 Result<SilhouetteFile> read_drawing(json const& file)
 {
-    if (!file.is_object() || (!file.contains("outline") && !file.contains("leaves")))
+    constexpr std::array kCrowns { "outline", "leaves", "rings", "climbs", "sides" };
+    bool const has_crown = file.is_object()
+        && std::any_of(kCrowns.begin(), kCrowns.end(),
+                       [&](char const* key) { return file.contains(key); });
+    if (!has_crown)
         return fail(Fault::User,
                     "it is no drawing: write {\"outline\": [[x, y], …], \"trunk\": [[x, y], …]}");
     SilhouetteFile result;
@@ -125,6 +204,7 @@ Result<SilhouetteFile> read_drawing(json const& file)
     result.styles = TRY(read_strokes(file, "styles", "style"));
     if (file.contains("trunk") && !file["trunk"].is_null())
         result.drawing.trunk = TRY(read_stroke(file["trunk"], "trunk"));
+    TRY(read_crown_lines(file, result));
     for (auto const& [key, value] : file.items())
         if (!is_known(key))
             result.unknown_keys.push_back(key);

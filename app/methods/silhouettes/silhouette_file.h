@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/methods/silhouettes/crown_line.h"
 #include "engine/methods/silhouettes/outline.h"
 
 #include <filesystem>
@@ -21,6 +22,9 @@ struct SilhouetteFile {
     std::vector<std::vector<Vec2>> leaves {};
     // Lines from a branch over others, to which its style goes (chosen_style.h).
     std::vector<std::vector<Vec2>> styles {};
+    // Lines in space on the crown's surface (drawn_surface.h): rings, then lines that climb, then
+    // outlines in upright planes.
+    std::vector<CrownLine> crown_lines {};
     std::vector<std::string> unknown_keys; // What else the file says.
 };
 
@@ -36,6 +40,11 @@ struct SilhouetteFile {
 //   splits    [[x, y], …]: each on a bump of an outline; may be missing
 //   joins     [[x, y], …]: each between two bumps; may be missing
 //   styles    [[[x, y], …], …]: each from a branch over others; may be missing
+//   rings     [{"height": y, "ring": [[x, z], …]}, …]: around the crown, z behind the sheet
+//   climbs    [[[x, y, z], …], …]: each around the crown more than once while it climbs
+//   sides     [{"azimuth": degrees, "outline": [[x, y], …]}, …]: outlines in upright planes through
+//             the trunk's foot, which are turned about it: at 90 x is behind the sheet. With any of
+//             these three there need be no outline
 //
 // Fails, as the user's fault, with file, place and what to write.
 Result<SilhouetteFile> parse_silhouette(std::string_view text, std::string const& name);

@@ -3,6 +3,7 @@
 #include "app/methods/silhouettes/outline_tool.h"
 #include "engine/methods/silhouettes/bump_touch.h"
 #include "engine/methods/silhouettes/chosen_style.h"
+#include "engine/methods/silhouettes/drawn_surface.h"
 #include "engine/methods/silhouettes/kept_names.h"
 #include "engine/methods/silhouettes/own_branch.h"
 #include "engine/methods/silhouettes/own_outline.h"
@@ -85,17 +86,25 @@ Result<void> add_parts(SilhouetteFile& file, SkeletonOptions const& options, Sty
     return {};
 }
 
-Stroke stroke_along(std::vector<Vec2> const& points)
+Stroke stroke_in_space(CrownLine const& points)
 {
     constexpr std::int64_t kStep_ns = 5'000'000;
     Stroke stroke;
     std::int64_t time_ns = 0;
     for (auto const& point : points)
         stroke.tips.push_back({ .time = timestamp_ns(time_ns += kStep_ns),
-                                .position_mm = { point.x(), point.y(), 0 },
+                                .position_mm = point,
                                 .pressure = 0.5,
                                 .touching = true });
     return stroke;
+}
+
+Stroke stroke_along(std::vector<Vec2> const& points)
+{
+    CrownLine line;
+    for (auto const& point : points)
+        line.emplace_back(point.x(), point.y(), 0);
+    return stroke_in_space(line);
 }
 
 // Edits that draw, each with the id of the step that it is.
@@ -108,8 +117,13 @@ public:
 
     void draw(DrawTree::Part part, std::vector<Vec2> const& points)
     {
+        draw(part, stroke_along(points));
+    }
+
+    void draw(DrawTree::Part part, Stroke stroke)
+    {
         edit_.part = part;
-        edit_.stroke = stroke_along(points);
+        edit_.stroke = std::move(stroke);
         edit_.id = item_id(edits_.size() + 1, 0);
         edits_.push_back(edit_);
         edit_.plant = item_id(1, 0);
@@ -146,7 +160,9 @@ private:
 
 Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, StyleTo style_to)
 {
-    auto edits = (file.drawing.trunk.empty() ? 1 : 2) + file.drawing.branches.size();
+    auto edits = file.drawing.outline.size() + !file.drawing.trunk.empty() + file.crown_lines.size()
+        + file.drawing.branches.size();
+    TRY(add_surface(file.drawing, file.crown_lines, {}));
     TRY(touch_bumps(file, TouchesOn::Crown, options, edits));
     edits += touches_of(file, TouchesOn::Crown).size();
     TRY(add_parts(file, options, style_to));
@@ -162,7 +178,8 @@ Result<std::vector<Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree co
                                          StyleTo style_to)
 {
     auto const& drawing = file.drawing;
-    if (drawing.outline.size() != 1)
+    bool const has_outline = !drawing.outline.empty();
+    if (drawing.outline.size() > 1 || (!has_outline && file.crown_lines.empty()))
         return fail(Fault::User,
                     fmt::format("the outline has {} strokes: draw it in one for a session",
                                 drawing.outline.size()));
@@ -170,8 +187,11 @@ Result<std::vector<Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree co
     if (!drawing.trunk.empty())
         drawer.draw(DrawTree::Part::Trunk, drawing.trunk);
     drawer.edit().is_leaf = drawing.is_leaf;
-    drawer.draw(DrawTree::Part::Outline, drawing.outline[0]);
+    if (has_outline)
+        drawer.draw(DrawTree::Part::Outline, drawing.outline[0]);
     drawer.edit().is_leaf = false;
+    for (auto const& line : file.crown_lines)
+        drawer.draw(DrawTree::Part::Surface, stroke_in_space(line));
     for (auto const& branch : drawing.branches)
         drawer.draw(DrawTree::Part::Branch, branch);
     drawer.edit().search = Search::AnyLevel;

@@ -9,10 +9,10 @@
 
 namespace tractus::silhouette {
 
-// What follows from a file's lines, one after the other as by a pen: the crown and its branches,
-// touches on the crown's bumps, parts, leaves, touches inside of parts, styles. Says in the drawing
-// of which branches they are. `style_to`: of branches with parts or leaves. Fails, as the user's
-// fault, with which line it is.
+// What follows from a file's lines, one after the other as by a pen: the crown, its surface and its
+// branches, touches on the crown's bumps, parts, leaves, touches inside of parts, styles. Says in
+// the drawing of which branches they are. `style_to`: of branches with parts or leaves. Fails, as
+// the user's fault, with which line it is.
 Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, StyleTo style_to);
 
 // The edits of a pen that draws the lines. `first` has what all have: the tree's form and scale.

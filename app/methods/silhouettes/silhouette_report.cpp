@@ -1,7 +1,10 @@
 #include "app/methods/silhouettes/silhouette_report.h"
 
+#include "engine/methods/silhouettes/crown_surface.h"
 #include "engine/methods/silhouettes/sibling_style.h"
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 namespace tractus::silhouette {
@@ -168,8 +171,39 @@ static Report levels_json(MeasuredStyle const& style)
     return levels;
 }
 
+static Report surface_json(Skeleton const& skeleton, std::vector<CrownLine> const& lines)
+{
+    constexpr int kHeights = 10;
+    constexpr int kStep_deg = 30;
+    CrownSurface const surface(skeleton.surface, skeleton.systems[0].trunk);
+    std::array<std::size_t, 3> counts {};
+    for (auto const& line : lines)
+        if (auto const kind = kind_of(line))
+            ++counts[static_cast<std::size_t>(*kind)];
+    Vec2 range(1e300, -1e300);
+    for (int theta = 0; theta < 360; theta += kStep_deg) {
+        Vec2 const own = surface.heights(theta);
+        range = { std::min(range.x(), own.x()), std::max(range.y(), own.y()) };
+    }
+    Report rows = Report::array();
+    for (int i = 0; i <= kHeights; ++i) {
+        double const height = range.x() + (range.y() - range.x()) * i / kHeights;
+        Report at = Report::array();
+        for (int theta = 0; theta < 360; theta += kStep_deg) {
+            auto const reach = surface.reach(theta, height);
+            at.push_back(reach ? Report(*reach) : Report());
+        }
+        rows.push_back({ { "height", height }, { "at", std::move(at) } });
+    }
+    return { { "rings", counts[0] },
+             { "climbs", counts[1] },
+             { "sides", counts[2] },
+             { "radius", std::move(rows) } };
+}
+
 std::string print_report(Skeleton const& skeleton, Tree const& tree,
-                         std::optional<MeasuredStyle> const& style)
+                         std::optional<MeasuredStyle> const& style,
+                         std::vector<CrownLine> const& crown_lines)
 {
     auto const& system = skeleton.systems[0];
     auto const& counts = system.triangles;
@@ -204,6 +238,8 @@ std::string print_report(Skeleton const& skeleton, Tree const& tree,
         report["leaf"] = true;
     if (auto refined = refined_json(skeleton); !refined.empty())
         report["refined"] = std::move(refined);
+    if (!skeleton.surface.empty())
+        report["surface"] = surface_json(skeleton, crown_lines);
     if (style) {
         auto const again = measure_style(tree.plant);
         report["style"] = { { "measured", levels_json(*style) },

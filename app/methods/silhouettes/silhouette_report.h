@@ -1,10 +1,12 @@
 #pragma once
 
+#include "engine/methods/silhouettes/crown_line.h"
 #include "engine/methods/silhouettes/measured_style.h"
 #include "engine/methods/silhouettes/tree.h"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tractus::silhouette {
 
@@ -32,6 +34,13 @@ namespace tractus::silhouette {
 //   elements, leaves, branches   of the tree
 //   notes         what had to be guessed or was left out
 //
+// and with a surface that was drawn in space:
+//
+//   surface       {"rings", "climbs", "sides": how many there are, "radius": of eleven heights from
+//                 its lowest to its highest {"height": along the trunk from its foot, "at":
+//                 distances from the trunk's line every 30 degrees, from 0 on}, null where it is
+//                 above or below}
+//
 // and with a style that was measured on a plant, what it is on each level, and what it is in the
 // tree:
 //
@@ -41,7 +50,8 @@ namespace tractus::silhouette {
 //                 "first", "last", "deviation"}, "lengths": [low, middle, high], "pattern"}; all
 //                 lengths are shares of the bearer's
 std::string print_report(Skeleton const& skeleton, Tree const& tree,
-                         std::optional<MeasuredStyle> const& style = {});
+                         std::optional<MeasuredStyle> const& style = {},
+                         std::vector<CrownLine> const& crown_lines = {});
 
 // An arrangement alone: {"pattern", "count", "seed", "cost_before", "cost_after", "places":
 // [{"theta", "u"}, …]}.

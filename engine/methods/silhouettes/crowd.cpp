@@ -57,13 +57,85 @@ double largest_inside(CrowdMaker::Model const& model, Branch const& branch, Simi
     return scales.low;
 }
 
+// How much larger the branch's crown may be at an azimuth than on its side of the plane, where the
+// surface was drawn.
+double widening(CrowdMaker::Model const& model, Branch const& branch, double theta_deg)
+{
+    constexpr Scales kAny { 0.1, 6, kOverSurface };
+    Vec2 const base = branch.path.curve.base;
+    Similarity const as_it_is { .from = base, .to = base, .turn = Vec2::UnitX() };
+    double const there = largest_inside(model, branch, as_it_is, theta_deg, kAny);
+    double const side_deg = branch.path.side == Side::Left ? 180 : 0;
+    return there / largest_inside(model, branch, as_it_is, side_deg, kAny);
+}
+
+// The sum of squares of distances from the trunk at heights, at an azimuth: what a sector holds.
+double area_at(CrownSurface const& surface, double theta_deg)
+{
+    constexpr int kHeights = 16;
+    double area = 1e-12;
+    for (int k = 1; k < kHeights; ++k) {
+        double const r = surface.at(static_cast<double>(k) / kHeights, theta_deg).x();
+        area += r * r;
+    }
+    return area;
+}
+
+// A branch that ends in the outline turns no farther than where the crown is nearly as wide as
+// there: else the outline would be empty.
+double most_off_deg_in(CrownSurface const& surface, double theta_deg, double most_deg)
+{
+    constexpr double kLeast = 0.75; // Of the sector's area; of its width that is 0.87.
+    constexpr double kStep_deg = 4;
+    double const least = kLeast * area_at(surface, theta_deg);
+    double off_deg = 0;
+    while (off_deg + kStep_deg <= most_deg
+           && area_at(surface, theta_deg + off_deg + kStep_deg) >= least
+           && area_at(surface, theta_deg - off_deg - kStep_deg) >= least)
+        off_deg += kStep_deg;
+    return off_deg + kStep_deg > most_deg ? most_deg : off_deg;
+}
+
+// Spreads branches by how much of the crown lies at an azimuth: as many more of them stand where it
+// is wide as there is more of it to fill. In a crown that is round they stay.
+class SpreadByArea {
+public:
+    explicit SpreadByArea(CrownSurface const& surface)
+    {
+        for (std::size_t i = 0; i < kSteps; ++i)
+            sums_[i + 1]
+                = sums_[i] + area_at(surface, (static_cast<double>(i) + 0.5) * 360 / kSteps);
+    }
+
+    double theta_deg(double evenly_deg) const
+    {
+        double const wanted = evenly_deg / 360 * sums_.back();
+        auto const next = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, wanted);
+        auto const i = static_cast<std::size_t>(next - sums_.begin()) - 1;
+        double const share = (wanted - sums_[i]) / (sums_[i + 1] - sums_[i]);
+        double const theta_deg = (static_cast<double>(i) + share) * 360 / kSteps;
+        return theta_deg < 360 ? theta_deg : 0;
+    }
+
+private:
+    static constexpr std::size_t kSteps = 72;
+    std::array<double, kSteps + 1> sums_ {};
+};
+
 } // namespace
+
+CrownSurface CrowdMaker::surface_of(std::size_t index) const
+{
+    auto const& system = skeleton_.systems[index];
+    return index == 0 && !skeleton_.surface.empty() ? CrownSurface(skeleton_.surface, system.trunk)
+                                                    : CrownSurface(system.outline, system.trunk);
+}
 
 Crowd CrowdMaker::make(std::size_t index, LevelOptions const& options) const
 {
     auto const& system = skeleton_.systems[index];
     Crowd crowd { .bearer = Line(system.whole_trunk()), .branches = {} };
-    CrownSurface const surface(system.outline, system.trunk);
+    auto const surface = surface_of(index);
     auto const drawn = drawn_places(crowd.bearer, surface, system);
     double first_u = 1;
     for (auto const& place : drawn)
@@ -78,12 +150,18 @@ Crowd CrowdMaker::make(std::size_t index, LevelOptions const& options) const
           .proposals = options.proposals },
         { .seed = options_.seed, .stream = 2, .substream = static_cast<std::uint32_t>(index) });
     Model const model { system, surface, drawn };
+    std::optional<SpreadByArea> spread; // Patterns keep their angles.
+    if (surface.is_drawn() && options.pattern == Pattern::Even)
+        spread.emplace(surface);
     for (std::size_t i = 0; i < arrangement.places.size(); ++i) {
-        auto const& place = arrangement.places[i];
-        if (i < drawn.size())
+        auto place = arrangement.places[i];
+        if (i < drawn.size()) {
             stand(crowd, model, i, place, place.u);
-        else
-            stand_added(crowd, model, place);
+            continue;
+        }
+        if (spread)
+            place.theta_deg = spread->theta_deg(place.theta_deg);
+        stand_added(crowd, model, place);
     }
     finish(crowd, system);
     return crowd;
@@ -121,6 +199,8 @@ std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& bearer, CrownSurfac
             off_deg = 0; // Strokes stay in the plane that they were drawn in.
         else if (branch.is_outlined())
             off_deg = kOutlined_deg;
+        if (surface.is_drawn())
+            off_deg = most_off_deg_in(surface, is_left ? 180 : 0, off_deg);
         drawn.push_back(
             { bearer.place_of(branch.path.curve.base), is_left ? 180.0 : 0.0, off_deg });
     }
@@ -143,7 +223,16 @@ void CrowdMaker::stand(Crowd& crowd, Model const& model, std::size_t i, Place co
         as_it_is = way.turn;
         way.turn *= longer;
     }
-    if (longer > 1) {
+    bool const may_change
+        = model.surface.is_drawn() && !branch.is_stroke() && branch.own_branches.empty();
+    if (may_change) {
+        double const size = as_it_is.norm();
+        double const wider = widening(model, branch, place.theta_deg);
+        way.turn = largest_inside(model, branch, way, place.theta_deg,
+                                  { std::min(1.0, wider) * size, std::max(longer, wider) * size,
+                                    kOverSurface })
+            * direction_of(as_it_is);
+    } else if (longer > 1) {
         double const size = as_it_is.norm();
         way.turn = largest_inside(model, branch, way, place.theta_deg,
                                   { size, longer * size, kOverSurface })
@@ -172,7 +261,10 @@ void CrowdMaker::stand_added(Crowd& crowd, Model const& model, Place const& plac
     Vec2 const from = direction_of(lean.from);
     Vec2 const unit(start.dot(from), cross(from, start));
     Similarity way { .from = branch.path.curve.base, .to = crowd.bearer.at(place.u), .turn = unit };
-    double size = largest_inside(model, branch, way, place.theta_deg, { 0, kLargestAdded, 1 });
+    double largest = kLargestAdded;
+    if (model.surface.is_drawn())
+        largest *= std::max(1.0, widening(model, branch, place.theta_deg));
+    double size = largest_inside(model, branch, way, place.theta_deg, { 0, largest, 1 });
     if (size < lean.least && lean.smaller == Lean::Smaller::LeftOut)
         return;
     size = std::max(size, lean.least);

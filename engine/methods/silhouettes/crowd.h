@@ -38,6 +38,9 @@ public:
     {
     }
 
+    // Of a system's crown: the one that was drawn for the whole tree's, where one was.
+    CrownSurface surface_of(std::size_t index) const;
+
     // Spreads a system's branches alike for all bearers that have it.
     Crowd make(std::size_t index, LevelOptions const& level) const;
 

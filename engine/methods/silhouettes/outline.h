@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/methods/silhouettes/meridian.h"
 #include "engine/methods/silhouettes/plane.h"
 
 #include <map>
@@ -58,6 +59,9 @@ struct Drawing {
     ChosenStyles styles {};
     std::vector<BumpTouch> touches {}; // One after the other.
     bool is_leaf = false;              // The crown's outline ends the recursion.
+    // The crown's surface, where it was drawn in space (drawn_surface.h); empty: the one that the
+    // outline stands for.
+    std::vector<Meridian> surface {};
 
     bool is_refined() const { return !own_outlines.empty() || !own_branches.empty(); }
 };

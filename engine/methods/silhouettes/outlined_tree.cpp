@@ -2,6 +2,7 @@
 
 #include "engine/base/random.h"
 #include "engine/methods/silhouettes/chosen_style.h"
+#include "engine/methods/silhouettes/drawn_surface.h"
 #include "engine/methods/silhouettes/kept_names.h"
 #include "engine/methods/silhouettes/own_branch.h"
 #include "engine/methods/silhouettes/own_outline.h"
@@ -41,6 +42,16 @@ bool same_touches(std::vector<DrawnTouch> const& one, std::vector<DrawnTouch> co
                       });
 }
 
+bool same_crown_lines(OutlinedTree const& one, OutlinedTree const& other)
+{
+    return one.ground_mm == other.ground_mm
+        && std::equal(one.crown_lines.begin(), one.crown_lines.end(), other.crown_lines.begin(),
+                      other.crown_lines.end(),
+                      [](DrawnCrownLine const& a, DrawnCrownLine const& b) {
+                          return a.id == b.id && same_ink(a.stroke, b.stroke);
+                      });
+}
+
 bool same(OutlinedTree const& one, OutlinedTree const& other)
 {
     return same_ink(one.trunk, other.trunk) && same_ink(one.outline, other.outline)
@@ -52,7 +63,8 @@ bool same(OutlinedTree const& one, OutlinedTree const& other)
         && one.names == other.names && one.form == other.form && one.scale == other.scale
         && same_on_branches(one.own_outlines, other.own_outlines)
         && same_on_branches(one.own_branches, other.own_branches) && one.styles == other.styles
-        && same_touches(one.touches, other.touches) && one.is_leaf == other.is_leaf;
+        && same_touches(one.touches, other.touches) && one.is_leaf == other.is_leaf
+        && same_crown_lines(one, other);
 }
 
 Result<std::vector<Vec2>> points_of(Stroke const& stroke)
@@ -139,6 +151,10 @@ Result<Drawing> drawing_of(OutlinedTree const& tree)
     for (auto const& touch : tree.touches)
         drawing.touches.push_back({ touch.kind, TRY(place_of(touch)), touch.branch });
     drawing.is_leaf = tree.is_leaf;
+    std::vector<CrownLine> lines;
+    for (auto const& line : tree.crown_lines)
+        lines.push_back(TRY(crown_line_of(line.stroke)));
+    TRY(add_surface(drawing, lines, tree.ground_mm));
     return drawing;
 }
 
@@ -163,7 +179,7 @@ using BranchFinder = Result<std::optional<std::string>>(Drawing const&, std::spa
 static Result<std::optional<std::string>>
 branch_under(OutlinedTree const& tree, Stroke const& stroke, Search search, BranchFinder& find)
 {
-    if (tree.outline.tips.empty())
+    if (!tree.has_crown())
         return std::nullopt;
     auto const drawing = TRY(drawing_of(tree));
     auto const line = TRY(line_of(stroke));
@@ -228,7 +244,7 @@ Result<Vec2> place_of(DrawnTouch const& touch)
 
 Result<OutlinedTree> with_touch(OutlinedTree tree, DrawnTouch touch, Search search)
 {
-    if (tree.outline.tips.empty())
+    if (!tree.has_crown())
         return fail(Fault::User,
                     "the tree has no outline yet: draw the outline of its crown first");
     auto const drawing = TRY(drawing_of(tree));
@@ -240,6 +256,32 @@ Result<OutlinedTree> with_touch(OutlinedTree tree, DrawnTouch touch, Search sear
     }
     touch.branch = found.added.branch;
     tree.touches.push_back(std::move(touch));
+    return tree;
+}
+
+Result<CrownLine> crown_line_of(Stroke const& stroke)
+{
+    CrownLine line;
+    for (auto const& tip : TRY(stroke.tips.in_memory()))
+        line.push_back(tip.position_mm);
+    return line;
+}
+
+Result<OutlinedTree> with_crown_line(OutlinedTree tree, DrawnCrownLine line)
+{
+    constexpr double kInSheet_deg = 8;
+    auto const points = TRY(crown_line_of(line.stroke));
+    if (TRY(kind_of(points)) == CrownLineKind::Side
+        && std::fabs(90 - azimuth_deg(points)) > 90 - kInSheet_deg) {
+        tree.outline = std::move(line.stroke);
+        return tree;
+    }
+    std::vector<DrawnCrownLine> kept;
+    for (auto& other : tree.crown_lines)
+        if (!takes_place_of(points, TRY(crown_line_of(other.stroke))))
+            kept.push_back(std::move(other));
+    kept.push_back(std::move(line));
+    tree.crown_lines = std::move(kept);
     return tree;
 }
 
@@ -255,7 +297,8 @@ Result<std::optional<ItemId>> outline_around(OutlinedTree const& tree, Stroke co
         least = area;
         smallest = id;
     };
-    look_at(TRY(line_of(tree.outline)), 0);
+    if (auto const drawing = TRY(drawing_of(tree)); !drawing.outline.empty())
+        look_at(drawing.outline.front(), 0);
     for (auto const& own : tree.own_outlines)
         look_at(TRY(line_of(own.stroke)), own.id);
     return smallest;
@@ -265,7 +308,7 @@ Result<std::size_t> count_waiting(OutlinedTree const& tree)
 {
     if (!tree.is_refined() && tree.styles.empty() && tree.touches.empty())
         return 0;
-    if (tree.outline.tips.empty())
+    if (!tree.has_crown())
         return tree.own_outlines.size() + tree.own_branches.size() + tree.styles.size()
             + tree.touches.size();
     auto const drawing = TRY(drawing_of(tree));
@@ -296,10 +339,10 @@ static void place_lines(OutlinedTree& tree, Drawing const& drawing)
 
 Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::string const& fresh)
 {
-    if (after.outline.tips.empty())
+    if (!after.has_crown())
         return {};
     auto drawing = TRY(drawing_of(after));
-    if (before.outline.tips.empty()) {
+    if (!before.has_crown()) {
         if (!after.is_refined())
             return {};
         FoundAgain again;

@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/methods/silhouettes/bump_touch.h"
+#include "engine/methods/silhouettes/crown_line.h"
 #include "engine/methods/silhouettes/outline.h"
 #include "engine/methods/silhouettes/own_branch.h"
 #include "engine/methods/silhouettes/skeleton.h"
@@ -42,6 +43,12 @@ struct DrawnTouch {
     std::string branch {}; // "": it is on the crown's outline.
 };
 
+// A line in space on the crown's surface (drawn_surface.h), by the edit that brought it.
+struct DrawnCrownLine {
+    ItemId id = 0;
+    Stroke stroke {}; // Its x and y are on the sheet as of all strokes; z is how far behind it is.
+};
+
 // A tree as it is drawn on paper: strokes whose x and y are tablet-centred millimetres; how high
 // the surface was counts for nothing. The source of a plant (plant_source.h).
 struct OutlinedTree {
@@ -58,7 +65,13 @@ struct OutlinedTree {
     ChosenStyles styles {};                     // Where branches are gone, styles wait.
     std::vector<DrawnTouch> touches {};         // On bumps, one after the other.
     bool is_leaf = false;                       // The crown's outline is one.
+    std::vector<DrawnCrownLine> crown_lines {}; // They say its surface in space.
+    // Where the trunk's foot is on the paper as long as none is drawn, of a tree that begins with
+    // such a line.
+    std::optional<Vec2> ground_mm {};
 
+    // Whether branches can be inferred: by its outline or by its surface.
+    bool has_crown() const { return !outline.tips.empty() || !crown_lines.empty(); }
     bool is_refined() const { return !own_outlines.empty() || !own_branches.empty(); }
 };
 
@@ -110,6 +123,13 @@ Result<Vec2> place_of(DrawnTouch const& touch);
 // The id of the smallest outline that somebody drew around a stroke's middle; 0: it is the crown's,
 // no value: there is none.
 Result<std::optional<ItemId>> outline_around(OutlinedTree const& tree, Stroke const& stroke);
+
+// The tree with a line on its crown's surface, in place of those whose place that takes
+// (takes_place_of(), crown_line.h). An outline that lies in the sheet, within eight degrees, is the
+// crown's outline. Fails like kind_of().
+Result<OutlinedTree> with_crown_line(OutlinedTree tree, DrawnCrownLine line);
+
+Result<CrownLine> crown_line_of(Stroke const& stroke);
 
 // How many lines that were drawn on branches, touches on bumps and chosen styles wait for theirs.
 // Fails like infer_system().

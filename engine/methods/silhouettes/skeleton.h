@@ -53,6 +53,7 @@ struct Skeleton {
     std::vector<std::vector<std::size_t>> system_of;
     // Of each system the path of what bears it, of what has copies the model's; "": the trunk.
     std::vector<std::string> bearers;
+    std::vector<Meridian> surface {}; // Of the whole tree's crown: Drawing::surface.
 
     // Which branch has this path, the names from one of the trunk's branches on, as "b3/d0"; where
     // these are of copies, it is their models'. No value: none.

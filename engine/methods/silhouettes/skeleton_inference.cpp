@@ -77,6 +77,7 @@ public:
         auto outlined = options_.outlined;
         below.outline.least_area_mm2 = 0;
         outlined.outline.least_area_mm2 = 0;
+        skeleton_.surface = drawing_.surface;
         std::size_t first = 0;
         // Below the usual levels only what was drawn on bears branches, or follows it.
         for (int level = 1; first < skeleton_.systems.size(); ++level) {

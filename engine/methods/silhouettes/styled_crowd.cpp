@@ -29,7 +29,7 @@ std::optional<Crowd> StyledCrowdMaker::next(Bearer const& bearer)
     if (!styled_.next_bears())
         return std::nullopt;
     Crowd crowd { .bearer = bearer.line, .branches = {} };
-    CrownSurface const surface(system.outline, system.trunk);
+    auto const surface = crowds_.surface_of(bearer.system);
     auto const drawn = CrowdMaker::drawn_places(crowd.bearer, surface, system);
     // On the trunk nothing stands below the crown; where the crowns of branches begin, which
     // nobody drew, the style decides.

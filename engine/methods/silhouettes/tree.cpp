@@ -5,6 +5,7 @@
 #include "engine/methods/silhouettes/line.h"
 #include "engine/methods/silhouettes/sibling_style.h"
 #include "engine/methods/silhouettes/styled_crowd.h"
+#include "engine/methods/silhouettes/surface_fit.h"
 #include "engine/plant/pipe_model.h"
 
 #include <algorithm>
@@ -57,6 +58,8 @@ public:
         Space space = Space::Identity();
         space.linear() << scale, 0, 0, 0, 0, -scale, 0, scale, 0;
         space.translation() = -(space.linear() * Vec3(foot.x(), foot.y(), 0));
+        if (!skeleton_.surface.empty())
+            fit_.emplace(maker_.surface_of(0), space);
         add_looks();
         if (tree.leaf)
             grow_leaf({ .space = space, .line = Line(stalk_of(*tree.leaf, tree.trunk)) },
@@ -175,16 +178,7 @@ private:
     {
         auto const& system = skeleton_.systems[bearer.system];
         auto const& branch = system.branches[standing.branch];
-        Vec2 const base = standing.way.point(branch.path.curve.base);
-        Vec2 const along = bearer.line.direction(standing.u);
-        double const reference = branch.path.side == Side::Right ? 0 : 180;
-        Vec3 const pivot = bearer.space * Vec3(base.x(), base.y(), 0);
-        Vec3 const direction = (bearer.space.linear() * Vec3(along.x(), along.y(), 0)).normalized();
-        Eigen::AngleAxisd const turn(radians(standing.theta_deg - reference), direction);
-        Space around = Space::Identity();
-        around.linear() = turn.toRotationMatrix();
-        around.translation() = pivot - around.linear() * pivot;
-        Space const own = around * bearer.space * in_space(standing.way);
+        Space const own = space_of(bearer, standing, branch);
         auto const name = bearer.name.empty() ? standing.name : bearer.name + "/" + standing.name;
         auto const parent = tree_.plant.axes[axis].first_segment + static_cast<SegmentId>(segment);
         if (branch.leaf) {
@@ -210,6 +204,60 @@ private:
                .parent_axis = axis,
                .level = bearer.level + 1,
                .is_stroke = !model.stroke.empty() });
+    }
+
+    // Where a branch stands, turned about its bearer by so much of the angle that it has.
+    static Space space_of(Bearer const& bearer, Standing const& standing, Branch const& branch,
+                          double share)
+    {
+        Vec2 const base = standing.way.point(branch.path.curve.base);
+        Vec2 const along = bearer.line.direction(standing.u);
+        double const reference = branch.path.side == Side::Right ? 0 : 180;
+        double const turn_deg = standing.theta_deg - reference;
+        double const shorter_deg = turn_deg - 360 * std::round(turn_deg / 360);
+        Vec3 const pivot = bearer.space * Vec3(base.x(), base.y(), 0);
+        Vec3 const direction = (bearer.space.linear() * Vec3(along.x(), along.y(), 0)).normalized();
+        Eigen::AngleAxisd const turn(radians(share == 1 ? turn_deg : share * shorter_deg),
+                                     direction);
+        Space around = Space::Identity();
+        around.linear() = turn.toRotationMatrix();
+        around.translation() = pivot - around.linear() * pivot;
+        return around * bearer.space * in_space(standing.way);
+    }
+
+    // Branches on branches leave the plane in which their bearer was fitted to a surface that was
+    // drawn: they turn back towards it, and shrink, as far as they must.
+    Space space_of(Bearer const& bearer, Standing const& standing, Branch const& branch) const
+    {
+        constexpr double kLarge = 0.8;
+        Space const as_it_stands = space_of(bearer, standing, branch, 1);
+        if (!fit_ || bearer.level == 0 || branch.is_stroke())
+            return as_it_stands;
+        Space best = as_it_stands;
+        double largest = 0;
+        for (double const share : { 1.0, 0.6, 0.3, 0.1 }) {
+            Space const turned_back = space_of(bearer, standing, branch, share);
+            double const size = size_inside(turned_back, branch);
+            if (size <= largest)
+                continue;
+            largest = size;
+            best = turned_back;
+            if (largest >= kLarge)
+                break;
+        }
+        Vec2 const base = branch.path.curve.base;
+        Vec3 const pivot = best * Vec3(base.x(), base.y(), 0);
+        return Eigen::Translation3d(pivot) * Eigen::Scaling(largest) * Eigen::Translation3d(-pivot)
+            * best;
+    }
+
+    double size_inside(Space const& space, Branch const& branch) const
+    {
+        std::vector<Vec3> places;
+        for (std::size_t i = 0; i < branch.crown.size(); i += 3)
+            places.emplace_back(space * Vec3(branch.crown[i].x(), branch.crown[i].y(), 0));
+        Vec2 const base = branch.path.curve.base;
+        return fit_->size_inside(places, space * Vec3(base.x(), base.y(), 0));
     }
 
     // Shares of the bearer's length where it has nodes: its own, and where branches stand.
@@ -340,12 +388,15 @@ private:
         side = side.norm() > 1e-3 ? Vec3(side.normalized()) : across;
         Eigen::Matrix3d frame;
         frame << side, heading, side.cross(heading);
-        auto const size = static_cast<float>(way.length * unit_of(space) / kSprayLength_mm
-                                             * random.uniform(0.85, 1.1));
+        Vec3 const base = space * Vec3(place.at.x(), place.at.y(), 0);
+        double length = way.length * unit_of(space);
+        if (fit_)
+            length *= fit_->size_inside(std::array { Vec3(base + length * heading) }, base);
+        auto const size = static_cast<float>(length / kSprayLength_mm * random.uniform(0.85, 1.1));
         Organ organ { .shape = static_cast<OrganShapeId>(random.next_u32() % kSprayVariants),
                       .segment = tree_.plant.axes[place.axis].first_segment
                           + static_cast<SegmentId>(place.segment),
-                      .position_mm = space * Vec3(place.at.x(), place.at.y(), 0),
+                      .position_mm = base,
                       .orientation = Quat(frame).normalized(),
                       .scale = Vec3f::Constant(size) };
         tree_.plant.organs.push_back(organ);
@@ -397,6 +448,7 @@ private:
     std::vector<std::pair<std::vector<Vec2>, OrganShapeId>> leaf_shapes_;
     std::map<std::size_t, Crowd> crowds_;
     std::map<std::uint32_t, std::vector<PlacedBranch>> told_;
+    std::optional<SurfaceFit> fit_; // No value: no surface was drawn.
     CrowdMaker maker_;
     std::vector<StyledCrowdMaker> styled_; // Of each level.
 };

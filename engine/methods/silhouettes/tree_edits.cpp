@@ -15,7 +15,7 @@ namespace {
 
 // In the order of the enumerations' values.
 constexpr std::array kParts { "trunk",      "outline", "branch", "own_outline",
-                              "own_branch", "split",   "join" };
+                              "own_branch", "split",   "join",   "surface" };
 constexpr std::array kPatterns {
     "even", "spiral", "decussate", "whorls", "two-rows", "horizontal"
 };
@@ -87,6 +87,12 @@ void list(Fields& fields, DrawTree& edit)
     edit.search = at_any_level ? Search::AnyLevel : Search::OnTrunk;
     fields.sparse_field("plant", &edit.plant);
     fields.field("stands_at_mm", &edit.stands_at_mm);
+    bool has_ground = edit.ground_mm.has_value();
+    Vec2 ground_mm = edit.ground_mm.value_or(Vec2::Zero());
+    fields.sparse_field("has_ground", &has_ground);
+    fields.sparse_field("ground_x_mm", &ground_mm.x());
+    fields.sparse_field("ground_y_mm", &ground_mm.y());
+    edit.ground_mm = has_ground ? std::optional(ground_mm) : std::nullopt;
     list(fields, edit.form);
     fields.field("scale", &edit.scale);
     fields.id(edit.id);
@@ -135,7 +141,7 @@ Result<OutlinedTree> tree_of(DocumentState const& state, ItemId plant)
 Result<void> check_tree(OutlinedTree const& tree)
 {
     TRY(check_form(tree.form));
-    if (tree.outline.tips.empty()) {
+    if (!tree.has_crown()) {
         TRY(build_tree(tree));
         return {};
     }
@@ -175,9 +181,11 @@ Result<DocumentState> applied(DocumentState state, DrawTree const& edit, SceneBu
         return with_lines(std::move(state), edit.plant, before, std::move(after), id);
     }
     using Part = DrawTree::Part;
-    if (edit.part != Part::Trunk && edit.part != Part::Outline)
+    if (edit.part != Part::Trunk && edit.part != Part::Outline && edit.part != Part::Surface)
         return fail(Fault::User, "there is no tree for the branch: draw a trunk or a crown first");
-    auto tree = TRY(with_part({ .form = edit.form, .scale = edit.scale }, edit));
+    auto tree
+        = TRY(with_part({ .form = edit.form, .scale = edit.scale }, edit, take_id(state, edit.id)));
+    tree.ground_mm = edit.ground_mm;
     TRY(check_tree(tree));
     if (!edit.stands_at_mm.allFinite())
         return fail(Fault::User, "the place for the tree is not a number: draw it again");
@@ -225,10 +233,13 @@ Result<DocumentState> applied(DocumentState state, EraseTreePart const& edit, Sc
     case DrawTree::Part::Join:
         is_there = take_out(after.touches, edit.branch);
         break;
+    case DrawTree::Part::Surface:
+        is_there = take_out(after.crown_lines, edit.branch);
+        break;
     }
     if (!is_there)
         return fail(Fault::User, "the tree has no such part any more");
-    if (after.trunk.tips.empty() && after.outline.tips.empty())
+    if (after.trunk.tips.empty() && !after.has_crown())
         return fail(Fault::User,
                     "nothing of the tree would be left: remove the plant to take it away");
     auto const id = item_id(state.last_edit, 0);
@@ -239,7 +250,7 @@ Result<DocumentState> applied(DocumentState state, DeclareLeaf const& edit, Scen
 {
     auto const before = TRY(tree_of(state, edit.plant));
     auto after = before;
-    bool is_there = edit.outline == 0 && !after.outline.tips.empty();
+    bool is_there = edit.outline == 0 && after.has_crown();
     if (edit.outline == 0)
         after.is_leaf = edit.is_leaf;
     for (auto& own : after.own_outlines)
@@ -281,7 +292,8 @@ std::string described(DrawTree const& edit)
                                  "a branch's own outline",
                                  "a branch on a branch",
                                  "a touch that splits a bump",
-                                 "a touch that joins bumps" };
+                                 "a touch that joins bumps",
+                                 "a line in space on a crown" };
     auto const what = std::string(kWhat[static_cast<std::size_t>(edit.part)])
         + (edit.is_leaf ? ", a leaf," : "");
     auto const whose = edit.plant == 0 ? std::string("a new tree")
@@ -300,7 +312,8 @@ std::string described(EraseTreePart const& edit)
                                  "a branch's own outline",
                                  "a branch on a branch",
                                  "the split of a bump",
-                                 "the join of bumps" };
+                                 "the join of bumps",
+                                 "a line in space on the crown" };
     return fmt::format("takes {} of plant {} away", kWhat[static_cast<std::size_t>(edit.part)],
                        tractus::name_of(edit.plant));
 }
@@ -356,6 +369,8 @@ Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, ItemId i
                           edit.search);
     case DrawTree::Part::Join:
         return with_touch(std::move(tree), { id, edit.stroke, BumpTouch::Kind::Join }, edit.search);
+    case DrawTree::Part::Surface:
+        return with_crown_line(std::move(tree), { id, edit.stroke });
     }
     return tree;
 }

@@ -18,6 +18,8 @@ struct DrawTree {
         OwnBranch,  // On a branch, on which it begins (own_branch.h).
         Split,      // A touch that splits a bump of an outline, or joins two (bump_touch.h); or
         Join,       // takes such a touch back.
+        Surface,    // A line in space on the crown's surface (drawn_surface.h): its z is how far
+                    // behind the sheet it is.
     } part
         = Part::Outline;
     Stroke stroke {};
@@ -28,6 +30,9 @@ struct DrawTree {
     // one's.
     ItemId plant = 0;
     Vec3 stands_at_mm = Vec3::Zero(); // World frame.
+    // Where the foot of a new tree is on the paper that begins with its surface. No value: below
+    // that, by a quarter of its height.
+    std::optional<Vec2> ground_mm {};
     TreeForm form {};
     // World millimetres per plant millimetre: what was drawn is a plant of so many times its size.
     // A document whose scale nobody has set keeps this one.
@@ -44,7 +49,8 @@ struct EraseTreePart {
 
     ItemId plant = 0;
     DrawTree::Part part = DrawTree::Part::Branch;
-    ItemId branch = 0; // Which one it is, of a branch, of what was drawn on one, or of a touch.
+    // Which one it is, of a branch, of what was drawn on one, of a touch, or of a line in space.
+    ItemId branch = 0;
 };
 
 // Declares an outline of a tree a leaf (leaf_blade.h), or that it is none.
@@ -73,7 +79,7 @@ struct FormTree {
 };
 
 // The tree with the edit's part; `id` becomes a branch's or its outline's. Fails like
-// with_own_outline() and with_own_branch().
+// with_own_outline(), with_own_branch() and with_crown_line().
 Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, ItemId id = 0);
 
 // Null for a plant that was not outlined.

@@ -48,8 +48,8 @@ TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
     auto const tools = all_methods().tools;
     EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "arrange"))),
               "Along a stroke, From an outline*, From lines, A leaf, | Go on, New tree, "
-              "Carry a style, Split a bump, Join bumps, Leaf, | To this tree!, Another one!, | "
-              "Around the trunk*, Around branches, "
+              "Carry a style, Split a bump, Join bumps, Leaf, | To this tree!, Another one!, "
+              "Crown in space, Erase in space, | Around the trunk*, Around branches, "
               "| Next!, Even!, Spiral!, "
               "Decussate!, Whorls!, Two rows!, Horizontal!, Erase, ");
     EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "line_role"))),

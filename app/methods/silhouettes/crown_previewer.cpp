@@ -1,0 +1,65 @@
+#include "app/methods/silhouettes/crown_tool.h"
+#include "app/methods/silhouettes/outline_tool.h"
+#include "app/tools/coming_back.h"
+#include "engine/scene/paper.h"
+
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+// Shows the branches of the trunk as they would stand in space.
+class CrownPreviewer final : public StrokePreviewer {
+public:
+    std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
+    {
+        if (stroke.ink.size() < 4)
+            return {};
+        auto const& scene = *stroke.scene;
+        std::vector tips(stroke.ink.begin(), stroke.ink.end());
+        if (is_coming_back(stroke.ink))
+            tips.push_back(stroke.ink.front());
+        auto const edit
+            = drawn_crown(*stroke.tool.get<CrownTool>(), Stroke { std::move(tips) }, scene);
+        if (!edit)
+            return {};
+        auto tree = tree_with(*edit, scene);
+        if (!tree)
+            return {};
+        tree->ground_mm = edit->plant == 0 ? edit->ground_mm : tree->ground_mm;
+        tree->form.levels = 1;
+        auto const built = silhouette::build_tree(*tree);
+        if (!built)
+            return {};
+        Vec3 const stands_mm = edit->plant == 0 ? edit->stands_at_mm : scene.drawn->stands_at_mm;
+        return lines_of(built->plant, { .scale = tree->scale, .origin_mm = stands_mm }, scene);
+    }
+
+private:
+    static std::vector<SkeletonLine> lines_of(Plant const& plant, DeskPlacement const& placement,
+                                              Scene const& scene)
+    {
+        std::vector<SkeletonLine> lines;
+        for (auto const& axis : plant.axes) {
+            SkeletonLine line;
+            line.state = SkeletonLine::State::Assigned;
+            for (NodeId node = 0; node <= axis.segment_count; ++node) {
+                auto const& at_mm = plant.node_position_mm[axis.first_node + node];
+                line.points_mm.push_back(
+                    scene.placement.plant_of_world(placement.world_of_plant(at_mm)).cast<float>());
+            }
+            lines.push_back(std::move(line));
+        }
+        return lines;
+    }
+};
+
+} // namespace
+
+std::unique_ptr<StrokePreviewer> crown_previewer()
+{
+    return std::make_unique<CrownPreviewer>();
+}
+
+} // namespace tractus

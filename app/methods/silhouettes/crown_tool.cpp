@@ -1,0 +1,148 @@
+#include "app/methods/silhouettes/crown_tool.h"
+
+#include "app/methods/silhouettes/erase_crown_tool.h"
+#include "engine/methods/silhouettes/crown_line.h"
+#include "engine/scene/paper.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+using silhouette::CrownLine;
+using silhouette::DrawTree;
+using silhouette::OutlinedTree;
+
+// In the order of What.
+constexpr std::array<OptionWord, 2> kCrownWords { {
+    { "go_on", "Go on" },
+    { "new", "New tree" },
+} };
+
+void visit_crown(OptionVisitor& visitor, CrownTool& tool)
+{
+    visitor.choice(
+        { .words = kCrownWords, .offered = WordOption::Offered::InHand, .label = "Crown" },
+        tool.what);
+}
+
+// The tree whose crown a line on its sheet is: the trunk stands where the line goes around. Null:
+// none's.
+Result<OutlinedTree const*> tree_inside(CrownLine const& line, Scene const& scene)
+{
+    auto const* const tree = silhouette::outlined_tree(*scene.drawn);
+    if (!tree || tree->is_leaf)
+        return nullptr;
+    auto const foot_mm = TRY(silhouette::foot_of(*tree));
+    auto const kind = TRY(silhouette::kind_of(line));
+    std::vector<Vec2> plan;
+    for (auto const& point : line)
+        plan.emplace_back(point.x(), point.z());
+    Vec2 const trunk(foot_mm.x(), 0);
+    if (kind != silhouette::CrownLineKind::Side)
+        return silhouette::is_inside(plan, trunk) ? tree : nullptr;
+    auto const box = silhouette::box_of(plan);
+    bool const is_around = (trunk - box.middle()).norm() < box.diagonal() / 2;
+    return is_around ? tree : nullptr;
+}
+
+Result<std::vector<Edit>> mean_crown(Tool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    auto const& options = *tool.get<CrownTool>();
+    return std::vector<Edit> { TRY(drawn_crown(options, stroke, scene)) };
+}
+
+std::string counted_lines(std::size_t count, char const* one, char const* many)
+{
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+// What says the crown's surface now.
+std::string said_of_crown(Tool const&, Scene const& after)
+{
+    auto const* const tree = silhouette::outlined_tree(*after.drawn);
+    if (!tree)
+        return {};
+    std::array<std::size_t, 3> counts {};
+    for (auto const& drawn : tree->crown_lines) {
+        auto const line = silhouette::crown_line_of(drawn.stroke);
+        if (auto const kind = line
+                ? silhouette::kind_of(*line)
+                : Result<silhouette::CrownLineKind>(tl::unexpected(line.error())))
+            ++counts[static_cast<std::size_t>(*kind)];
+    }
+    std::string lines;
+    auto const add = [&](std::size_t count, char const* one, char const* many) {
+        if (count > 0)
+            lines += (lines.empty() ? "" : ", ") + counted_lines(count, one, many);
+    };
+    add(counts[0], "ring", "rings");
+    add(counts[1], "climbing line", "climbing lines");
+    add(counts[2] + !tree->outline.tips.empty(), "outline", "outlines");
+    auto const& axes = after.base->axes;
+    auto const on_trunk
+        = std::count_if(axes.begin(), axes.end(), [](Axis const& axis) { return axis.order == 1; });
+    return fmt::format("The crown goes through {}: {} branches on the trunk, {} in all", lines,
+                       on_trunk, axes.size() - 1);
+}
+
+} // namespace
+
+Stroke on_sheet(Stroke stroke, Paper const& paper)
+{
+    std::vector<TipSample> tips;
+    for (auto tip : stroke.tips) {
+        Vec3 const world_mm = tip.position_mm;
+        tip.position_mm << paper.sheet_of_world(world_mm), world_mm.y() - paper.stands_mm.y();
+        tips.push_back(tip);
+    }
+    stroke.tips = std::move(tips);
+    return stroke;
+}
+
+Result<DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke, Scene const& scene)
+{
+    DrawTree edit { .part = DrawTree::Part::Surface };
+    auto paper = paper_of(scene.state);
+    edit.stroke = on_sheet(stroke, paper);
+    auto const line = TRY(silhouette::crown_line_of(edit.stroke));
+    TRY(silhouette::kind_of(line));
+    if (tool.what == CrownTool::What::GoOn && TRY(tree_inside(line, scene))) {
+        edit.plant = scene.drawn->id;
+        return edit;
+    }
+    // The new tree's sheet stands in the middle of the line.
+    Vec2 const middle = silhouette::plan_middle(line);
+    paper.stands_mm.y() += middle.y();
+    edit.stroke = on_sheet(stroke, paper);
+    edit.ground_mm = Vec2(middle.x(), paper.sheet_of_world(Vec3::Zero()).y());
+    edit.stands_at_mm = paper.world_of_sheet(*edit.ground_mm);
+    edit.stands_at_mm.z() = 0;
+    if (!scene.plants.empty())
+        edit.scale = scene.placement.scale;
+    return edit;
+}
+
+constexpr ToolKind CrownTool::kKind {
+    .word = "crown",
+    .label = "Crown in space",
+    .title = "Rings around the crown, or a line that climbs around it",
+    .done = "The crown has the line",
+    .help = "draws a tree's crown in space: rings around its trunk at several heights, a line that "
+            "winds around it as it climbs, or outlines in upright planes; the branches reach to "
+            "the surface through these; of a new tree",
+    .group = "Sketch",
+    .method = "From an outline",
+    .options = options_type<CrownTool, visit_crown>(),
+    .mean = mean_crown,
+    .said = said_of_crown,
+    .previewer = crown_previewer,
+    .other_end = { &EraseCrownTool::kKind },
+};
+
+} // namespace tractus

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace tractus {
+
+// Takes away lines in space of the active tree's crown that the stroke comes near.
+struct EraseCrownTool {
+    static ToolKind const kKind;
+    static constexpr double kRadius_mm = 8;
+};
+
+} // namespace tractus
