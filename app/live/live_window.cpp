@@ -120,6 +120,7 @@ void LiveWindow::advance(Duration real_step)
     follow_leaf_page();
     follow_model();
     controller_->show(station_, options_.now());
+    view().pass(real_step);
     if (auto hand = controller_->take_hand())
         perform_kind(ChooseTool { *std::move(hand) });
     record_steps();

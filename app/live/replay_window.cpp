@@ -49,6 +49,7 @@ Result<void> ReplayWindow::close()
 void ReplayWindow::advance(Duration real_step)
 {
     auto& state = view().state();
+    view().pass(real_step);
     if (!state.playing) {
         controller_.show(replay_.station(), now_);
         return;

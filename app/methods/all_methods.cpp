@@ -62,12 +62,14 @@ Methods all_methods()
         &RemovePlantTool::kKind, &GraftPlantTool::kKind,    &TakeOffTool::kKind,
         &HideBranchTool::kKind,  &PictureTool::kKind,
     };
-    static constexpr std::array kLayers {
-        &kOutlineLayer,     &kTrunkLayer,       &kStemLayer,          &kBoundaryLayer,
-        &kInclinationLayer, &kOtherStemLayer,   &kOtherBoundaryLayer, &kOtherInclinationLayer,
-        &kUnsureLayer,      &kLinesToDrawLayer, &kLeafOutlineLayer,   &kLeafVeinLayer,
-        &kLeafOtherLayer,   &kIndicatorLayer
-    };
+    static constexpr std::array kLayers { &kTrianglesLayer,     &kSeenLayer,
+                                          &kOutlineLayer,       &kTrunkLayer,
+                                          &kStemLayer,          &kBoundaryLayer,
+                                          &kInclinationLayer,   &kOtherStemLayer,
+                                          &kOtherBoundaryLayer, &kOtherInclinationLayer,
+                                          &kUnsureLayer,        &kLinesToDrawLayer,
+                                          &kLeafOutlineLayer,   &kLeafVeinLayer,
+                                          &kLeafOtherLayer,     &kIndicatorLayer };
     static auto const edits = [] {
         auto const core = core_edit_kinds();
         std::vector<EditKind const*> all(core.begin(), core.end());

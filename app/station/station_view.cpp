@@ -47,7 +47,7 @@ StationView::StationView(Station const& station, Document const& document)
 {
     state_.volume_mm = station.volume_mm();
     nib_ = station.nib();
-    layers_ = station.layers();
+    layers_.set_layers(station.layers());
     aims_at_ = station.tool().kind().aims_at;
     show_scene(document.newest());
 }
@@ -92,7 +92,7 @@ void StationView::begin_again(Station const& station, Document const& document)
         nib_ = station.nib();
         inked_.clear();
     }
-    layers_ = station.layers();
+    layers_.set_layers(station.layers());
     ++state_.live_revision;
     show_live(station, document);
     show_scene(document.newest());
@@ -161,7 +161,11 @@ void StationView::show_live(Station const& station, Document const& document)
         ++state_.live_revision;
     state_.tool = station.tool().title();
     state_.tools = station.tools();
-    state_.hand = station.tool();
+    if (auto const before = std::exchange(state_.hand, station.tool());
+        grown_scene_ && !(before == state_.hand)) {
+        layers_.show(*grown_scene_, state_.hand); // It may ask for others.
+        see_layers();
+    }
     state_.remembered = station.remembered();
     if (std::exchange(aims_at_, state_.hand.kind().aims_at) != state_.hand.kind().aims_at)
         show_skeleton();
@@ -292,10 +296,24 @@ void StationView::show_strokes(Scene const& scene)
 
 void StationView::show_layers(Scene const& scene)
 {
-    state_.layers.clear();
-    for (auto const* const layer : layers_)
-        if (auto lines_mm = layer->lines(scene); !lines_mm.empty())
-            state_.layers.push_back({ layer, std::move(lines_mm) });
+    layers_.show(scene, state_.hand);
+    state_.layers = layers_.seen();
+}
+
+void StationView::pass(Duration step)
+{
+    layers_.pass(step, state_.hand);
+    see_layers();
+}
+
+// Where others are seen than before, or otherwise.
+void StationView::see_layers()
+{
+    if (state_.layers == layers_.seen())
+        return;
+    state_.layers = layers_.seen();
+    ++state_.strokes_revision;
+    ++state_.skeleton_revision; // They are seen with the skeleton, too.
 }
 
 void StationView::list_orphans(Scene const& scene)

@@ -2,6 +2,7 @@
 
 #include "app/document/document.h"
 #include "app/station/plant_grower.h"
+#include "app/station/shown_layers.h"
 #include "app/station/skeleton_picture.h"
 #include "app/station/station.h"
 #include "app/station/window_model.h"
@@ -29,6 +30,9 @@ public:
 
     // What has changed since the last call.
     void show(Station const& station, Document const& document);
+
+    // So much of the window's time goes by: lines that are seen for a while fade.
+    void pass(Duration step);
 
     // What a stroke has done, in the status.
     void tell(DrawnStroke const& drawn);
@@ -111,6 +115,7 @@ private:
     void show_scene(std::shared_ptr<Snapshot const> const& snapshot);
     void show_strokes(Scene const& scene);
     void show_layers(Scene const& scene);
+    void see_layers();
     void show_variations();
     void show_preview(Station const& station);
     void take_preview();
@@ -127,7 +132,7 @@ private:
     std::uint64_t shown_drawn_revision_ = 0;   // and of what is seen as drawn.
     // The strokes that state_.strokes begins with, in its order: they need not be in memory.
     std::vector<SharedVector<TipSample>> inked_;
-    Layers layers_;
+    ShownLayers layers_;
     Nib nib_ = Nib::Point; // The end of the pen whose ink is shown.
     std::size_t finished_strokes_ = 0;
     std::size_t shown_pen_samples_ = 0;

@@ -61,6 +61,9 @@ struct RefusedStroke {
 struct ShownLayer {
     Layer const* layer = nullptr; // Never null.
     std::vector<std::vector<Vec3f>> lines_mm;
+    double strength = 1; // Towards 0 they fade into the background.
+
+    bool operator==(ShownLayer const&) const = default;
 };
 
 // The picture behind what is drawn.

@@ -8,6 +8,8 @@
 
 namespace tractus {
 
+class Tool;
+
 // How the lines of a layer look. Layers that are seen together differ in colour and in pattern, so
 // that nobody needs the colours.
 struct LayerStyle {
@@ -24,6 +26,10 @@ struct Layer {
     LayerStyle style {};
     // The lines, each of at least two points. World frame. Called when the plant has changed.
     std::vector<std::vector<Vec3f>> (*lines)(BuiltPlant const& plant);
+    // When they are seen: always, for some seconds after they have changed, or neither; and as long
+    // as the tool in hand asks for them.
+    enum class Seen { Always, AWhile, WhenAskedFor } seen = Seen::Always;
+    bool (*is_asked_for)(Tool const& in_hand) = nullptr; // No value: it never is.
 };
 
 // The layers that a program has, in the order in which they are drawn.

@@ -245,16 +245,18 @@ std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
 std::vector<Curve> layer_curves(WindowState const& state)
 {
     std::vector<Curve> curves;
-    for (auto const& [layer, lines_mm] : state.layers) {
+    for (auto const& [layer, lines_mm, strength] : state.layers) {
         auto const& style = layer->style;
+        auto const share = static_cast<float>(strength);
+        Vec3f const color
+            = share * layer_color(style) + (1 - share) * theme::palette().pad_background;
         for (auto const& line_mm : lines_mm)
             for (auto const& part_mm : with_pattern(line_mm, style)) {
                 auto& curve = curves.emplace_back();
                 if (style.end == LayerStyle::End::Arrow)
                     curve.end = Curve::End::Arrow;
                 for (auto const& point_mm : part_mm)
-                    curve.points.push_back(
-                        { point_mm, layer_color(style), static_cast<float>(style.width_mm) });
+                    curve.points.push_back({ point_mm, color, static_cast<float>(style.width_mm) });
             }
     }
     return curves;

@@ -129,7 +129,7 @@ Result<DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke, Scene 
 }
 
 constexpr ToolKind CrownTool::kKind {
-    .word = "crown",
+    .word = "crown_line",
     .label = "Crown in space",
     .title = "Rings around the crown, or a line that climbs around it",
     .done = "The crown has the line",

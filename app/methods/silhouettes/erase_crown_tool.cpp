@@ -13,8 +13,8 @@ Result<std::vector<Edit>> erase_lines(Tool const&, Stroke const& stroke, Scene c
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
     if (!tree || tree->crown_lines.empty())
         return fail(Fault::User,
-                    "the plant that takes what is drawn has no crown in space: there is nothing to "
-                    "erase");
+                    "the plant that takes what is drawn has no crown in space: draw rings "
+                    "around it first");
     auto const eraser = on_sheet(stroke, paper_of(scene.state));
     std::vector<Edit> edits;
     for (auto const& drawn : tree->crown_lines) {

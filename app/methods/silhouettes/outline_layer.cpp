@@ -1,7 +1,12 @@
 #include "app/methods/silhouettes/outline_layer.h"
 
+#include "app/methods/silhouettes/outline_tool.h"
+#include "engine/methods/silhouettes/chordal_axis.h"
 #include "engine/methods/silhouettes/tree_edits.h"
 #include "engine/scene/paper.h"
+
+#include <optional>
+#include <utility>
 
 namespace tractus {
 
@@ -81,6 +86,77 @@ Lines trunk_of(BuiltPlant const& plant)
     return lines;
 }
 
+// Of the trunk's branches alone, which is quick.
+std::optional<silhouette::BranchingSystem> system_of(BuiltPlant const& plant)
+{
+    auto const* const tree = silhouette::outlined_tree(*plant.drawn);
+    if (!tree || !tree->has_crown() || !plant.drawn->paper_mm)
+        return std::nullopt;
+    auto on_trunk = *tree;
+    on_trunk.form.levels = 1;
+    auto skeleton = silhouette::skeleton_of(on_trunk);
+    if (!skeleton)
+        return std::nullopt;
+    return std::move(skeleton->systems.front());
+}
+
+void add_closed(std::vector<Vec2> const& line, BuiltPlant const& plant, Lines& lines)
+{
+    if (line.size() < 2)
+        return;
+    Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
+    auto& closed = lines.emplace_back();
+    for (auto const& point : line)
+        closed.push_back(paper.world_of_sheet(point).cast<float>());
+    closed.push_back(Vec3f(closed.front()));
+}
+
+Lines seen_of(BuiltPlant const& plant)
+{
+    constexpr int kSteps = 16;
+    constexpr double kSize = 0.012; // Of a bump's middle, as a share of the outline's diagonal.
+    Lines lines;
+    auto const system = system_of(plant);
+    if (!system)
+        return lines;
+    double const size = kSize * silhouette::box_of(system->outline).diagonal();
+    for (auto const& bump : system->bumps) {
+        if (bump.role != silhouette::Role::Lateral)
+            continue;
+        std::vector<Vec2> ring;
+        for (int i = 0; i < kSteps; ++i)
+            ring.emplace_back(bump.end + silhouette::turned(Vec2(size, 0), 2 * kPi * i / kSteps));
+        add_closed(ring, plant, lines);
+        add_closed({ system->outline[bump.arc.first], system->outline[bump.arc.last] }, plant,
+                   lines);
+    }
+    for (auto const& branch : system->branches)
+        add_closed(branch.crown, plant, lines);
+    return lines;
+}
+
+Lines triangles_of(BuiltPlant const& plant)
+{
+    Lines lines;
+    auto const system = system_of(plant);
+    if (!system || system->leaf)
+        return lines;
+    silhouette::ChordalAxis const axis(system->outline);
+    for (auto const& triangle : axis.triangles()) {
+        std::vector<Vec2> corners;
+        for (auto const corner : triangle.corner)
+            corners.push_back(axis.outline()[corner]);
+        add_closed(corners, plant, lines);
+    }
+    return lines;
+}
+
+OutlineTool::SeenFor seen_for(Tool const& in_hand)
+{
+    auto const* const tool = in_hand.get<OutlineTool>();
+    return tool ? tool->seen : OutlineTool::SeenFor::AWhile;
+}
+
 } // namespace
 
 constexpr Layer kOutlineLayer { .label = "outline",
@@ -90,5 +166,23 @@ constexpr Layer kTrunkLayer { .label = "drawn trunk and branches",
                               .style = { .color = LayerStyle::Color::Purple,
                                          .pattern = LayerStyle::Pattern::Dashed },
                               .lines = trunk_of };
+
+constexpr Layer kSeenLayer { .label = "bumps and parts of the crown",
+                             .style = { .color = LayerStyle::Color::Grey,
+                                        .pattern = LayerStyle::Pattern::Dotted,
+                                        .width_mm = 0.8 },
+                             .lines = seen_of,
+                             .seen = Layer::Seen::AWhile,
+                             .is_asked_for = [](Tool const& in_hand) {
+                                 return seen_for(in_hand) != OutlineTool::SeenFor::AWhile;
+                             } };
+constexpr Layer kTrianglesLayer { .label = "triangles",
+                                  .style = { .color = LayerStyle::Color::Grey, .width_mm = 0.3 },
+                                  .lines = triangles_of,
+                                  .seen = Layer::Seen::WhenAskedFor,
+                                  .is_asked_for = [](Tool const& in_hand) {
+                                      return seen_for(in_hand)
+                                          == OutlineTool::SeenFor::WithTriangles;
+                                  } };
 
 } // namespace tractus

@@ -8,5 +8,10 @@ namespace tractus {
 extern Layer const kOutlineLayer;
 // and its trunk and branches.
 extern Layer const kTrunkLayer;
+// What was seen in the crown's outline: each bump's chord and middle, and the parts of the crown
+// that branches have. It fades after each change, unless the tool in hand says otherwise.
+extern Layer const kSeenLayer;
+// The triangles that the bumps are found by, when the tool in hand asks for them.
+extern Layer const kTrianglesLayer;
 
 } // namespace tractus

@@ -56,6 +56,13 @@ constexpr std::array<OptionWord, 3> kStyleWords { {
     { "deeper", "to siblings and below" },
 } };
 
+// In the order of OutlineTool::SeenFor.
+constexpr std::array<OptionWord, 3> kSeenWords { {
+    { "seen_fades", "fades" },
+    { "seen_stays", "stays" },
+    { "with_triangles", "stays, with triangles" },
+} };
+
 silhouette::TreeForm ready_form(OutlineTool const& tool)
 {
     if (tool.form == OutlineTool::Form::Usual)
@@ -89,6 +96,9 @@ void visit(OptionVisitor& visitor, OutlineTool& tool)
     visitor.choice(
         { .words = kStyleWords, .offered = WordOption::Offered::InTurn, .label = "Style" },
         tool.style);
+    visitor.choice(
+        { .words = kSeenWords, .offered = WordOption::Offered::InTurn, .label = "What is seen" },
+        tool.seen);
 }
 
 std::vector<Vec2> points_of(Stroke const& stroke)

@@ -36,6 +36,9 @@ struct OutlineTool {
     // words, as logs from before there were any, lines are the trunk's, and no style goes anywhere.
     enum class Branches { OfTrunk, OfNearest, OfAny } branches = Branches::OfAny;
     silhouette::StyleTo style = silhouette::StyleTo::Siblings;
+
+    // How long what was seen in the outline is shown (kSeenLayer, outline_layer.h).
+    enum class SeenFor { AWhile, Always, WithTriangles } seen = SeenFor::AWhile;
 };
 
 // What a stroke with the tool means: the tips drawn so far, in a document as it is built. One that

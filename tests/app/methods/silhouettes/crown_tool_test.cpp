@@ -79,7 +79,7 @@ TEST(CrownTool, SaysItsWordsInLogs)
 {
     EXPECT_EQ(words_for(CrownTool {}).arguments, "");
     auto const words = words_for(CrownTool { CrownTool::What::New });
-    EXPECT_EQ(words.name + " " + words.arguments, "crown new");
+    EXPECT_EQ(words.name + " " + words.arguments, "crown_line new");
     EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(),
               Tool(CrownTool { CrownTool::What::New }));
 }
@@ -203,7 +203,7 @@ TEST(CrownTool, ReplaysToTheSameTree)
     }
     auto log = recorded_log(hand);
     for (auto& tool : log.tools) {
-        tool.tool = "crown";
+        tool.tool = "crown_line";
         tool.arguments = "";
     }
     auto const replay = replayed(log, {}, Scene {});

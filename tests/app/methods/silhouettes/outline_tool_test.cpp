@@ -453,5 +453,31 @@ TEST(OutlineLayer, ShowsTheLinesWhereTheTreeStands)
     EXPECT_TRUE(kOutlineLayer.lines(small_scene()).empty());
 }
 
+// What was seen: chord and middle of each bump that bears a branch, and each branch's part of the
+// crown.
+TEST(OutlineLayer, ShowsWhatWasSeenInTheOutline)
+{
+    auto const tree = crowned();
+    auto const skeleton = silhouette::skeleton_of(*silhouette::outlined_tree(*tree.drawn)).value();
+    auto const& system = skeleton.systems[0];
+    auto const bumps = std::count_if(system.bumps.begin(), system.bumps.end(), [](auto const& one) {
+        return one.role == silhouette::Role::Lateral;
+    });
+    auto const lines = kSeenLayer.lines(tree);
+    ASSERT_EQ(lines.size(), 2 * static_cast<std::size_t>(bumps) + system.branches.size());
+    for (auto const& line : lines)
+        EXPECT_EQ(line.front(), line.back()) << "closed";
+    EXPECT_EQ(kTrianglesLayer.lines(tree).size(), system.outline.size() - 2);
+    EXPECT_TRUE(kSeenLayer.lines(after({}, trunk_at(0))).empty());
+    EXPECT_TRUE(kTrianglesLayer.lines(small_scene()).empty());
+    using Seen = OutlineTool::SeenFor;
+    EXPECT_FALSE(kSeenLayer.is_asked_for(OutlineTool {}));
+    EXPECT_TRUE(kSeenLayer.is_asked_for(OutlineTool { .seen = Seen::Always }));
+    EXPECT_FALSE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::Always }));
+    EXPECT_TRUE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::WithTriangles }));
+    EXPECT_EQ(words_for(OutlineTool { .seen = Seen::Always }).arguments,
+              "of_any siblings seen_stays");
+}
+
 } // namespace
 } // namespace tractus
