@@ -1,9 +1,11 @@
 #pragma once
 
+#include "engine/base/vectors.h"
 #include "engine/scene/edit_kind.h"
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace tractus {
@@ -25,11 +27,30 @@ struct PicturePlace {
     bool operator==(PicturePlace const&) const = default;
 };
 
+// What a person says of the ground that the picture shows (picture_ground.h). Places are on the
+// sheet, from the picture's middle, as shares of its width: they go with the picture where it is
+// moved and sized, and stay where they are when it turns.
+struct PictureGround {
+    std::optional<double> horizon {}; // How far above the middle it is.
+    // Something upright of a known height, 0.05 to 200 m, by its foot and its top.
+    struct Measured {
+        Vec2 foot = Vec2::Zero();
+        Vec2 top = Vec2::Zero();
+        double height_m = 0;
+
+        bool operator==(Measured const&) const = default;
+    };
+    std::optional<Measured> measured {};
+
+    bool operator==(PictureGround const&) const = default;
+};
+
 struct BackPicture {
     std::string name {}; // For people: of the file that it came from.
     // The whole file, a PNG or a JPEG; never null. Shared with earlier states.
     std::shared_ptr<std::string const> file {};
     PicturePlace place {};
+    PictureGround ground {};
 };
 
 constexpr double kLeastPictureWidth_mm = 1;
@@ -51,6 +72,13 @@ struct PlacePicture {
     static EditKind const kKind;
 
     PicturePlace place {};
+};
+
+// Says what ground the picture shows.
+struct SetPictureGround {
+    static EditKind const kKind;
+
+    PictureGround ground {};
 };
 
 // Takes the picture away.

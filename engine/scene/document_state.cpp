@@ -69,7 +69,10 @@ DocumentState with_source(DocumentState state, NewSource added)
     if (added.drawn == Drawn::Beside) {
         auto const id = take_id(state, added.id);
         add_plant(state,
-                  { .id = id, .stands_at_mm = added.stands_at_mm, .paper_mm = added.paper_mm });
+                  { .id = id,
+                    .stands_at_mm = added.stands_at_mm,
+                    .paper_mm = added.paper_mm,
+                    .paper_unit = added.paper_unit });
     }
     change_active(state, [&](PlantState& plant) {
         plant.name = std::move(added.name);

@@ -50,6 +50,7 @@ struct PlantState {
     Vec3 stands_at_mm = Vec3::Zero(); // Its base. World frame.
     // Where its base is on the paper that it was drawn on (paper.h); no value: on none.
     std::optional<Vec2> paper_mm {};
+    double paper_unit = 1;        // Of that paper: Paper::unit.
     bool is_hidden = false;       // Neither shown nor exported.
     std::string leaves {};        // The name of their sheet; empty: the source's own.
     std::vector<Graft> grafts {}; // In the order in which they were put on it.
@@ -110,6 +111,7 @@ struct NewSource {
     Drawn drawn = Drawn::Forget;
     Vec3 stands_at_mm = Vec3::Zero(); // Of one that is added.
     std::optional<Vec2> paper_mm {};  // Likewise.
+    double paper_unit = 1;
     ItemId id = 0;
 };
 DocumentState with_source(DocumentState state, NewSource added);

@@ -30,14 +30,17 @@ constexpr EditKind UnknownEdit::kKind = make_edit_kind<UnknownEdit, list, applie
 EditKinds core_edit_kinds()
 {
     static constexpr std::array kKinds {
-        &LoadModel::kKind,  &LoadSkeleton::kKind,  &LoadMeasured::kKind,    &Select::kKind,
-        &Associate::kKind,  &Oversketch::kKind,    &SmoothStroke::kKind,    &DeleteStroke::kKind,
-        &EraseTips::kKind,  &Indicate::kKind,      &ChangeIndicator::kKind, &DeleteIndicator::kKind,
-        &SetGrowth::kKind,  &ActivatePlant::kKind, &MovePlant::kKind,       &CopyPlant::kKind,
-        &HidePlant::kKind,  &NamePlant::kKind,     &RemovePlant::kKind,     &SetScale::kKind,
-        &GraftPlant::kKind, &TakeOffGraft::kKind,  &HideBranch::kKind,      &KeepLeaves::kKind,
-        &SetSeason::kKind,  &LayPicture::kKind,    &PlacePicture::kKind,    &RemovePicture::kKind,
-        &DressPlant::kKind, &KeepGrammar::kKind
+        &LoadModel::kKind,        &LoadSkeleton::kKind,    &LoadMeasured::kKind,
+        &Select::kKind,           &Associate::kKind,       &Oversketch::kKind,
+        &SmoothStroke::kKind,     &DeleteStroke::kKind,    &EraseTips::kKind,
+        &Indicate::kKind,         &ChangeIndicator::kKind, &DeleteIndicator::kKind,
+        &SetGrowth::kKind,        &ActivatePlant::kKind,   &MovePlant::kKind,
+        &CopyPlant::kKind,        &HidePlant::kKind,       &NamePlant::kKind,
+        &RemovePlant::kKind,      &SetScale::kKind,        &GraftPlant::kKind,
+        &TakeOffGraft::kKind,     &HideBranch::kKind,      &KeepLeaves::kKind,
+        &SetSeason::kKind,        &LayPicture::kKind,      &PlacePicture::kKind,
+        &SetPictureGround::kKind, &RemovePicture::kKind,   &DressPlant::kKind,
+        &KeepGrammar::kKind
     };
     return kKinds;
 }

@@ -13,12 +13,18 @@ Paper paper_of(DocumentState const& state)
     auto const* const plant = active_plant(state);
     if (!plant)
         return paper;
+    if (auto const own = paper_of(*plant))
+        return *own;
     paper.stands_mm = plant->stands_at_mm;
-    if (plant->paper_mm)
-        paper.base_mm = *plant->paper_mm;
-    else
-        paper.base_mm.x() = plant->stands_at_mm.x();
+    paper.base_mm.x() = plant->stands_at_mm.x();
     return paper;
+}
+
+std::optional<Paper> paper_of(PlantState const& plant)
+{
+    if (!plant.paper_mm)
+        return std::nullopt;
+    return Paper { *plant.paper_mm, plant.stands_at_mm, plant.paper_unit };
 }
 
 void redraw_on_paper(DocumentState& state, std::size_t number, PlantSource source,
@@ -29,7 +35,7 @@ void redraw_on_paper(DocumentState& state, std::size_t number, PlantSource sourc
         plant.source_edit = state.last_edit;
         plant.selection.clear();
         if (plant.paper_mm)
-            plant.stands_at_mm.x() += base_mm.x() - plant.paper_mm->x();
+            plant.stands_at_mm.x() += plant.paper_unit * (base_mm.x() - plant.paper_mm->x());
         plant.paper_mm = base_mm;
     });
 }

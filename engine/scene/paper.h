@@ -3,6 +3,8 @@
 #include "engine/base/vectors.h"
 #include "engine/scene/document_state.h"
 
+#include <optional>
+
 namespace tractus {
 
 // The tablet as a sheet of paper that stands upright in the drawing volume: what lies to the right
@@ -13,10 +15,13 @@ namespace tractus {
 struct Paper {
     Vec2 base_mm = Vec2::Zero();   // On the sheet, in tablet-centred millimetres,
     Vec3 stands_mm = Vec3::Zero(); // and where that is in the world.
+    // World millimetres per millimetre of the sheet: 1, but for plants that were drawn smaller
+    // since they are farther away (picture_ground.h).
+    double unit = 1;
 
     Vec3 world_of_sheet(Vec2 const& sheet_mm) const
     {
-        Vec2 const off = sheet_mm - base_mm;
+        Vec2 const off = unit * (sheet_mm - base_mm);
         return stands_mm + Vec3(off.x(), 0, off.y());
     }
 
@@ -24,9 +29,12 @@ struct Paper {
     Vec2 sheet_of_world(Vec3 const& world_mm) const
     {
         Vec3 const off = world_mm - stands_mm;
-        return base_mm + Vec2(off.x(), off.z());
+        return base_mm + Vec2(off.x(), off.z()) / unit;
     }
 };
+
+// The paper on which a plant was drawn. No value: on none.
+std::optional<Paper> paper_of(PlantState const& plant);
 
 // The paper on which the active plant was drawn, or would be.
 Paper paper_of(DocumentState const& state);

@@ -1,6 +1,7 @@
 #include "engine/scene/back_picture.h"
 
 #include "engine/scene/make_edit_kind.h"
+#include "engine/scene/picture_ground.h"
 
 #include <cmath>
 #include <fmt/core.h>
@@ -31,6 +32,25 @@ void list(Fields& fields, LayPicture& edit)
 void list(Fields& fields, PlacePicture& edit)
 {
     list(fields, edit.place);
+}
+
+void list(Fields& fields, SetPictureGround& edit)
+{
+    auto& ground = edit.ground;
+    bool has_horizon = ground.horizon.has_value();
+    double horizon = ground.horizon.value_or(0);
+    fields.sparse_field("has_horizon", &has_horizon);
+    fields.sparse_field("horizon", &horizon);
+    ground.horizon = has_horizon ? std::optional(horizon) : std::nullopt;
+    bool is_measured = ground.measured.has_value();
+    auto measured = ground.measured.value_or(PictureGround::Measured {});
+    fields.sparse_field("measured", &is_measured);
+    fields.sparse_field("foot_x", &measured.foot.x());
+    fields.sparse_field("foot_y", &measured.foot.y());
+    fields.sparse_field("top_x", &measured.top.x());
+    fields.sparse_field("top_y", &measured.top.y());
+    fields.sparse_field("height_m", &measured.height_m);
+    ground.measured = is_measured ? std::optional(measured) : std::nullopt;
 }
 
 void list(Fields&, RemovePicture&) { }
@@ -86,6 +106,17 @@ Result<DocumentState> applied(DocumentState state, PlacePicture const& edit, Sce
     return state;
 }
 
+Result<DocumentState> applied(DocumentState state, SetPictureGround const& edit, SceneBuilder&)
+{
+    TRY(check_ground(edit.ground));
+    if (!state.picture)
+        return fail(Fault::User, "no picture lies behind what is drawn");
+    auto picture = *state.picture;
+    picture.ground = edit.ground;
+    state.picture = std::make_shared<BackPicture const>(std::move(picture));
+    return state;
+}
+
 Result<DocumentState> applied(DocumentState state, RemovePicture const&, SceneBuilder&)
 {
     if (!state.picture)
@@ -113,6 +144,17 @@ std::string described(PlacePicture const& edit)
     return fmt::format("lets the picture lie {}", described(edit.place));
 }
 
+std::string described(SetPictureGround const& edit)
+{
+    auto const& ground = edit.ground;
+    return fmt::format(
+        "says of the picture that its horizon is {}, and that {}",
+        ground.horizon ? fmt::format("{:.3g} of its width above its middle", *ground.horizon)
+                       : std::string("not known"),
+        ground.measured ? fmt::format("something in it is {:.3g} m tall", ground.measured->height_m)
+                        : std::string("no height in it is known"));
+}
+
 std::string described(RemovePicture const&)
 {
     return "takes the picture away";
@@ -125,6 +167,9 @@ constexpr EditKind LayPicture::kKind
 
 constexpr EditKind PlacePicture::kKind
     = make_edit_kind<PlacePicture, list, applied, described>("place_picture");
+
+constexpr EditKind SetPictureGround::kKind
+    = make_edit_kind<SetPictureGround, list, applied, described>("set_picture_ground");
 
 constexpr EditKind RemovePicture::kKind
     = make_edit_kind<RemovePicture, list, applied, described>("remove_picture");

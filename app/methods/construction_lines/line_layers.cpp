@@ -37,7 +37,7 @@ Lines to_be_drawn(BuiltPlant const& plant)
     if (!drawn || !plant.drawn->paper_mm)
         return result;
     auto const sheet = lines::sheet_of(*plant.drawn, plant.placement.scale);
-    Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
+    auto const paper = *paper_of(*plant.drawn);
     for (auto const& line : lines::lines_to_draw(*drawn)) {
         result.emplace_back();
         for (auto const& point : line)
@@ -53,7 +53,7 @@ template<typename Condition> Lines lines_where(BuiltPlant const& plant, Conditio
     if (!sketch || !plant.drawn->paper_mm)
         return result;
     auto const sheet = lines::sheet_of(*plant.drawn, plant.placement.scale);
-    Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
+    auto const paper = *paper_of(*plant.drawn);
     for (auto const& line : sketch->lines)
         if (is_shown(line))
             if (auto points = shown(line, sheet, paper); points.size() > 1)

@@ -37,7 +37,7 @@ template<typename Wanted> Lines lines_of(BuiltPlant const& plant, Wanted const& 
     auto const drawing = leaf::drawing_of(*sketch);
     if (!drawing)
         return lines;
-    Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
+    auto const paper = *paper_of(*plant.drawn);
     for (std::size_t i = 0; i < drawing->strokes.size(); ++i) {
         auto const role = sketch->seen ? std::optional(sketch->seen->lines.roles[i]) : std::nullopt;
         if (!is_wanted(role))

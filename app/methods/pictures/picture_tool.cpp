@@ -3,6 +3,7 @@
 #include "app/tools/erase_tool.h"
 #include "app/tools/tool.h"
 #include "engine/scene/back_picture.h"
+#include "engine/scene/picture_ground.h"
 
 #include <algorithm>
 #include <array>
@@ -16,10 +17,11 @@ namespace {
 using Does = PictureTool::Does;
 
 // In the order of Does.
-constexpr std::array<OptionWord, 5> kDoesWords { {
+constexpr std::array<OptionWord, 6> kDoesWords { {
     { "move", "Move", "Move the picture" },
     { "size", "Size", "Size the picture" },
     { "turn", "Turn", "Turn the picture" },
+    { "ground", "Ground", "Draw the horizon, or along something of known height" },
     { "lock", "Lock", nullptr, true },
     { "remove", "Remove", nullptr, true },
 } };
@@ -34,6 +36,13 @@ void visit(OptionVisitor& visitor, PictureTool& tool)
                      .step = 5,
                      .label = "Strength" },
                    tool.strength_percent);
+    visitor.number({ .name = "height",
+                     .unit = "m",
+                     .least = 0.1,
+                     .greatest = 200,
+                     .step = 0.1,
+                     .label = "Known height" },
+                   tool.height_m);
 }
 
 Result<PicturePlace> place_of(Scene const& scene)
@@ -69,6 +78,31 @@ Result<PicturePlace> dragged(PicturePlace place, Does does, Vec2 const& from_mm,
     return place;
 }
 
+// A level line is the horizon, an upright one something of known height.
+Result<PictureGround> ground_drawn(BackPicture const& picture, Stroke const& stroke,
+                                   double height_m)
+{
+    constexpr double kShortest_mm = 3;
+    Vec2 const from_mm = stroke.tips.front().position_mm.head<2>();
+    Vec2 const to_mm = stroke.tips.back().position_mm.head<2>();
+    Vec2 const way = to_mm - from_mm;
+    if (way.norm() < kShortest_mm)
+        return fail(Fault::User,
+                    "that is a dot: draw the horizon from side to side, or from the foot of "
+                    "something of known height to its top");
+    auto ground = picture.ground;
+    auto const from = on_picture(picture.place, from_mm);
+    auto const to = on_picture(picture.place, to_mm);
+    if (std::abs(way.x()) > std::abs(way.y()))
+        ground.horizon = (from.y() + to.y()) / 2;
+    else
+        ground.measured = { .foot = way.y() > 0 ? from : to,
+                            .top = way.y() > 0 ? to : from,
+                            .height_m = height_m };
+    TRY(check_ground(ground));
+    return ground;
+}
+
 Result<std::vector<Edit>> mean(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
     auto const does = tool.get<PictureTool>()->does;
@@ -79,6 +113,9 @@ Result<std::vector<Edit>> mean(Tool const& tool, Stroke const& stroke, Scene con
         place.is_locked = !place.is_locked;
         return std::vector<Edit> { PlacePicture { place } };
     }
+    if (does == Does::Ground)
+        return std::vector<Edit> { SetPictureGround {
+            TRY(ground_drawn(*scene.state.picture, stroke, tool.get<PictureTool>()->height_m)) } };
     if (place.is_locked)
         return fail(Fault::User, "the picture is locked: press Lock to let it go");
     return std::vector<Edit> { PlacePicture {
@@ -86,11 +123,23 @@ Result<std::vector<Edit>> mean(Tool const& tool, Stroke const& stroke, Scene con
                     stroke.tips.back().position_mm.head<2>())) } };
 }
 
+std::string said_of_ground(PictureGround const& ground)
+{
+    if (!ground.measured)
+        return "The horizon is there: now draw along something of known height, from its foot up";
+    if (!ground.horizon)
+        return "The height is known: draw the horizon, too, and trees stand nearer and farther "
+               "away";
+    return "A tree's foot says where it stands now, and its outline how tall it is";
+}
+
 std::string said(Tool const& tool, Scene const& after)
 {
     auto const does = tool.get<PictureTool>()->does;
     if (does == Does::Remove)
         return "The picture is gone";
+    if (does == Does::Ground && after.state.picture)
+        return said_of_ground(after.state.picture->ground);
     if (does != Does::Lock)
         return {};
     return after.state.picture && after.state.picture->place.is_locked
@@ -117,8 +166,10 @@ constexpr ToolKind PictureTool::kKind {
     .label = "Picture",
     .title = "Place the picture",
     .done = "The picture lies there now",
-    .help = "moves the picture behind what is drawn along with the stroke, sizes it or turns it "
-            "about its middle; locks it, takes it away",
+    .help
+    = "moves the picture behind what is drawn along with the stroke, sizes it or turns it "
+      "about its middle; locks it, takes it away; a level stroke says where its horizon is, an "
+      "upright one where something stands that is so tall, and trees stand on that ground",
     .group = "Picture",
     .icon = "1282871712 174467 567486",
     .surface = Surface::Paper,

@@ -98,7 +98,8 @@ Stroke on_sheet(Stroke stroke, Paper const& paper)
     std::vector<TipSample> tips;
     for (auto tip : stroke.tips) {
         Vec3 const world_mm = tip.position_mm;
-        tip.position_mm << paper.sheet_of_world(world_mm), world_mm.y() - paper.stands_mm.y();
+        tip.position_mm << paper.sheet_of_world(world_mm),
+            (world_mm.y() - paper.stands_mm.y()) / paper.unit;
         tips.push_back(tip);
     }
     stroke.tips = std::move(tips);
@@ -110,13 +111,17 @@ Result<DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke, Scene 
     DrawTree edit { .part = DrawTree::Part::Surface };
     auto paper = paper_of(scene.state);
     edit.stroke = on_sheet(stroke, paper);
-    auto const line = TRY(silhouette::crown_line_of(edit.stroke));
+    auto line = TRY(silhouette::crown_line_of(edit.stroke));
     TRY(silhouette::kind_of(line));
     if (tool.what == CrownTool::What::GoOn && TRY(tree_inside(line, scene))) {
         edit.plant = scene.drawn->id;
         return edit;
     }
-    // The new tree's sheet stands in the middle of the line.
+    // The new tree's sheet stands in the middle of the line, and is as large as the tablet.
+    paper = { paper.sheet_of_world(Vec3(paper.stands_mm.x(), 0, 0)),
+              Vec3(paper.stands_mm.x(), paper.stands_mm.y(), 0) };
+    edit.stroke = on_sheet(stroke, paper);
+    line = TRY(silhouette::crown_line_of(edit.stroke));
     Vec2 const middle = silhouette::plan_middle(line);
     paper.stands_mm.y() += middle.y();
     edit.stroke = on_sheet(stroke, paper);

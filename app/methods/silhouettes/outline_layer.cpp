@@ -22,12 +22,12 @@ void add(Stroke const& stroke, BuiltPlant const& plant, Lines& lines, Lies lies 
     auto const tips = stroke.tips.in_memory();
     if (!tips || tips->size() < 2 || !plant.drawn->paper_mm)
         return;
-    Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
+    auto const paper = *paper_of(*plant.drawn);
     std::vector<Vec3f> line;
     for (auto const& tip : *tips) {
         Vec3 world_mm = paper.world_of_sheet(tip.position_mm.head<2>());
         if (lies == Lies::InSpace)
-            world_mm.y() += tip.position_mm.z();
+            world_mm.y() += paper.unit * tip.position_mm.z();
         auto const at_mm = world_mm.cast<float>().eval();
         if (line.empty() || (at_mm - line.back()).norm() >= kApart_mm)
             line.push_back(at_mm);
@@ -58,7 +58,7 @@ void add_mark(silhouette::DrawnTouch const& touch, BuiltPlant const& plant, Line
     auto const place = silhouette::place_of(touch);
     if (!place || !plant.drawn->paper_mm)
         return;
-    Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
+    auto const paper = *paper_of(*plant.drawn);
     auto const add_arm = [&](Vec2 const& arm) {
         lines.push_back({ paper.world_of_sheet(*place - arm).cast<float>(),
                           paper.world_of_sheet(*place + arm).cast<float>() });
@@ -104,7 +104,7 @@ void add_closed(std::vector<Vec2> const& line, BuiltPlant const& plant, Lines& l
 {
     if (line.size() < 2)
         return;
-    Paper const paper { *plant.drawn->paper_mm, plant.drawn->stands_at_mm };
+    auto const paper = *paper_of(*plant.drawn);
     auto& closed = lines.emplace_back();
     for (auto const& point : line)
         closed.push_back(paper.world_of_sheet(point).cast<float>());

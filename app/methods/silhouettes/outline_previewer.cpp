@@ -27,9 +27,9 @@ class OutlinePreviewer final : public StrokePreviewer {
 public:
     std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
     {
-        if (stroke.ink.size() < 2)
-            return {};
         auto const& scene = *stroke.scene;
+        if (stroke.ink.empty() || (stroke.ink.size() < 2 && !scene.state.picture))
+            return {};
         auto const what = stroke.tool.get<OutlineTool>()->what;
         if (what == OutlineTool::What::Carry)
             return carried(stroke.ink, scene);
@@ -52,7 +52,8 @@ public:
         auto const skeleton = silhouette::skeleton_of(*tree);
         if (!skeleton)
             return {};
-        // Branches with outlines of their own have those in them, too.
+        // Branches with outlines of their own have those in them, too. What the pen has not drawn
+        // is shown: the outline of a crown in the picture.
         std::vector<SkeletonLine> lines { line_of(skeleton->systems[0].whole_trunk(), scene) };
         for (auto const& system : skeleton->systems)
             for (auto const& branch : system.branches) {
@@ -60,10 +61,20 @@ public:
                 if (branch.leaf)
                     lines.push_back(line_of(branch.crown, scene));
             }
+        if (edit->stroke.tips.size() > stroke.ink.size() + 1)
+            lines.push_back(line_of(points_of(edit->stroke), scene));
         return lines;
     }
 
 private:
+    static std::vector<Vec2> points_of(Stroke const& stroke)
+    {
+        std::vector<Vec2> points;
+        for (auto const& tip : stroke.tips)
+            points.emplace_back(tip.position_mm.head<2>());
+        return points;
+    }
+
     // Branches that the line carries a style between.
     static std::vector<SkeletonLine> carried(std::span<TipSample const> ink, Scene const& scene)
     {
@@ -99,10 +110,7 @@ private:
 
     static double area_of(Stroke const& stroke)
     {
-        std::vector<Vec2> points;
-        for (auto const& tip : stroke.tips)
-            points.emplace_back(tip.position_mm.head<2>());
-        return std::fabs(silhouette::signed_area(points));
+        return std::fabs(silhouette::signed_area(points_of(stroke)));
     }
 
     static SkeletonLine line_of(std::vector<Vec2> const& points, Scene const& scene)

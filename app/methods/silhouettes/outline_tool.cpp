@@ -2,8 +2,10 @@
 
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_previewer.h"
+#include "app/methods/silhouettes/touched_crown.h"
 #include "engine/methods/silhouettes/ready_form.h"
 #include "engine/scene/paper.h"
+#include "engine/scene/picture_ground.h"
 
 #include <algorithm>
 #include <array>
@@ -212,6 +214,17 @@ Result<std::vector<Edit>> form_active(OutlineTool const& tool, Scene const& scen
     return std::vector<Edit> { silhouette::FormTree { scene.drawn->id, form } };
 }
 
+// As large as it is in truth, and where it stands among the others, all in the scale of the first.
+void stand_on_ground(DrawTree& edit, GroundPlace const& place, Scene const& scene)
+{
+    constexpr double kMetre_mm = 1000; // Of a plant's millimetres.
+    edit.scale = 1 / (kMetre_mm * place.m_per_mm);
+    double const scale = scene.plants.empty() ? edit.scale : scene.placement.scale;
+    edit.enlarged = scale / edit.scale;
+    edit.stands_at_mm = scale * kMetre_mm * Vec3(place.right_m, place.behind_m, 0);
+    edit.stands_at_mm.x() += scene.state.picture->place.x_mm;
+}
+
 std::string counted_branches(std::size_t count)
 {
     return fmt::format("{} {}", count, count == 1 ? "branch" : "branches");
@@ -330,6 +343,9 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke, Scene
                           .plant = scene.drawn->id };
     }
     auto const points = points_of(stroke);
+    bool const may_be_of_picture = tool.what == What::GoOn || tool.what == What::New;
+    if (may_be_of_picture && scene.state.picture && is_touch(points))
+        return drawn_tree(tool, TRY(outline_touched(*scene.state.picture, stroke)), scene);
     if (points.size() < 2)
         return fail(Fault::User,
                     "a dot is no part of a tree: draw its trunk, or the outline of its crown");
@@ -353,6 +369,9 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke, Scene
     auto const foot_mm = TRY(silhouette::foot_of(tree_drawn));
     edit.stands_at_mm = paper_of(scene.state).world_of_sheet(foot_mm);
     edit.stands_at_mm.z() = 0;
+    if (scene.state.picture)
+        if (auto const place = TRY(place_on_ground(*scene.state.picture, foot_mm)))
+            stand_on_ground(edit, *place, scene);
     return edit;
 }
 
@@ -393,16 +412,18 @@ constexpr ToolKind OutlineTool::kKind {
     .label = "Outline",
     .title = "A trunk, and the outline of its crown",
     .done = "The tree has what was drawn",
-    .help = "draws a tree on paper that stands upright: a line is a trunk, one that comes back to "
-            "its beginning the outline of a crown, a smaller one around a branch that branch's "
-            "own outline, a line from a trunk inside it a branch, and one from a branch a branch "
-            "of that if lines are of what they begin on; what is drawn on a branch may be a style "
-            "for its siblings, or a line carries a branch's style to those that it runs over; a "
-            "touch on a bump of an outline splits it in two, one between two bumps joins them, and "
-            "an outline may be a leaf, which a touch inside declares it or takes back; in a "
-            "ready form, or with so many levels of branches, so many times "
-            "as many as usual that nobody draws, so many leaves on a twig; a new tree at each "
-            "line, or at once these numbers, or other chance, for the tree that is there",
+    .help
+    = "draws a tree on paper that stands upright: a line is a trunk, one that comes back to "
+      "its beginning the outline of a crown, a smaller one around a branch that branch's "
+      "own outline, a line from a trunk inside it a branch, and one from a branch a branch "
+      "of that if lines are of what they begin on; what is drawn on a branch may be a style "
+      "for its siblings, or a line carries a branch's style to those that it runs over; a "
+      "touch on a bump of an outline splits it in two, one between two bumps joins them, and "
+      "an outline may be a leaf, which a touch inside declares it or takes back; a touch on a "
+      "crown in the picture behind is its outline; in a ready form, or with so many levels of "
+      "branches, so many times "
+      "as many as usual that nobody draws, so many leaves on a twig; a new tree at each "
+      "line, or at once these numbers, or other chance, for the tree that is there",
     .group = "Sketch",
     .method = "From an outline",
     .icon = "5954 371624416184866737",

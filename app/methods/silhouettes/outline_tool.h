@@ -41,7 +41,8 @@ struct OutlineTool {
     enum class SeenFor { AWhile, Always, WithTriangles } seen = SeenFor::AWhile;
 };
 
-// What a stroke with the tool means: the tips drawn so far, in a document as it is built. One that
+// What a stroke with the tool means: the tips drawn so far, in a document as it is built. Over a
+// picture a touch means the outline of the crown that it lies in (touched_crown.h). One that
 // comes back to its beginning is an outline, of the crown or of the branch that it lies around
 // (own_outline.h), any other a trunk or a branch, of the trunk or of the branch that it begins on
 // (own_branch.h).

@@ -95,6 +95,7 @@ void list(Fields& fields, DrawTree& edit)
     edit.ground_mm = has_ground ? std::optional(ground_mm) : std::nullopt;
     list(fields, edit.form);
     fields.field("scale", &edit.scale);
+    fields.sparse_field("enlarged", &edit.enlarged);
     fields.id(edit.id);
     fields.numbers(edit.stroke);
 }
@@ -189,6 +190,10 @@ Result<DocumentState> applied(DocumentState state, DrawTree const& edit, SceneBu
     TRY(check_tree(tree));
     if (!edit.stands_at_mm.allFinite())
         return fail(Fault::User, "the place for the tree is not a number: draw it again");
+    if (edit.enlarged != 0 && !(edit.enlarged > 1e-6 && edit.enlarged < 1e6))
+        return fail(Fault::User,
+                    fmt::format("a tree cannot be shown {:g} times as large as it was drawn",
+                                edit.enlarged));
     auto const foot_mm = TRY(foot_of(tree));
     if (!state.scale)
         state.scale = edit.scale;
@@ -198,6 +203,7 @@ Result<DocumentState> applied(DocumentState state, DrawTree const& edit, SceneBu
                          .drawn = Drawn::Beside,
                          .stands_at_mm = edit.stands_at_mm,
                          .paper_mm = foot_mm,
+                         .paper_unit = edit.enlarged != 0 ? edit.enlarged : 1,
                          .id = edit.id });
 }
 
