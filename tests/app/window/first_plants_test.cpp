@@ -244,6 +244,15 @@ Timestamp clock_now()
     return Timestamp(std::chrono::steady_clock::now().time_since_epoch());
 }
 
+// Of what was chosen, by another thread, however long that takes: the log's time stands still.
+void wait_for_opening(LiveWindow& window)
+{
+    while (window.start_page() && window.start_page()->state().is_opening) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        window.advance(Duration::zero());
+    }
+}
+
 } // namespace
 
 class FirstPlants : public LayoutTest,
@@ -327,8 +336,10 @@ std::pair<double, Scene> FirstPlants::draw_with_pen()
     hand.wait(300);
     auto window = window_of(hand);
     Frames frames(size(), *renderer_);
-    for (int i = 0; i < static_cast<int>(60 * hand.seconds()) + 10; ++i)
+    for (int i = 0; i < static_cast<int>(60 * hand.seconds()) + 10; ++i) {
         frames.show(window);
+        wait_for_opening(window);
+    }
     window.settle();
     auto const drawn = window.scene();
     EXPECT_TRUE(window.close());
