@@ -11,6 +11,7 @@
 #include "app/verbs/checks.h"
 #include "drivers/file.h"
 #include "engine/methods/construction_lines/line_model.h"
+#include "engine/methods/construction_lines/organ_surface.h"
 #include "engine/scene/scene.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tractus {
@@ -92,7 +94,9 @@ Result<std::string> write_folder(ConstructArguments const& arguments, LoadModel 
             TRY(write_plant_file(plant, name, fs::path(base).concat(ending)));
     if (arguments.session)
         TRY(begin_session(fs::path(base).concat(".tractus"), { load }, arguments.methods.edits));
-    return fmt::format("{}.l, .v, {} .func, .png, .glb{}", base.string(), model.functions.size(),
+    std::size_t const surfaces = model.functions.count(name + "_organ.s");
+    return fmt::format("{}.l, .v, {} .func,{} .png, .glb{}", base.string(),
+                       model.functions.size() - surfaces, surfaces > 0 ? " _organ.s," : "",
                        arguments.session ? ", .tractus" : "");
 }
 
@@ -126,7 +130,9 @@ Result<void> make_plant(ConstructArguments const& arguments, lines::LineSketchFi
 {
     bool const to_file = is_plant_file(arguments.output);
     auto const name = model_name(arguments.sketch);
-    auto const model = TRY(write_model(arguments, file, stems));
+    auto model = TRY(write_model(arguments, file, stems));
+    if (file.organ)
+        model = lines::with_organs(std::move(model), TRY(lines::organ_surface(*file.organ)));
     LoadModel const load { .source = model.source, .includes = model.functions };
     auto const scene = TRY(apply_edit({}, load, make_load_options()));
     auto written = arguments.output.string();
@@ -226,7 +232,9 @@ void add_construct_command(CLI::App& root, Action& action, Methods const& method
         "each\n"
         "layer; \"organs\": for each layer from below null, or the file of a sketch whose plants "
         "stand\n"
-        "there; \"stems\": more stems of the plant, objects of \"stem\" and, if what grows on the "
+        "there; \"organ\": the leaves' shape, an object of \"left\", \"right\", \"midrib\" and\n"
+        "\"section\"; \"stems\": more stems of the plant, objects of \"stem\" and, if what grows "
+        "on the "
         "first\n"
         "one does not grow on it, too, lines of its own. A stem that begins on another one stands\n"
         "there, on its top as a fork.");

@@ -21,7 +21,9 @@ using nlohmann::json;
 
 constexpr std::array kStemKeys { "stem",       "left",         "right",
                                  "boundaries", "inclinations", "nodes_per_layer" };
-constexpr std::array kOtherKeys { "pattern", "divergence", "sizes", "organs", "strokes", "stems" };
+constexpr std::array kOtherKeys { "pattern", "divergence", "sizes", "organs",
+                                  "organ",   "strokes",    "stems" };
+constexpr std::array kOrganKeys { "left", "right", "midrib", "section" };
 constexpr std::size_t kMostStrokes = 100; // And stems.
 
 // Not there, or said to be so.
@@ -327,6 +329,31 @@ Result<std::vector<std::string>> read_organs(json const& file)
     return organs;
 }
 
+Result<std::optional<OrganViews>> read_organ(json const& file)
+{
+    if (!has(file, "organ"))
+        return std::nullopt;
+    auto const& organ = file["organ"];
+    if (!organ.is_object())
+        return fail(Fault::User,
+                    "organ is no leaf's shape: write {\"left\": [[u, v], [u, v]], \"right\": …, "
+                    "\"midrib\": …, \"section\": …}");
+    for (auto const& [key, value] : organ.items())
+        if (std::find(kOrganKeys.begin(), kOrganKeys.end(), key) == kOrganKeys.end())
+            return fail(
+                Fault::User,
+                fmt::format("organ has no line \"{}\": give left, right, midrib and section",
+                            key.substr(0, 40)));
+    OrganViews views;
+    std::array const lines { &views.left, &views.right, &views.midrib, &views.section };
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (has(organ, kOrganKeys[i]))
+            *lines[i] = TRY(read_flat_line(organ[kOrganKeys[i]],
+                                           fmt::format("{} of the organ", kOrganKeys[i])));
+    TRY(organ_surface(views)); // Fails where there is none.
+    return views;
+}
+
 Result<LineSketchFile> read_sketch(json const& file)
 {
     if (!file.is_object())
@@ -343,6 +370,7 @@ Result<LineSketchFile> read_sketch(json const& file)
     TRY(std::move(nodes));
     TRY(read_stems(file, result));
     result.organs = TRY(read_organs(file));
+    result.organ = TRY(read_organ(file));
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/methods/construction_lines/construction.h"
+#include "engine/methods/construction_lines/organ_surface.h"
 #include "engine/methods/construction_lines/pattern.h"
 
 #include <cstddef>
@@ -28,6 +29,7 @@ struct LineSketchFile {
     // What the organs of each layer are, from below: the name of another sketch's file, or empty:
     // leaves. The last one counts for all layers above, too.
     std::vector<std::string> organs {};
+    std::optional<OrganViews> organ {};    // What its leaves look like.
     std::vector<std::string> unknown_keys; // What else the file says.
 };
 
@@ -53,6 +55,10 @@ struct LineSketchFile {
 //   organs           ["leaf.json", null, …] or "leaf.json": what the organs of each layer are, from
 //                    below: plants of another sketch, the file's name from where this one is, or
 //                    leaves; what is said last counts for all layers above, too
+//
+//   organ            {"left": [[u, v], …], "right": …, "midrib": …, "section": …}: the leaves'
+//   shape in
+//                    three views (organ_surface.h), the last two of which may be missing
 //
 // What is given besides a file counts in place of what the file says.
 //

@@ -79,6 +79,30 @@ TEST_F(ConstructCommand, TheExportedTextGivesTheSamePlant)
     }
 }
 
+// The same where leaves are surfaces drawn in three views: the folder has their file.
+TEST_F(ConstructCommand, TheExportedTextOfOrgansInThreeViewsGivesTheSamePlant)
+{
+    for (std::string const pattern : { "distichous", "decussate", "spiral", "whorled(3)" }) {
+        std::ofstream(folder_ / "petals.json")
+            << R"({"pattern":")" << pattern
+            << R"(","nodes_per_layer":[5],"stem":[[0,0],[0,200]],"left":[[-40,-9],[-40,350]],
+                "inclinations":[[[-60,75],[0,40],[60,75]],[[-60,195],[0,160],[60,195]]],
+                "organ":{"left":[[0,0],[-20,30],[0,80]],"right":[[0,0],[20,30],[0,80]],
+                "midrib":[[0,0],[40,12],[80,0]],"section":[[-10,4],[0,0],[10,4]]}})";
+        ASSERT_EQ(
+            run({ "construct", path("petals.json"), "-o", path(pattern), "--report" }).exit_code,
+            0);
+        EXPECT_TRUE(fs::exists(path(pattern + "/petals_organ.s")));
+        ASSERT_EQ(run({ "construct", path("petals.json"), "-o", path("once.glb") }).exit_code, 0);
+        auto const text = path(pattern + "/petals.l");
+        EXPECT_EQ(run({ "lsystem", "check", text }).err, "");
+        ASSERT_EQ(run({ "grow", text, "-o", path("again.glb") }).exit_code, 0);
+        auto const written = file_bytes(path("once.glb"));
+        EXPECT_GT(written.size(), 20'000U);
+        EXPECT_TRUE(written == file_bytes(path("again.glb"))) << pattern;
+    }
+}
+
 // An upright stem in an elliptic cylinder, 40 mm across and 25 mm deep, of four lines.
 std::string in_cylinder(std::string const& pattern, std::string const& lines)
 {

@@ -1,0 +1,240 @@
+#include "engine/methods/construction_lines/organ_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <fmt/format.h>
+#include <string_view>
+#include <utility>
+
+namespace tractus::lines {
+
+namespace {
+
+using Points = std::vector<Vec2>;
+using Cubic = std::array<Vec2, 4>; // Bézier points.
+
+constexpr double kShortest_mm = 1e-3;
+
+// A line at evenly spaced places of its length.
+Result<Points> even_points(Points const& line, int pieces, char const* name)
+{
+    std::vector<double> lengths { 0 };
+    for (std::size_t i = 1; i < line.size(); ++i)
+        lengths.push_back(lengths.back() + (line[i] - line[i - 1]).norm());
+    if (!(lengths.back() >= kShortest_mm) || !(lengths.back() < 1e6))
+        return fail(Fault::User,
+                    fmt::format("the organ's {} has no length: draw it from one end to the other, "
+                                "in millimetres",
+                                name));
+    Points result;
+    std::size_t at = 1;
+    for (int i = 0; i <= pieces; ++i) {
+        double const far = lengths.back() * i / pieces;
+        while (at + 1 < line.size() && lengths[at] < far)
+            ++at;
+        double const piece = lengths[at] - lengths[at - 1];
+        double const share = piece > 0 ? std::clamp((far - lengths[at - 1]) / piece, 0.0, 1.0) : 0;
+        result.emplace_back(line[at - 1] + share * (line[at] - line[at - 1]));
+    }
+    return result;
+}
+
+// The pieces of a spline through points (Catmull-Rom); straight lines stay straight.
+std::vector<Cubic> spline(Points const& points)
+{
+    auto const last = points.size() - 1;
+    auto const slope = [&](std::size_t i) -> Vec2 {
+        if (i == 0)
+            return points[1] - points[0];
+        if (i == last)
+            return points[last] - points[last - 1];
+        return (points[i + 1] - points[i - 1]) / 2;
+    };
+    std::vector<Cubic> pieces;
+    for (std::size_t i = 0; i < last; ++i)
+        pieces.push_back({ points[i], points[i] + slope(i) / 3, points[i + 1] - slope(i + 1) / 3,
+                           points[i + 1] });
+    return pieces;
+}
+
+// A line that goes one way, (0, 0) to (1, 0) after its straight way is taken away, at evenly spaced
+// places of that.
+Result<Points> heights_of(Points const& line, int pieces, char const* name)
+{
+    Points result;
+    double const way = line.empty() ? 1 : line.back().x() - line.front().x();
+    for (std::size_t i = 1; i < line.size(); ++i)
+        if (!(line[i].x() * way >= line[i - 1].x() * way))
+            return fail(Fault::User,
+                        fmt::format("the organ's {} turns back at point {}: draw it so that it "
+                                    "goes on from one end to the other",
+                                    name, i + 1));
+    if (!line.empty() && !(std::fabs(way) >= kShortest_mm))
+        return fail(Fault::User,
+                    fmt::format("the organ's {} has no length: draw it from one end to the other, "
+                                "in millimetres",
+                                name));
+    std::size_t at = 1;
+    for (int i = 0; i <= pieces; ++i) {
+        double const share = static_cast<double>(i) / pieces;
+        if (line.empty()) {
+            result.emplace_back(share, 0);
+            continue;
+        }
+        auto const share_of = [&](std::size_t k) { return (line[k].x() - line[0].x()) / way; };
+        while (at + 1 < line.size() && share_of(at) < share)
+            ++at;
+        double const piece = share_of(at) - share_of(at - 1);
+        double const part
+            = piece > 0 ? std::clamp((share - share_of(at - 1)) / piece, 0.0, 1.0) : 1;
+        double const height = line[at - 1].y() + part * (line[at].y() - line[at - 1].y());
+        double const straight = line.front().y() + share * (line.back().y() - line.front().y());
+        result.emplace_back(share, (height - straight) / std::fabs(way));
+    }
+    return result;
+}
+
+struct Sides {
+    Points left;
+    Points right;
+    double length_mm = 0;
+};
+
+// With the middle of the bases at the origin and that of the tips on y.
+Result<Sides> place_sides(OrganViews const& views)
+{
+    Sides sides { TRY(even_points(views.left, kAlong, "left boundary")),
+                  TRY(even_points(views.right, kAlong, "right boundary")) };
+    auto& right = sides.right;
+    if ((right.back() - sides.left.front()).norm() < (right.front() - sides.left.front()).norm())
+        std::reverse(right.begin(), right.end());
+    Vec2 const base = (sides.left.front() + right.front()) / 2;
+    Vec2 const axis = (sides.left.back() + right.back()) / 2 - base;
+    sides.length_mm = axis.norm();
+    if (!(sides.length_mm >= kShortest_mm))
+        return fail(Fault::User,
+                    "the organ's boundaries end where they begin: draw both from its base to its "
+                    "tip");
+    Vec2 const up = axis / sides.length_mm;
+    for (auto* const line : { &sides.left, &right })
+        for (auto& point : *line) {
+            Vec2 const from_base = point - base;
+            point = { from_base.x() * up.y() - from_base.y() * up.x(), from_base.dot(up) };
+        }
+    return sides;
+}
+
+Result<void> check_points(OrganViews const& views)
+{
+    if (views.left.size() < 2 || views.right.size() < 2)
+        return fail(Fault::User,
+                    "the organ has no two boundaries: give left and right, each of two points or "
+                    "more");
+    if (views.midrib.size() == 1 || views.section.size() == 1)
+        return fail(Fault::User,
+                    "the organ's midrib or section is a single point: give two or more, or none "
+                    "where it is straight");
+    for (auto const* const line : { &views.left, &views.right, &views.midrib, &views.section })
+        for (auto const& point : *line)
+            if (!point.allFinite() || !(point.cwiseAbs().maxCoeff() < 1e6))
+                return fail(Fault::User,
+                            "the organ has a number that is too large: give "
+                            "millimetres");
+    return {};
+}
+
+} // namespace
+
+Result<std::vector<BezierPatch>> organ_surface(OrganViews const& views)
+{
+    TRY(check_points(views));
+    auto const sides = TRY(place_sides(views));
+    auto const midrib = TRY(heights_of(views.midrib, kAlong, "midrib"));
+    auto const section = spline(TRY(heights_of(views.section, kAcross, "section")));
+    Points heights; // The breadth and the midrib's height.
+    for (std::size_t i = 0; i < midrib.size(); ++i)
+        heights.emplace_back((sides.right[i] - sides.left[i]).norm(),
+                             midrib[i].y() * sides.length_mm);
+    auto const left = spline(sides.left);
+    auto const right = spline(sides.right);
+    auto const height = spline(heights);
+    std::vector<BezierPatch> patches;
+    for (std::size_t row = 0; row < left.size(); ++row)
+        for (std::size_t column = 0; column < section.size(); ++column) {
+            BezierPatch patch;
+            for (std::size_t i = 0; i < 16; ++i) {
+                auto const& across = section[column][i % 4];
+                Vec2 const flat
+                    = left[row][i / 4] + across.x() * (right[row][i / 4] - left[row][i / 4]);
+                auto const& up = height[row][i / 4];
+                patch.control[i] = { flat.x(), flat.y(), up.x() * across.y() + up.y() };
+            }
+            auto const number = static_cast<std::uint16_t>(patches.size());
+            auto const neighbor = [](bool is_there, int index) {
+                return is_there ? static_cast<std::uint16_t>(index) : BezierPatch::kNoPatch;
+            };
+            patch.neighbors = { neighbor(row > 0, number - kAcross),
+                                neighbor(row + 1 < left.size(), number + kAcross),
+                                neighbor(column > 0, number - 1),
+                                neighbor(column + 1 < section.size(), number + 1) };
+            patches.push_back(patch);
+        }
+    return patches;
+}
+
+std::string surface_text(std::vector<BezierPatch> const& patches)
+{
+    Vec3 low = patches.front().control[0];
+    Vec3 high = low;
+    for (auto const& patch : patches)
+        for (auto const& point : patch.control) {
+            low = low.cwiseMin(point);
+            high = high.cwiseMax(point);
+        }
+    double const length
+        = (patches[patches.size() - kAcross].control[12] + patches.back().control[15]).y() / 2;
+    // A file's z is to the lower side where UP is -z, as the editor has it.
+    auto text = fmt::format(
+        "{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\nCONTACT POINT  X: 0 Y: 0 Z: 0\n"
+        "END POINT  X: 0 Y: 0 Z: 0\nHEADING  X: 0 Y: 1 Z: 0\nUP  X: 0 Y: 0 Z: -1\nSIZE: {:.6g}\n",
+        low.x(), high.x(), low.y(), high.y(), low.z(), high.z(), length);
+    auto const name = [](std::uint16_t number) {
+        return number == BezierPatch::kNoPatch ? "~" : fmt::format("p{}", number);
+    };
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        auto const& sides = patches[i].neighbors;
+        text += fmt::format("p{}\nTOP COLOR: 0 DIFFUSE: 0.00 BOTTOM COLOR: 0 DIFFUSE: 0.00\n"
+                            "AL: ~ A: {} AR: ~\nL: {} R: {}\nBL: ~ B: {} BR: ~\n",
+                            i, name(sides[BezierPatch::Above]), name(sides[BezierPatch::Left]),
+                            name(sides[BezierPatch::Right]), name(sides[BezierPatch::Below]));
+        for (std::size_t k = 0; k < 16; ++k) {
+            auto const& point = patches[i].control[k];
+            text += fmt::format("{:.6g} {:.6g} {:.6g}{}", point.x() + 0.0, point.y() + 0.0,
+                                point.z() + 0.0, k % 4 == 3 ? "\n" : "  ");
+        }
+    }
+    return text;
+}
+
+LineModel with_organs(LineModel model, std::vector<BezierPatch> const& patches)
+{
+    auto& view = model.source.view_text;
+    auto const name = model.source.name;
+    auto const file = name.substr(0, name.rfind('.')) + "_organ.s";
+    auto const begin = view.find("organ: l ");
+    view.replace(begin, view.find('\n', begin) - begin, fmt::format("surface: l {} 1", file));
+    // A surface has the turtle's colour, which is the stem's.
+    auto& rules = model.source.text;
+    constexpr std::string_view kLeaf = "~l(";
+    constexpr std::string_view kColored = ";(2)~l(";
+    for (auto at = rules.find(kLeaf); at != std::string::npos;
+         at = rules.find(kLeaf, at + kColored.size()))
+        rules.replace(at, kLeaf.size(), kColored);
+    model.functions[file] = surface_text(patches);
+    return model;
+}
+
+} // namespace tractus::lines

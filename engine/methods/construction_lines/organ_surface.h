@@ -1,0 +1,51 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+#include "engine/methods/construction_lines/line_model.h"
+#include "engine/plant/bezier_patch.h"
+
+#include <string>
+#include <vector>
+
+namespace tractus::lines {
+
+// An organ as drawn in three views (2008, section 6; Figure 2 c), millimetres. Each line has at
+// least two points; a midrib or a section without any is straight.
+struct OrganViews {
+    // From above: the boundaries from the organ's base to its tip, (right, up) on the sheet.
+    std::vector<Vec2> left {};
+    std::vector<Vec2> right {};
+    // From the side: how high the midrib is, (along, height) from base to tip. Along never turns
+    // back.
+    std::vector<Vec2> midrib {};
+    // From the front: the section, (across, height) from left to right. Across never turns back.
+    std::vector<Vec2> section {};
+};
+
+// The organ's surface by cross-sectional blending and orthogonal deformation: with l and r the
+// boundaries, c the section from (0, 0) to (1, 0), and m the midrib's height above the straight way
+// from its base to its tip,
+//
+//   S(u, v) = l(u) + c_x(v) (r(u) - l(u)) + (|r(u) - l(u)| c_y(v) + m(u)) z
+//
+// so S(u, 0) and S(u, 1) are the boundaries, seen from above, at the midrib's height; a straight
+// midrib and section give a flat organ. All four lines are cubic splines through evenly spaced
+// points of those drawn, therefore the patches are the surface itself.
+//
+// In millimetres, the middle of the two bases at the origin, that of the tips on y, x to the right,
+// z to the upper side. s of a patch is along the organ, t from left to right; row after row of
+// patches, kAcross in each. Fails, as the user's fault, for views that give no surface.
+Result<std::vector<BezierPatch>> organ_surface(OrganViews const& views);
+
+constexpr int kAlong = 12; // Patches, from base to tip.
+constexpr int kAcross = 4;
+
+// The same as a file of cpfg's Bezier editor (.s), whose SIZE is the organ's length.
+std::string surface_text(std::vector<BezierPatch> const& patches);
+
+// The model with such organs in place of the leaves of its own sketch; leaves of sketches that are
+// organs stay. The file is called as the model is, with _organ.s.
+LineModel with_organs(LineModel model, std::vector<BezierPatch> const& patches);
+
+} // namespace tractus::lines
