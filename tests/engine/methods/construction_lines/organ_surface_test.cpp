@@ -1,10 +1,11 @@
 #include "engine/methods/construction_lines/organ_surface.h"
 
 #include "engine/lsystem/view/surface_file.h"
-#include "tests/engine/methods/construction_lines/sketches.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace tractus::lines {
 namespace {
