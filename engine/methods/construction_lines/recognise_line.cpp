@@ -1,13 +1,13 @@
 #include "engine/methods/construction_lines/recognise_line.h"
 
 #include "engine/methods/construction_lines/around_stem.h"
+#include "engine/methods/construction_lines/lie_to_stem.h"
 #include "engine/methods/construction_lines/measure_nodes.h"
 #include "engine/stroke/polyline.h"
 #include "engine/stroke/resample.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace tractus::lines {
 
@@ -16,14 +16,6 @@ namespace {
 // How strokes may differ from what they mean, on a sheet of paper.
 constexpr double kOnLine_mm = 6;    // From a line that is drawn again.
 constexpr double kSameEnd_mm = 20;  // From its end to the new one's.
-constexpr double kNoSide_mm = 1.5;  // A point that near to the stem is on neither side.
-constexpr double kEachSide_mm = 3;  // An inclination line reaches at least so far on both.
-constexpr double kFromStem_mm = 5;  // Half of one begins so near to the stem.
-constexpr double kGraze_mm = 10;    // A boundary may reach so far over the stem.
-constexpr double kLongHalf = 0.6;   // Shorter ones, by the stem, may lie along it.
-constexpr double kLeaning_deg = 20; // Longer ones lean more.
-constexpr double kBoundary = 0.4;   // A boundary goes along so much of the stem;
-constexpr double kWholeStem = 0.75; // what goes along so much of it is no half of a line.
 constexpr double kSameNode_mm = 15; // Two halves are one line if they begin so near to each other.
 
 std::vector<Vec2> flat(std::vector<Vec3> const& points)
@@ -41,100 +33,6 @@ DrawnLine sampled(std::vector<Vec3> const& stroke)
     double const length_mm = polyline_length_mm(stroke);
     auto const count = std::clamp(length_mm / kSpacing_mm, 50.0, 300.0);
     return DrawnLine(flat(resample(stroke, static_cast<std::size_t>(count))));
-}
-
-// How a stroke lies to the stem.
-struct Lie {
-    double first_mm = 0; // Its ends' distances, above 0 on the left.
-    double last_mm = 0;
-    int crossings = 0;        // Changes from side to side beside the stem.
-    double along = 0;         // How much of the stem its points stand beside.
-    double left_share = 0;    // Of its points.
-    double least_side_mm = 0; // How far it gets on the side where less of it lies.
-    double lean_deg = 0;      // Between its ends' chord and the stem's, 0 to 90.
-};
-
-double lean_between(DrawnLine const& a, DrawnLine const& b)
-{
-    Vec2 const chord = a.points().back() - a.points().front();
-    Vec2 const other = b.points().back() - b.points().front();
-    return degrees(std::atan2(std::fabs(cross(chord, other)), std::fabs(chord.dot(other))));
-}
-
-Lie lie_of(DrawnLine const& stroke, DrawnLine const& stem)
-{
-    Lie lie;
-    double nearest = stem.length_mm();
-    double farthest = 0;
-    double before_mm = 0; // The last point's that was on a side.
-    double left = 0;
-    double reach_left_mm = 0;
-    double reach_right_mm = 0;
-    bool beside = false; // Whether the stem was near since.
-    for (auto const& point : stroke.points()) {
-        double const at_mm = stem.nearest_mm(point);
-        double const distance_mm = stem.distance_mm(point);
-        nearest = std::min(nearest, at_mm);
-        farthest = std::max(farthest, at_mm);
-        left += distance_mm > 0 ? 1 : 0;
-        reach_left_mm = std::max(reach_left_mm, distance_mm);
-        reach_right_mm = std::max(reach_right_mm, -distance_mm);
-        beside = beside || (at_mm > 0 && at_mm < stem.length_mm());
-        if (std::fabs(distance_mm) < kNoSide_mm)
-            continue;
-        if (distance_mm * before_mm < 0 && beside)
-            ++lie.crossings;
-        before_mm = distance_mm;
-        beside = at_mm > 0 && at_mm < stem.length_mm();
-    }
-    lie.first_mm = stem.distance_mm(stroke.points().front());
-    lie.last_mm = stem.distance_mm(stroke.points().back());
-    lie.along = std::max(0.0, farthest - nearest) / stem.length_mm();
-    lie.left_share = left / static_cast<double>(stroke.points().size());
-    lie.least_side_mm = lie.left_share > 0.5 ? reach_right_mm : reach_left_mm;
-    lie.lean_deg = lean_between(stroke, stem);
-    return lie;
-}
-
-bool is_inclination(Lie const& lie)
-{
-    return lie.crossings == 1 && lie.first_mm * lie.last_mm < 0
-        && std::min(std::fabs(lie.first_mm), std::fabs(lie.last_mm)) > kEachSide_mm;
-}
-
-// At its top or foot a boundary may cross the stem by a little, where an inclination line that does
-// so leans more.
-bool is_boundary(Lie const& lie)
-{
-    bool const grazes = lie.crossings <= 2 && lie.least_side_mm < kGraze_mm
-        && (lie.lean_deg < kLeaning_deg || lie.along > kWholeStem);
-    return lie.along > kBoundary && (lie.crossings == 0 || grazes);
-}
-
-// Half an inclination line begins at the stem, or just behind it.
-bool is_half(Lie const& lie, double length)
-{
-    double const near_mm = std::min(std::fabs(lie.first_mm), std::fabs(lie.last_mm));
-    double const far_mm = std::max(std::fabs(lie.first_mm), std::fabs(lie.last_mm));
-    bool const begins_at_stem = lie.crossings == 0 ? near_mm <= kFromStem_mm
-                                                   : lie.crossings == 1 && near_mm <= kEachSide_mm;
-    return begins_at_stem && far_mm > kFromStem_mm && lie.along < kWholeStem
-        && (length < kLongHalf || lie.lean_deg > kLeaning_deg);
-}
-
-std::string reason_for(Lie const& lie)
-{
-    if (lie.crossings > 1)
-        return fmt::format(
-            "this line crosses the stem {} times: draw an inclination line across it "
-            "once, or a boundary beside it",
-            lie.crossings);
-    if (lie.crossings == 1)
-        return "this line hardly reaches over the stem: draw an inclination line that ends on both "
-               "sides of it";
-    return "this line neither crosses the stem nor goes along it: draw an inclination line across "
-           "it, "
-           "or a boundary along at least half of it";
 }
 
 bool same_ends(DrawnLine const& a, DrawnLine const& b)
@@ -301,17 +199,14 @@ LineRecogniser::recognise_in_space(std::vector<Vec3> const& stroke) const
         return std::nullopt;
     DrawnStem const stem(strokes_[*stem_index]);
     auto const lie = lie_of(sampled(stroke), sampled(strokes_[*stem_index]));
-    bool const is_across = is_inclination(lie) && lie.lean_deg > kLeaning_deg;
-    bool const is_along = lie.along > kWholeStem
-        || (lie.along > kBoundary && (lie.crossings == 0 || lie.lean_deg < kLeaning_deg));
-    if (is_across || !is_along || distance_in_space_mm(stroke, stem) < kFlat * stem.length_mm())
+    if (!is_boundary_in_space(lie) || distance_in_space_mm(stroke, stem) < kFlat * stem.length_mm())
         return std::nullopt;
     auto const azimuth_deg = azimuth_of(stroke, stem);
     if (!azimuth_deg)
         return std::nullopt;
     return RecognisedLine { .role = Role::Around,
                             .replaces = newest_boundary(*azimuth_deg),
-                            .is_along_stem = lie.along > kWholeStem };
+                            .is_along_stem = is_along_stem(lie) };
 }
 
 RecognisedLine LineRecogniser::recognise(DrawnLine const& stroke) const
@@ -329,7 +224,7 @@ RecognisedLine LineRecogniser::recognise(DrawnLine const& stroke) const
         auto const side = lie.left_share > 0.5 ? Side::Left : Side::Right;
         return { .role = side == Side::Left ? Role::Left : Role::Right,
                  .replaces = newest_boundary(azimuth_of_side(side)),
-                 .is_along_stem = lie.along > kWholeStem };
+                 .is_along_stem = is_along_stem(lie) };
     }
     if (is_inclination(lie))
         return { .role = Role::Inclination };
