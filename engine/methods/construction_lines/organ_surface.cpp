@@ -16,7 +16,7 @@ namespace {
 using Points = std::vector<Vec2>;
 using Cubic = std::array<Vec2, 4>; // Bézier points.
 
-constexpr double kShortest_mm = 1e-3;
+constexpr double kShortestOrgan_mm = 1e-3;
 
 // A line at evenly spaced places of its length.
 Result<Points> even_points(Points const& line, int pieces, char const* name)
@@ -24,7 +24,7 @@ Result<Points> even_points(Points const& line, int pieces, char const* name)
     std::vector<double> lengths { 0 };
     for (std::size_t i = 1; i < line.size(); ++i)
         lengths.push_back(lengths.back() + (line[i] - line[i - 1]).norm());
-    if (!(lengths.back() >= kShortest_mm) || !(lengths.back() < 1e6))
+    if (!(lengths.back() >= kShortestOrgan_mm) || !(lengths.back() < 1e6))
         return fail(Fault::User,
                     fmt::format("the organ's {} has no length: draw it from one end to the other, "
                                 "in millimetres",
@@ -72,7 +72,7 @@ Result<Points> heights_of(Points const& line, int pieces, char const* name)
                         fmt::format("the organ's {} turns back at point {}: draw it so that it "
                                     "goes on from one end to the other",
                                     name, i + 1));
-    if (!line.empty() && !(std::fabs(way) >= kShortest_mm))
+    if (!line.empty() && !(std::fabs(way) >= kShortestOrgan_mm))
         return fail(Fault::User,
                     fmt::format("the organ's {} has no length: draw it from one end to the other, "
                                 "in millimetres",
@@ -114,7 +114,7 @@ Result<Sides> place_sides(OrganViews const& views)
     Vec2 const base = (sides.left.front() + right.front()) / 2;
     Vec2 const axis = (sides.left.back() + right.back()) / 2 - base;
     sides.length_mm = axis.norm();
-    if (!(sides.length_mm >= kShortest_mm))
+    if (!(sides.length_mm >= kShortestOrgan_mm))
         return fail(Fault::User,
                     "the organ's boundaries end where they begin: draw both from its base to its "
                     "tip");
