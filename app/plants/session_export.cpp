@@ -145,10 +145,10 @@ std::string describe_place(PlantState const& plant, DocumentState const& state)
                        plant.id == state.active ? ", takes what is drawn" : "");
 }
 
-std::string describe_place(Graft const& graft, PlantState const& bearer)
+std::string describe_place(Graft const& graft, PlantState const& parent)
 {
     return fmt::format("part {}: {} on plant {}\n", name_of(part_of(graft.prefix)),
-                       fs::path(graft.name).filename().string(), name_of(bearer.id));
+                       fs::path(graft.name).filename().string(), name_of(parent.id));
 }
 
 // Each plant and each part of one: the first in the folder, the others in folders of their own,

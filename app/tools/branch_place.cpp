@@ -85,21 +85,21 @@ Result<BranchPlace> branch_at(Scene const& scene, Vec3 const& base_mm, Vec3 cons
 
 std::vector<Edit> graft_edits(Scene const& scene, BranchPlace const& place, ItemId plant)
 {
-    auto const& bearer = plant_with(scene, place.plant);
+    auto const& parent = plant_with(scene, place.plant);
     auto const address = [&](SegmentId segment) {
-        return bearer.rest->addresses.address_of(*bearer.base, segment);
+        return parent.rest->addresses.address_of(*parent.base, segment);
     };
     std::vector<Edit> edits;
     if (!scene.state.scale) // It is the first plant's, which may become a part of another now.
-        edits.push_back(SetScale { bearer.placement.scale });
+        edits.push_back(SetScale { parent.placement.scale });
     if (place.hidden)
         edits.push_back(HideBranch { place.plant, address(*place.hidden) });
-    BentPlant const bent(bearer);
+    BentPlant const bent(parent);
     Quat const back = bent.turn_of(place.on).conjugate();
     Eigen::AngleAxisd const turn(back);
     Vec3 const off_mm = place.base_mm - bent.end_of(place.on);
     edits.push_back(GraftPlant { plant, place.plant, address(place.on), turn.angle() * turn.axis(),
-                                 back * off_mm / bearer.placement.scale });
+                                 back * off_mm / parent.placement.scale });
     return edits;
 }
 

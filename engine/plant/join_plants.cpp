@@ -80,7 +80,7 @@ private:
         segments_.assign(part_.segment_count(), kNone);
         std::vector<AxisId> axes(part_.axes.size(), kNone);
         bool const on_plant = place_.on != kNone;
-        AxisId const bearer = on_plant ? axis_of(plant_, place_.on) : kNone;
+        AxisId const parent = on_plant ? axis_of(plant_, place_.on) : kNone;
         for (AxisId id = 0; id < part_.axes.size(); ++id) {
             auto axis = part_.axes[id];
             auto const shown = count_shown(axis);
@@ -99,12 +99,12 @@ private:
             }
             axes[id] = static_cast<AxisId>(plant_.axes.size());
             axis.parent_segment = is_stem ? place_.on : segments_[axis.parent_segment];
-            axis.parent_axis = is_stem ? bearer : axes[axis.parent_axis];
+            axis.parent_axis = is_stem ? parent : axes[axis.parent_axis];
             axis.first_node = static_cast<NodeId>(plant_.node_position_mm.size() - shown - 1);
             axis.first_segment = first;
             axis.segment_count = shown;
             if (on_plant)
-                axis.order += plant_.axes[bearer].order + 1;
+                axis.order += plant_.axes[parent].order + 1;
             plant_.axes.push_back(axis);
         }
     }

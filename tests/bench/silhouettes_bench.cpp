@@ -1,5 +1,5 @@
 // Measures the way from an outline to a skeleton of a thousand branches, arrangements around a
-// bearer, and a tree of more than a million leaves.
+// parent, and a tree of more than a million leaves.
 #include "engine/mesh/make_mesh.h"
 #include "engine/methods/silhouettes/arrangement.h"
 #include "engine/methods/silhouettes/chordal_axis.h"

@@ -66,8 +66,8 @@ static Report print_stems(std::span<MeasuredStem const> stems)
     Report list = Report::array();
     for (auto const& stem : stems) {
         auto report = print_stem(stem.construction);
-        report["stands_on"] = stem.bearer ? Report(*stem.bearer + 1) : Report();
-        if (stem.bearer)
+        report["stands_on"] = stem.parent ? Report(*stem.parent + 1) : Report();
+        if (stem.parent)
             report["stands_at"] = stem.foot_x;
         list.push_back(std::move(report));
     }

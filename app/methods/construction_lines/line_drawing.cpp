@@ -47,9 +47,9 @@ LineSketch captured(LineSketch sketch)
 // Another stem, on the one on which it begins, if it does.
 void add_stem(std::vector<StemLines>& stems, LineSketch sketch)
 {
-    auto const bearer
-        = sketch.stem.empty() ? std::nullopt : bearer_at(stems, sketch.stem.front().head<2>());
-    stems.push_back({ .sketch = std::move(sketch), .bearer = bearer });
+    auto const parent
+        = sketch.stem.empty() ? std::nullopt : parent_at(stems, sketch.stem.front().head<2>());
+    stems.push_back({ .sketch = std::move(sketch), .parent = parent });
 }
 
 std::string note_of(RecognisedLine const& line, std::size_t number)

@@ -45,8 +45,8 @@ Json drawn_and_fitted(double drawn, double fitted, double parts)
 Json vein_json(leaf::LeafFit::Vein const& vein, leaf::RecognisedLeaf const& seen)
 {
     Json made { { "stroke", vein.stroke + 1 }, { "role", leaf::name_of(seen.roles[vein.stroke]) } };
-    if (vein.bearer != vein.stroke) {
-        made["on"] = vein.bearer + 1;
+    if (vein.parent != vein.stroke) {
+        made["on"] = vein.parent + 1;
         made["at"] = drawn_and_fitted(vein.drawn_at, vein.fitted_at, 1e3);
     }
     made["angle_deg"] = drawn_and_fitted(vein.drawn_angle_deg, vein.fitted_angle_deg, 10);

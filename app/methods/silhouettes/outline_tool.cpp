@@ -247,8 +247,8 @@ std::optional<std::size_t> count_on(OutlinedTree on_trunk, std::string const& pa
     auto const skeleton = silhouette::skeleton_of(on_trunk);
     if (!skeleton)
         return std::nullopt;
-    auto const bearer = skeleton->at(path);
-    return bearer ? std::optional(skeleton->branches_on(*bearer)) : std::nullopt;
+    auto const parent = skeleton->at(path);
+    return parent ? std::optional(skeleton->branches_on(*parent)) : std::nullopt;
 }
 
 // What is said of the branch that was drawn on last; empty: another line was drawn.

@@ -42,9 +42,9 @@ static Report bump_json(Bump const& bump)
 }
 
 // What a branch bears that somebody drew on, or that has the style of one.
-static Report bearing_json(Branch const& bearer, BranchingSystem const& system)
+static Report bearing_json(Branch const& parent, BranchingSystem const& system)
 {
-    auto const style = bearer_style(bearer, system);
+    auto const style = parent_style(parent, system);
     Report bearing { { "children", style.children.size() } };
     if (!style.children.empty())
         bearing.update(
@@ -148,7 +148,7 @@ static Report arrangements_json(Tree const& tree)
 static Report level_json(MeasuredLevel const& level)
 {
     auto const& style = level.style;
-    return { { "bearers", level.bearers },
+    return { { "parents", level.parents },
              { "children",
                { { "mean", style.children }, { "deviation", style.children_deviation } } },
              { "bare", style.bare },

@@ -28,9 +28,9 @@ namespace tractus::silhouette {
 //                 "drawn": [{"name", "u", "base", "end"}, …]}; those of bumps first, then those
 //                 added
 //   coverage      {"before", "after"}: shares of the outline's inside that crowns cover
-//   arrangement   a list for each level of [{"name", "theta", "u"}, …]: degrees around the bearer,
+//   arrangement   a list for each level of [{"name", "theta", "u"}, …]: degrees around the parent,
 //                 0 to the right and 180 to the left, and the share of its length; those of the
-//                 levels below are of one bearer
+//                 levels below are of one parent
 //   elements, leaves, branches   of the tree
 //   notes         what had to be guessed or was left out
 //
@@ -44,11 +44,11 @@ namespace tractus::silhouette {
 // and with a style that was measured on a plant, what it is on each level, and what it is in the
 // tree:
 //
-//   style         {"measured": [level, …], "tree": [level, …]}, a level {"bearers", "children":
-//                 {"mean", "deviation"} of a bearer that bears any, "bare": the share of those that
+//   style         {"measured": [level, …], "tree": [level, …]}, a level {"parents", "children":
+//                 {"mean", "deviation"} of a parent that bears any, "bare": the share of those that
 //                 bear none, "unbranched", "spacing": {"mean", "deviation"}, "angle_deg": {"mean",
 //                 "first", "last", "deviation"}, "lengths": [low, middle, high], "pattern"}; all
-//                 lengths are shares of the bearer's
+//                 lengths are shares of the parent's
 std::string print_report(Skeleton const& skeleton, Tree const& tree,
                          std::optional<MeasuredStyle> const& style = {},
                          std::vector<CrownLine> const& crown_lines = {});

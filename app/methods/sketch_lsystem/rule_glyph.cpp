@@ -15,7 +15,7 @@ namespace {
 
 using Color = LayerStyle::Color;
 
-constexpr double kBearer = 0.86; // A bearer's length in the glyph's frame, of which most is seen.
+constexpr double kParent = 0.86; // A parent's length in the glyph's frame, of which most is seen.
 constexpr double kWidth = 0.13;  // Its width.
 constexpr double kDial = 0.24;   // Radius on which handles of twists lie around what they turn.
 constexpr double kAside = 0.3;   // How far beside its part the handle of a width of 1 lies.
@@ -36,7 +36,7 @@ enum HandleId : std::size_t {
     More
 };
 
-// A point beside the upright bearer, whose laterals turn around it: the first lies in the plane of
+// A point beside the upright parent, whose laterals turn around it: the first lies in the plane of
 // the picture, and what is nearer is seen from above.
 Vec2 seen(Vec3 const& point)
 {
@@ -59,8 +59,8 @@ Vec2 from_up(double angle)
 struct Places {
     explicit Places(sketch::Rule const& rule)
         : angle(radians(rule.angle_deg))
-        , top_end(kNode + Vec2(0, kBearer * rule.length_ratio))
-        , lateral_end(kNode + kBearer * rule.lateral_length * from_up(angle))
+        , top_end(kNode + Vec2(0, kParent * rule.length_ratio))
+        , lateral_end(kNode + kParent * rule.lateral_length * from_up(angle))
     {
     }
 
@@ -87,9 +87,9 @@ void add_parts(Glyph& glyph, sketch::Rule const& rule)
     Places const at(rule);
     glyph.lines.push_back({ { kBase, kNode }, kWidth, Color::Grey });
     glyph.lines.push_back({ { kNode, at.top_end }, kWidth * rule.width_ratio, Color::Green });
-    add_ring(glyph, rule, at.top_end, Vec3::UnitY(), Vec3::UnitX(), kBearer * rule.length_ratio,
+    add_ring(glyph, rule, at.top_end, Vec3::UnitY(), Vec3::UnitX(), kParent * rule.length_ratio,
              rule.axis_twist_deg);
-    double const length = kBearer * rule.lateral_length;
+    double const length = kParent * rule.lateral_length;
     for (int i = 0; i < rule.laterals; ++i) {
         double const around = radians(360.0 * i / rule.laterals);
         Vec3 const out = turned(Vec3::UnitY(), Vec3::UnitX(), radians(90), around);
@@ -219,7 +219,7 @@ void drag_rule(void* options, std::size_t handle, Vec2 const& to)
     switch (handle) {
     case LateralEnd:
         rule.angle_deg = snapped_deg(std::abs(angle_from_up(to - kNode)), 0, 150);
-        rule.lateral_length = snapped_share((to - kNode).norm() / kBearer, 0.2, 1);
+        rule.lateral_length = snapped_share((to - kNode).norm() / kParent, 0.2, 1);
         break;
     case LateralTwist:
         rule.lateral_twist_deg
@@ -230,7 +230,7 @@ void drag_rule(void* options, std::size_t handle, Vec2 const& to)
             = snapped_share(-(to - (kNode + at.lateral_end) / 2).dot(across) / kAside, 0.2, 1);
         break;
     case TopEnd:
-        rule.length_ratio = snapped_share((to - kNode).y() / kBearer, 0.5, 1.2);
+        rule.length_ratio = snapped_share((to - kNode).y() / kParent, 0.5, 1.2);
         break;
     case TopTwist:
         rule.axis_twist_deg = snapped_deg(angle_from_up(to - at.top_end), -180, 180);

@@ -258,11 +258,11 @@ std::optional<std::size_t> carried_by(PenSketch const& sketch, std::size_t of, s
             = std::find_if(sketch.lines.begin(), sketch.lines.end(), [&](SketchLine const& each) {
                   return each.role == Role::Stem && each.stem == of;
               });
-        if (line == sketch.lines.end() || !line->bearer)
+        if (line == sketch.lines.end() || !line->parent)
             return std::nullopt;
-        if (*line->bearer == stem)
+        if (*line->parent == stem)
             return of;
-        of = *line->bearer;
+        of = *line->parent;
     }
     return std::nullopt;
 }
@@ -284,7 +284,7 @@ Result<PenSketch> bent_with(PenSketch sketch, std::size_t stem, BentStem const& 
 {
     std::map<std::size_t, double> feet_mm; // Of stems that stand on it.
     for (auto const& line : sketch.lines)
-        if (line.role == Role::Stem && line.bearer == stem)
+        if (line.role == Role::Stem && line.parent == stem)
             feet_mm[line.stem] = bent.before().nearest_mm(TRY(flat_line(line)).points().front());
     auto const before = sketch;
     for (auto& line : sketch.lines) {

@@ -27,7 +27,7 @@ Result<StemRecogniser> recogniser_of(PenSketch const& sketch)
     for (auto const& line : sketch.lines)
         recogniser.add_known(
             TRY(points_on_sheet(line)),
-            { .line = { .role = line.role }, .stem = line.stem, .bearer = line.bearer });
+            { .line = { .role = line.role }, .stem = line.stem, .parent = line.parent });
     return recogniser;
 }
 
@@ -106,7 +106,7 @@ bool same(SketchLine const& one, SketchLine const& other)
     return one.id == other.id && one.stroke.tips.id() == other.stroke.tips.id()
         && one.sheet.offset_mm == other.sheet.offset_mm && one.sheet.size == other.sheet.size
         && one.role == other.role && one.nodes == other.nodes && one.stem == other.stem
-        && one.bearer == other.bearer && one.depth_by == other.depth_by
+        && one.parent == other.parent && one.depth_by == other.depth_by
         && one.level_mm == other.level_mm;
 }
 
@@ -282,7 +282,7 @@ static Result<PenSketch> with_stroke(PenSketch sketch, SketchLine line, StemReco
     auto const& known = recogniser.add(TRY(points_on_sheet(line)), says);
     line.role = known.line.role;
     line.stem = known.stem;
-    line.bearer = known.bearer;
+    line.parent = known.parent;
     if (auto const replaced = known.line.replaces) {
         line.nodes = sketch.lines[*replaced].nodes;
         sketch.lines.erase(sketch.lines.begin() + static_cast<std::ptrdiff_t>(*replaced));
@@ -306,16 +306,16 @@ Result<PenSketch> with_role(PenSketch sketch, ItemId line, Role role)
     TRY(check_line(sketch, line));
     bool const is_one = role == Role::Stem || role == Role::Left || role == Role::Right;
     auto const stem = find_line(sketch, line)->stem;
-    std::optional<std::size_t> bearer;
+    std::optional<std::size_t> parent;
     for (auto& other : sketch.lines)
         if (is_one && other.role == role && other.stem == stem) {
             other.role = Role::Unsure;
-            bearer = std::exchange(other.bearer, std::nullopt);
+            parent = std::exchange(other.parent, std::nullopt);
         }
     for (auto& other : sketch.lines)
         if (other.id == line) {
             other.role = role;
-            other.bearer = role == Role::Stem ? bearer : std::nullopt;
+            other.parent = role == Role::Stem ? parent : std::nullopt;
         }
     return checked(TRY(with_levels(std::move(sketch), stem)));
 }
@@ -351,7 +351,7 @@ PenSketch stem_alone(PenSketch const& sketch, std::size_t stem)
         if (line.stem == stem) {
             alone.lines.push_back(line);
             alone.lines.back().stem = 0;
-            alone.lines.back().bearer.reset();
+            alone.lines.back().parent.reset();
         }
     return alone;
 }

@@ -42,7 +42,7 @@ struct SketchLine {
     // only layer of a sketch with fewer than two of those.
     int nodes = 0;
     std::size_t stem = 0; // The number of the stem to which it belongs; of a stem, its own.
-    std::optional<std::size_t> bearer {}; // Of a stem: see StemLines.
+    std::optional<std::size_t> parent {}; // Of a stem: see StemLines.
     DepthBy depth_by = DepthBy::StemsHeight;
     // The surface's height where the depth is 0, that at which its stem begins, mm on the tablet.
     // No value: the line does not leave the sheet, or it is a stem.

@@ -50,11 +50,11 @@ KnownLine StemRecogniser::nearest(std::vector<Vec3> const& stroke, LineRecognise
         if (least && *least <= its_rank)
             continue;
         least = its_rank;
-        best = { .line = line, .stem = i, .bearer = std::nullopt };
+        best = { .line = line, .stem = i, .parent = std::nullopt };
         if (line.replaces)
             best.line.replaces = stem.strokes[*line.replaces];
         if (line.role == Role::Stem)
-            best.bearer = stem.bearer;
+            best.parent = stem.parent;
     }
     return best;
 }
@@ -66,7 +66,7 @@ KnownLine StemRecogniser::recognise(std::vector<Vec3> const& stroke, Says says) 
     if (says == Says::AnotherStem)
         return { .line = { .role = Role::Stem },
                  .stem = stems_.size(),
-                 .bearer = bearer_at(stems(), stroke.front().head<2>()) };
+                 .parent = parent_at(stems(), stroke.front().head<2>()) };
     return nearest(stroke, lies_as(says));
 }
 
@@ -74,7 +74,7 @@ KnownLine const& StemRecogniser::add(std::vector<Vec3> const& stroke, Says says)
 {
     auto const known = recognise(stroke, says);
     if (known.stem == stems_.size())
-        stems_.emplace_back().bearer = known.bearer;
+        stems_.emplace_back().parent = known.parent;
     auto& stem = stems_[known.stem];
     stem.lines.add(stroke, lies_as(says));
     stem.strokes.push_back(lines_.size());
@@ -87,7 +87,7 @@ void StemRecogniser::add_known(std::vector<Vec3> const& stroke, KnownLine line)
         stems_.resize(line.stem + 1);
     auto& stem = stems_[line.stem];
     if (line.line.role == Role::Stem)
-        stem.bearer = line.bearer;
+        stem.parent = line.parent;
     stem.lines.add_known(stroke, line.line.role);
     stem.strokes.push_back(lines_.size());
     lines_.push_back(std::move(line));
@@ -97,7 +97,7 @@ std::vector<StemLines> StemRecogniser::stems() const
 {
     std::vector<StemLines> result;
     for (auto const& stem : stems_)
-        result.push_back({ .sketch = stem.lines.sketch(), .bearer = stem.bearer });
+        result.push_back({ .sketch = stem.lines.sketch(), .parent = stem.parent });
     return result;
 }
 

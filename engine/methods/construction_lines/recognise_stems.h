@@ -14,7 +14,7 @@ namespace tractus::lines {
 struct KnownLine {
     RecognisedLine line {};               // `replaces`: among all of the sketch's strokes.
     std::size_t stem = 0;                 // The number of its stem; of a stem, its own.
-    std::optional<std::size_t> bearer {}; // Of a stem: see StemLines.
+    std::optional<std::size_t> parent {}; // Of a stem: see StemLines.
 };
 
 // Tells what strokes of a sketch are that may have several stems. Each stem has a LineRecogniser of
@@ -47,7 +47,7 @@ private:
     struct Stem {
         LineRecogniser lines {};
         std::vector<std::size_t> strokes {};
-        std::optional<std::size_t> bearer {};
+        std::optional<std::size_t> parent {};
     };
     KnownLine recognise(std::vector<Vec3> const& stroke, Says says) const;
     KnownLine nearest(std::vector<Vec3> const& stroke, LineRecogniser::Lies lies) const;

@@ -14,7 +14,7 @@ namespace {
 // Of which a plant has several.
 std::string what_stem_it_is(SketchLine const& line)
 {
-    if (line.bearer)
+    if (line.parent)
         return "a stem that stands on another one";
     return line.stem == 0 ? "the stem" : "another stem";
 }
@@ -87,7 +87,7 @@ std::string reason_of(PenSketch sketch)
         if (auto const points = points_on_sheet(known))
             recogniser.add_known(
                 *points,
-                { .line = { .role = known.role }, .stem = known.stem, .bearer = known.bearer });
+                { .line = { .role = known.role }, .stem = known.stem, .parent = known.parent });
     auto const points = points_on_sheet(line);
     return points ? recogniser.add(*points).line.reason : "";
 }

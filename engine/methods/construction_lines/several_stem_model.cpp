@@ -26,7 +26,7 @@ constexpr double kForked = 0.4;       // or so much where it bears others on its
 struct ModelStem {
     MeasuredStem const* of = nullptr;
     std::size_t drawn = 0;           // Its number in the sketch.
-    std::size_t bearer = 0;          // The model's number of the stem on which it stands.
+    std::size_t parent = 0;          // The model's number of the stem on which it stands.
     std::size_t first_borne = 0;     // The model's number of the first stem that it bears, and
     std::size_t borne = 0;           // how many it bears.
     double width_cm = 0;             // At its foot,
@@ -37,38 +37,38 @@ struct ModelStem {
     std::size_t first_azimuth = 0;   // Where the azimuths of its boundaries begin among all.
 };
 
-double width_on(ModelStem const& bearer, double foot_x)
+double width_on(ModelStem const& parent, double foot_x)
 {
-    return bearer.width_cm * (1 - bearer.taper * foot_x);
+    return parent.width_cm * (1 - parent.taper * foot_x);
 }
 
 void add_borne(std::vector<ModelStem>& result, std::span<MeasuredStem const> stems,
-               std::size_t bearer)
+               std::size_t parent)
 {
     auto const first = result.size();
     for (std::size_t i = 0; i < stems.size(); ++i)
-        if (stems[i].bearer == result[bearer].drawn)
-            result.push_back({ .of = &stems[i], .drawn = i, .bearer = bearer });
+        if (stems[i].parent == result[parent].drawn)
+            result.push_back({ .of = &stems[i], .drawn = i, .parent = parent });
     std::stable_sort(
         result.begin() + static_cast<std::ptrdiff_t>(first), result.end(),
         [](ModelStem const& a, ModelStem const& b) { return a.of->foot_x < b.of->foot_x; });
-    result[bearer].first_borne = first;
-    result[bearer].borne = result.size() - first;
+    result[parent].first_borne = first;
+    result[parent].borne = result.size() - first;
     if (result.size() > first && result.back().of->foot_x == 1)
-        result[bearer].taper = kForked;
+        result[parent].taper = kForked;
 }
 
 std::vector<ModelStem> numbered(std::span<MeasuredStem const> stems)
 {
     std::vector<ModelStem> result;
     for (std::size_t i = 0; i < stems.size(); ++i)
-        if (!stems[i].bearer)
+        if (!stems[i].parent)
             result.push_back({ .of = &stems[i], .drawn = i });
     for (std::size_t i = 0; i < result.size(); ++i) {
         auto& stem = result[i];
         stem.width_cm = stem.of->construction.stem.length_mm() / kLengthByWidth;
-        if (stem.of->bearer)
-            stem.width_cm = std::min(stem.width_cm, width_on(result[stem.bearer], stem.of->foot_x));
+        if (stem.of->parent)
+            stem.width_cm = std::min(stem.width_cm, width_on(result[stem.parent], stem.of->foot_x));
         add_borne(result, stems, i);
     }
     return result;
@@ -265,7 +265,7 @@ std::string axiom(std::vector<ModelStem> const& stems)
     std::string text = "Axiom:";
     Vec3 const first = stems.front().of->construction.stem.point(0);
     for (std::size_t i = 0; i < stems.size(); ++i)
-        if (!stems[i].of->bearer)
+        if (!stems[i].of->parent)
             text += fmt::format(" [{}+(func({}, 0))^(func({}, 0))A({}, 0, 0, 0, 0, {})]",
                                 way_text(stems[i].of->construction.stem.point(0) - first),
                                 stems[i].own_functions + 1, stems[i].own_functions + 2, i,

@@ -23,10 +23,10 @@ std::optional<DrawnStem> drawn_stem(LineSketch const& sketch)
 }
 
 // Where a stem that begins there stands on another: a share of its length. Near to its top on that.
-double foot_on(DrawnStem const& bearer, Vec2 const& foot_mm)
+double foot_on(DrawnStem const& parent, Vec2 const& foot_mm)
 {
-    double const at_mm = bearer.seen().nearest_mm(foot_mm);
-    return bearer.seen().length_mm() - at_mm < kOnStem_mm ? 1 : bearer.place(at_mm);
+    double const at_mm = parent.seen().nearest_mm(foot_mm);
+    return parent.seen().length_mm() - at_mm < kOnStem_mm ? 1 : parent.place(at_mm);
 }
 
 // The stem with its foot at a place: what is farther along it moves the less.
@@ -76,20 +76,20 @@ Result<Construction> measure(StemLines const& stem, std::size_t number, bool is_
     return result;
 }
 
-Result<void> check_bearers(std::vector<StemLines> const& stems)
+Result<void> check_parents(std::vector<StemLines> const& stems)
 {
     for (std::size_t i = 0; i < stems.size(); ++i)
-        if (stems[i].bearer && *stems[i].bearer >= i)
+        if (stems[i].parent && *stems[i].parent >= i)
             return fail(Fault::User,
                         fmt::format("stem {} cannot stand on stem {}, which comes after it: give "
                                     "the number of an earlier stem",
-                                    i + 1, *stems[i].bearer + 1));
+                                    i + 1, *stems[i].parent + 1));
     return {};
 }
 
 } // namespace
 
-std::optional<std::size_t> bearer_at(std::span<StemLines const> stems, Vec2 const& foot_mm)
+std::optional<std::size_t> parent_at(std::span<StemLines const> stems, Vec2 const& foot_mm)
 {
     constexpr double kAtFoot_mm = 8; // Along the other stem.
     double nearest_mm = kOnStem_mm;
@@ -103,7 +103,7 @@ std::optional<std::size_t> bearer_at(std::span<StemLines const> stems, Vec2 cons
         if (away_mm > nearest_mm)
             continue;
         if (at_mm < kAtFoot_mm)
-            return stems[i].bearer;
+            return stems[i].parent;
         nearest_mm = away_mm;
         found = i;
     }
@@ -120,8 +120,8 @@ std::vector<std::size_t> function_sources(std::span<StemLines const> stems)
         auto const& stem = stems[i];
         if (has_boundary(stem.sketch) || first == stems.end())
             sources.push_back(i);
-        else if (stem.bearer)
-            sources.push_back(sources[*stem.bearer]);
+        else if (stem.parent)
+            sources.push_back(sources[*stem.parent]);
         else
             sources.push_back(static_cast<std::size_t>(first - stems.begin()));
     }
@@ -131,23 +131,23 @@ std::vector<std::size_t> function_sources(std::span<StemLines const> stems)
 Result<std::vector<MeasuredStem>> measure_stems(std::vector<StemLines> stems, Missing missing)
 {
     CHECK(!stems.empty());
-    TRY(check_bearers(stems));
+    TRY(check_parents(stems));
     auto const sources = function_sources(stems);
     std::vector<MeasuredStem> result;
     for (std::size_t i = 0; i < stems.size(); ++i) {
         auto& stem = stems[i];
         double foot_x = 0;
-        if (stem.bearer && !stem.sketch.stem.empty()) {
-            auto const& bearer = result[*stem.bearer].construction.stem;
-            foot_x = foot_on(bearer, stem.sketch.stem.front().head<2>());
+        if (stem.parent && !stem.sketch.stem.empty()) {
+            auto const& parent = result[*stem.parent].construction.stem;
+            foot_x = foot_on(parent, stem.sketch.stem.front().head<2>());
             double const depth_mm = stem.sketch.stem.front().z();
-            move_foot(stem.sketch.stem, bearer.point(foot_x));
+            move_foot(stem.sketch.stem, parent.point(foot_x));
             for (auto& line : stem.sketch.around)
                 for (auto& point : line)
                     point.z() += stem.sketch.stem.front().z() - depth_mm;
         }
         result.push_back({ .construction = TRY(measure(stem, i, stems.size() == 1, missing)),
-                           .bearer = stem.bearer,
+                           .parent = stem.parent,
                            .foot_x = foot_x,
                            .functions = sources[i] });
     }

@@ -17,14 +17,14 @@ struct StemLines {
     LineSketch sketch {};
     // The number of the stem on which it stands, which comes before it: a lateral axis, or above
     // the other one's top a fork of it. No value: it stands beside the first one.
-    std::optional<std::size_t> bearer {};
+    std::optional<std::size_t> parent {};
 };
 
 // A stem as measured, standing where it is borne.
 struct MeasuredStem {
     Construction construction;
-    std::optional<std::size_t> bearer {};
-    double foot_x = 0; // Where on the bearer it stands; 1: on its top.
+    std::optional<std::size_t> parent {};
+    double foot_x = 0; // Where on the parent it stands; 1: on its top.
     // Whose lines say what grows on it: its own number if it has a boundary.
     std::size_t functions = 0;
 };
@@ -32,9 +32,9 @@ struct MeasuredStem {
 // The earlier stem that bears one which begins at this place of the sheet: the nearest whose line
 // passes within 5 mm of it. No value if there is none, and at an earlier one's foot, where stems of
 // a clump begin.
-std::optional<std::size_t> bearer_at(std::span<StemLines const> stems, Vec2 const& foot_mm);
+std::optional<std::size_t> parent_at(std::span<StemLines const> stems, Vec2 const& foot_mm);
 
-// Whose lines say what grows on each stem: its own if it has a boundary; else its bearer's, or if
+// Whose lines say what grows on each stem: its own if it has a boundary; else its parent's, or if
 // it has none those of the first stem with a boundary; its own if no stem has one.
 std::vector<std::size_t> function_sources(std::span<StemLines const> stems);
 

@@ -60,11 +60,11 @@ struct DrawnLeaf {
 struct LeafFit {
     struct Vein {
         std::size_t stroke = 0;
-        std::size_t bearer = 0; // Stroke of the main vein that bears it; a main vein's own.
-        double drawn_at = 0;    // Shares of the bearer's length.
+        std::size_t parent = 0; // Stroke of the main vein that bears it; a main vein's own.
+        double drawn_at = 0;    // Shares of the parent's length.
         double fitted_at = 0;
         double drawn_angle_deg
-            = 0; // From the bearer's direction, or the leaf's axis; to the right.
+            = 0; // From the parent's direction, or the leaf's axis; to the right.
         double fitted_angle_deg = 0;
         double drawn_length_mm = 0;
         double fitted_length_mm = 0; // To the margin.

@@ -92,12 +92,12 @@ struct MainLine {
 
 // A side vein as measured.
 struct SideLine {
-    std::size_t bearer = 0;
+    std::size_t parent = 0;
     bool is_right = true;
     double at = 0;
-    double angle_deg = 0; // Angle of its straight line, from its bearer's direction, above 0.
+    double angle_deg = 0; // Angle of its straight line, from its parent's direction, above 0.
     double noise_deg = 0; // What the tremor does to that.
-    double turn_deg = 0;  // Towards the bearer's end.
+    double turn_deg = 0;  // Towards the parent's end.
     double length = 0;
     double fitted_deg = 0; // At its begin.
 };
@@ -119,10 +119,10 @@ public:
         for (std::size_t k = 0; k < blade_.mains.size(); ++k)
             mains_.push_back(k == 0 ? MainLine {} : measure_main(blade_.mains[k]));
         for (std::size_t k = 0; k < blade_.sides.size(); ++k)
-            sides_.push_back(measure_side(blade_.sides[k], leaf_.sides[k].bearer));
+            sides_.push_back(measure_side(blade_.sides[k], leaf_.sides[k].parent));
         find_curve();
-        for (std::size_t bearer = 0; bearer < mains_.size(); ++bearer)
-            steady_angles(bearer);
+        for (std::size_t parent = 0; parent < mains_.size(); ++parent)
+            steady_angles(parent);
         fill_result();
         for (std::size_t k = 0; k < mains_.size(); ++k)
             TRY(fill_main(k));
@@ -170,12 +170,12 @@ private:
         return made;
     }
 
-    SideLine measure_side(FlatLine const& line, std::size_t bearer) const
+    SideLine measure_side(FlatLine const& line, std::size_t parent) const
     {
-        auto const& main = mains_[bearer];
+        auto const& main = mains_[parent];
         auto const fit = fit_line(line);
-        SideLine made { .bearer = bearer, .length = fit.length };
-        // Along a bent bearer its chord is near enough to find the place.
+        SideLine made { .parent = parent, .length = fit.length };
+        // Along a bent parent its chord is near enough to find the place.
         Vec2 const chord = direction_of(main.angle_deg + 0.5 * main.curve_deg);
         Vec2 const from = line.front() - main.begin;
         double const along = from.dot(chord) / main.length;
@@ -225,16 +225,16 @@ private:
             + at * (result_.side_curve_at_tip_deg - result_.side_curve_deg);
     }
 
-    // Empirical Bayes: what all of a bearer's veins say, in a straight line over their places, and
+    // Empirical Bayes: what all of a parent's veins say, in a straight line over their places, and
     // what each says by itself, by how sure that is.
-    void steady_angles(std::size_t bearer)
+    void steady_angles(std::size_t parent)
     {
         constexpr double kFree_deg = 6;  // How far few veins may differ.
         constexpr double kOwn_deg = 1.5; // How far one of many differs, unless it clearly does.
         constexpr std::size_t kEnough = 6;
         std::vector<SideLine*> group;
         for (auto& side : sides_)
-            if (side.bearer == bearer)
+            if (side.parent == parent)
                 group.push_back(&side);
         if (group.empty())
             return;
@@ -270,7 +270,7 @@ private:
             auto const& main = mains_[k];
             result_.veins.push_back(
                 { .stroke = leaf_.mains[k].stroke,
-                  .bearer = leaf_.mains[k].stroke,
+                  .parent = leaf_.mains[k].stroke,
                   .drawn_angle_deg = main.angle_deg,
                   .fitted_angle_deg = rounded(main.angle_deg, 10),
                   .drawn_length_mm = blade_.size_mm * length_of(blade_.mains[k]),
@@ -283,7 +283,7 @@ private:
             double const sign = side.is_right ? 1 : -1;
             result_.veins.push_back(
                 { .stroke = leaf_.sides[k].stroke,
-                  .bearer = leaf_.mains[side.bearer].stroke,
+                  .parent = leaf_.mains[side.parent].stroke,
                   .drawn_at = side.at,
                   .drawn_angle_deg = sign * (side.angle_deg + 0.5 * curve_at(side.at)),
                   .fitted_angle_deg = sign * side.fitted_deg,
@@ -292,14 +292,14 @@ private:
     }
 
     // A main vein's knots: veins across from each other share one.
-    Result<void> fill_main(std::size_t bearer)
+    Result<void> fill_main(std::size_t parent)
     {
         std::vector<std::size_t> order;
         for (std::size_t k = 0; k < sides_.size(); ++k)
-            if (sides_[k].bearer == bearer)
+            if (sides_[k].parent == parent)
                 order.push_back(k);
         std::ranges::sort(order, {}, [&](std::size_t k) { return sides_[k].at; });
-        auto& knots = result_.mains[bearer].knots;
+        auto& knots = result_.mains[parent].knots;
         std::vector<std::vector<std::size_t>> on_knot;
         for (auto const k : order) {
             auto const& side = sides_[k];
@@ -317,12 +317,12 @@ private:
         if (knots.size() > kMostKnots)
             return fail(Fault::User,
                         fmt::format("{} side veins begin on stroke {}: draw at most {}",
-                                    order.size(), leaf_.mains[bearer].stroke + 1, kMostKnots));
-        space_out(knots, bearer == 0 ? result_.hub : 0);
+                                    order.size(), leaf_.mains[parent].stroke + 1, kMostKnots));
+        space_out(knots, parent == 0 ? result_.hub : 0);
         for (std::size_t k = 0; k < on_knot.size(); ++k)
             for (auto const side : on_knot[k])
                 set_fitted_place(side, knots[k].at);
-        if (knots.empty() && result_.mains[bearer].curve_deg != 0)
+        if (knots.empty() && result_.mains[parent].curve_deg != 0)
             knots = { { .at = 0.2 }, { .at = 0.4 }, { .at = 0.6 }, { .at = 0.8 } };
         return {};
     }
@@ -330,7 +330,7 @@ private:
     void set_fitted_place(std::size_t side, double at)
     {
         auto& vein = result_.veins[mains_.size() + side];
-        auto const& main = mains_[sides_[side].bearer];
+        auto const& main = mains_[sides_[side].parent];
         double const along_deg = main.angle_deg + at * main.curve_deg;
         Vec2 const from = main.begin
             + at * main.length * direction_of(main.angle_deg + 0.5 * at * main.curve_deg);

@@ -17,7 +17,7 @@ double tremor_of(FlatBlade const& blade);
 struct FittedVeins {
     std::vector<DrawnLeaf::Main> mains {}; // In DrawnLeaf's order.
     double hub = 0;
-    double side_curve_deg = 0;           // Curve of veins at their bearers' begin,
+    double side_curve_deg = 0;           // Curve of veins at their parents' begin,
     double side_curve_at_tip_deg = 0;    // and at their end.
     std::vector<LeafFit::Vein> veins {}; // Mains, then sides, as recognised.
 };

@@ -37,7 +37,7 @@ struct RecognisedLeaf {
 
     struct Vein {
         std::size_t stroke = 0;
-        std::size_t bearer = 0; // Main vein on which it begins; a main vein's own number.
+        std::size_t parent = 0; // Main vein on which it begins; a main vein's own number.
         std::vector<Vec3> line; // Away from where it begins.
     };
     std::vector<Vein>

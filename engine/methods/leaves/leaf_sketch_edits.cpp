@@ -161,7 +161,7 @@ std::string said_of(LeafSketch const& sketch)
         return lengths + ": draw its midrib, from the stalk to the tip, and its veins";
     auto const main = fit.leaf.mains.size() - 1;
     auto const side = static_cast<std::size_t>(std::ranges::count_if(
-        fit.veins, [](LeafFit::Vein const& vein) { return vein.bearer != vein.stroke; }));
+        fit.veins, [](LeafFit::Vein const& vein) { return vein.parent != vein.stroke; }));
     return fmt::format("{} with {}{}", lengths,
                        main > 0 ? counted(main, "main vein") + " beside the midrib and " : "",
                        counted(side, "side vein"));

@@ -107,8 +107,8 @@ public:
 private:
     struct Attached {
         double distance = std::numeric_limits<double>::infinity();
-        std::size_t bearer = 0;
-        bool by_its_end = false; // It was drawn towards its bearer.
+        std::size_t parent = 0;
+        bool by_its_end = false; // It was drawn towards its parent.
     };
 
     bool is_free(std::size_t stroke) const { return !roles_[stroke]; }
@@ -306,7 +306,7 @@ private:
 
     void find_mains()
     {
-        mains_.push_back({ .stroke = midrib_, .bearer = 0, .line = lines_[midrib_] });
+        mains_.push_back({ .stroke = midrib_, .parent = 0, .line = lines_[midrib_] });
         for (std::size_t i = 0; i < flat_.size(); ++i) {
             if (!is_free(i))
                 continue;
@@ -317,17 +317,17 @@ private:
             if (end < begin)
                 reverse(i);
             roles_[i] = StrokeRole::MainVein;
-            mains_.push_back({ .stroke = i, .bearer = mains_.size(), .line = lines_[i] });
+            mains_.push_back({ .stroke = i, .parent = mains_.size(), .line = lines_[i] });
         }
     }
 
-    Attached attached(std::size_t stroke, std::vector<RecognisedLeaf::Vein> const& bearers) const
+    Attached attached(std::size_t stroke, std::vector<RecognisedLeaf::Vein> const& parents) const
     {
         Attached best;
-        for (std::size_t k = 0; k < bearers.size(); ++k)
+        for (std::size_t k = 0; k < parents.size(); ++k)
             for (bool const by_end : { false, true }) {
                 auto const& end = by_end ? flat_[stroke].back() : flat_[stroke].front();
-                double const distance = nearest_on(flat_[bearers[k].stroke], end).distance;
+                double const distance = nearest_on(flat_[parents[k].stroke], end).distance;
                 if (distance < best.distance)
                     best = { distance, k, by_end };
             }
@@ -345,7 +345,7 @@ private:
             if (on.by_its_end)
                 reverse(i);
             roles_[i] = StrokeRole::SideVein;
-            sides_.push_back({ .stroke = i, .bearer = on.bearer, .line = lines_[i] });
+            sides_.push_back({ .stroke = i, .parent = on.parent, .line = lines_[i] });
         }
         for (std::size_t i = 0; i < flat_.size(); ++i) {
             if (!is_free(i))

@@ -9,7 +9,7 @@
 
 namespace tractus::silhouette {
 
-// How branches stand around their bearer.
+// How branches stand around their parent.
 enum class Pattern {
     Even,      // As far from each other as they can be.
     Spiral,    // One at a node, 144 degrees on from the one below.
@@ -23,7 +23,7 @@ enum class Pattern {
 std::optional<Pattern> pattern_of(std::string_view word);
 char const* name_of(Pattern pattern);
 
-// A place on the unrolled bearer: u from 0, its base, to 1; theta from 0 to below 360, 0 to the
+// A place on the unrolled parent: u from 0, its base, to 1; theta from 0 to below 360, 0 to the
 // right and 180 to the left of the plane that was drawn in.
 struct Place {
     double u = 0;
@@ -57,7 +57,7 @@ struct Arrangement {
     int accepted = 0;      // Proposals.
 };
 
-// Spreads branches around their bearer: a random one is offered a random place in its domain, and
+// Spreads branches around their parent: a random one is offered a random place in its domain, and
 // takes it if the sum over all pairs falls (depletion and replacement, Wither 2009 after Ripley).
 // Pairs that are near cost, and those that do not fit the pattern. `key` names the random numbers.
 Arrangement arrange(std::vector<DrawnPlace> const& drawn, ArrangementOptions const& options,

@@ -103,7 +103,7 @@ Vec2 way_over(Cubic const& curve, double share)
 
 namespace {
 
-// Turns a curve's start until the way over a share of it has the angle to its bearer that its start
+// Turns a curve's start until the way over a share of it has the angle to its parent that its start
 // was given: a curve that bends at once has another one.
 void settle_angle(Cubic& curve, Vec2 const& along, double over)
 {

@@ -10,7 +10,7 @@
 
 namespace tractus::silhouette {
 
-// On which side of its bearer, seen from the bearer's base to its tip, a branch stands.
+// On which side of its parent, seen from the parent's base to its tip, a branch stands.
 enum class Side { Left, Right };
 
 inline double sign_of(Side side)
@@ -18,7 +18,7 @@ inline double sign_of(Side side)
     return side == Side::Left ? 1 : -1;
 }
 
-// The angle between a bearer and its branches by the place t, 0 base to 1 tip: linear between the
+// The angle between a parent and its branches by the place t, 0 base to 1 tip: linear between the
 // samples (Wither 2009, the branching angle function). At first low branches lie and high ones
 // rise.
 class BranchingAngles {

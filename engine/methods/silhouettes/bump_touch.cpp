@@ -260,13 +260,13 @@ Result<TouchedDrawing> touched(Drawing const& drawing, BumpTouch const& touch,
         std::vector<BumpTouch> touches; // Of this outline, and which of all they are.
         std::vector<std::size_t> numbers;
         for (std::size_t i = 0; i < drawing.touches.size(); ++i)
-            if (drawing.touches[i].branch == skeleton.bearers[s]) {
+            if (drawing.touches[i].branch == skeleton.parents[s]) {
                 touches.push_back(drawing.touches[i]);
                 numbers.push_back(i);
             }
         if (auto const back = taken_back(system, *bump, touches, touch))
             return TouchedDrawing { .taken_back = numbers[*back] };
-        return TouchedDrawing { .added = { touch.kind, touch.place, skeleton.bearers[s] } };
+        return TouchedDrawing { .added = { touch.kind, touch.place, skeleton.parents[s] } };
     }
     return fail(Fault::User,
                 touch.kind == BumpTouch::Kind::Split

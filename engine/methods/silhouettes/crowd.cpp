@@ -134,9 +134,9 @@ CrownSurface CrowdMaker::surface_of(std::size_t index) const
 Crowd CrowdMaker::make(std::size_t index, LevelOptions const& options) const
 {
     auto const& system = skeleton_.systems[index];
-    Crowd crowd { .bearer = Line(system.whole_trunk()), .branches = {} };
+    Crowd crowd { .parent = Line(system.whole_trunk()), .branches = {} };
     auto const surface = surface_of(index);
-    auto const drawn = drawn_places(crowd.bearer, surface, system);
+    auto const drawn = drawn_places(crowd.parent, surface, system);
     double first_u = 1;
     for (auto const& place : drawn)
         first_u = std::min(first_u, place.u);
@@ -177,7 +177,7 @@ void CrowdMaker::finish(Crowd& crowd, BranchingSystem const& system)
 }
 
 // Of all branches in the plane but the apex.
-std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& bearer, CrownSurface const& surface,
+std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& parent, CrownSurface const& surface,
                                                  BranchingSystem const& system)
 {
     std::array<double, 2> greatest {};
@@ -202,7 +202,7 @@ std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& bearer, CrownSurfac
         if (surface.is_drawn())
             off_deg = most_off_deg_in(surface, is_left ? 180 : 0, off_deg);
         drawn.push_back(
-            { bearer.place_of(branch.path.curve.base), is_left ? 180.0 : 0.0, off_deg });
+            { parent.place_of(branch.path.curve.base), is_left ? 180.0 : 0.0, off_deg });
     }
     return drawn;
 }
@@ -219,7 +219,7 @@ void CrowdMaker::stand(Crowd& crowd, Model const& model, std::size_t i, Place co
     Vec2 as_it_is = Vec2::UnitX();
     if (moves_to != place.u) {
         // Its end stays where the outline wants it.
-        way = way_to_end(branch, crowd.bearer.at(moves_to));
+        way = way_to_end(branch, crowd.parent.at(moves_to));
         as_it_is = way.turn;
         way.turn *= longer;
     }
@@ -256,11 +256,11 @@ void CrowdMaker::stand_added(Crowd& crowd, Model const& model, Place const& plac
                              std::size_t nearest, Lean const& lean)
 {
     auto const& branch = model.system.branches[nearest];
-    Vec2 const along = crowd.bearer.direction(place.u);
+    Vec2 const along = crowd.parent.direction(place.u);
     Vec2 const start = turned(along, sign_of(branch.path.side) * radians(lean.angle_deg));
     Vec2 const from = direction_of(lean.from);
     Vec2 const unit(start.dot(from), cross(from, start));
-    Similarity way { .from = branch.path.curve.base, .to = crowd.bearer.at(place.u), .turn = unit };
+    Similarity way { .from = branch.path.curve.base, .to = crowd.parent.at(place.u), .turn = unit };
     double largest = kLargestAdded;
     if (model.surface.is_drawn())
         largest *= std::max(1.0, widening(model, branch, place.theta_deg));
@@ -273,11 +273,11 @@ void CrowdMaker::stand_added(Crowd& crowd, Model const& model, Place const& plac
         { nearest, name_of_added(crowd, place), place.u, place.theta_deg, way });
 }
 
-// After its place around the bearer, so that the one that stands there after a change has the
+// After its place around the parent, so that the one that stands there after a change has the
 // name: they are arranged anew as a whole.
 std::string CrowdMaker::name_of_added(Crowd const& crowd, Place const& place)
 {
-    constexpr double kSteps = 12; // Along the bearer, and around it.
+    constexpr double kSteps = 12; // Along the parent, and around it.
     auto const name = fmt::format("a{}.{}", std::lround(place.u * kSteps),
                                   std::lround(place.theta_deg / 360 * kSteps) % 12);
     auto const taken = [&](std::string const& other) {

@@ -13,22 +13,22 @@
 
 namespace tractus::silhouette {
 
-// A branch of a system where it stands around its bearer.
+// A branch of a system where it stands around its parent.
 struct Standing {
     std::size_t branch = 0; // Of the system: itself, or the one that it is a copy of.
     std::string name;
     double u = 0;
     double theta_deg = 0;
-    Similarity way; // In the system's plane, before it is turned around the bearer.
+    Similarity way; // In the system's plane, before it is turned around the parent.
 };
 
 // A system's branches in space.
 struct Crowd {
-    Line bearer { { Vec2::Zero(), Vec2::UnitY() } };
+    Line parent { { Vec2::Zero(), Vec2::UnitY() } };
     std::vector<Standing> branches; // By u.
 };
 
-// Spreads the branches of systems around their bearers, with others between them that end at the
+// Spreads the branches of systems around their parents, with others between them that end at the
 // crown's surface. Both that it is given must outlive it.
 class CrowdMaker {
 public:
@@ -41,7 +41,7 @@ public:
     // Of a system's crown: the one that was drawn for the whole tree's, where one was.
     CrownSurface surface_of(std::size_t index) const;
 
-    // Spreads a system's branches alike for all bearers that have it.
+    // Spreads a system's branches alike for all parents that have it.
     Crowd make(std::size_t index, LevelOptions const& level) const;
 
     // A system, with its branches in the plane but the apex.
@@ -50,7 +50,7 @@ public:
         CrownSurface const& surface;
         std::vector<DrawnPlace> const& drawn;
     };
-    static std::vector<DrawnPlace> drawn_places(Line const& bearer, CrownSurface const& surface,
+    static std::vector<DrawnPlace> drawn_places(Line const& parent, CrownSurface const& surface,
                                                 BranchingSystem const& system);
     // The branch in the plane that one at this place is a copy of; no value: there is none.
     static std::optional<std::size_t> nearest_drawn(Model const& model, Place const& place);
@@ -59,7 +59,7 @@ public:
     static void stand(Crowd& crowd, Model const& model, std::size_t i, Place const& place,
                       double moves_to);
 
-    // How an added branch leaves its bearer, and how small it may be, of the one it is a copy of.
+    // How an added branch leaves its parent, and how small it may be, of the one it is a copy of.
     struct Lean {
         Vec2 from = Vec2::UnitX(); // Which way of its model has the angle.
         double angle_deg = 0;

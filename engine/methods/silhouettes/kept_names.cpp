@@ -77,14 +77,14 @@ void forget_trunk_branches(Drawing& drawing)
 
 bool is_lost(std::string const& path, BranchNamer::NewSystem const& made)
 {
-    return bearer_in(path) == made.bearer
+    return parent_in(path) == made.parent
         && !number_of(made.system, std::string(last_name_in(path)));
 }
 
 std::string path_in(BranchNamer::NewSystem const& made, std::size_t branch)
 {
     auto const name = name_of(made.system.branches[branch]);
-    return made.bearer.empty() ? name : made.bearer + kPathSeparator + name;
+    return made.parent.empty() ? name : made.parent + kPathSeparator + name;
 }
 
 // Outlines whose branches are gone go to the ones that they lie around.
@@ -105,17 +105,17 @@ void settle_outlines(Drawing& drawing, BranchNamer::NewSystem const& made)
     }
 }
 
-// Branches whose bearers are gone go to the new ones that they begin on.
+// Branches whose parents are gone go to the new ones that they begin on.
 void settle_branches(Drawing& drawing, BranchNamer::NewSystem const& made,
                      std::vector<std::optional<std::size_t>> const& partners)
 {
     for (auto& own : drawing.own_branches) {
         if (!is_lost(own.branch, made))
             continue;
-        auto const bearer = bearer_of(made.system, own.line);
-        if (!bearer || (*bearer < partners.size() && partners[*bearer]))
+        auto const parent = parent_of(made.system, own.line);
+        if (!parent || (*parent < partners.size() && partners[*parent]))
             continue;
-        auto const from = std::exchange(own.branch, path_in(made, *bearer));
+        auto const from = std::exchange(own.branch, path_in(made, *parent));
         move_below(drawing, from, own.branch);
     }
 }
@@ -125,13 +125,13 @@ void settle_branches(Drawing& drawing, BranchNamer::NewSystem const& made,
 // What bore it before. Copies bear what their model does.
 std::optional<std::size_t> KeptNames::earlier_system(NewSystem const& made) const
 {
-    if (made.bearer_system == kNoSystem)
+    if (made.parent_system == kNoSystem)
         return 0;
-    auto const before = earlier_of_[made.bearer_system];
+    auto const before = earlier_of_[made.parent_system];
     if (!before)
         return std::nullopt;
-    for (auto const bearer : made.bearers)
-        if (auto const partner = partners_[made.bearer_system][bearer])
+    for (auto const parent : made.parents)
+        if (auto const partner = partners_[made.parent_system][parent])
             if (auto const below = earlier_.system_of[*before][*partner]; below != kNoSystem)
                 return below;
     return std::nullopt;
@@ -144,10 +144,10 @@ void KeptNames::name(NewSystem const& made, Drawing& drawing)
     earlier_of_.push_back(before);
     if (before) {
         auto const& earlier = record_.system(*before);
-        bool const is_on_trunk = made.bearer_system == kNoSystem;
+        bool const is_on_trunk = made.parent_system == kNoSystem;
         partners
             = match_branches(is_on_trunk ? earlier : laid_on(earlier, made.system), made.system);
-        auto& names = names_[made.bearer];
+        auto& names = names_[made.parent];
         for (std::size_t i = 0; i < partners.size(); ++i)
             names.push_back(partners[i] ? name_of(earlier.branches[*partners[i]])
                                         : fresh_ + name_of(made.system.branches[i]));
@@ -177,7 +177,7 @@ Result<BranchNames> kept_names(DrawingToInfer const& before, Drawing& after,
 
 void FoundAgain::name(NewSystem const& made, Drawing& drawing)
 {
-    if (made.bearer_system == kNoSystem)
+    if (made.parent_system == kNoSystem)
         forget_trunk_branches(drawing);
     settle_outlines(drawing, made);
     settle_branches(drawing, made, {});

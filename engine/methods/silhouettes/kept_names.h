@@ -24,8 +24,8 @@ private:
 
 // Gives branches of a tree whose lines have changed the names that they had in the one before
 // (match.h); those that are new get names that begin with `fresh`. What was drawn on branches goes
-// with the names: an outline whose branch is gone goes to the branch of its bearer that it lies
-// around, if that has none, and a branch whose bearer is gone to a new one that it begins on. What
+// with the names: an outline whose branch is gone goes to the branch of its parent that it lies
+// around, if that has none, and a branch whose parent is gone to a new one that it begins on. What
 // stands on those goes with them.
 class KeptNames final : public BranchNamer {
 public:

@@ -14,15 +14,15 @@ LeafBlade leaf_along(std::span<Vec2 const> outline, std::span<Vec2 const> line)
 {
     constexpr std::size_t kPoints = 48;
     constexpr int kSteps = 64;
-    Line const bearer({ line.begin(), line.end() });
+    Line const parent({ line.begin(), line.end() });
     LeafBlade leaf { .outline = resampled_outline(outline, kPoints), .base = line.front() };
     if (!is_inside(outline, leaf.base))
         for (int i = 1; i <= kSteps; ++i) {
             double const share = static_cast<double>(i) / kSteps;
-            if (!is_inside(outline, bearer.at(share)))
+            if (!is_inside(outline, parent.at(share)))
                 continue;
             leaf.stalk = share;
-            leaf.base = bearer.at(share);
+            leaf.base = parent.at(share);
             break;
         }
     if (crosses_itself(leaf.outline))
@@ -52,12 +52,12 @@ std::vector<Vec2> stalk_of(LeafBlade const& leaf, std::span<Vec2 const> line)
 {
     constexpr std::size_t kPoints = 9;
     constexpr double kLeast = 0.02; // Of the leaf's length.
-    Line const bearer({ line.begin(), line.end() });
-    if (leaf.stalk * bearer.length() <= kLeast * (leaf.tip - leaf.base).norm())
+    Line const parent({ line.begin(), line.end() });
+    if (leaf.stalk * parent.length() <= kLeast * (leaf.tip - leaf.base).norm())
         return { line.front(), line.front() + kLeast * (leaf.tip - leaf.base) };
     std::vector<Vec2> stalk;
     for (std::size_t i = 0; i < kPoints; ++i)
-        stalk.push_back(bearer.at(leaf.stalk * static_cast<double>(i) / (kPoints - 1)));
+        stalk.push_back(parent.at(leaf.stalk * static_cast<double>(i) / (kPoints - 1)));
     return stalk;
 }
 

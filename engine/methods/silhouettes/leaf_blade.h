@@ -18,7 +18,7 @@ struct LeafBlade {
     Vec2 base = Vec2::Zero();
     Vec2 tip = Vec2::UnitY();
     bool mirrors = false; // It lies there with its other side up.
-    double stalk = 0;     // The share of its bearer's length where it begins.
+    double stalk = 0;     // The share of its parent's length where it begins.
 };
 
 // The leaf whose outline lies around the end of a line: it begins where that enters the outline, or

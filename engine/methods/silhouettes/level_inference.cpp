@@ -4,23 +4,23 @@
 
 namespace tractus::silhouette {
 
-// With the branches that were drawn on the bearer, as they were drawn. Where its crown is too small
+// With the branches that were drawn on the parent, as they were drawn. Where its crown is too small
 // for any, a lens around it is its crown.
-static Result<BranchingSystem> system_with_strokes(Branch const& bearer, InferenceOptions options)
+static Result<BranchingSystem> system_with_strokes(Branch const& parent, InferenceOptions options)
 {
     options.drawn_bases = InferenceOptions::DrawnBases::Anywhere;
-    auto const trunk = bearer.line(17);
-    auto const& crown = bearer.is_outlined() ? bearer.own_outline : bearer.crown;
-    Drawing drawing { { crown }, trunk, bearer.own_branches };
-    drawing.touches = bearer.touches;
+    auto const trunk = parent.line(17);
+    auto const& crown = parent.is_outlined() ? parent.own_outline : parent.crown;
+    Drawing drawing { { crown }, trunk, parent.own_branches };
+    drawing.touches = parent.touches;
     auto system = infer_system(drawing, options);
     if (!system)
-        system = infer_system({ { lens_around(bearer.path.curve) }, trunk, bearer.own_branches },
+        system = infer_system({ { lens_around(parent.path.curve) }, trunk, parent.own_branches },
                               options);
     if (system)
         for (auto& branch : system->branches)
             if (branch.origin == Branch::Origin::Drawn) {
-                branch.stroke = bearer.own_branches[branch.number];
+                branch.stroke = parent.own_branches[branch.number];
                 branch.path.curve.end = branch.stroke.back(); // Which the frame has rounded.
             }
     return system;

@@ -65,7 +65,7 @@ std::vector<std::optional<std::size_t>> match_branches(BranchingSystem const& ea
                 if (share >= kLeast)
                     pairs.emplace_back(-share, j, i);
             }
-    // A stroke is the same branch wherever its bearer has gone.
+    // A stroke is the same branch wherever its parent has gone.
     for (std::size_t j = 0; j < after.size(); ++j)
         for (std::size_t i = 0; i < before.size(); ++i)
             if (earlier.branches[i].is_stroke() && later.branches[j].is_stroke()

@@ -15,11 +15,11 @@ namespace tractus::silhouette {
 namespace {
 
 constexpr std::size_t kMostMeasuredLevels = 3;
-constexpr double kTangentOver = 0.02;    // Of the bearer, to both sides.
-constexpr double kStraightOn_deg = 20;   // A child at the tip within this continues its bearer.
+constexpr double kTangentOver = 0.02;    // Of the parent, to both sides.
+constexpr double kStraightOn_deg = 20;   // A child at the tip within this continues its parent.
 constexpr double kSameNode = 0.2;        // Of the mean distance between children.
 constexpr double kSureOfTurn = 0.5;      // From here on a turn counts as one.
-constexpr std::size_t kLeastOfTurns = 4; // Children of a bearer whose turns have a direction.
+constexpr std::size_t kLeastOfTurns = 4; // Children of a parent whose turns have a direction.
 
 // Mean and deviation of what is added to it.
 class Spread {
@@ -108,18 +108,18 @@ private:
     std::vector<double> to_mm_;
 };
 
-// A child as it stands on its bearer.
+// A child as it stands on its parent.
 struct Child {
     double u = 0;
     double angle_deg = 0;
-    double azimuth_deg = 0; // From a direction that goes along with the bearer without turning.
-    double length = 0;      // A share of the bearer's.
+    double azimuth_deg = 0; // From a direction that goes along with the parent without turning.
+    double length = 0;      // A share of the parent's.
 };
 
-// By their places from the bearer's base on.
-std::vector<Child> children_of(Plant const& plant, AxisId bearer, std::span<AxisId const> ids)
+// By their places from the parent's base on.
+std::vector<Child> children_of(Plant const& plant, AxisId parent, std::span<AxisId const> ids)
 {
-    auto const& axis = plant.axes[bearer];
+    auto const& axis = plant.axes[parent];
     AxisLine const line(plant.positions(axis));
     std::vector<std::pair<double, AxisId>> places;
     for (auto const id : ids) {
@@ -157,7 +157,7 @@ Turn turn_of(double angle_deg)
     return std::polar(1.0, radians(angle_deg));
 }
 
-// Children that stand at one place of their bearer.
+// Children that stand at one place of their parent.
 struct Node {
     double u = 0;
     std::span<Child const> children;
@@ -178,7 +178,7 @@ std::vector<Node> nodes_of(std::span<Child const> children)
     return nodes;
 }
 
-// How uneven the distances of places on one bearer are: that bearers differ from each other is
+// How uneven the distances of places on one parent are: that parents differ from each other is
 // something else.
 class Unevenness {
 public:
@@ -204,7 +204,7 @@ private:
     std::size_t steps_ = 0;
 };
 
-// Gathers the bearers of one level.
+// Gathers the parents of one level.
 class LevelMeter {
 public:
     void add_bare() { ++bare_; }
@@ -245,7 +245,7 @@ public:
     {
         if (counts_.count() == 0)
             return std::nullopt;
-        MeasuredLevel level { .bearers = counts_.count(), .children = angles_.size() };
+        MeasuredLevel level { .parents = counts_.count(), .children = angles_.size() };
         auto& style = level.style;
         style.children = counts_.mean();
         style.children_deviation = counts_.deviation();
@@ -376,7 +376,7 @@ void measure_leaves(Plant const& plant, MeasuredStyle& style)
     std::size_t leaves = 0;
     std::size_t sprays = 0;
     Spread width;
-    std::vector<AxisId> bearers;
+    std::vector<AxisId> parents;
     for (auto const& organ : plant.organs) {
         auto const& shape = plant.organ_shapes[organ.shape];
         if (!is_leaf(plant, shape) || !(shape.length_mm > 0 && organ.scale.y() > 0))
@@ -390,11 +390,11 @@ void measure_leaves(Plant const& plant, MeasuredStyle& style)
         ++leaves;
         width.add(shape.width_mm * organ.scale.x() / (shape.length_mm * organ.scale.y()));
         if (organ.segment != kNone)
-            bearers.push_back(axis_of(plant, organ.segment));
+            parents.push_back(axis_of(plant, organ.segment));
     }
-    std::sort(bearers.begin(), bearers.end());
+    std::sort(parents.begin(), parents.end());
     auto const twigs
-        = static_cast<std::size_t>(std::unique(bearers.begin(), bearers.end()) - bearers.begin())
+        = static_cast<std::size_t>(std::unique(parents.begin(), parents.end()) - parents.begin())
         + sprays;
     style.has_sprays = sprays > 0;
     style.leaf_width = width.mean();

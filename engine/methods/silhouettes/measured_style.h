@@ -12,18 +12,18 @@ namespace tractus::silhouette {
 
 // What a plant's axes of one order bear.
 struct MeasuredLevel {
-    std::size_t bearers = 0; // Axes that bear any.
+    std::size_t parents = 0; // Axes that bear any.
     std::size_t children = 0;
     BranchStyle style {};
     Pattern pattern = Pattern::Even;
-    double node_size = 1; // Children that stand at one place of their bearer, on average.
+    double node_size = 1; // Children that stand at one place of their parent, on average.
     // The turn from a child to the next, or from a node to the next, 0 to 180, and how sure it is:
     // 0 for any turn, 1 where all are the same.
     double divergence_deg = 0;
     double divergence_sureness = 0;
     double mean_angle_deg = 0;    // Of all children.
     double spacing_deviation = 0; // From a child to the next, those at one node among them.
-    // Of children, as shares of their bearers' lengths: in the lower, the middle and the upper
+    // Of children, as shares of their parents' lengths: in the lower, the middle and the upper
     // third of the branched part; 0 where there are none.
     std::array<double, 3> lengths {};
 };
@@ -37,7 +37,7 @@ struct MeasuredStyle {
     bool has_sprays = false;           // Its twigs are organs (spray.h), no axes.
 };
 
-// Measures a plant. A child that goes straight on from its bearer's tip is the bearer's
+// Measures a plant. A child that goes straight on from its parent's tip is the parent's
 // continuation and counts as none. Fails, as the user's fault, for a plant without branches. The
 // same plant gives the same numbers.
 Result<MeasuredStyle> measure_style(Plant const& plant);

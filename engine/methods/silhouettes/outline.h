@@ -28,9 +28,9 @@ struct OwnOutline {
 
 // A branch that was drawn on a branch (own_branch.h).
 struct OwnBranch {
-    std::string branch; // The path of its bearer.
+    std::string branch; // The path of its parent.
     std::vector<Vec2> line;
-    StyleTo style_to = StyleTo::None; // Of its bearer.
+    StyleTo style_to = StyleTo::None; // Of its parent.
 };
 
 // A touch on the bumps of an outline that somebody drew (bump_touch.h).

@@ -9,11 +9,11 @@ namespace {
 
 constexpr double kNear = 0.025;    // Of the outline's diagonal, to a branch.
 constexpr double kOffTrunk = 0.02; // And at least so far from the trunk.
-constexpr double kShortest = 0.02; // Of the bearer's length.
+constexpr double kShortest = 0.02; // Of the parent's length.
 
-bool is_long_enough(std::span<Vec2 const> stroke, Branch const& bearer)
+bool is_long_enough(std::span<Vec2 const> stroke, Branch const& parent)
 {
-    return length_of(stroke) >= kShortest * bearer.path.length;
+    return length_of(stroke) >= kShortest * parent.path.length;
 }
 
 } // namespace
@@ -53,7 +53,7 @@ std::optional<BranchAt> branch_near(Skeleton const& skeleton, Vec2 const& place)
     return nearest;
 }
 
-std::optional<std::size_t> bearer_of(BranchingSystem const& system, std::span<Vec2 const> stroke)
+std::optional<std::size_t> parent_of(BranchingSystem const& system, std::span<Vec2 const> stroke)
 {
     if (stroke.size() < 2 || comes_back(stroke))
         return std::nullopt;
@@ -66,10 +66,10 @@ std::optional<std::size_t> bearer_of(BranchingSystem const& system, std::span<Ve
 void take_own_branches(BranchingSystem& system, std::span<OwnBranch const> branches)
 {
     for (auto const& own : branches) {
-        auto const bearer = number_of(system, own.branch);
-        if (!bearer)
+        auto const parent = number_of(system, own.branch);
+        if (!parent)
             continue;
-        auto& branch = system.branches[*bearer];
+        auto& branch = system.branches[*parent];
         branch.own_branches.push_back(own.line);
         branch.model.reset();
         branch.from_model = {};
@@ -84,28 +84,28 @@ Result<std::optional<std::string>> branch_borne_by(Drawing const& drawing,
 {
     if (search == Search::OnTrunk || !drawing.is_refined()) {
         auto const system = TRY(infer_on_trunk(drawing, options));
-        auto const bearer = bearer_of(system, stroke);
-        return bearer ? std::optional(name_of(system.branches[*bearer])) : std::nullopt;
+        auto const parent = parent_of(system, stroke);
+        return parent ? std::optional(name_of(system.branches[*parent])) : std::nullopt;
     }
     if (stroke.size() < 2 || comes_back(stroke))
         return std::nullopt;
     auto const skeleton = TRY(infer_skeleton(drawing, options));
-    auto const bearer = branch_near(skeleton, stroke.front());
-    if (!bearer
-        || !is_long_enough(stroke, skeleton.systems[bearer->system].branches[bearer->branch]))
+    auto const parent = branch_near(skeleton, stroke.front());
+    if (!parent
+        || !is_long_enough(stroke, skeleton.systems[parent->system].branches[parent->branch]))
         return std::nullopt;
-    return skeleton.path_of(*bearer);
+    return skeleton.path_of(*parent);
 }
 
 Result<void> add_own_branch(Drawing& drawing, std::vector<Vec2> stroke, StyleTo style_to,
                             SkeletonOptions const& options, Search search)
 {
-    auto const bearer = TRY(branch_borne_by(drawing, stroke, options, search));
-    if (!bearer)
+    auto const parent = TRY(branch_borne_by(drawing, stroke, options, search));
+    if (!parent)
         return fail(Fault::User,
                     "the line begins on none of the tree's branches: draw it from one on, not "
                     "from the trunk");
-    drawing.own_branches.push_back({ *bearer, std::move(stroke), style_to });
+    drawing.own_branches.push_back({ *parent, std::move(stroke), style_to });
     return {};
 }
 

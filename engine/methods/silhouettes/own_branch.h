@@ -34,7 +34,7 @@ std::optional<BranchAt> branch_near(Skeleton const& skeleton, Vec2 const& place)
 
 // The branch of a system that a stroke is a branch of: it begins on it (branch_near()) and does not
 // come back; no value: there is none. The system and the stroke are in the same millimetres.
-std::optional<std::size_t> bearer_of(BranchingSystem const& system, std::span<Vec2 const> stroke);
+std::optional<std::size_t> parent_of(BranchingSystem const& system, std::span<Vec2 const> stroke);
 
 // Gives branches the strokes that were drawn on them. A branch that was a copy is one no more;
 // copies of a branch stay copies of it. Strokes on branches that there are not are left out.

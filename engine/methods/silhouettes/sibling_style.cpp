@@ -42,7 +42,7 @@ std::uint32_t number_for(std::string_view name)
     return hash;
 }
 
-BranchingAngles angles_of(BearerStyle const& style)
+BranchingAngles angles_of(ParentStyle const& style)
 {
     std::vector<BranchingAngles::Sample> samples;
     for (auto const& child : style.children)
@@ -53,7 +53,7 @@ BranchingAngles angles_of(BearerStyle const& style)
 // Two sources between which a sibling stands.
 class Mixed {
 public:
-    Mixed(std::span<BearerStyle const> sources, double t)
+    Mixed(std::span<ParentStyle const> sources, double t)
         : below_(&sources.front())
         , above_(&sources.back())
     {
@@ -79,11 +79,11 @@ public:
         double const low = angles_->first.at_deg(u);
         return low + share_ * (angles_->second.at_deg(u) - low);
     }
-    BearerStyle const& nearest() const { return share_ < 0.5 ? *below_ : *above_; }
+    ParentStyle const& nearest() const { return share_ < 0.5 ? *below_ : *above_; }
 
 private:
-    BearerStyle const* below_;
-    BearerStyle const* above_;
+    ParentStyle const* below_;
+    ParentStyle const* above_;
     double share_ = 0;
     std::optional<std::pair<BranchingAngles, BranchingAngles>> angles_;
 };
@@ -91,10 +91,10 @@ private:
 std::vector<double> places_on(double length, Mixed const& style, std::uint64_t seed,
                               std::uint32_t number)
 {
-    double const first = style.mean([](BearerStyle const& one) { return one.unbranched(); });
-    double const last = style.mean([](BearerStyle const& one) { return one.last(); });
-    double const spacing = style.mean([](BearerStyle const& one) { return one.spacing; });
-    double const deviation = style.mean([](BearerStyle const& one) { return one.deviation; });
+    double const first = style.mean([](ParentStyle const& one) { return one.unbranched(); });
+    double const last = style.mean([](ParentStyle const& one) { return one.last(); });
+    double const spacing = style.mean([](ParentStyle const& one) { return one.spacing; });
+    double const deviation = style.mean([](ParentStyle const& one) { return one.deviation; });
     if (!(spacing > 0) || !(last > first))
         return { first };
     double const steps
@@ -108,7 +108,7 @@ std::vector<double> places_on(double length, Mixed const& style, std::uint64_t s
 
 // On which sides so many branches stand: as many of them on the left, from the base on, as there
 // are in the source.
-std::vector<Side> sides_for(std::size_t count, BearerStyle const& source)
+std::vector<Side> sides_for(std::size_t count, ParentStyle const& source)
 {
     auto const n = source.children.size();
     std::vector<double> left_of_first { 0 };
@@ -131,7 +131,7 @@ std::vector<Side> sides_for(std::size_t count, BearerStyle const& source)
 }
 
 // The nearest by its place, on that side if there is one.
-std::size_t nearest_child(BearerStyle const& source, double u, Side side)
+std::size_t nearest_child(ParentStyle const& source, double u, Side side)
 {
     std::size_t best = 0;
     std::pair least(true, 1e300);
@@ -200,7 +200,7 @@ Similarity between(Branch const& one, Branch const& another)
 
 } // namespace
 
-double BearerStyle::mean_angle_deg() const
+double ParentStyle::mean_angle_deg() const
 {
     double sum = 0;
     for (auto const& child : children)
@@ -208,11 +208,11 @@ double BearerStyle::mean_angle_deg() const
     return sum / static_cast<double>(std::max<std::size_t>(children.size(), 1));
 }
 
-BearerStyle bearer_style(Branch const& bearer, BranchingSystem const& system)
+ParentStyle parent_style(Branch const& parent, BranchingSystem const& system)
 {
     Line const line(system.whole_trunk());
-    BearerStyle style { .t = bearer.path.t,
-                        .side = bearer.path.side,
+    ParentStyle style { .t = parent.path.t,
+                        .side = parent.path.side,
                         .length = line.length(),
                         .is_of_own_outline = system.is_of_own_outline };
     for (auto const& branch : system.branches) {
@@ -241,16 +241,16 @@ BearerStyle bearer_style(Branch const& bearer, BranchingSystem const& system)
     return style;
 }
 
-void take_style(BranchingSystem& system, Branch const& bearer, std::span<BearerStyle const> sources,
+void take_style(BranchingSystem& system, Branch const& parent, std::span<ParentStyle const> sources,
                 std::uint64_t seed)
 {
-    Mixed const style(sources, bearer.path.t);
+    Mixed const style(sources, parent.path.t);
     auto const& source = style.nearest();
     Line const line(system.whole_trunk());
-    auto const places = places_on(line.length(), style, seed, number_for(name_of(bearer)));
+    auto const places = places_on(line.length(), style, seed, number_for(name_of(parent)));
     auto const sides = sides_for(places.size(), source);
     double const usual = line.length() / source.length;
-    bool const is_mirrored = bearer.path.side != source.side;
+    bool const is_mirrored = parent.path.side != source.side;
     std::vector<Branch> branches;
     std::map<std::size_t, std::size_t> first_of; // Of each child, the first copy.
     for (std::size_t k = 0; k < places.size(); ++k) {

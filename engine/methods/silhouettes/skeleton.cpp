@@ -42,8 +42,8 @@ std::optional<BranchAt> Skeleton::at(std::string_view path) const
 std::string Skeleton::path_of(BranchAt const& branch) const
 {
     auto const name = name_of(systems[branch.system].branches[branch.branch]);
-    auto const& bearer = bearers[branch.system];
-    return bearer.empty() ? name : bearer + kPathSeparator + name;
+    auto const& parent = parents[branch.system];
+    return parent.empty() ? name : parent + kPathSeparator + name;
 }
 
 std::vector<std::size_t> Skeleton::drawn_systems() const
@@ -59,7 +59,7 @@ std::vector<std::size_t> Skeleton::drawn_systems() const
     return drawn;
 }
 
-std::string_view bearer_in(std::string_view path)
+std::string_view parent_in(std::string_view path)
 {
     auto const end = path.rfind(kPathSeparator);
     return end == std::string_view::npos ? std::string_view() : path.substr(0, end);

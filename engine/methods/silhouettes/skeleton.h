@@ -52,7 +52,7 @@ struct Skeleton {
     // Of each system's branches the system of its own branches; kNoSystem: it bears none.
     std::vector<std::vector<std::size_t>> system_of;
     // Of each system the path of what bears it, of what has copies the model's; "": the trunk.
-    std::vector<std::string> bearers;
+    std::vector<std::string> parents;
     std::vector<Meridian> surface {}; // Of the whole tree's crown: Drawing::surface.
 
     // Which branch has this path, the names from one of the trunk's branches on, as "b3/d0"; where
@@ -84,10 +84,10 @@ public:
     struct NewSystem {
         BranchingSystem& system;
         std::size_t index;         // In the skeleton.
-        std::string const& bearer; // Its path; "": the trunk.
-        // The system of the bearer, kNoSystem for the trunk's; the bearer and its copies there.
-        std::size_t bearer_system;
-        std::vector<std::size_t> const& bearers;
+        std::string const& parent; // Its path; "": the trunk.
+        // The system of the parent, kNoSystem for the trunk's; the parent and its copies there.
+        std::size_t parent_system;
+        std::vector<std::size_t> const& parents;
     };
     // May name the system's branches, and say otherwise of which branches lines of the drawing are.
     virtual void name(NewSystem const& made, Drawing& drawing) = 0;
@@ -104,7 +104,7 @@ Result<Skeleton> infer_skeleton(Drawing& drawing, SkeletonOptions const& options
 
 // Names from the trunk on, and what stands between two of them.
 constexpr char kPathSeparator = '/';
-std::string_view bearer_in(std::string_view path); // Without the last name.
+std::string_view parent_in(std::string_view path); // Without the last name.
 std::string_view last_name_in(std::string_view path);
 
 // What a branch is called: "b4", ends in bump 4; "L7" and "R7", copies at the seventh place on the

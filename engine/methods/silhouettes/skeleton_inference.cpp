@@ -18,20 +18,20 @@ namespace {
 
 // Lines of a drawing that are of branches of one system, by those branches' names.
 template<typename Drawn>
-std::vector<Drawn> drawn_on(std::vector<Drawn> const& lines, std::string_view bearer)
+std::vector<Drawn> drawn_on(std::vector<Drawn> const& lines, std::string_view parent)
 {
     std::vector<Drawn> result;
     for (auto const& own : lines)
-        if (!own.branch.empty() && bearer_in(own.branch) == bearer) {
+        if (!own.branch.empty() && parent_in(own.branch) == parent) {
             result.push_back(own);
             result.back().branch = last_name_in(own.branch);
         }
     return result;
 }
 
-void name_branches(BranchingSystem& system, BranchNames const& names, std::string const& bearer)
+void name_branches(BranchingSystem& system, BranchNames const& names, std::string const& parent)
 {
-    auto const found = names.find(bearer);
+    auto const found = names.find(parent);
     if (found == names.end())
         return;
     auto const count = std::min(found->second.size(), system.branches.size());
@@ -49,14 +49,14 @@ void give_touches(BranchingSystem& system, std::vector<BumpTouch> const& touches
     }
 }
 
-void take_lines(BranchingSystem& system, Drawing const& drawing, std::string const& bearer)
+void take_lines(BranchingSystem& system, Drawing const& drawing, std::string const& parent)
 {
-    take_own_outlines(system, drawn_on(drawing.own_outlines, bearer));
-    take_own_branches(system, drawn_on(drawing.own_branches, bearer));
-    give_touches(system, drawn_on(drawing.touches, bearer));
+    take_own_outlines(system, drawn_on(drawing.own_outlines, parent));
+    take_own_branches(system, drawn_on(drawing.own_branches, parent));
+    give_touches(system, drawn_on(drawing.touches, parent));
     spread_leaves(system, [&](Branch const& branch) {
         auto const name = name_of(branch);
-        return !drawing.styles.contains(bearer.empty() ? name : bearer + kPathSeparator + name);
+        return !drawing.styles.contains(parent.empty() ? name : parent + kPathSeparator + name);
     });
 }
 
@@ -71,7 +71,7 @@ public:
 
     Result<Skeleton> run()
     {
-        add(TRY(system_of_crown(drawing_, styled(options_.tree, options_.styles, 0))), kNoBearer,
+        add(TRY(system_of_crown(drawing_, styled(options_.tree, options_.styles, 0))), kNoParent,
             {});
         auto below = options_.below;
         auto outlined = options_.outlined;
@@ -101,7 +101,7 @@ public:
     }
 
 private:
-    static constexpr BranchAt kNoBearer { kNoSystem, 0 };
+    static constexpr BranchAt kNoParent { kNoSystem, 0 };
 
     // Systems whose branches are looked into together.
     struct Level {
@@ -117,35 +117,35 @@ private:
 
     Branch& branch(BranchAt const& at) { return skeleton_.systems[at.system].branches[at.branch]; }
 
-    void add(BranchingSystem system, BranchAt const& bearer,
-             std::vector<std::size_t> const& bearers)
+    void add(BranchingSystem system, BranchAt const& parent,
+             std::vector<std::size_t> const& parents)
     {
-        auto const path = bearer.system == kNoSystem ? std::string() : skeleton_.path_of(bearer);
+        auto const path = parent.system == kNoSystem ? std::string() : skeleton_.path_of(parent);
         name_branches(system, options_.names, path);
         if (namer_)
             namer_->name({ .system = system,
                            .index = skeleton_.systems.size(),
-                           .bearer = path,
-                           .bearer_system = bearer.system,
-                           .bearers = bearers },
+                           .parent = path,
+                           .parent_system = parent.system,
+                           .parents = parents },
                          drawing_);
         take_lines(system, drawing_, path);
         skeleton_.system_of.emplace_back(system.branches.size(), kNoSystem);
-        skeleton_.bearers.push_back(path);
+        skeleton_.parents.push_back(path);
         from_above_.emplace_back();
         skeleton_.systems.push_back(std::move(system));
     }
 
     // It bears what was made from now on; nothing if that has no branches.
-    void bear(BranchAt const& bearer, std::optional<BranchingSystem> made,
-              std::vector<std::size_t> const& bearers)
+    void bear(BranchAt const& parent, std::optional<BranchingSystem> made,
+              std::vector<std::size_t> const& parents)
     {
-        auto& below = skeleton_.system_of[bearer.system][bearer.branch];
+        auto& below = skeleton_.system_of[parent.system][parent.branch];
         below = kNoSystem;
         if (!made || made->branches.empty())
             return;
         below = skeleton_.systems.size();
-        add(*std::move(made), bearer, bearers);
+        add(*std::move(made), parent, parents);
     }
 
     // Chosen styles are for branches on which nobody drew others, and need a source that is there.
@@ -156,7 +156,7 @@ private:
             auto const at = skeleton_.at(path);
             auto const source = skeleton_.at(source_of(drawing_.styles, path));
             if (!at || !source || at->system < level.first || at->system >= level.last
-                || skeleton_.bearers[at->system] != bearer_in(path)
+                || skeleton_.parents[at->system] != parent_in(path)
                 || !branch(*at).own_branches.empty() || branch(*at).is_drawn_leaf())
                 continue;
             targets_.push_back({ *at, *source });
@@ -220,25 +220,25 @@ private:
         });
         for (std::size_t i = 0; i < wanted.size(); ++i) {
             auto const& [s, b] = wanted[i];
-            auto const bearers
+            auto const parents
                 = has_style(s, how.which) ? std::vector<std::size_t> { b } : with_copies(wanted[i]);
-            bear(wanted[i], std::move(made[i]), bearers);
+            bear(wanted[i], std::move(made[i]), parents);
             for (auto const copy : with_copies(wanted[i]))
                 skeleton_.system_of[s][copy] = skeleton_.system_of[s][b];
         }
     }
 
     // The style of a branch as its siblings may have it; without children: it bears nothing.
-    BearerStyle style_of(BranchAt const& at)
+    ParentStyle style_of(BranchAt const& at)
     {
         auto const below = skeleton_.system_of[at.system][at.branch];
         if (below == kNoSystem)
             return {};
         auto const& source = branch(at);
         if (!source.model)
-            return bearer_style(source, skeleton_.systems[below]);
+            return parent_style(source, skeleton_.systems[below]);
         // What a copy bears is its model's, in the model's place.
-        auto style = bearer_style(branch({ at.system, *source.model }), skeleton_.systems[below]);
+        auto style = parent_style(branch({ at.system, *source.model }), skeleton_.systems[below]);
         double const size = source.from_model.turn.norm();
         style.spacing *= size;
         style.deviation *= size;
@@ -246,9 +246,9 @@ private:
     }
 
     // The styles of the branches that somebody drew on for their siblings, too, by their places.
-    std::vector<BearerStyle> styles_for_siblings(std::size_t system)
+    std::vector<ParentStyle> styles_for_siblings(std::size_t system)
     {
-        std::vector<BearerStyle> styles;
+        std::vector<ParentStyle> styles;
         for (std::size_t i = 0; i < skeleton_.systems[system].branches.size(); ++i) {
             if (branch({ system, i }).style_to == StyleTo::None)
                 continue;
@@ -258,24 +258,24 @@ private:
                 styles.push_back(std::move(style));
         }
         std::stable_sort(styles.begin(), styles.end(),
-                         [](BearerStyle const& a, BearerStyle const& b) { return a.t < b.t; });
+                         [](ParentStyle const& a, ParentStyle const& b) { return a.t < b.t; });
         return styles;
     }
 
     // What a branch bears in a style; no value: nothing can be inferred in its crown.
-    std::optional<BranchingSystem> in_style(Branch const& bearer,
-                                            std::span<BearerStyle const> styles,
+    std::optional<BranchingSystem> in_style(Branch const& parent,
+                                            std::span<ParentStyle const> styles,
                                             LevelInference const& how) const
     {
         if (styles.empty() || styles.front().children.empty())
             return std::nullopt;
-        auto options = bearer.is_outlined() ? how.outlined : how.usual;
+        auto options = parent.is_outlined() ? how.outlined : how.usual;
         options.fill.most_branches = 0;
-        auto const& crown = bearer.is_outlined() ? bearer.own_outline : bearer.crown;
-        auto system = infer_system({ { crown }, bearer.line(17), {} }, options);
+        auto const& crown = parent.is_outlined() ? parent.own_outline : parent.crown;
+        auto system = infer_system({ { crown }, parent.line(17), {} }, options);
         if (!system)
             return std::nullopt;
-        take_style(*system, bearer, styles, options_.seed);
+        take_style(*system, parent, styles, options_.seed);
         return *std::move(system);
     }
 
@@ -308,7 +308,7 @@ private:
     void hand_down(std::size_t s)
     {
         auto styles = styles_for_siblings(s);
-        std::erase_if(styles, [](BearerStyle const& style) { return !style.goes_deeper; });
+        std::erase_if(styles, [](ParentStyle const& style) { return !style.goes_deeper; });
         auto const& handed = styles.empty() ? from_above_[s] : styles;
         if (handed.empty())
             return;
@@ -346,7 +346,7 @@ private:
     BranchNamer* namer_;
     Skeleton skeleton_;
     std::vector<Target> targets_;                      // Of the level.
-    std::vector<std::vector<BearerStyle>> from_above_; // Of each system, for its branches.
+    std::vector<std::vector<ParentStyle>> from_above_; // Of each system, for its branches.
 };
 
 } // namespace

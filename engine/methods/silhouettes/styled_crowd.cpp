@@ -23,24 +23,24 @@ StyledCrowdMaker::StyledCrowdMaker(CrowdMaker const& crowds, Skeleton const& ske
 {
 }
 
-std::optional<Crowd> StyledCrowdMaker::next(Bearer const& bearer)
+std::optional<Crowd> StyledCrowdMaker::next(Parent const& parent)
 {
-    auto const& system = skeleton_.systems[bearer.system];
+    auto const& system = skeleton_.systems[parent.system];
     if (!styled_.next_bears())
         return std::nullopt;
-    Crowd crowd { .bearer = bearer.line, .branches = {} };
-    auto const surface = crowds_.surface_of(bearer.system);
-    auto const drawn = CrowdMaker::drawn_places(crowd.bearer, surface, system);
+    Crowd crowd { .parent = parent.line, .branches = {} };
+    auto const surface = crowds_.surface_of(parent.system);
+    auto const drawn = CrowdMaker::drawn_places(crowd.parent, surface, system);
     // On the trunk nothing stands below the crown; where the crowns of branches begin, which
     // nobody drew, the style decides.
-    double const crown_u = crowd.bearer.place_of(system.trunk[system.inside.first]);
+    double const crown_u = crowd.parent.place_of(system.trunk[system.inside.first]);
     double const style_u = level_.style.unbranched;
     auto const drawn_by_hand
         = std::count_if(system.branches.begin(), system.branches.end(), [](Branch const& branch) {
               return branch.origin != Branch::Origin::Apex && is_drawn(branch);
           });
-    auto const places = styled_.next({ bearer.is_trunk ? crown_u : std::min(crown_u, style_u),
-                                       static_cast<std::size_t>(drawn_by_hand), bearer.number });
+    auto const places = styled_.next({ parent.is_trunk ? crown_u : std::min(crown_u, style_u),
+                                       static_cast<std::size_t>(drawn_by_hand), parent.number });
     auto const kept = kept_branches(system, drawn, places.size());
     std::vector<std::optional<std::size_t>> branch_at(places.size());
     std::vector<double> at;
@@ -50,15 +50,15 @@ std::optional<Crowd> StyledCrowdMaker::next(Bearer const& bearer)
     for (std::size_t k = 0; k < kept.size(); ++k)
         branch_at[nearest[k]] = kept[k];
     Model const model { system, surface, drawn };
-    auto const thetas = arrangement(model, branch_at, bearer.number);
+    auto const thetas = arrangement(model, branch_at, parent.number);
     double const extent = std::max(places.back() - places.front(), 1e-9);
     // First those that have their ends, which the angles of the others make up for.
     for (auto const has_end : { true, false })
         for (std::size_t k = 0; k < places.size(); ++k) {
             double const share = (places[k] - places.front()) / extent;
             StyledPlace const place { branch_at[k], { places[k], thetas[k].theta_deg }, share };
-            if (has_end == keeps_end(bearer, model, place))
-                stand(bearer, crowd, model, place);
+            if (has_end == keeps_end(parent, model, place))
+                stand(parent, crowd, model, place);
         }
     CrowdMaker::finish(crowd, system);
     return crowd;
@@ -114,7 +114,7 @@ StyledCrowdMaker::arrangement(Model const& model,
 // A branch that was drawn or ends in a bump goes there from its new place, too, if that makes
 // it neither far longer nor shorter, nor takes it far from the style's angle. No other end is
 // the outline's.
-bool StyledCrowdMaker::keeps_end(Bearer const& bearer, Model const& model,
+bool StyledCrowdMaker::keeps_end(Parent const& parent, Model const& model,
                                  StyledPlace const& place) const
 {
     constexpr double kMostStretched = 1.5;
@@ -125,27 +125,27 @@ bool StyledCrowdMaker::keeps_end(Bearer const& bearer, Model const& model,
     auto const& branch = model.system.branches[*place.branch];
     if (is_drawn(branch) || branch.origin != Branch::Origin::Bump)
         return is_drawn(branch);
-    auto const way = CrowdMaker::way_to_end(branch, bearer.line.at(u));
+    auto const way = CrowdMaker::way_to_end(branch, parent.line.at(u));
     double const size = way.turn.norm();
-    double const angle_deg = angle_between_deg(bearer.line.direction(u),
-                                               way.vector(way_of(bearer.system, *place.branch)));
+    double const angle_deg = angle_between_deg(parent.line.direction(u),
+                                               way.vector(way_of(parent.system, *place.branch)));
     double const wanted_deg = level_.style.angle_at_deg(place.share);
     return size < kMostStretched && 1 < kMostStretched * size
         && std::fabs(angle_deg - wanted_deg) < kMostTurned_deg;
 }
 
-void StyledCrowdMaker::stand(Bearer const& bearer, Crowd& crowd, Model const& model,
+void StyledCrowdMaker::stand(Parent const& parent, Crowd& crowd, Model const& model,
                              StyledPlace const& place)
 {
     auto const& branch = place.branch;
-    if (keeps_end(bearer, model, place)) {
+    if (keeps_end(parent, model, place)) {
         double const as_inferred = model.drawn[*branch].u;
         double const moves_to = is_drawn(model.system.branches[*branch]) ? as_inferred : place.at.u;
         CrowdMaker::stand(crowd, model, *branch, { as_inferred, place.at.theta_deg }, moves_to);
         auto const& way = crowd.branches.back().way;
         styled_.take_angle(place.share,
-                           angle_between_deg(crowd.bearer.direction(moves_to),
-                                             way.vector(way_of(bearer.system, *branch))));
+                           angle_between_deg(crowd.parent.direction(moves_to),
+                                             way.vector(way_of(parent.system, *branch))));
         return;
     }
     double const angle_deg = styled_.next_angle_deg(place.share);
@@ -153,7 +153,7 @@ void StyledCrowdMaker::stand(Bearer const& bearer, Crowd& crowd, Model const& mo
     if (!copied)
         return;
     CrowdMaker::stand_added(crowd, model, place.at, *copied,
-                            { .from = way_of(bearer.system, *copied),
+                            { .from = way_of(parent.system, *copied),
                               .angle_deg = angle_deg,
                               .smaller = CrowdMaker::Lean::Smaller::Least });
     if (branch)

@@ -55,8 +55,8 @@ bool StyledPlaces::next_bears()
     return true;
 }
 
-// The first bearer has as many as the mean; those that follow are pairs, one above it and one as
-// far below, so that few bearers have the mean, too.
+// The first parent has as many as the mean; those that follow are pairs, one above it and one as
+// far below, so that few parents have the mean, too.
 std::size_t StyledPlaces::next_count(std::size_t least)
 {
     auto const pair = (counted_ + 1) / 2;
@@ -84,7 +84,7 @@ double StyledPlaces::next_first(double low)
 // From the first child to the last.
 double StyledPlaces::next_extent(std::size_t count, double room)
 {
-    constexpr double kLeast = 0.3; // Of what a bearer has on average.
+    constexpr double kLeast = 0.3; // Of what a parent has on average.
     constexpr double kMost = 3;
     extent_left_ += style_.spacing * static_cast<double>(count - 1);
     if (count < 2)
@@ -99,9 +99,9 @@ double StyledPlaces::next_extent(std::size_t count, double room)
 // Where nodes stand between the first and the last, 0 to 1. Wither 2009 takes normally distributed
 // distances; these have a logarithm that is, since they are as uneven as the style says without one
 // that would have to be cut off below 0.
-std::vector<double> StyledPlaces::node_shares(std::size_t nodes, std::uint32_t bearer) const
+std::vector<double> StyledPlaces::node_shares(std::size_t nodes, std::uint32_t parent) const
 {
-    Random random({ .seed = seed_, .stream = kPlaceStream, .substream = bearer });
+    Random random({ .seed = seed_, .stream = kPlaceStream, .substream = parent });
     double const spread = std::sqrt(std::log1p(style_.unevenness * style_.unevenness));
     std::vector<double> shares { 0 };
     double const phase = random.uniform();
@@ -117,12 +117,12 @@ std::vector<double> StyledPlaces::node_shares(std::size_t nodes, std::uint32_t b
     return shares;
 }
 
-std::vector<double> StyledPlaces::next(Bearer const& bearer)
+std::vector<double> StyledPlaces::next(Parent const& parent)
 {
-    auto const count = next_count(bearer.least);
-    double const first = next_first(bearer.low);
+    auto const count = next_count(parent.least);
+    double const first = next_first(parent.low);
     double const extent = next_extent(count, 1 - first);
-    auto const nodes = node_shares((count + whorl_ - 1) / whorl_, bearer.number);
+    auto const nodes = node_shares((count + whorl_ - 1) / whorl_, parent.number);
     std::vector<double> places;
     for (std::size_t i = 0; i < count; ++i)
         places.push_back(first + extent * nodes[i / whorl_]);

@@ -9,8 +9,8 @@
 
 namespace tractus::silhouette {
 
-// Says of bearer after bearer of one level where its children stand, so that all of them together
-// have the style: what one bearer lacks, since branches are whole ones or its crown leaves no room,
+// Says of parent after parent of one level where its children stand, so that all of them together
+// have the style: what one parent lacks, since branches are whole ones or its crown leaves no room,
 // the next ones make up for.
 class StyledPlaces {
 public:
@@ -18,18 +18,18 @@ public:
     StyledPlaces(BranchStyle const& style, Pattern pattern, std::uint64_t seed,
                  std::uint32_t level);
 
-    // Whether the next bearer bears any children.
+    // Whether the next parent bears any children.
     bool next_bears();
 
-    struct Bearer {
+    struct Parent {
         double low = 0;           // A share of its length: no child stands below.
         std::size_t least = 0;    // It has so many children, whatever the style says.
         std::uint32_t number = 0; // For its random numbers.
     };
-    // Shares of the next bearer's length, ascending; those of a node are equal. At least one.
-    std::vector<double> next(Bearer const& bearer);
+    // Shares of the next parent's length, ascending; those of a node are equal. At least one.
+    std::vector<double> next(Parent const& parent);
 
-    // The angle of the next branch at a share of the way from its bearer's first child to its last;
+    // The angle of the next branch at a share of the way from its parent's first child to its last;
     // and one that has an angle of its own there.
     double next_angle_deg(double share);
     void take_angle(double share, double angle_deg);
@@ -38,7 +38,7 @@ private:
     std::size_t next_count(std::size_t least);
     double next_first(double low);
     double next_extent(std::size_t count, double room);
-    std::vector<double> node_shares(std::size_t nodes, std::uint32_t bearer) const;
+    std::vector<double> node_shares(std::size_t nodes, std::uint32_t parent) const;
 
     BranchStyle style_;
     std::size_t whorl_;
@@ -47,7 +47,7 @@ private:
     double angle_phase_ = 0;
     std::size_t counted_ = 0;
     std::size_t angled_ = 0;
-    double bearing_ = 0; // What is left over from the bearers before.
+    double bearing_ = 0; // What is left over from the parents before.
     double count_left_ = 0;
     double first_left_ = 0;
     double angle_left_deg_ = 0;

@@ -21,8 +21,8 @@ namespace {
 
 constexpr std::uint32_t kSprayVariants = 8;
 
-// Shares of the tree's height: a bearer with the usual number of twigs, and twigs.
-constexpr double kBearer = 0.07;
+// Shares of the tree's height: a parent with the usual number of twigs, and twigs.
+constexpr double kParent = 0.07;
 constexpr double kLongestSpray = 0.055;
 constexpr double kShortestSpray = 0.016;
 
@@ -74,7 +74,7 @@ public:
 
 private:
     // An axis to be made.
-    struct Bearer {
+    struct Parent {
         std::size_t system = kNoSystem; // Whose trunk it is.
         Space space;
         Line line;
@@ -111,36 +111,36 @@ private:
         return options_.levels[options_of(level)];
     }
 
-    // Depth first: an axis comes after its bearer.
-    void grow(Bearer const& bearer)
+    // Depth first: an axis comes after its parent.
+    void grow(Parent const& parent)
     {
         std::optional<Crowd> own;
         Crowd const* crowd = nullptr;
         // What was drawn of a branch says more than a style does.
-        if (bearer.system != kNoSystem && level_options(bearer.level).style.is_set()
-            && !skeleton_.systems[bearer.system].is_of_own_outline
-            && !skeleton_.systems[bearer.system].is_in_siblings_style)
-            crowd = styled_crowd(bearer, own);
-        else if (bearer.system != kNoSystem)
-            crowd = &crowd_of(bearer.system, bearer.level);
-        auto const places = node_places(bearer, crowd);
-        auto const axis = add_axis(bearer, places);
+        if (parent.system != kNoSystem && level_options(parent.level).style.is_set()
+            && !skeleton_.systems[parent.system].is_of_own_outline
+            && !skeleton_.systems[parent.system].is_in_siblings_style)
+            crowd = styled_crowd(parent, own);
+        else if (parent.system != kNoSystem)
+            crowd = &crowd_of(parent.system, parent.level);
+        auto const places = node_places(parent, crowd);
+        auto const axis = add_axis(parent, places);
         bool const has_twigs
-            = !crowd || (bearer.level > 0 && !bears_leaves_alone(skeleton_.systems[bearer.system]));
+            = !crowd || (parent.level > 0 && !bears_leaves_alone(skeleton_.systems[parent.system]));
         if (has_twigs)
-            add_sprays(bearer, axis, places, crowd ? 0.5 : 0.0);
+            add_sprays(parent, axis, places, crowd ? 0.5 : 0.0);
         if (!crowd)
             return;
         std::size_t node = 0;
         for (auto const& standing : crowd->branches) {
             while (node + 2 < places.size() && places[node + 1] < standing.u - 1e-9)
                 ++node;
-            grow_branch(bearer, axis, standing, node);
+            grow_branch(parent, axis, standing, node);
         }
     }
 
     // Its stalk, and the leaf.
-    void grow_leaf(Bearer const& stalk, LeafBlade const& leaf)
+    void grow_leaf(Parent const& stalk, LeafBlade const& leaf)
     {
         auto const axis = add_axis(stalk, node_places(stalk, nullptr));
         Vec2 const way = leaf.tip - leaf.base;
@@ -173,26 +173,27 @@ private:
         return leaf_shapes_.back().second;
     }
 
-    void grow_branch(Bearer const& bearer, AxisId axis, Standing const& standing,
+    void grow_branch(Parent const& parent, AxisId axis, Standing const& standing,
                      std::size_t segment)
     {
-        auto const& system = skeleton_.systems[bearer.system];
+        auto const& system = skeleton_.systems[parent.system];
         auto const& branch = system.branches[standing.branch];
-        Space const own = space_of(bearer, standing, branch);
-        auto const name = bearer.name.empty() ? standing.name : bearer.name + "/" + standing.name;
-        auto const parent = tree_.plant.axes[axis].first_segment + static_cast<SegmentId>(segment);
+        Space const own = space_of(parent, standing, branch);
+        auto const name = parent.name.empty() ? standing.name : parent.name + "/" + standing.name;
+        auto const parent_segment
+            = tree_.plant.axes[axis].first_segment + static_cast<SegmentId>(segment);
         if (branch.leaf) {
             grow_leaf({ .space = own,
                         .line = Line(stalk_of(*branch.leaf, branch.line(17))),
                         .name = name,
-                        .parent_segment = parent,
+                        .parent_segment = parent_segment,
                         .parent_axis = axis,
-                        .level = bearer.level + 1 },
+                        .level = parent.level + 1 },
                       *branch.leaf);
             return;
         }
         // A copy's own branches are its model's, seen through the way from there.
-        auto const below = skeleton_.system_of[bearer.system][standing.branch];
+        auto const below = skeleton_.system_of[parent.system][standing.branch];
         auto const& model = branch.model ? system.branches[*branch.model] : branch;
         Space const to_model = branch.model ? own * in_space(branch.from_model) : own;
         grow({ .system = below,
@@ -200,43 +201,43 @@ private:
                .line = Line(maker_.line_of(model, below)),
                .crown = model.crown,
                .name = name,
-               .parent_segment = parent,
+               .parent_segment = parent_segment,
                .parent_axis = axis,
-               .level = bearer.level + 1,
+               .level = parent.level + 1,
                .is_stroke = !model.stroke.empty() });
     }
 
-    // Where a branch stands, turned about its bearer by so much of the angle that it has.
-    static Space space_of(Bearer const& bearer, Standing const& standing, Branch const& branch,
+    // Where a branch stands, turned about its parent by so much of the angle that it has.
+    static Space space_of(Parent const& parent, Standing const& standing, Branch const& branch,
                           double share)
     {
         Vec2 const base = standing.way.point(branch.path.curve.base);
-        Vec2 const along = bearer.line.direction(standing.u);
+        Vec2 const along = parent.line.direction(standing.u);
         double const reference = branch.path.side == Side::Right ? 0 : 180;
         double const turn_deg = standing.theta_deg - reference;
         double const shorter_deg = turn_deg - 360 * std::round(turn_deg / 360);
-        Vec3 const pivot = bearer.space * Vec3(base.x(), base.y(), 0);
-        Vec3 const direction = (bearer.space.linear() * Vec3(along.x(), along.y(), 0)).normalized();
+        Vec3 const pivot = parent.space * Vec3(base.x(), base.y(), 0);
+        Vec3 const direction = (parent.space.linear() * Vec3(along.x(), along.y(), 0)).normalized();
         Eigen::AngleAxisd const turn(radians(share == 1 ? turn_deg : share * shorter_deg),
                                      direction);
         Space around = Space::Identity();
         around.linear() = turn.toRotationMatrix();
         around.translation() = pivot - around.linear() * pivot;
-        return around * bearer.space * in_space(standing.way);
+        return around * parent.space * in_space(standing.way);
     }
 
-    // Branches on branches leave the plane in which their bearer was fitted to a surface that was
+    // Branches on branches leave the plane in which their parent was fitted to a surface that was
     // drawn: they turn back towards it, and shrink, as far as they must.
-    Space space_of(Bearer const& bearer, Standing const& standing, Branch const& branch) const
+    Space space_of(Parent const& parent, Standing const& standing, Branch const& branch) const
     {
         constexpr double kLarge = 0.8;
-        Space const as_it_stands = space_of(bearer, standing, branch, 1);
-        if (!fit_ || bearer.level == 0 || branch.is_stroke())
+        Space const as_it_stands = space_of(parent, standing, branch, 1);
+        if (!fit_ || parent.level == 0 || branch.is_stroke())
             return as_it_stands;
         Space best = as_it_stands;
         double largest = 0;
         for (double const share : { 1.0, 0.6, 0.3, 0.1 }) {
-            Space const turned_back = space_of(bearer, standing, branch, share);
+            Space const turned_back = space_of(parent, standing, branch, share);
             double const size = size_inside(turned_back, branch);
             if (size <= largest)
                 continue;
@@ -260,15 +261,15 @@ private:
         return fit_->size_inside(places, space * Vec3(base.x(), base.y(), 0));
     }
 
-    // Shares of the bearer's length where it has nodes: its own, and where branches stand.
-    std::vector<double> node_places(Bearer const& bearer, Crowd const* crowd) const
+    // Shares of the parent's length where it has nodes: its own, and where branches stand.
+    std::vector<double> node_places(Parent const& parent, Crowd const* crowd) const
     {
         constexpr std::array kSegments { 16, 8, 4, 3 };
         constexpr int kStyled = 8; // At least: angles are those of an eighth.
-        int own = kSegments[std::min<std::size_t>(bearer.level, kSegments.size() - 1)];
-        if (bearer.level > 0 && level_options(bearer.level - 1).style.is_set())
+        int own = kSegments[std::min<std::size_t>(parent.level, kSegments.size() - 1)];
+        if (parent.level > 0 && level_options(parent.level - 1).style.is_set())
             own = std::max(own, kStyled);
-        if (bearer.is_stroke)
+        if (parent.is_stroke)
             own = kSegments[0];
         std::vector<double> places;
         for (int i = 0; i <= own; ++i)
@@ -284,23 +285,23 @@ private:
         return apart;
     }
 
-    AxisId add_axis(Bearer const& bearer, std::vector<double> const& places)
+    AxisId add_axis(Parent const& parent, std::vector<double> const& places)
     {
         auto& plant = tree_.plant;
         auto const id = static_cast<AxisId>(plant.axes.size());
         plant.axes.push_back({ .first_node = static_cast<NodeId>(plant.node_position_mm.size()),
                                .first_segment = static_cast<SegmentId>(plant.segment_count()),
                                .segment_count = static_cast<std::uint32_t>(places.size() - 1),
-                               .parent_segment = bearer.parent_segment,
-                               .parent_axis = bearer.parent_axis,
-                               .order = bearer.level });
+                               .parent_segment = parent.parent_segment,
+                               .parent_axis = parent.parent_axis,
+                               .order = parent.level });
         for (auto const place : places) {
-            Vec2 const point = bearer.line.at(place);
-            plant.node_position_mm.emplace_back(bearer.space * Vec3(point.x(), point.y(), 0));
+            Vec2 const point = parent.line.at(place);
+            plant.node_position_mm.emplace_back(parent.space * Vec3(point.x(), point.y(), 0));
             plant.node_radius_mm.push_back(0);
         }
         plant.segment_material.resize(plant.segment_count() + places.size() - 1, 0);
-        tree_.axis_names.push_back(bearer.name.empty() ? kTrunkName : bearer.name);
+        tree_.axis_names.push_back(parent.name.empty() ? kTrunkName : parent.name);
         return id;
     }
 
@@ -319,18 +320,18 @@ private:
         return least;
     }
 
-    // Twigs of about one length, whatever bears them: more on a longer bearer, from the share
+    // Twigs of about one length, whatever bears them: more on a longer parent, from the share
     // `from` of its length on.
-    void add_sprays(Bearer const& bearer, AxisId axis, std::vector<double> const& places,
+    void add_sprays(Parent const& parent, AxisId axis, std::vector<double> const& places,
                     double from)
     {
         constexpr double kBare = 0.15;
         constexpr double kSpiral_deg = 137.5;
         double const start = std::max(from, kBare);
-        double const length = bearer.line.length();
-        double const height = options_.height_mm / unit_of(bearer.space); // In the plane's unit.
+        double const length = parent.line.length();
+        double const height = options_.height_mm / unit_of(parent.space); // In the plane's unit.
         double const usual
-            = static_cast<double>(options_.sprays) * (1 - start) * length / (kBearer * height);
+            = static_cast<double>(options_.sprays) * (1 - start) * length / (kParent * height);
         auto const count = std::clamp<std::size_t>(static_cast<std::size_t>(usual),
                                                    options_.sprays / 3 + 1, 6 * options_.sprays);
         Random random({ .seed = options_.seed, .stream = 3, .substream = axis });
@@ -341,14 +342,14 @@ private:
                 = start + (1 - start) * static_cast<double>(i) / static_cast<double>(count);
             while (node + 2 < places.size() && places[node + 1] < u)
                 ++node;
-            Vec2 const at = bearer.line.at(u);
-            Vec2 const along = bearer.line.direction(u);
+            Vec2 const at = parent.line.at(u);
+            Vec2 const along = parent.line.direction(u);
             double const lean = i == count ? 0 : radians(random.uniform(38, 58));
             double far = kLongestSpray * height;
             for (double const side : { 1.0, -1.0 })
-                if (!bearer.crown.empty())
-                    far = std::min(far, 0.95 * reach(bearer.crown, at, turned(along, side * lean)));
-            add_spray({ bearer, axis, node, at, along },
+                if (!parent.crown.empty())
+                    far = std::min(far, 0.95 * reach(parent.crown, at, turned(along, side * lean)));
+            add_spray({ parent, axis, node, at, along },
                       { lean, radians(first_deg + static_cast<double>(i) * kSpiral_deg),
                         std::max(far, kShortestSpray * height) },
                       random);
@@ -362,7 +363,7 @@ private:
     }
 
     struct SprayPlace {
-        Bearer const& bearer;
+        Parent const& parent;
         AxisId axis;
         std::size_t segment;
         Vec2 at;
@@ -376,7 +377,7 @@ private:
 
     void add_spray(SprayPlace const& place, SprayWay const& way, Random& random)
     {
-        auto const& space = place.bearer.space;
+        auto const& space = place.parent.space;
         Vec3 const forward
             = (space.linear() * Vec3(place.along.x(), place.along.y(), 0)).normalized();
         Vec3 const across
@@ -422,16 +423,16 @@ private:
     }
 
     // In the style of its level; null: it bears none.
-    Crowd const* styled_crowd(Bearer const& bearer, std::optional<Crowd>& own)
+    Crowd const* styled_crowd(Parent const& parent, std::optional<Crowd>& own)
     {
-        own = styled_[options_of(bearer.level)].next(
-            { .system = bearer.system,
-              .is_trunk = bearer.level == 0,
-              .line = bearer.line,
+        own = styled_[options_of(parent.level)].next(
+            { .system = parent.system,
+              .is_trunk = parent.level == 0,
+              .line = parent.line,
               .number = static_cast<std::uint32_t>(tree_.plant.axes.size()) });
         if (!own)
             return nullptr;
-        tell(bearer.level, *own);
+        tell(parent.level, *own);
         return &*own;
     }
 

@@ -12,7 +12,7 @@
 
 namespace tractus::silhouette {
 
-// How the branches of one level stand around their bearers.
+// How the branches of one level stand around their parents.
 struct LevelOptions {
     Pattern pattern = Pattern::Even;
     double added = 1.5; // Branches that nobody sees in the plane, for each one in it; 0 or more.
@@ -36,7 +36,7 @@ struct TreeOptions {
     double tip_radius_of_height = 0.0006;
 };
 
-// A branch around its bearer: its name (name_of(), or "a" and its place if it was added).
+// A branch around its parent: its name (name_of(), or "a" and its place if it was added).
 struct PlacedBranch {
     std::string name;
     Place place;
@@ -60,7 +60,7 @@ struct Tree {
     std::size_t element_count() const { return plant.axes.size() + sprays + leaves; }
 };
 
-// Turns a flat skeleton into a tree: the branches of each bearer are spread around it, with others
+// Turns a flat skeleton into a tree: the branches of each parent are spread around it, with others
 // between them that end at the crown's surface (crown_surface.h), and twigs with leaves stand on
 // the last ones. The drawing's plane becomes the plane y = 0, seen from below y; the trunk's foot
 // is the origin. The plant passes check_plant().

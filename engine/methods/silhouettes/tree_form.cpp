@@ -21,10 +21,10 @@ Result<void> check_style(BranchStyle const& style)
         double most;
     };
     std::array const ranges {
-        Range { "the branches of a bearer", style.children, 1, kMostChildren },
+        Range { "the branches of a parent", style.children, 1, kMostChildren },
         Range { "their deviation", style.children_deviation, 0, kMostChildren },
-        Range { "the share of bearers without branches", style.bare, 0, kMostBare },
-        Range { "the unbranched share of a bearer", style.unbranched, 0, 1 },
+        Range { "the share of parents without branches", style.bare, 0, kMostBare },
+        Range { "the unbranched share of a parent", style.unbranched, 0, 1 },
         Range { "the distance of branches", style.spacing, 0, 1 },
         Range { "the unevenness of distances", style.unevenness, 0, kMostUneven },
         Range { "the angle of the first branch", style.first_angle_deg, kLeastAngle_deg,

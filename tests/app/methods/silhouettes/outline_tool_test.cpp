@@ -249,7 +249,7 @@ TEST(OutlineTool, DrawsOnBranchesOfBranches)
     for (int i = 0; i <= 8; ++i)
         places.push_back(base + i * Vec3(-0.7, 1, 0));
     tree = after(tree, stroke_through(places), alone);
-    auto const& bearer = silhouette::outlined_tree(*tree.drawn)->own_branches[0].branch;
+    auto const& parent = silhouette::outlined_tree(*tree.drawn)->own_branches[0].branch;
     Vec3 const from = places[6];
     auto const twig = stroke_through({ from, from + Vec3(2, 2, 0), from + Vec3(3, 5, 0) });
     auto const own = meant(twig, tree, alone);
@@ -260,7 +260,7 @@ TEST(OutlineTool, DrawsOnBranchesOfBranches)
     auto const deeper = apply_edit(tree, own).value();
     auto const& drawn = silhouette::outlined_tree(*deeper.drawn)->own_branches;
     ASSERT_EQ(drawn.size(), 2u);
-    EXPECT_TRUE(drawn[1].branch.starts_with(bearer + "/")) << drawn[1].branch;
+    EXPECT_TRUE(drawn[1].branch.starts_with(parent + "/")) << drawn[1].branch;
     auto const said = OutlineTool::kKind.said(Tool(alone), deeper);
     EXPECT_EQ(said, "The branch bears 1 branch that you drew");
     OutlineTool const of_trunks { .branches = OutlineTool::Branches::OfNearest };

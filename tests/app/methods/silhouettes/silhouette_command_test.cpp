@@ -269,13 +269,13 @@ TEST_F(SilhouetteCommand, ReportsBranchesWithOutlinesOfTheirOwn)
     EXPECT_EQ(outlined, 1);
 }
 
-// A part that does not come back is a branch on a branch; the style of its bearer goes to siblings.
+// A part that does not come back is a branch on a branch; the style of its parent goes to siblings.
 TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
 {
     std::ofstream(folder_ / "plain.json") << crown();
     auto const plain = json::parse(run({ "silhouette", path("plain.json"), "--report" }).out);
-    auto const& bearer = plain["branch"][0];
-    auto const number = [&](char const* of, std::size_t i) { return bearer[of][i].get<double>(); };
+    auto const& parent = plain["branch"][0];
+    auto const number = [&](char const* of, std::size_t i) { return parent[of][i].get<double>(); };
     double const from_x = 0.4 * number("base", 0) + 0.6 * number("end", 0);
     double const from_y = 0.4 * number("base", 1) + 0.6 * number("end", 1);
     auto drawing = crown();

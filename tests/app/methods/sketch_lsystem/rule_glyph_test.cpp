@@ -32,7 +32,7 @@ Vec2 place_of_handle(SketchTool const& tool, std::string_view sign)
     return handle_of(glyph, sign).place;
 }
 
-// Where the bearer ends: the glyph's first line.
+// Where the parent ends: the glyph's first line.
 Vec2 node_of(SketchTool const& tool)
 {
     return Tool(tool).glyph().lines.front().points.back();
@@ -97,10 +97,10 @@ TEST(RuleGlyph, SetsWhatAHandleIsDraggedTo)
 {
     SketchTool const tool;
     Vec2 const node = node_of(tool);
-    double const bearer = (place_of_handle(tool, "D") - node).norm() / tool.length_ratio;
+    double const parent = (place_of_handle(tool, "D") - node).norm() / tool.length_ratio;
     auto const at = [&](double angle_deg, double length) {
         double const angle = radians(angle_deg);
-        return Vec2(node + bearer * length * Vec2(std::sin(angle), std::cos(angle)));
+        return Vec2(node + parent * length * Vec2(std::sin(angle), std::cos(angle)));
     };
     auto const lateral = dragged(tool, "A", at(60, 0.8));
     EXPECT_NEAR(lateral.angle_deg, 60, 1e-9);

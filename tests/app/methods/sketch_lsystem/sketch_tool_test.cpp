@@ -371,8 +371,8 @@ TEST(SketchTool, GrowsOnTheBranchWhereTheStrokeBegins)
     EXPECT_EQ(level.base->axes[3].parent_segment, 7u) << "in space, as the pad shows the branch";
     auto const& radii_mm = level.base->node_radius_mm;
     double const first_mm = 2 * scene.placement.scale * radii_mm[level.base->axes[3].first_node];
-    double const bearer_mm = 2 * scene.placement.scale * radii_mm[node];
-    EXPECT_LE(first_mm, std::max(bearer_mm, 0.0201 * 30)) << "as thin as a rule can be";
+    double const parent_mm = 2 * scene.placement.scale * radii_mm[node];
+    EXPECT_LE(first_mm, std::max(parent_mm, 0.0201 * 30)) << "as thin as a rule can be";
     EXPECT_FALSE(tool.mean(from({ 0, 300, 0 }), scene)) << "no branch there";
     EXPECT_FALSE(tool.mean(from(end_mm + Vec3(0, 0, 60)), scene)) << "far below";
     EXPECT_FALSE(tool.mean(from({ 0, 0, 0 }), Scene {})) << "no plant at all";

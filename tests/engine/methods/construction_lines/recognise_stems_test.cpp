@@ -57,14 +57,14 @@ TEST(StemRecogniser, GivesABoundaryToTheStemThatHasNoneThere)
 TEST(StemRecogniser, AStemThatBeginsOnAnotherStandsOnIt)
 {
     auto recogniser = two_stems();
-    auto const bearer_of = [&](Vec2 const& foot, Vec2 const& top) {
-        return recogniser.add(line({ foot, top }), Says::AnotherStem).bearer;
+    auto const parent_of = [&](Vec2 const& foot, Vec2 const& top) {
+        return recogniser.add(line({ foot, top }), Says::AnotherStem).parent;
     };
-    EXPECT_EQ(bearer_of({ 103, 80 }, { 190, 160 }), std::optional<std::size_t>(1));
-    EXPECT_EQ(bearer_of({ 2, 203 }, { -40, 280 }), std::optional<std::size_t>(0)) << "its top";
-    EXPECT_EQ(bearer_of({ 150, 123 }, { 220, 123 }), std::optional<std::size_t>(2)) << "a lateral";
-    EXPECT_EQ(bearer_of({ 20, 80 }, { 60, 160 }), std::nullopt) << "too far off";
-    EXPECT_EQ(bearer_of({ 2, 3 }, { -60, 100 }), std::nullopt) << "at a foot, as in a clump";
+    EXPECT_EQ(parent_of({ 103, 80 }, { 190, 160 }), std::optional<std::size_t>(1));
+    EXPECT_EQ(parent_of({ 2, 203 }, { -40, 280 }), std::optional<std::size_t>(0)) << "its top";
+    EXPECT_EQ(parent_of({ 150, 123 }, { 220, 123 }), std::optional<std::size_t>(2)) << "a lateral";
+    EXPECT_EQ(parent_of({ 20, 80 }, { 60, 160 }), std::nullopt) << "too far off";
+    EXPECT_EQ(parent_of({ 2, 3 }, { -60, 100 }), std::nullopt) << "at a foot, as in a clump";
 }
 
 TEST(StemRecogniser, AStemDrawnAgainKeepsItsPlace)
@@ -74,7 +74,7 @@ TEST(StemRecogniser, AStemDrawnAgainKeepsItsPlace)
     auto const& again = recogniser.add(line({ Vec2(102, 101), Vec2(173, 177) }));
     EXPECT_EQ(again.line.role, Role::Stem);
     EXPECT_EQ(again.stem, 2U);
-    EXPECT_EQ(again.bearer, std::optional<std::size_t>(1));
+    EXPECT_EQ(again.parent, std::optional<std::size_t>(1));
     EXPECT_EQ(again.line.replaces, std::optional<std::size_t>(2));
 }
 

@@ -20,14 +20,14 @@ std::vector<Vec3> bow(Vec2 from_mm, double heading_deg, double turn_deg, double 
     return points;
 }
 
-StemLines alone(std::vector<Vec3> stem, std::optional<std::size_t> bearer = std::nullopt)
+StemLines alone(std::vector<Vec3> stem, std::optional<std::size_t> parent = std::nullopt)
 {
     return { .sketch = { .stem = std::move(stem),
                          .left = {},
                          .right = {},
                          .inclinations = {},
                          .nodes_per_layer = {} },
-             .bearer = bearer };
+             .parent = parent };
 }
 
 std::vector<MeasuredStem> measured_stems(std::vector<StemLines> const& stems)
@@ -151,7 +151,7 @@ TEST(SeveralStems, ALateralMayBearOthersAndHaveLinesOfItsOwn)
     auto const stems
         = measured_stems({ { .sketch = hand_sketch() }, own, alone(bow({ 50, 60 }, 0, 0, 40), 1) });
     EXPECT_EQ(stems[1].functions, 1U);
-    EXPECT_EQ(stems[2].functions, 1U) << "its bearer's, not the first one's";
+    EXPECT_EQ(stems[2].functions, 1U) << "its parent's, not the first one's";
     EXPECT_NEAR(stems[1].construction.nodes[0].left_size, 0.2 * std::sqrt(2.0), 1e-6);
     EXPECT_NEAR(stems[2].foot_x, 0.5, 1e-9);
     auto const model = write_model(stems, {}, "plant");
@@ -199,7 +199,7 @@ TEST(SeveralStems, SaysWhichStemIsWrong)
     EXPECT_EQ(refused.error().message.substr(0, 48),
               "stem 2: there is only one inclination line: draw");
     auto const early
-        = measure_stems({ { .sketch = hand_sketch(), .bearer = 1 }, { .sketch = hand_sketch() } });
+        = measure_stems({ { .sketch = hand_sketch(), .parent = 1 }, { .sketch = hand_sketch() } });
     ASSERT_FALSE(early);
     EXPECT_EQ(early.error().message.substr(0, 57),
               "stem 1 cannot stand on stem 2, which comes after it: give");

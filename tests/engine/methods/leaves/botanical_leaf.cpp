@@ -235,7 +235,7 @@ void add_pairs(BotanicalLeaf& leaf, Species const& species, Random& random)
                 = species.angle + at * (species.angle_at_tip - species.angle) + random.normal();
             double const sign = is_right ? 1 : -1;
             leaf.sides.push_back(
-                { .bearer = -1,
+                { .parent = -1,
                   .at = at,
                   .angle_deg = sign * angle,
                   .line = vein_to(margin, { 0, at }, sign * angle, sign * species.turn) });
@@ -250,14 +250,14 @@ void add_mains(BotanicalLeaf& leaf, Species const& species, Random& random)
         for (double const sign : { 1.0, -1.0 }) {
             double const angle = sign * (species.mains[k] + random.normal());
             leaf.mains.push_back(
-                { .bearer = -1, .angle_deg = angle, .line = vein_to(margin, hub, angle, 0) });
+                { .parent = -1, .angle_deg = angle, .line = vein_to(margin, hub, angle, 0) });
             for (int i = 0; i < (k == 0 ? species.sides_of_mains : 0); ++i)
                 for (double const side : { 1.0, -1.0 }) {
                     double const at = 0.42 + 0.2 * i + 0.03 * side + 0.01 * random.normal();
                     double const own = side * (42 + random.normal());
                     auto const& line = leaf.mains.back().line;
                     Vec2 const from = line.front() + at * (line.back() - line.front());
-                    leaf.sides.push_back({ .bearer = static_cast<int>(leaf.mains.size()) - 1,
+                    leaf.sides.push_back({ .parent = static_cast<int>(leaf.mains.size()) - 1,
                                            .at = at,
                                            .angle_deg = own,
                                            .line = vein_to(margin, from, angle + own, 0) });

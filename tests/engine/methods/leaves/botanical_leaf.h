@@ -12,9 +12,9 @@ namespace tractus::leaf {
 // formulas of its own and shares nothing with what reads drawings.
 struct BotanicalLeaf {
     struct Vein {
-        int bearer = -1;      // Main vein that bears it; -1: the midrib.
-        double at = 0;        // Share of the bearer's length.
-        double angle_deg = 0; // At its begin, from the bearer's direction; positive to the right.
+        int parent = -1;      // Main vein that bears it; -1: the midrib.
+        double at = 0;        // Share of the parent's length.
+        double angle_deg = 0; // At its begin, from the parent's direction; positive to the right.
         std::vector<Vec2> line {}; // From its begin to the margin.
     };
     std::vector<Vec2> right {}; // Halves of the margin from base to tip.

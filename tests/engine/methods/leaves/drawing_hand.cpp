@@ -163,7 +163,7 @@ HandDrawing draw_by_hand(BotanicalLeaf const& leaf, Manner const& manner, Random
         { StrokeRole::Midrib, nullptr });
     auto const add_veins = [&](std::vector<BotanicalLeaf::Vein> const& veins, StrokeRole role) {
         for (auto const& vein : veins) {
-            auto const& main = vein.bearer >= 0 ? leaf.mains[std::size_t(vein.bearer)] : vein;
+            auto const& main = vein.parent >= 0 ? leaf.mains[std::size_t(vein.parent)] : vein;
             if (one_half && main.angle_deg <= 0)
                 continue;
             double const short_by = random.uniform(0, 0.1);

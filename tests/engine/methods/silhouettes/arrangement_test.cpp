@@ -21,7 +21,7 @@ struct Spacing {
     double variation = 0;
 };
 
-// Spacing by the distances to the nearest neighbour on the unrolled bearer (Clark and Evans, 1954).
+// Spacing by the distances to the nearest neighbour on the unrolled parent (Clark and Evans, 1954).
 Spacing spacing_of(std::vector<Place> const& places)
 {
     double sum = 0;

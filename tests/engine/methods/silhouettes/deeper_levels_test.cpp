@@ -32,8 +32,8 @@ std::string draw_down(Drawing& drawing, std::string const& from, int levels,
         EXPECT_TRUE(added) << path << ": " << added.error().message;
         EXPECT_EQ(drawing.own_branches.back().branch, path);
         auto const after = skeleton_of_lines(drawing);
-        auto const bearer = after.at(path).value();
-        auto const below = after.system_of[bearer.system][bearer.branch];
+        auto const parent = after.at(path).value();
+        auto const below = after.system_of[parent.system][parent.branch];
         EXPECT_NE(below, kNoSystem);
         for (auto const& branch : after.systems[below].branches)
             if (branch.is_stroke() && branch.stroke == twig)
@@ -60,9 +60,9 @@ TEST(DeeperLevels, BranchesAreDrawnOnBranchesToAnyLevel)
         for (auto const& own : drawing.own_branches) {
             auto const at = skeleton.at(own.branch);
             ASSERT_TRUE(at) << own.branch;
-            auto const& bearer = skeleton.systems[at->system].branches[at->branch];
-            ASSERT_EQ(bearer.own_branches.size(), 1u) << own.branch;
-            EXPECT_EQ(bearer.own_branches[0], own.line);
+            auto const& parent = skeleton.systems[at->system].branches[at->branch];
+            ASSERT_EQ(parent.own_branches.size(), 1u) << own.branch;
+            EXPECT_EQ(parent.own_branches[0], own.line);
             auto const& below = skeleton.systems[skeleton.system_of[at->system][at->branch]];
             EXPECT_TRUE(std::any_of(below.branches.begin(), below.branches.end(),
                                     [&](Branch const& branch) {
@@ -190,7 +190,7 @@ TEST(DeeperLevels, AStyleGoesDown)
     auto const skeleton = skeleton_of_lines(drawing, options);
     auto const source = skeleton.at(drawing.own_outlines[0].branch).value();
     auto const own = seen_on(skeleton.systems[skeleton.system_of[source.system][source.branch]]);
-    // On the third level, first branches stand at its share of their bearers' lengths.
+    // On the third level, first branches stand at its share of their parents' lengths.
     double first = 0;
     double angle_deg = 0;
     double count = 0;
@@ -227,7 +227,7 @@ TEST(DeeperLevels, AStyleIsCarriedAmongThem)
         = carried_by(source, std::vector { twig[0], children[1].path.curve.at(0.9) }).value();
     EXPECT_EQ(carried.at(name(1)), name(0));
     for (auto const& [target, from] : carried)
-        EXPECT_EQ(bearer_in(target), drawing.own_outlines[0].branch) << "of this level alone";
+        EXPECT_EQ(parent_in(target), drawing.own_outlines[0].branch) << "of this level alone";
     ASSERT_TRUE(choose_styles(drawing.styles, carried, source));
     auto const styled = skeleton_of_lines(drawing);
     auto const target = styled.at(name(1)).value();
@@ -267,7 +267,7 @@ protected:
     }
 };
 
-TEST_F(DeeperEdits, StayWithTheirBearers)
+TEST_F(DeeperEdits, StayWithTheirParents)
 {
     auto const lines = lobed_crown(7);
     auto const before = three_levels();
@@ -296,7 +296,7 @@ TEST_F(DeeperEdits, StayWithTheirBearers)
 
 // Without the limb they wait, and without the twig what stands on it; a crown with the limb again
 // gives all of them back.
-TEST_F(DeeperEdits, WaitForTheirBearers)
+TEST_F(DeeperEdits, WaitForTheirParents)
 {
     auto const lines = lobed_crown(7);
     auto const before = three_levels();

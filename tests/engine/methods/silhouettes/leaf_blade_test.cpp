@@ -178,7 +178,7 @@ TEST(LeafBlade, GoesDownWithAStyle)
     auto const with = skeleton_of_lines(drawing);
     std::size_t bearing = 0;
     for (std::size_t s = 1; s < with.systems.size(); ++s) {
-        EXPECT_TRUE(bears_leaves_alone(with.systems[s])) << with.bearers[s];
+        EXPECT_TRUE(bears_leaves_alone(with.systems[s])) << with.parents[s];
         ++bearing;
     }
     EXPECT_GE(bearing, 5u);

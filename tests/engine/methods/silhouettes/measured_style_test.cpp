@@ -72,7 +72,7 @@ TEST(SilhouetteStyle, HasWhatAPlantHas)
     auto const style = style_of(plant);
     ASSERT_EQ(style.levels.size(), 1u);
     auto const& level = style.levels[0];
-    EXPECT_EQ(level.bearers, 1u);
+    EXPECT_EQ(level.parents, 1u);
     EXPECT_EQ(level.children, 5u);
     EXPECT_NEAR(level.style.children, 5, 1e-9);
     EXPECT_NEAR(level.style.unbranched, 0.2, 1e-9);

@@ -84,7 +84,7 @@ TEST_F(OwnBranchEdits, MakeTheTreeOfTheirLines)
 }
 
 // Of a crown that is drawn anew, by so little: whose they are is told by where those end.
-TEST_F(OwnBranchEdits, StayWithTheirBearers)
+TEST_F(OwnBranchEdits, StayWithTheirParents)
 {
     std::size_t drawn = 0;
     std::size_t kept = 0;
@@ -99,8 +99,8 @@ TEST_F(OwnBranchEdits, StayWithTheirBearers)
             for (std::size_t i = 0; i < drawing(before).own_branches.size(); ++i) {
                 ++drawn;
                 auto const& own = drawing(after).own_branches[i];
-                auto const bearer = number_of(has, own.branch);
-                if (!bearer)
+                auto const parent = number_of(has, own.branch);
+                if (!parent)
                     continue;
                 ++kept;
                 auto const was = number_of(had, drawing(before).own_branches[i].branch).value();
@@ -114,8 +114,8 @@ TEST_F(OwnBranchEdits, StayWithTheirBearers)
     EXPECT_GE(static_cast<double>(kept), 0.95 * static_cast<double>(drawn));
 }
 
-// A crown without the bearer leaves it waiting; one that has it again gives it back.
-TEST_F(OwnBranchEdits, WaitForTheirBearers)
+// A crown without the parent leaves it waiting; one that has it again gives it back.
+TEST_F(OwnBranchEdits, WaitForTheirParents)
 {
     auto const before = twigs_on(tree(lobed_crown(5)));
     EXPECT_EQ(count_waiting(drawing(before)).value(), 0U);

@@ -39,15 +39,15 @@ Drawing with_twig(Drawing drawing, std::vector<Vec2> const& line, StyleTo style_
     return drawing;
 }
 
-Branch const& drawn_on(Skeleton const& skeleton, std::size_t bearer)
+Branch const& drawn_on(Skeleton const& skeleton, std::size_t parent)
 {
     static Branch const none;
-    auto const below = skeleton.system_of[0][bearer];
+    auto const below = skeleton.system_of[0][parent];
     if (below != kNoSystem)
         for (auto const& branch : skeleton.systems[below].branches)
             if (branch.is_stroke())
                 return branch;
-    ADD_FAILURE() << "nothing was drawn on branch " << bearer;
+    ADD_FAILURE() << "nothing was drawn on branch " << parent;
     return none;
 }
 
@@ -61,12 +61,12 @@ TEST(OwnBranch, IsOfTheBranchThatItBeginsOn)
         if (branch.origin != Branch::Origin::Bump)
             continue;
         ++found;
-        EXPECT_EQ(bearer_of(system, twig_on(branch, 0.7)), i) << name_of(branch);
+        EXPECT_EQ(parent_of(system, twig_on(branch, 0.7)), i) << name_of(branch);
     }
     EXPECT_GE(found, 4);
-    EXPECT_FALSE(bearer_of(system, std::vector<Vec2> { { 0, 0 }, { 20, 10 } })) << "on the trunk";
-    EXPECT_FALSE(bearer_of(system, std::vector<Vec2> { { 200, 0 }, { 220, 10 } })) << "beside it";
-    EXPECT_FALSE(bearer_of(system, system.branches[0].crown)) << "it comes back";
+    EXPECT_FALSE(parent_of(system, std::vector<Vec2> { { 0, 0 }, { 20, 10 } })) << "on the trunk";
+    EXPECT_FALSE(parent_of(system, std::vector<Vec2> { { 200, 0 }, { 220, 10 } })) << "beside it";
+    EXPECT_FALSE(parent_of(system, system.branches[0].crown)) << "it comes back";
     auto refused = drawing;
     auto const answer = add_own_branch(refused, { { 0, 0 }, { 20, 10 } }, StyleTo::None);
     ASSERT_FALSE(answer);
@@ -78,13 +78,13 @@ TEST(OwnBranch, RunsAsItWasDrawn)
 {
     auto const drawing = lobed_crown(5);
     auto const before = refined(drawing);
-    auto const bearer = *number_of(before.systems[0], "b1");
-    auto const line = twig_on(before.systems[0].branches[bearer], 0.6);
+    auto const parent = *number_of(before.systems[0], "b1");
+    auto const line = twig_on(before.systems[0].branches[parent], 0.6);
     auto const skeleton = refined(with_twig(drawing, line));
-    auto const& branch = drawn_on(skeleton, bearer);
+    auto const& branch = drawn_on(skeleton, parent);
     EXPECT_EQ(branch.stroke, line);
     EXPECT_LT((branch.path.curve.base - line.front()).norm(),
-              before.systems[0].branches[bearer].path.length / 63);
+              before.systems[0].branches[parent].path.length / 63);
     EXPECT_LT((branch.path.curve.end - line.back()).norm(), 1e-9);
     auto const tree = make_tree(skeleton);
     check_plant(tree.plant);
@@ -108,7 +108,7 @@ TEST(OwnBranch, RunsAsItWasDrawn)
     EXPECT_EQ(found, 1);
 }
 
-// All others of the tree stay; of the bearer's, one that ended in the same bump gives way.
+// All others of the tree stay; of the parent's, one that ended in the same bump gives way.
 TEST(OwnBranch, TakesThePlaceOfTheOneThatEndsThere)
 {
     auto drawing = lobed_crown(7);
@@ -120,16 +120,16 @@ TEST(OwnBranch, TakesThePlaceOfTheOneThatEndsThere)
     }
     ASSERT_TRUE(add_own_outline(drawing, limb));
     auto const before = refined(drawing);
-    auto const bearer = *number_of(before.systems[0], drawing.own_outlines[0].branch);
-    auto const& had = before.systems[before.system_of[0][bearer]];
+    auto const parent = *number_of(before.systems[0], drawing.own_outlines[0].branch);
+    auto const& had = before.systems[before.system_of[0][parent]];
     auto const bump
         = std::find_if(had.branches.begin(), had.branches.end(),
                        [](Branch const& branch) { return branch.origin == Branch::Origin::Bump; });
     ASSERT_NE(bump, had.branches.end());
-    auto const& curve = before.systems[0].branches[bearer].path.curve;
+    auto const& curve = before.systems[0].branches[parent].path.curve;
     std::vector<Vec2> const line { curve.at(0.55), bump->path.curve.end };
     auto const after = refined(with_twig(drawing, line));
-    auto const& has = after.systems[after.system_of[0][bearer]];
+    auto const& has = after.systems[after.system_of[0][parent]];
     auto const count = [](BranchingSystem const& system, Branch::Origin origin) {
         return std::count_if(system.branches.begin(), system.branches.end(),
                              [&](Branch const& branch) { return branch.origin == origin; });
@@ -141,19 +141,19 @@ TEST(OwnBranch, TakesThePlaceOfTheOneThatEndsThere)
         EXPECT_EQ(after.systems[0].branches[i].crown, before.systems[0].branches[i].crown);
 }
 
-// Where branches bear no others, a bearer has what was drawn on it, and no more.
+// Where branches bear no others, a parent has what was drawn on it, and no more.
 TEST(OwnBranch, StandsWhereNoOthersDo)
 {
     auto const drawing = lobed_crown(5);
     auto const system = refined(drawing, { .levels = 1 }).systems[0];
-    auto const bearer = *number_of(system, "b2");
-    auto const one = with_twig(drawing, twig_on(system.branches[bearer], 0.5));
-    auto const two = with_twig(one, twig_on(system.branches[bearer], 0.7));
-    EXPECT_EQ(refined(one, { .levels = 1 }).branches_on({ 0, bearer }), 1U);
-    EXPECT_EQ(refined(two, { .levels = 1 }).branches_on({ 0, bearer }), 2U);
-    EXPECT_GT(refined(two).branches_on({ 0, bearer }), 2U) << "others stand beside them";
+    auto const parent = *number_of(system, "b2");
+    auto const one = with_twig(drawing, twig_on(system.branches[parent], 0.5));
+    auto const two = with_twig(one, twig_on(system.branches[parent], 0.7));
+    EXPECT_EQ(refined(one, { .levels = 1 }).branches_on({ 0, parent }), 1U);
+    EXPECT_EQ(refined(two, { .levels = 1 }).branches_on({ 0, parent }), 2U);
+    EXPECT_GT(refined(two).branches_on({ 0, parent }), 2U) << "others stand beside them";
     auto waiting = drawing;
-    waiting.own_branches.push_back({ "b99", twig_on(system.branches[bearer], 0.5) });
+    waiting.own_branches.push_back({ "b99", twig_on(system.branches[parent], 0.5) });
     EXPECT_EQ(refined(waiting).branch_count(), refined(drawing).branch_count());
 }
 
@@ -165,7 +165,7 @@ TEST(OwnBranch, GoesWithItsDrawing)
     auto const line = twig_on(system.branches[*number_of(system, "b1")], 0.6);
     auto const plain = with_twig(drawing, line);
     auto const has = refined(plain);
-    auto const bearer = *number_of(has.systems[0], plain.own_branches[0].branch);
+    auto const parent = *number_of(has.systems[0], plain.own_branches[0].branch);
     Similarity const turn { .to = Vec2(12, -345), .turn = Vec2(0.3, -1.7) };
     Similarity const mirror { .turn = Vec2(-1, 0), .mirrors = true };
     for (auto const& way : { turn, mirror }) {
@@ -173,11 +173,11 @@ TEST(OwnBranch, GoesWithItsDrawing)
         auto const skeleton = refined(other);
         auto const number = *number_of(skeleton.systems[0], other.own_branches[0].branch);
         double const close = 0.005 * box_of(skeleton.systems[0].outline).diagonal();
-        auto const& one = has.systems[0].branches[bearer].path.curve;
+        auto const& one = has.systems[0].branches[parent].path.curve;
         auto const& same = skeleton.systems[0].branches[number].path.curve;
         EXPECT_LT((way.point(one.end) - same.end).norm(), close);
         EXPECT_EQ(drawn_on(skeleton, number).stroke, way.points(line));
-        EXPECT_LT((way.point(drawn_on(has, bearer).path.curve.base)
+        EXPECT_LT((way.point(drawn_on(has, parent).path.curve.base)
                    - drawn_on(skeleton, number).path.curve.base)
                       .norm(),
                   close);

@@ -30,7 +30,7 @@ inline Skeleton skeleton_of_lines(Drawing const& drawing, SkeletonOptions const&
     return skeleton ? *std::move(skeleton) : Skeleton();
 }
 
-// What is measured of a bearer by other means than the style's: places as lengths along the samples
+// What is measured of a parent by other means than the style's: places as lengths along the samples
 // of its trunk, angles by their lines.
 struct Seen {
     std::vector<double> places; // In millimetres.

@@ -41,8 +41,8 @@ TEST(SilhouetteTree, IsAsTallAsAsked)
     EXPECT_NEAR(box.min_mm.z(), 0, 50);
 }
 
-// Every axis begins on its bearer.
-TEST(SilhouetteTree, BranchesStandOnTheirBearers)
+// Every axis begins on its parent.
+TEST(SilhouetteTree, BranchesStandOnTheirParents)
 {
     auto const tree = make_tree(skeleton_of(star(7, 40, 100)));
     auto const& plant = tree.plant;
@@ -125,7 +125,7 @@ TEST(SilhouetteTreeCorpus, FillsThePublishedOutlines)
     }
 }
 
-// A branch at the very end of its bearer stands on its last segment, and not on another axis.
+// A branch at the very end of its parent stands on its last segment, and not on another axis.
 TEST(SilhouetteTreeCorpus, IsAPlantInEveryReadyForm)
 {
     REQUIRE_CORPUS();

@@ -104,8 +104,8 @@ TEST(ChangeSketch, ReachesWhatWasPutOnAnotherPlant)
     auto scene = after({ first, drawn(kFirst) });
     auto const host = scene.plants[0]->drawn->id;
     auto const guest = scene.plants[1]->drawn->id;
-    auto const& bearer = *scene.plants[0];
-    auto const at = bearer.rest->addresses.address_of(*bearer.base, 4);
+    auto const& parent = *scene.plants[0];
+    auto const at = parent.rest->addresses.address_of(*parent.base, 4);
     scene = after({ GraftPlant { guest, host, at } }, scene);
     auto const grown = newest_grown(*scene.drawn);
     ASSERT_TRUE(grown);
