@@ -1,8 +1,8 @@
-#include "app/command_line.h"
-#include "app/methods/all_commands.h"
+#include "app/commands/command_line.h"
 #include "app/methods/all_methods.h"
+#include "app/methods/commands/all_commands.h"
 #include "app/terminal/console.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 #include "engine/base/worker_threads.h"
 
 int main(int argc, char** argv)

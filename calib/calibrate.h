@@ -6,7 +6,7 @@
 #include "calib/rig.h"
 #include "calib/tilt_fit.h"
 #include "calib/travel_fit.h"
-#include "drivers/device_info.h"
+#include "drivers/reports/device_info.h"
 
 #include <cstdint>
 #include <span>

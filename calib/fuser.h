@@ -5,8 +5,8 @@
 #include "calib/height_track.h"
 #include "calib/lean_track.h"
 #include "calib/rig.h"
-#include "drivers/height_sample.h"
-#include "drivers/pen_sample.h"
+#include "drivers/reports/height_sample.h"
+#include "drivers/reports/pen_sample.h"
 #include "engine/stroke/tip_sample.h"
 
 #include <cstddef>

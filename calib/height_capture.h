@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/height_sample.h"
+#include "drivers/reports/height_sample.h"
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 

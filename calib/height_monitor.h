@@ -2,7 +2,7 @@
 
 #include "calib/lowest_stop.h"
 #include "calib/rig.h"
-#include "drivers/height_sample.h"
+#include "drivers/reports/height_sample.h"
 #include "engine/base/time.h"
 
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "calib/rig.h"
-#include "drivers/height_sample.h"
-#include "drivers/pen_sample.h"
+#include "drivers/reports/height_sample.h"
+#include "drivers/reports/pen_sample.h"
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 

@@ -2,8 +2,8 @@
 
 #include "calib/height_track.h"
 #include "calib/rig.h"
-#include "drivers/height_sample.h"
-#include "drivers/pen_sample.h"
+#include "drivers/reports/height_sample.h"
+#include "drivers/reports/pen_sample.h"
 #include "engine/base/vectors.h"
 
 #include <optional>

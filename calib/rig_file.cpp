@@ -3,7 +3,7 @@
 #include "calib/calibration_record_file.h"
 #include "calib/height_model_file.h"
 #include "calib/toml_table.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 
 #include <cmath>
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "calib/rig.h"
-#include "drivers/pen_sample.h"
+#include "drivers/reports/pen_sample.h"
 #include "engine/base/result.h"
 #include "engine/base/vectors.h"
 

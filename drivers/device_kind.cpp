@@ -1,7 +1,8 @@
 #include "drivers/device_kind.h"
 
-#include "drivers/height_decoder.h"
-#include "drivers/pen_decoder.h"
+#include "drivers/height_decoders.h"
+#include "drivers/reports/height_decoder.h"
+#include "drivers/tablets/pen_decoders.h"
 
 #include <fmt/core.h>
 

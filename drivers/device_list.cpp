@@ -1,9 +1,9 @@
 #include "drivers/device_list.h"
 
-#include "drivers/device_address.h"
 #include "drivers/gpio/gpio_adc.h"
 #include "drivers/gpio/gpio_encoder.h"
-#include "drivers/hid_source.h"
+#include "drivers/links/hid_source.h"
+#include "drivers/reports/device_address.h"
 #include "drivers/sensors/labjack_u3.h"
 #include "drivers/sensors/linak_desk.h"
 #include "drivers/sensors/mcp2221a.h"

@@ -1,7 +1,7 @@
 #include "drivers/reconnecting_source.h"
 
-#include "drivers/device_address.h"
 #include "drivers/device_list.h"
+#include "drivers/reports/device_address.h"
 #include "engine/base/check.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "drivers/device_events.h"
-#include "drivers/device_info.h"
-#include "drivers/report_source.h"
+#include "drivers/links/device_events.h"
+#include "drivers/reports/device_info.h"
+#include "drivers/reports/report_source.h"
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 

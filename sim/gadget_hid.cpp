@@ -1,7 +1,7 @@
 #include "sim/gadget_hid.h"
 
-#include "drivers/file.h"
-#include "drivers/report_descriptor.h"
+#include "drivers/reports/report_descriptor.h"
+#include "engine/base/file.h"
 
 #include <algorithm>
 #include <array>

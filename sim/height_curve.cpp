@@ -1,6 +1,5 @@
 #include "sim/height_curve.h"
-
-#include "drivers/height_decoder.h"
+#include "drivers/height_decoders.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/log.h"
+#include "drivers/logs/log.h"
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 

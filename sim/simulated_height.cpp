@@ -1,6 +1,6 @@
 #include "sim/simulated_height.h"
 
-#include "drivers/height_decoder.h"
+#include "drivers/height_decoders.h"
 #include "engine/base/check.h"
 #include "sim/height_sensor_frames.h"
 #include "sim/random_streams.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/device_info.h"
+#include "drivers/reports/device_info.h"
 #include "engine/base/result.h"
 #include "sim/file_descriptor.h"
 #include "sim/kernel_device.h"

@@ -1,6 +1,6 @@
 #include "sim/usb_gadget.h"
 
-#include "drivers/file.h"
+#include "engine/base/file.h"
 
 #include <algorithm>
 #include <cerrno>

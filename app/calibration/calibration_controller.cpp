@@ -1,6 +1,8 @@
 #include "app/calibration/calibration_controller.h"
 
 #include "app/calibration/calibration_report.h"
+#include "drivers/height_decoders.h"
+#include "drivers/tablets/pen_decoders.h"
 
 #include <algorithm>
 #include <array>

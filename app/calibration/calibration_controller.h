@@ -5,9 +5,9 @@
 #include "calib/height_fit_doubt.h"
 #include "calib/rig.h"
 #include "calib/zeroing.h"
-#include "drivers/device_info.h"
-#include "drivers/height_decoder.h"
-#include "drivers/pen_decoder.h"
+#include "drivers/reports/device_info.h"
+#include "drivers/reports/height_decoder.h"
+#include "drivers/reports/pen_decoder.h"
 #include "engine/base/result.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/calibration/calibration_controller.h"
-#include "drivers/log.h"
+#include "drivers/logs/log.h"
 #include "engine/base/result.h"
 
 #include <string>

@@ -4,7 +4,7 @@
 #include "app/calibration/height_plots.h"
 #include "app/calibration/plot_svg.h"
 #include "calib/rig_file.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 
 #include <ctime>
 #include <fmt/chrono.h>

@@ -1,7 +1,7 @@
 #include "app/calibration/simulated_calibration.h"
 
 #include "app/calibration/log_calibration.h"
-#include "drivers/log_writer.h"
+#include "drivers/logs/log_writer.h"
 
 #include <fmt/core.h>
 #include <string>

@@ -1,6 +1,6 @@
 #include "app/desktop/completion.h"
 
-#include "app/verbs/checks.h"
+#include "app/options/checks.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -29,9 +29,9 @@ std::vector<std::string> names_of(CLI::Option const& option)
     return names;
 }
 
-CLI::Option* find_option(CLI::App& verb, std::string const& name)
+CLI::Option* find_option(CLI::App& command, std::string const& name)
 {
-    for (auto* const option : verb.get_options({})) {
+    for (auto* const option : command.get_options({})) {
         auto const names = names_of(*option);
         if (std::find(names.begin(), names.end(), name) != names.end())
             return option;
@@ -39,17 +39,17 @@ CLI::Option* find_option(CLI::App& verb, std::string const& name)
     return nullptr;
 }
 
-CLI::App* find_verb(CLI::App& parent, std::string const& name)
+CLI::App* find_command(CLI::App& parent, std::string const& name)
 {
-    for (auto* const verb : parent.get_subcommands([](CLI::App*) { return true; }))
-        if (verb->get_name() == name)
-            return verb;
+    for (auto* const command : parent.get_subcommands([](CLI::App*) { return true; }))
+        if (command->get_name() == name)
+            return command;
     return nullptr;
 }
 
 // State after the words before the line's last word.
 struct Place {
-    CLI::App* verb;
+    CLI::App* command;
     CLI::Option* option = nullptr; // Takes the next word, or may take it, if it is no option.
     int values = 0;                // Number of values that it has taken already.
     std::size_t positionals = 0;
@@ -59,12 +59,12 @@ struct Place {
     void read(std::string const& word)
     {
         if (is_option(word) && !needs_value()) {
-            option = find_option(*verb, word.substr(0, word.find('=')));
+            option = find_option(*command, word.substr(0, word.find('=')));
             values = word.find('=') == std::string::npos ? 0 : 1;
         } else if (option) {
             ++values;
-        } else if (auto* const below = positionals == 0 ? find_verb(*verb, word) : nullptr) {
-            verb = below;
+        } else if (auto* const below = positionals == 0 ? find_command(*command, word) : nullptr) {
+            command = below;
         } else {
             ++positionals;
         }
@@ -116,23 +116,23 @@ public:
             completion.names = Completion::Names::Folders;
     }
 
-    void verbs_of(CLI::App& verb)
+    void commands_of(CLI::App& command)
     {
-        for (auto* const below : verb.get_subcommands([](CLI::App*) { return true; }))
+        for (auto* const below : command.get_subcommands([](CLI::App*) { return true; }))
             if (!below->get_group().empty())
                 word(below->get_name(), below->get_description());
     }
 
-    void options_of(CLI::App& verb)
+    void options_of(CLI::App& command)
     {
-        for (auto* const option : verb.get_options({}))
+        for (auto* const option : command.get_options({}))
             if (!option->get_lnames().empty())
                 word("--" + option->get_lnames().front(), option->get_description());
     }
 
-    void positional_of(CLI::App& verb, std::size_t place)
+    void positional_of(CLI::App& command, std::size_t place)
     {
-        for (auto* const option : verb.get_options({}))
+        for (auto* const option : command.get_options({}))
             if (option->get_positional() && place-- == 0)
                 values_of(*option);
     }
@@ -157,20 +157,20 @@ Completion complete(CLI::App& root, std::vector<std::string> typed,
 
     Offer offer(last, models);
     if (auto const equals = last.find('='); is_option(last) && equals != std::string::npos) {
-        if (auto* const option = find_option(*place.verb, last.substr(0, equals)))
+        if (auto* const option = find_option(*place.command, last.substr(0, equals)))
             offer.values_of(*option, last.substr(0, equals + 1));
     } else if (place.needs_value()) {
         offer.values_of(*place.option);
     } else if (!last.empty() && last.front() == '-') {
-        offer.options_of(*place.verb);
+        offer.options_of(*place.command);
     } else if (place.option) {
         offer.values_of(*place.option);
     } else {
         if (place.positionals == 0)
-            offer.verbs_of(*place.verb);
-        offer.positional_of(*place.verb, place.positionals);
+            offer.commands_of(*place.command);
+        offer.positional_of(*place.command, place.positionals);
         if (offer.completion.words.empty() && offer.completion.names == Completion::Names::None)
-            offer.options_of(*place.verb);
+            offer.options_of(*place.command);
     }
     return std::move(offer.completion);
 }

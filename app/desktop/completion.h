@@ -21,7 +21,7 @@ struct Completion {
 
 // `typed` holds the words after the program's name, the last of which is being typed and may be
 // empty. "--option=value" may be one word, or three, as bash takes it apart. Only what begins as
-// the last word does is offered, hidden verbs are not. `models` are the plants to offer for a
+// the last word does is offered, hidden commands are not. `models` are the plants to offer for a
 // model.
 Completion complete(CLI::App& root, std::vector<std::string> typed,
                     std::vector<std::string> const& models);

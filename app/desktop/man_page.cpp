@@ -1,6 +1,6 @@
 #include "app/desktop/man_page.h"
 
-#include "app/help.h"
+#include "app/options/help.h"
 
 #include <algorithm>
 #include <cctype>
@@ -54,33 +54,34 @@ std::string paragraphs(std::string const& text)
     return result + (is_literal ? ".fi\n" : "");
 }
 
-std::string full_name(CLI::App const& verb)
+std::string full_name(CLI::App const& command)
 {
-    return verb.get_parent() ? full_name(*verb.get_parent()) + " " + verb.get_name()
-                             : verb.get_name();
+    return command.get_parent() ? full_name(*command.get_parent()) + " " + command.get_name()
+                                : command.get_name();
 }
 
-std::vector<CLI::App const*> verbs_below(CLI::App const& verb)
+std::vector<CLI::App const*> commands_below(CLI::App const& command)
 {
-    return verb.get_subcommands([](CLI::App const* below) { return !below->get_group().empty(); });
+    return command.get_subcommands(
+        [](CLI::App const* below) { return !below->get_group().empty(); });
 }
 
-std::vector<CLI::Option const*> positionals_of(CLI::App const& verb)
+std::vector<CLI::Option const*> positionals_of(CLI::App const& command)
 {
-    return verb.get_options([](CLI::Option const* option) { return option->get_positional(); });
+    return command.get_options([](CLI::Option const* option) { return option->get_positional(); });
 }
 
-std::string synopsis(CLI::App const& verb)
+std::string synopsis(CLI::App const& command)
 {
-    auto text = fmt::format(".B {}\n[\\fIOPTIONS\\fR...]", escaped(full_name(verb)));
-    for (auto const* option : positionals_of(verb)) {
+    auto text = fmt::format(".B {}\n[\\fIOPTIONS\\fR...]", escaped(full_name(command)));
+    for (auto const* option : positionals_of(command)) {
         auto const name = fmt::format("\\fI{}\\fR", escaped(option->get_name(true)));
         auto const many = option->get_items_expected_max() > 1 ? "..." : "";
         text += option->get_required() ? fmt::format(" {}{}", name, many)
                                        : fmt::format(" [{}]{}", name, many);
     }
-    if (!verbs_below(verb).empty())
-        text += " \\fIVERB\\fR";
+    if (!commands_below(command).empty())
+        text += " \\fICOMMAND\\fR";
     return text + "\n";
 }
 
@@ -97,17 +98,17 @@ std::string option_entry(CLI::Option const& option)
 }
 
 // Arguments and options below a heading of the given kind, ".SH" or ".SS".
-std::string entries(CLI::App const& verb, char const* heading)
+std::string entries(CLI::App const& command, char const* heading)
 {
     std::string text;
-    auto const positionals = positionals_of(verb);
+    auto const positionals = positionals_of(command);
     if (!positionals.empty())
         text += fmt::format("{} ARGUMENTS\n", heading);
     for (auto const* option : positionals)
         text += fmt::format(".TP\n\\fI{}\\fR\n{}\n", escaped(option->get_name(true)),
                             escaped(option_text(*option)));
     text += fmt::format("{} OPTIONS\n", heading);
-    for (auto const* option : verb.get_options({}))
+    for (auto const* option : command.get_options({}))
         if (option->nonpositional())
             text += option_entry(*option);
     return text;
@@ -120,9 +121,9 @@ std::string upper_case(std::string text)
     return text;
 }
 
-std::string head(CLI::App const& verb, std::string const& what)
+std::string head(CLI::App const& command, std::string const& what)
 {
-    auto const name = man_page_name(verb);
+    auto const name = man_page_name(command);
     return fmt::format(".TH {} 1 \"\" \"tractus " TRACTUS_VERSION "\" \"tractus's manual\"\n"
                        ".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n",
                        escaped(upper_case(name)), escaped(name), escaped(what));
@@ -130,9 +131,9 @@ std::string head(CLI::App const& verb, std::string const& what)
 
 } // namespace
 
-std::string man_page_name(CLI::App const& verb)
+std::string man_page_name(CLI::App const& command)
 {
-    auto name = full_name(verb);
+    auto name = full_name(command);
     std::replace(name.begin(), name.end(), ' ', '-');
     return name;
 }
@@ -142,26 +143,26 @@ std::string program_man_page(CLI::App const& root)
     auto const description = root.get_description();
     auto text = head(root, description.substr(description.find(": ") + 2));
     text += synopsis(root) + ".SH DESCRIPTION\n" + paragraphs(root.get_footer());
-    text += ".SH VERBS\n";
-    for (auto const* verb : verbs_below(root))
-        text += fmt::format(".TP\n.BR {} (1)\n{}\n", escaped(man_page_name(*verb)),
-                            escaped(verb->get_description()));
+    text += ".SH COMMANDS\n";
+    for (auto const* command : commands_below(root))
+        text += fmt::format(".TP\n.BR {} (1)\n{}\n", escaped(man_page_name(*command)),
+                            escaped(command->get_description()));
     return text + entries(root, ".SH");
 }
 
-std::string verb_man_page(CLI::App const& verb)
+std::string command_man_page(CLI::App const& command)
 {
-    auto text = head(verb, verb.get_description());
-    auto const below = verbs_below(verb);
+    auto text = head(command, command.get_description());
+    auto const below = commands_below(command);
     if (below.empty())
-        text += synopsis(verb);
+        text += synopsis(command);
     for (auto const* each : below)
         text += (each == below.front() ? "" : ".br\n") + synopsis(*each);
-    text += ".SH DESCRIPTION\n" + escaped(verb.get_description()) + ".\n";
-    if (!verb.get_footer().empty())
-        text += ".PP\n" + paragraphs(verb.get_footer());
+    text += ".SH DESCRIPTION\n" + escaped(command.get_description()) + ".\n";
+    if (!command.get_footer().empty())
+        text += ".PP\n" + paragraphs(command.get_footer());
     if (below.empty())
-        text += entries(verb, ".SH");
+        text += entries(command, ".SH");
     for (auto const* each : below) {
         text += fmt::format(".SH {}\n{}.\n", upper_case(escaped(full_name(*each))),
                             escaped(each->get_description()));

@@ -1,10 +1,10 @@
 #include "app/devices/live_devices.h"
 
+#include "app/files/resources.h"
 #include "app/play/paced_log.h"
-#include "app/resources.h"
 #include "drivers/device_kind.h"
 #include "drivers/device_list.h"
-#include "drivers/log.h"
+#include "drivers/logs/log.h"
 
 #include <algorithm>
 #include <chrono>

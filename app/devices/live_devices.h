@@ -1,9 +1,9 @@
 #pragma once
 
-#include "drivers/device_info.h"
+#include "drivers/links/threaded_source.h"
 #include "drivers/reconnecting_source.h"
-#include "drivers/report_source.h"
-#include "drivers/threaded_source.h"
+#include "drivers/reports/device_info.h"
+#include "drivers/reports/report_source.h"
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 

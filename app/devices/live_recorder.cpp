@@ -1,5 +1,6 @@
 #include "app/devices/live_recorder.h"
-#include "drivers/file.h"
+#include "drivers/tablets/pen_decoders.h"
+#include "engine/base/file.h"
 
 #include <cerrno>
 #include <cstring>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/devices/live_devices.h"
-#include "drivers/log_writer.h"
-#include "drivers/pen_decoder.h"
+#include "drivers/logs/log_writer.h"
+#include "drivers/reports/pen_decoder.h"
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 

@@ -2,7 +2,7 @@
 
 #include "app/devices/device_news.h"
 #include "app/devices/live_devices.h"
-#include "drivers/clock.h"
+#include "drivers/reports/clock.h"
 
 #include <chrono>
 #include <thread>

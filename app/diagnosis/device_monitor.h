@@ -2,9 +2,9 @@
 
 #include "calib/height_monitor.h"
 #include "drivers/device_kind.h"
-#include "drivers/height_decoder.h"
-#include "drivers/pen_decoder.h"
-#include "drivers/report_source.h"
+#include "drivers/reports/height_decoder.h"
+#include "drivers/reports/pen_decoder.h"
+#include "drivers/reports/report_source.h"
 #include "engine/base/time.h"
 
 #include <cstddef>

@@ -1,10 +1,10 @@
 #include "app/diagnosis/diagnose.h"
 
 #include "app/diagnosis/udev_rules.h"
-#include "drivers/device_address.h"
 #include "drivers/gpio/gpio_encoder.h"
 #include "drivers/library_versions.h"
-#include "drivers/report_descriptor.h"
+#include "drivers/reports/device_address.h"
+#include "drivers/reports/report_descriptor.h"
 #include "drivers/sensors/linak_desk.h"
 #include "drivers/sensors/mcp2221a.h"
 #include "drivers/tablets/tablet_lookup.h"

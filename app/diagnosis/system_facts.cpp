@@ -1,12 +1,12 @@
 #include "app/diagnosis/system_facts.h"
 
-#include "drivers/device_address.h"
 #include "drivers/device_list.h"
-#include "drivers/file.h"
-#include "drivers/hid_source.h"
 #include "drivers/library_versions.h"
-#include "drivers/sysfs.h"
+#include "drivers/links/hid_source.h"
+#include "drivers/links/sysfs.h"
+#include "drivers/reports/device_address.h"
 #include "drivers/tablets/tablet_lookup.h"
+#include "engine/base/file.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drivers/device_info.h"
 #include "drivers/device_kind.h"
+#include "drivers/reports/device_info.h"
 
 #include <cstdint>
 #include <filesystem>

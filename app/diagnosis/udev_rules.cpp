@@ -1,6 +1,6 @@
 #include "app/diagnosis/udev_rules.h"
 
-#include "drivers/device_address.h"
+#include "drivers/reports/device_address.h"
 
 #include <algorithm>
 #include <cstddef>

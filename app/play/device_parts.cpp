@@ -1,6 +1,6 @@
 #include "app/play/device_parts.h"
 
-#include "drivers/clock.h"
+#include "drivers/reports/clock.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/report_source.h"
+#include "drivers/reports/report_source.h"
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 #include "sim/kernel_device.h"

@@ -1,7 +1,7 @@
 #include "app/play/paced_log.h"
 
-#include "drivers/clock.h"
-#include "drivers/log_source.h"
+#include "drivers/logs/log_source.h"
+#include "drivers/reports/clock.h"
 #include "engine/base/check.h"
 
 #include <algorithm>

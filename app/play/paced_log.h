@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drivers/log.h"
-#include "drivers/report_source.h"
+#include "drivers/logs/log.h"
+#include "drivers/reports/report_source.h"
 #include "engine/base/time.h"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "app/play/played_height_sensor.h"
 
-#include "drivers/clock.h"
+#include "drivers/reports/clock.h"
 
 #include <chrono>
 #include <utility>

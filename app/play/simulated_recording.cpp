@@ -2,7 +2,7 @@
 
 #include "app/tools/tool.h"
 #include "calib/rig_file.h"
-#include "drivers/log_writer.h"
+#include "drivers/logs/log_writer.h"
 #include "engine/plant/join_axes.h"
 #include "sim/simulated_rig.h"
 

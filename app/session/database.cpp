@@ -1,7 +1,7 @@
 #include "app/session/database.h"
 
-#include "drivers/file.h"
 #include "engine/base/check.h"
+#include "engine/base/file.h"
 
 #include <cstring>
 #include <fmt/core.h>

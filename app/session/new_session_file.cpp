@@ -1,6 +1,6 @@
 #include "app/session/new_session_file.h"
 
-#include "drivers/file.h"
+#include "engine/base/file.h"
 
 #include <cerrno>
 #include <cstring>

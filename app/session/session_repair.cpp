@@ -1,7 +1,7 @@
 #include "app/session/session_repair.h"
 
 #include "app/session/page_scan.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 #include "engine/scene/edit_ids.h"
 
 #include <algorithm>

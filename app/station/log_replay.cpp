@@ -2,7 +2,8 @@
 
 #include "app/document/logged_step.h"
 #include "calib/rig_file.h"
-#include "drivers/pen_decoder.h"
+#include "drivers/height_decoders.h"
+#include "drivers/tablets/pen_decoders.h"
 
 #include <fmt/core.h>
 #include <limits>

@@ -5,7 +5,7 @@
 #include "app/tools/methods.h"
 #include "calib/height_scenario.h"
 #include "calib/rig.h"
-#include "drivers/log.h"
+#include "drivers/logs/log.h"
 #include "engine/base/result.h"
 
 #include <cstddef>

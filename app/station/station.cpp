@@ -1,4 +1,6 @@
 #include "app/station/station.h"
+#include "drivers/height_decoders.h"
+#include "drivers/tablets/pen_decoders.h"
 
 #include <algorithm>
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 #include "app/terminal/error_text.h"
 
 #include "app/terminal/console.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 #include "engine/base/printable.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/station/start_page.h"
+#include "app/view/start_page.h"
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/station/window_model.h"
+#include "app/view/window_model.h"
 
 #include <imgui.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/station/window_model.h"
+#include "app/view/window_model.h"
 #include "app/window/hand_input.h"
 #include "app/window/pen_area.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/render/gpu_picture.h"
-#include "app/station/start_page.h"
+#include "app/view/start_page.h"
 #include "app/window/card_grid.h"
 #include "app/window/controls.h"
 #include "app/window/hand_input.h"

@@ -2,7 +2,7 @@
 
 #include "app/render/curve.h"
 #include "app/render/stage.h"
-#include "app/station/window_model.h"
+#include "app/view/window_model.h"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include "app/window/layout.h"
 #include "app/window/lost_display.h"
 #include "app/window/theme.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

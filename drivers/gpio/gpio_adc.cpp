@@ -1,7 +1,7 @@
 #include "drivers/gpio/gpio_adc.h"
 
-#include "drivers/device_address.h"
 #include "drivers/gpio/mcp3208.h"
+#include "drivers/reports/device_address.h"
 #include "engine/base/check.h"
 
 #include <algorithm>

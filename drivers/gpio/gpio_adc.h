@@ -1,9 +1,9 @@
 #pragma once
 
-#include "drivers/device_info.h"
 #include "drivers/gpio/gpio_lines.h"
-#include "drivers/height_decoder.h"
-#include "drivers/report_source.h"
+#include "drivers/reports/device_info.h"
+#include "drivers/reports/height_decoder.h"
+#include "drivers/reports/report_source.h"
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 

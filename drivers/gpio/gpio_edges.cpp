@@ -1,7 +1,7 @@
 #include "drivers/gpio/gpio_edges.h"
 
-#include "drivers/clock.h"
 #include "drivers/gpio/gpio_errors.h"
+#include "drivers/reports/clock.h"
 
 #include <algorithm>
 #include <array>

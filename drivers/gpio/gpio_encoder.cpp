@@ -1,6 +1,6 @@
 #include "drivers/gpio/gpio_encoder.h"
 
-#include "drivers/device_address.h"
+#include "drivers/reports/device_address.h"
 
 #include <algorithm>
 #include <fmt/core.h>

@@ -1,9 +1,9 @@
 #include "drivers/pens/descriptor_decoder.h"
 
-#include "drivers/pen_layout.h"
 #include "drivers/pens/known_habits.h"
 #include "drivers/pens/pen_state.h"
-#include "drivers/report_bytes.h"
+#include "drivers/reports/pen_layout.h"
+#include "drivers/reports/report_bytes.h"
 
 #include <algorithm>
 #include <bitset>

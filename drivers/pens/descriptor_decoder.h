@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drivers/device_info.h"
-#include "drivers/pen_decoder.h"
+#include "drivers/reports/device_info.h"
+#include "drivers/reports/pen_decoder.h"
 #include "engine/base/result.h"
 #include "engine/base/vectors.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drivers/pen_decoder.h"
 #include "drivers/pens/families.h"
+#include "drivers/reports/pen_decoder.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drivers/pen_sample.h"
 #include "drivers/pens/pen_fields.h"
+#include "drivers/reports/pen_sample.h"
 #include "engine/base/time.h"
 #include "engine/base/vectors.h"
 

@@ -1,6 +1,6 @@
 #include "drivers/pens/wacom.h"
 
-#include "drivers/report_bytes.h"
+#include "drivers/reports/report_bytes.h"
 
 namespace tractus {
 

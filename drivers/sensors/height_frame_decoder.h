@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drivers/device_info.h"
-#include "drivers/height_decoder.h"
+#include "drivers/reports/device_info.h"
+#include "drivers/reports/height_decoder.h"
 #include "engine/base/result.h"
 
 #include <memory>

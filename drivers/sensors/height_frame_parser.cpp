@@ -1,6 +1,6 @@
 #include "drivers/sensors/height_frame_parser.h"
 
-#include "drivers/report_bytes.h"
+#include "drivers/reports/report_bytes.h"
 
 #include <algorithm>
 #include <iterator>

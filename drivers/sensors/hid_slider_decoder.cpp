@@ -1,6 +1,6 @@
 #include "drivers/sensors/hid_slider_decoder.h"
 
-#include "drivers/report_descriptor.h"
+#include "drivers/reports/report_descriptor.h"
 
 #include <cstdint>
 #include <fmt/core.h>

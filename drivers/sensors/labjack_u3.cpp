@@ -1,6 +1,6 @@
 #include "drivers/sensors/labjack_u3.h"
 
-#include "drivers/report_bytes.h"
+#include "drivers/reports/report_bytes.h"
 #include "drivers/sensors/labjack_packet.h"
 #include "drivers/sensors/polled_source.h"
 #include "drivers/sensors/sensor_volts.h"

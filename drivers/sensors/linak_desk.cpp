@@ -1,6 +1,6 @@
 #include "drivers/sensors/linak_desk.h"
 
-#include "drivers/hid_link.h"
+#include "drivers/links/hid_link.h"
 #include "drivers/sensors/polled_source.h"
 
 #include <algorithm>

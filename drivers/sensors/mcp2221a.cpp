@@ -1,6 +1,6 @@
 #include "drivers/sensors/mcp2221a.h"
 
-#include "drivers/hid_link.h"
+#include "drivers/links/hid_link.h"
 #include "drivers/sensors/polled_source.h"
 #include "drivers/sensors/sensor_volts.h"
 #include "drivers/sensors/settings.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drivers/packet_link.h"
-#include "drivers/report_source.h"
+#include "drivers/links/packet_link.h"
+#include "drivers/reports/report_source.h"
 
 #include <cstddef>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "drivers/sensors/usb_height_sensor.h"
 
-#include "drivers/report_bytes.h"
+#include "drivers/reports/report_bytes.h"
 #include "drivers/sensors/settings.h"
 #include "drivers/usb/usb_context.h"
 #include "drivers/usb/usb_reader.h"

@@ -1,10 +1,10 @@
 #include "drivers/sensors/usb_sensor_list.h"
 
-#include "drivers/file.h"
+#include "drivers/links/sysfs.h"
 #include "drivers/sensors/height_sensor_protocol.h"
 #include "drivers/sensors/labjack_u3.h"
-#include "drivers/sysfs.h"
 #include "drivers/usb/usb_interfaces.h"
+#include "engine/base/file.h"
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "drivers/device_address.h"
-#include "drivers/device_info.h"
-#include "drivers/hid_back_end.h"
+#include "drivers/links/hid_back_end.h"
+#include "drivers/reports/device_address.h"
+#include "drivers/reports/device_info.h"
 #include "engine/base/result.h"
 
 #include <cstddef>

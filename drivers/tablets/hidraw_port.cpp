@@ -1,8 +1,8 @@
 #include "drivers/tablets/hidraw_port.h"
 
-#include "drivers/hid_link.h"
-#include "drivers/hid_sysfs.h"
-#include "drivers/report_descriptor.h"
+#include "drivers/links/hid_link.h"
+#include "drivers/links/hid_sysfs.h"
+#include "drivers/reports/report_descriptor.h"
 #include "drivers/tablets/tablet_interfaces.h"
 
 #include <algorithm>

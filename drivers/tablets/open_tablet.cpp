@@ -1,7 +1,7 @@
 #include "drivers/tablets/open_tablet.h"
 
-#include "drivers/device_address.h"
-#include "drivers/hid_source.h"
+#include "drivers/links/hid_source.h"
+#include "drivers/reports/device_address.h"
 #include "drivers/tablets/hidapi_libusb.h"
 #include "drivers/tablets/hidraw_port.h"
 #include "drivers/tablets/mode_switch.h"

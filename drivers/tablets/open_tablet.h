@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drivers/device_info.h"
-#include "drivers/report_source.h"
+#include "drivers/reports/device_info.h"
+#include "drivers/reports/report_source.h"
 #include "engine/base/result.h"
 
 #include <memory>

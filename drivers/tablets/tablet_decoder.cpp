@@ -1,7 +1,7 @@
 #include "drivers/tablets/tablet_decoder.h"
 
 #include "drivers/pens/descriptor_decoder.h"
-#include "drivers/report_descriptor.h"
+#include "drivers/reports/report_descriptor.h"
 #include "drivers/tablets/tablet_parameters.h"
 #include "engine/base/check.h"
 

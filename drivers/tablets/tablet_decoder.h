@@ -1,8 +1,8 @@
 #pragma once
 
-#include "drivers/device_info.h"
-#include "drivers/pen_decoder.h"
 #include "drivers/pens/family_decoder.h"
+#include "drivers/reports/device_info.h"
+#include "drivers/reports/pen_decoder.h"
 #include "drivers/tablets/tablet_lookup.h"
 #include "engine/base/result.h"
 

@@ -1,6 +1,5 @@
 #include "drivers/tablets/tablet_interfaces.h"
-
-#include "drivers/pen_decoder.h"
+#include "drivers/tablets/pen_decoders.h"
 
 #include <algorithm>
 #include <fmt/core.h>

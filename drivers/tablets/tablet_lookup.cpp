@@ -1,6 +1,6 @@
 #include "drivers/tablets/tablet_lookup.h"
 
-#include "drivers/report_descriptor.h"
+#include "drivers/reports/report_descriptor.h"
 #include "drivers/tablets/tablet_parameters.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "drivers/tablets/usb_tablet.h"
 
-#include "drivers/device_address.h"
+#include "drivers/reports/device_address.h"
 #include "drivers/usb/string_descriptor.h"
 #include "drivers/usb/usb_interfaces.h"
 

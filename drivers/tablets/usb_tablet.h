@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/device_info.h"
+#include "drivers/reports/device_info.h"
 #include "drivers/usb/usb_context.h"
 #include "engine/base/result.h"
 

@@ -1,6 +1,6 @@
 #include "drivers/usb/usb_context.h"
 
-#include "drivers/device_address.h"
+#include "drivers/reports/device_address.h"
 #include "drivers/usb/string_descriptor.h"
 #include "engine/base/check.h"
 

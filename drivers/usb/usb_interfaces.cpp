@@ -1,6 +1,6 @@
 #include "drivers/usb/usb_interfaces.h"
 
-#include "drivers/sysfs.h"
+#include "drivers/links/sysfs.h"
 
 #include <algorithm>
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drivers/device_info.h"
-#include "drivers/packet_link.h"
+#include "drivers/links/packet_link.h"
+#include "drivers/reports/device_info.h"
 #include "engine/base/result.h"
 
 #include <cstdint>

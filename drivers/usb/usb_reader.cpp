@@ -1,6 +1,6 @@
 #include "drivers/usb/usb_reader.h"
 
-#include "drivers/clock.h"
+#include "drivers/reports/clock.h"
 #include "engine/base/check.h"
 
 #include <algorithm>

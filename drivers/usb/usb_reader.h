@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/report_source.h"
+#include "drivers/reports/report_source.h"
 #include "drivers/usb/usb_context.h"
 #include "engine/base/result.h"
 #include "engine/base/time.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/plants/model_file.h"
-#include "app/resources.h"
+#include "app/files/resources.h"
+#include "app/io/model_file.h"
 #include "engine/scene/scene.h"
 
 #include <string_view>

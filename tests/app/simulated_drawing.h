@@ -2,7 +2,7 @@
 
 #include "app/methods/all_methods.h"
 #include "app/play/simulated_recording.h"
-#include "drivers/log.h"
+#include "drivers/logs/log.h"
 #include "tests/app/small_model.h"
 
 #include <sstream>

@@ -1,9 +1,9 @@
-#include "drivers/file.h"
-#include "drivers/log.h"
-#include "drivers/log_writer.h"
-#include "drivers/pen_decoder.h"
+#include "drivers/logs/log.h"
+#include "drivers/logs/log_writer.h"
 #include "drivers/pens/family_decoder.h"
+#include "drivers/tablets/pen_decoders.h"
 #include "engine/base/check.h"
+#include "engine/base/file.h"
 #include "tests/bench/report.h"
 #include "tests/drivers/devices.h"
 

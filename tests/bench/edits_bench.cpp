@@ -1,8 +1,8 @@
 // Steps of all methods on plants of 50,000 segments and more: from a finished stroke, or from undo,
 // to the document's next snapshot.
+#include "app/batch/malloc_tuning.h"
 #include "app/document/document.h"
 #include "app/methods/all_methods.h"
-#include "app/plants/malloc_tuning.h"
 #include "tests/app/methods/pairs/random_hand.h"
 #include "tests/bench/monopodial_tree.h"
 #include "tests/bench/report.h"

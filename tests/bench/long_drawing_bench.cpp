@@ -2,11 +2,11 @@
 // looking at it, and now and then one taken back. Says after each hour what memory the program has
 // when nothing is under way, which should stay the same; what was drawn is kept in a session, and
 // nothing of it may be missing at the end.
-#include "app/live/station_controller.h"
-#include "app/plants/malloc_tuning.h"
-#include "app/plants/model_file.h"
-#include "app/plants/session_plant.h"
-#include "app/resources.h"
+#include "app/batch/malloc_tuning.h"
+#include "app/batch/session_plant.h"
+#include "app/controllers/station_controller.h"
+#include "app/files/resources.h"
+#include "app/io/model_file.h"
 #include "tests/app/simple_rig.h"
 #include "tests/bench/report.h"
 

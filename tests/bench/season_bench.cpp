@@ -1,8 +1,8 @@
 // A season on two birches with 9,660 leaves: what a window does from a slider's move to the
 // triangles of the next picture, and what is done once the slider is released, for which the leaves
 // are grown at their new age.
-#include "app/plants/plant_season.h"
-#include "app/station/plant_grower.h"
+#include "app/batch/plant_season.h"
+#include "app/view/plant_grower.h"
 #include "tests/app/our_plant.h"
 #include "tests/bench/report.h"
 

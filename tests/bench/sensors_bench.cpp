@@ -1,4 +1,4 @@
-#include "drivers/height_decoder.h"
+#include "drivers/height_decoders.h"
 #include "sim/height_sensor_frames.h"
 #include "tests/bench/report.h"
 

@@ -1,9 +1,9 @@
 // A session of a thousand edits on the largest trees that people bring: how long it takes to open,
 // and until one undo can be shown. The tree is a published one of a million segments (ABoP figure
 // 2.6), its strokes are for branches of all orders.
+#include "app/batch/malloc_tuning.h"
+#include "app/batch/session_plant.h"
 #include "app/document/model_cost.h"
-#include "app/plants/malloc_tuning.h"
-#include "app/plants/session_plant.h"
 #include "tests/bench/monopodial_tree.h"
 #include "tests/bench/report.h"
 

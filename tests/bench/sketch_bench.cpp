@@ -1,13 +1,13 @@
 // A rule that grows along a stroke: what a sample of the pen costs the station's thread meanwhile,
 // what it takes until an application of the rule is seen, and until the plant is there when the pen
 // is lifted.
+#include "app/batch/malloc_tuning.h"
 #include "app/methods/all_methods.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
 #include "app/methods/sketch_lsystem/sketch_tool.h"
-#include "app/plants/malloc_tuning.h"
-#include "app/station/plant_grower.h"
-#include "app/station/skeleton_picture.h"
-#include "app/station/station_view.h"
+#include "app/view/plant_grower.h"
+#include "app/view/skeleton_picture.h"
+#include "app/view/station_view.h"
 #include "app/window/view_curves.h"
 #include "engine/methods/sketch_lsystem/rule.h"
 #include "tests/app/flat_station.h"

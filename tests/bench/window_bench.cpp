@@ -7,8 +7,8 @@
 // of drawing shows what is rare as well: how late the ink of the 999th of a thousand frames is
 // after the moment at which its reports were due, beside a thread that sleeps until the same
 // moments and does nothing, since what the system holds back is not the station's doing.
-#include "app/plants/malloc_tuning.h"
-#include "app/station/station_view.h"
+#include "app/batch/malloc_tuning.h"
+#include "app/view/station_view.h"
 #include "app/window/view_curves.h"
 #include "tests/app/simple_rig.h"
 #include "tests/bench/report.h"

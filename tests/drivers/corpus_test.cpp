@@ -3,10 +3,10 @@
 #include "tests/corpus.h"
 #include "tests/drivers/decode_one.h"
 
-#include "drivers/file.h"
-#include "drivers/log.h"
-#include "drivers/pen_decoder.h"
-#include "drivers/pen_layout.h"
+#include "drivers/logs/log.h"
+#include "drivers/reports/pen_layout.h"
+#include "drivers/tablets/pen_decoders.h"
+#include "engine/base/file.h"
 
 #include <algorithm>
 #include <filesystem>

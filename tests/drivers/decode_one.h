@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/pen_decoder.h"
+#include "drivers/reports/pen_decoder.h"
 
 #include <gtest/gtest.h>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/height_decoder.h"
+#include "drivers/reports/height_decoder.h"
 
 #include <vector>
 

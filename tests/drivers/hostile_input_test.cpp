@@ -1,10 +1,11 @@
 // Whatever a device or a file contains, the parsers answer, and never read or write beyond their
 // bounds: the sanitizers watch while these tests run.
 
-#include "drivers/height_decoder.h"
-#include "drivers/log.h"
-#include "drivers/pen_decoder.h"
-#include "drivers/report_descriptor.h"
+#include "drivers/height_decoders.h"
+#include "drivers/logs/log.h"
+#include "drivers/reports/height_decoder.h"
+#include "drivers/reports/report_descriptor.h"
+#include "drivers/tablets/pen_decoders.h"
 #include "engine/base/random.h"
 #include "tests/drivers/decode_one.h"
 #include "tests/drivers/devices.h"

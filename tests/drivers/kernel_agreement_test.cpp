@@ -1,9 +1,9 @@
 // The recording of a person's hand on an N-trig pen display, decoded here and by Linux 3.10, which
 // evemu wrote down: an oracle that nobody of this project made.
 
-#include "drivers/file.h"
-#include "drivers/log.h"
-#include "drivers/pen_decoder.h"
+#include "drivers/logs/log.h"
+#include "drivers/tablets/pen_decoders.h"
+#include "engine/base/file.h"
 #include "tests/corpus.h"
 #include "tests/drivers/decode_one.h"
 

@@ -1,6 +1,6 @@
 #include "drivers/reconnecting_source.h"
 
-#include "drivers/threaded_source.h"
+#include "drivers/links/threaded_source.h"
 #include "tests/drivers/devices.h"
 
 #include <filesystem>

@@ -2,8 +2,8 @@
 // its maker publishes of the tablet, and what a hand can do.
 
 #include "calib/fuser.h"
-#include "drivers/log.h"
-#include "drivers/pen_decoder.h"
+#include "drivers/logs/log.h"
+#include "drivers/tablets/pen_decoders.h"
 #include "tests/corpus.h"
 #include "tests/drivers/decode_one.h"
 

@@ -1,6 +1,6 @@
 // Decodes what the firmware sent in simavr: see usb_host.c.
-#include "drivers/height_decoder.h"
-#include "drivers/log.h"
+#include "drivers/height_decoders.h"
+#include "drivers/logs/log.h"
 #include "tests/drivers/bytes.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // A device log of any content; what can be read of it is written again and must read the same.
 
-#include "drivers/log.h"
-#include "drivers/log_writer.h"
+#include "drivers/logs/log.h"
+#include "drivers/logs/log_writer.h"
 #include "engine/base/check.h"
 
 #include <cstddef>

@@ -1,8 +1,9 @@
 // The first byte is the size of a report, which stands at the end; what is between them is the
 // report descriptor that it is decoded with.
 
-#include "drivers/height_decoder.h"
-#include "drivers/pen_decoder.h"
+#include "drivers/height_decoders.h"
+#include "drivers/reports/height_decoder.h"
+#include "drivers/tablets/pen_decoders.h"
 
 #include <algorithm>
 #include <cstddef>

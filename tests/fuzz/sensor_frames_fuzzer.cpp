@@ -2,7 +2,7 @@
 // highest bit every report ends with the CRC of a frame, which no fuzzer finds by itself. What
 // follows is cut into reports: a byte of length, then so many bytes.
 
-#include "drivers/height_decoder.h"
+#include "drivers/height_decoders.h"
 #include "drivers/sensors/height_sensor_protocol.h"
 #include "engine/base/check.h"
 

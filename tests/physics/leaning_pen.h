@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/pen_sample.h"
+#include "drivers/reports/pen_sample.h"
 #include "engine/base/vectors.h"
 #include "tests/physics/potentiometer.h"
 

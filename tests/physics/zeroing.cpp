@@ -1,5 +1,5 @@
 #include "app/calibration/log_calibration.h"
-#include "drivers/log.h"
+#include "drivers/logs/log.h"
 #include "tests/physics/capture_log.h"
 #include "tests/physics/checks.h"
 

@@ -1,6 +1,6 @@
 #include "sim/cp2112_model.h"
 
-#include "drivers/report_descriptor.h"
+#include "drivers/reports/report_descriptor.h"
 #include "sim/mcp3208_model.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "calib/fuser.h"
-#include "drivers/height_decoder.h"
-#include "drivers/pen_decoder.h"
+#include "drivers/height_decoders.h"
+#include "drivers/reports/height_decoder.h"
+#include "drivers/tablets/pen_decoders.h"
 #include "sim/simulated_rig.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,10 @@
 #include "sim/simulated_rig.h"
 
 #include "calib/rig_file.h"
-#include "drivers/log.h"
-#include "drivers/log_writer.h"
+#include "drivers/height_decoders.h"
+#include "drivers/logs/log.h"
+#include "drivers/logs/log_writer.h"
+#include "drivers/tablets/pen_decoders.h"
 #include "tests/drivers/heights.h"
 #include "tests/sim/fused_run.h"
 

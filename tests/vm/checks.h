@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/live/drawing_file.h"
-#include "drivers/log.h"
+#include "app/controllers/drawing_file.h"
+#include "drivers/logs/log.h"
 #include "engine/base/result.h"
 
 #include <cstddef>

@@ -1,9 +1,9 @@
-#include "app/live/drawing_file.h"
+#include "app/controllers/drawing_file.h"
 #include "app/methods/all_methods.h"
 #include "app/session/edit_record.h"
 #include "app/session/session_file.h"
 #include "app/station/log_replay.h"
-#include "drivers/log.h"
+#include "drivers/logs/log.h"
 #include "engine/scene/fields.h"
 #include "tests/vm/checks.h"
 

@@ -1,6 +1,6 @@
 #include "drivers/gpio/gpio_encoder.h"
-#include "drivers/height_decoder.h"
-#include "drivers/log.h"
+#include "drivers/height_decoders.h"
+#include "drivers/logs/log.h"
 #include "sim/height_curve.h"
 #include "tests/vm/checks.h"
 

@@ -1,12 +1,12 @@
+#include "app/commands/device_sources.h"
+#include "app/controllers/drawing_file.h"
+#include "app/controllers/live_window.h"
 #include "app/devices/live_devices.h"
-#include "app/live/drawing_file.h"
-#include "app/live/live_window.h"
 #include "app/methods/all_methods.h"
-#include "app/verbs/device_sources.h"
 #include "calib/rig_file.h"
-#include "drivers/clock.h"
-#include "drivers/file.h"
-#include "drivers/log.h"
+#include "drivers/logs/log.h"
+#include "drivers/reports/clock.h"
+#include "engine/base/file.h"
 #include "tests/vm/checks.h"
 
 #include <chrono>

@@ -1,8 +1,8 @@
+#include "app/io/model_file.h"
 #include "app/methods/all_methods.h"
-#include "app/plants/model_file.h"
 #include "app/play/simulated_recording.h"
 #include "app/station/log_replay.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 #include "engine/scene/scene.h"
 #include "tests/vm/checks.h"
 

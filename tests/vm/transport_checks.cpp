@@ -1,6 +1,6 @@
-#include "drivers/hid_source.h"
-#include "drivers/report_descriptor.h"
-#include "drivers/threaded_source.h"
+#include "drivers/links/hid_source.h"
+#include "drivers/links/threaded_source.h"
+#include "drivers/reports/report_descriptor.h"
 #include "tests/vm/checks.h"
 
 #include <algorithm>

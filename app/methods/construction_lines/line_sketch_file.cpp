@@ -1,7 +1,7 @@
 #include "app/methods/construction_lines/line_sketch_file.h"
 
 #include "app/svg/svg_sketch.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 #include "engine/methods/construction_lines/around_stem.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "app/methods/leaves/leaf_atlas.h"
 
 #include "app/methods/leaves/leaf_library.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 #include "engine/base/parallel.h"
 #include "engine/export/glb_writer.h"
 #include "engine/export/png.h"

@@ -1,7 +1,7 @@
 #include "app/methods/leaves/leaf_library.h"
 
-#include "app/resources.h"
-#include "drivers/file.h"
+#include "app/files/resources.h"
+#include "engine/base/file.h"
 #include "engine/base/fnv.h"
 
 #include <algorithm>

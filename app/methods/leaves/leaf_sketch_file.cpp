@@ -1,7 +1,7 @@
 #include "app/methods/leaves/leaf_sketch_file.h"
 
 #include "app/svg/svg_sketch.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "app/methods/sketch_lsystem/rule_file.h"
 
 #include "calib/toml_table.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 
 #include <array>
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "app/calibration/log_calibration.h"
 #include "app/calibration/simulated_calibration.h"
 #include "calib/rig_file.h"
-#include "drivers/log.h"
+#include "drivers/logs/log.h"
 #include "tests/app/simple_rig.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "app/calibration/live_calibration.h"
 
 #include "app/calibration/simulated_calibration.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 #include "tests/app/simple_rig.h"
 
 #include <algorithm>

@@ -42,12 +42,12 @@ TEST_F(BadInput, ALogThatIsNone)
     write("empty", "");
     write("binary", std::string("\x7f\x45\x4c\x46\0\xff\n\xfe", 8));
     run("mkdir folder");
-    for (std::string const verb : { "decode ", "decode --csv ", "replay --plant small.l " }) {
-        expect_error(run("tractus " + verb + "missing"), 1, "cannot open missing: No such file");
-        expect_error(run("tractus " + verb + "folder"), 1, "folder: it is a folder");
-        expect_error(run("tractus " + verb + "empty"), 1, "empty is not a log");
-        expect_error(run("tractus " + verb + "binary"), 1, "binary is not a log");
-        expect_error(run("tractus " + verb + "small.l"), 1, "small.l is not a log");
+    for (std::string const command : { "decode ", "decode --csv ", "replay --plant small.l " }) {
+        expect_error(run("tractus " + command + "missing"), 1, "cannot open missing: No such file");
+        expect_error(run("tractus " + command + "folder"), 1, "folder: it is a folder");
+        expect_error(run("tractus " + command + "empty"), 1, "empty is not a log");
+        expect_error(run("tractus " + command + "binary"), 1, "binary is not a log");
+        expect_error(run("tractus " + command + "small.l"), 1, "small.l is not a log");
     }
 }
 
@@ -69,8 +69,8 @@ TEST_F(BadInput, ReportsThatAreNotWhatTheDescriptorSays)
     write_changed_log("mismatch", [](std::string const& line) {
         return line.starts_with("E: ") ? line.substr(0, 17) + "3 09 02 03\n" : line + "\n";
     });
-    for (std::string const verb : { "decode", "decode --csv", "replay --plant small.l" })
-        expect_error(run("tractus " + verb + " mismatch"), 1,
+    for (std::string const command : { "decode", "decode --csv", "replay --plant small.l" })
+        expect_error(run("tractus " + command + " mismatch"), 1,
                      "report 9 is not in the report descriptor");
     EXPECT_FALSE(exists("report.txt"));
 }
@@ -140,13 +140,13 @@ TEST_F(BadInput, TextThatAnotherSystemsEditorHasSavedInUtf16)
         { "small.v", "grow small.l -o x.glb" },
         { "small.l", "grow small.l -o x.glb" },
     };
-    for (auto const& [file, verb] : readers) {
+    for (auto const& [file, command] : readers) {
         auto const as_it_was = read(file);
         std::string wide = "\xff\xfe";
         for (char const c : as_it_was)
             (wide += c) += '\0';
         write(file, wide);
-        expect_error(run("tractus " + verb), 1, file + " is text in UTF-16 or UTF-32");
+        expect_error(run("tractus " + command), 1, file + " is text in UTF-16 or UTF-32");
         write(file, as_it_was);
     }
 }
@@ -156,10 +156,10 @@ TEST_F(BadInput, AModelWithAFault)
     write("open.l", "Lsystem: 1\nderivation length: 3\nAxiom: A\nA --> F((1\nendlsystem\n");
     write("empty.l", "");
     write("bare.l", "Lsystem: 1\nderivation length: 3\nAxiom: A\nA --> A\nendlsystem\n");
-    for (std::string const verb : { "derive --count ", "grow -o x.glb " }) {
-        expect_error(run("tractus " + verb + "open.l"), 1, "open.l:4:11: ");
-        expect_error(run("tractus " + verb + "empty.l"), 1, "empty.l:1:1: ");
-        expect_error(run("tractus " + verb + "oak"), 1, "there is no model oak");
+    for (std::string const command : { "derive --count ", "grow -o x.glb " }) {
+        expect_error(run("tractus " + command + "open.l"), 1, "open.l:4:11: ");
+        expect_error(run("tractus " + command + "empty.l"), 1, "empty.l:1:1: ");
+        expect_error(run("tractus " + command + "oak"), 1, "there is no model oak");
     }
     record();
     expect_error(run("tractus replay hand.tractus-log --plant bare.l"), 1, "no branch");

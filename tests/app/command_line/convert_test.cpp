@@ -1,4 +1,4 @@
-#include "drivers/log.h"
+#include "drivers/logs/log.h"
 #include "tests/app/command_line/workshop.h"
 
 #include <gtest/gtest.h>

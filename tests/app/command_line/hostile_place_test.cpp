@@ -70,8 +70,8 @@ TEST_F(HostilePlace, AFolderThatCannotBe)
         expect_error(run("tractus replay hand.tractus-log --plant small.l -o " + folder), 1,
                      folder + " is no folder");
     expect_error(run("tractus grow small.l -o hand.toml/x.glb"), 1, "hand.toml is no folder");
-    for (std::string const verb : { "grow none.l", "replay none.tractus-log --plant small.l" })
-        expect_error(run("tractus " + verb + " -o /proc/tractus/x.glb"), 1,
+    for (std::string const command : { "grow none.l", "replay none.tractus-log --plant small.l" })
+        expect_error(run("tractus " + command + " -o /proc/tractus/x.glb"), 1,
                      "cannot write /proc/tractus/x.glb");
     expect_error(run("tractus decode hand.tractus-log --csv -o /dev/full"), 1, "No space left");
 }
@@ -140,7 +140,7 @@ TEST_F(HostilePlace, NumbersDoNotDependOnTheLocale)
     }
 }
 
-// Command lines of each verb that writes, with its file or folder in place of {}.
+// Command lines of each command that writes, with its file or folder in place of {}.
 constexpr std::array kWriting {
     "grow small.l -o {}/a.glb",
     "grow small.l --sequence 2 -o {}/a.obj",
@@ -177,9 +177,9 @@ TEST_F(HostilePlace, FoldersThatAreNotThereAreMade)
 TEST_F(HostilePlace, APlaceThatCannotBeWrittenIsFoundOutBeforeTheWork)
 {
     run("mv small.l place; rm hand.toml");
-    for (auto const* const verb : kWriting) {
+    for (auto const* const command : kWriting) {
         auto const outcome
-            = run("tractus " + fmt::format(fmt::runtime(verb), "place/in", "place/in"));
+            = run("tractus " + fmt::format(fmt::runtime(command), "place/in", "place/in"));
         expect_error(outcome, 1, "place is no folder");
     }
     EXPECT_FALSE(exists("place/in"));

@@ -65,14 +65,17 @@ TEST_F(LargeLog, TakesNoMoreMemoryThanASmallOne)
     ASSERT_GT(size, 10'000u);
     write_large("small.tractus-log", static_cast<int>(3'000'000 / size + 1));
     write_large("large.tractus-log", static_cast<int>(60'000'000 / size + 1));
-    for (std::string const verb :
+    for (std::string const command :
          { "decode {}", "decode {} --csv -o out.csv", "convert {} -o out.hid", "doctor {}" }) {
+        // The program's own pages are mapped around each that is touched, as far as the disk's
+        // cache has them: so the first run after a build has fewer.
+        peak_kB("tractus " + fmt::format(fmt::runtime(command), "small.tractus-log"));
         auto const of_small
-            = peak_kB("tractus " + fmt::format(fmt::runtime(verb), "small.tractus-log"));
+            = peak_kB("tractus " + fmt::format(fmt::runtime(command), "small.tractus-log"));
         auto const of_large
-            = peak_kB("tractus " + fmt::format(fmt::runtime(verb), "large.tractus-log"));
-        EXPECT_LT(of_large, of_small + 2'000) << verb;
-        EXPECT_LT(of_large, kMostPeak_kB) << verb;
+            = peak_kB("tractus " + fmt::format(fmt::runtime(command), "large.tractus-log"));
+        EXPECT_LT(of_large, of_small + 2'000) << command;
+        EXPECT_LT(of_large, kMostPeak_kB) << command;
     }
 }
 
@@ -80,9 +83,9 @@ TEST_F(LargeLog, IsRefusedAtALineWithoutEnd)
 {
     write("head", "R: 1 c0\nE: 0.1 1 ");
     run("{ cat head; head -c 200000000 /dev/zero | tr '\\0' 0; } >line.hid");
-    for (std::string const verb : { "decode line.hid", "convert line.hid -o out.hid",
-                                    "decode /dev/zero", "convert /dev/zero -o out.hid" })
-        EXPECT_LT(peak_kB("tractus " + verb, 1), kMostPeak_kB) << verb;
+    for (std::string const command : { "decode line.hid", "convert line.hid -o out.hid",
+                                       "decode /dev/zero", "convert /dev/zero -o out.hid" })
+        EXPECT_LT(peak_kB("tractus " + command, 1), kMostPeak_kB) << command;
 }
 
 TEST_F(LargeLog, OfAnotherProgramTakesNoMoreThanItsReports)

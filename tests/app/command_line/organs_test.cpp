@@ -28,28 +28,28 @@ TEST_F(Organs, AreTrianglesOfThePlantsMeshUnlessAskedOtherwise)
     EXPECT_EQ(read("merged.glb"), read("plain.glb"));
 }
 
-TEST_F(Organs, AreInstancedOrNodesInEveryVerbThatIsAskedForIt)
+TEST_F(Organs, AreInstancedOrNodesInEveryCommandThatIsAskedForIt)
 {
     record();
-    auto const verbs = {
+    auto const commands = {
         std::pair<std::string, std::string> { "grow broadleaf -n 9 -o ", "" },
         { "vary daisy --count 2 -o ", "" },
         { "replay hand.tractus-log --plant daisy --count 2 -o folder --organs ", "folder" },
         { "demo --plant daisy -o demo --organs ", "demo" },
     };
-    for (auto const& [verb, folder] : verbs)
+    for (auto const& [command, folder] : commands)
         for (std::string const how : { "instanced", "nodes", "merged" }) {
             auto const file = folder.empty() ? how + ".glb" : folder + "/collection.glb";
             auto const rest = folder.empty() ? file + " --organs " + how : how;
-            auto const outcome = run("tractus " + verb + rest);
+            auto const outcome = run("tractus " + command + rest);
             ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
             auto const json = json_of(file);
             std::size_t const plants = json["scenes"][0]["nodes"].size();
-            EXPECT_EQ(json.contains("extensionsRequired"), how == "instanced") << verb << how;
+            EXPECT_EQ(json.contains("extensionsRequired"), how == "instanced") << command << how;
             if (how == "nodes") {
-                EXPECT_GT(json["nodes"].size(), 2 * plants) << verb;
+                EXPECT_GT(json["nodes"].size(), 2 * plants) << command;
             } else if (how == "merged") {
-                EXPECT_EQ(json["nodes"].size(), plants) << verb;
+                EXPECT_EQ(json["nodes"].size(), plants) << command;
             }
         }
 }

@@ -4,7 +4,7 @@ namespace tractus {
 namespace {
 
 // In a folder with a session, "hand.tractus": drawn once for all tests of a process.
-class SessionVerb : public Workshop {
+class SessionCommand : public Workshop {
 protected:
     void SetUp() override
     {
@@ -30,7 +30,7 @@ protected:
     }
 };
 
-TEST_F(SessionVerb, InfoSaysWhatItHolds)
+TEST_F(SessionCommand, InfoSaysWhatItHolds)
 {
     auto const info = out("tractus session info hand.tractus");
     for (char const* const line :
@@ -40,7 +40,7 @@ TEST_F(SessionVerb, InfoSaysWhatItHolds)
         EXPECT_NE(info.find(line), std::string::npos) << line << info;
 }
 
-TEST_F(SessionVerb, LogSaysWhatWasDoneEditByEdit)
+TEST_F(SessionCommand, LogSaysWhatWasDoneEditByEdit)
 {
     auto const log = out("tractus session log hand.tractus");
     EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 5);
@@ -51,7 +51,7 @@ TEST_F(SessionVerb, LogSaysWhatWasDoneEditByEdit)
 }
 
 // The model is inside, so another machine has all that it needs.
-TEST_F(SessionVerb, NeedsNoOtherFile)
+TEST_F(SessionCommand, NeedsNoOtherFile)
 {
     auto const before = out("tractus session info hand.tractus; tractus session log hand.tractus");
     out("tractus grow hand.tractus -o before.glb");
@@ -62,7 +62,7 @@ TEST_F(SessionVerb, NeedsNoOtherFile)
     EXPECT_EQ(read("after.glb"), read("before.glb"));
 }
 
-TEST_F(SessionVerb, GivesTheSamePlantsAsItsDrawing)
+TEST_F(SessionCommand, GivesTheSamePlantsAsItsDrawing)
 {
     out("tractus vary small.l --drawing hand.tractus-log --count 2 -o drawn");
     out("tractus vary hand.tractus --count 2 -o kept");
@@ -78,7 +78,7 @@ TEST_F(SessionVerb, GivesTheSamePlantsAsItsDrawing)
     EXPECT_NE(read("calm/hand-1.glb"), read("kept/hand-1.glb"));
 }
 
-TEST_F(SessionVerb, IsDrawnAsAPicture)
+TEST_F(SessionCommand, IsDrawnAsAPicture)
 {
     out("tractus grow hand.tractus -o grown.png; tractus grow small.l -o plain.png");
     EXPECT_NE(read("grown.png"), read("plain.png"));
@@ -90,7 +90,7 @@ TEST_F(SessionVerb, IsDrawnAsAPicture)
     EXPECT_EQ(read("shown.png").substr(1, 3), "PNG");
 }
 
-TEST_F(SessionVerb, MayBeDrawnOnFurther)
+TEST_F(SessionCommand, MayBeDrawnOnFurther)
 {
     out("tractus replay hand.tractus-log --plant hand.tractus --count 1 -o out "
         "--session more.tractus");
@@ -99,7 +99,7 @@ TEST_F(SessionVerb, MayBeDrawnOnFurther)
     EXPECT_NE(info.find("steps to undo         3\n"), std::string::npos) << info;
 }
 
-TEST_F(SessionVerb, ExportGivesBackTheModelAndTheStrokes)
+TEST_F(SessionCommand, ExportGivesBackTheModelAndTheStrokes)
 {
     auto const written = out("tractus session export hand.tractus -o files");
     EXPECT_EQ(written, "wrote files/small.l\nwrote files/strokes.txt\n");
@@ -110,7 +110,7 @@ TEST_F(SessionVerb, ExportGivesBackTheModelAndTheStrokes)
     EXPECT_NE(info.find("strokes               1\n"), std::string::npos) << info;
 }
 
-TEST_F(SessionVerb, ExportGivesBackASkeleton)
+TEST_F(SessionCommand, ExportGivesBackASkeleton)
 {
     write("tree.obj", "v 0 0 0\nv 0 0.1 0\nv 0.05 0.13 0.01\nl 1 2\nl 2 3\n");
     out("tractus replay hand.tractus-log --plant tree.obj --count 1 -o out --session t.tractus");
@@ -121,7 +121,7 @@ TEST_F(SessionVerb, ExportGivesBackASkeleton)
     EXPECT_EQ(read("second.glb"), read("first.glb"));
 }
 
-TEST_F(SessionVerb, ExportGivesBackWhatTheModelIncludes)
+TEST_F(SessionCommand, ExportGivesBackWhatTheModelIncludes)
 {
     run("mkdir inner; printf '#include \"length.h\"\\n' >inner/m.l; cat small.l >>inner/m.l; "
         "printf '#define LENGTH 3\\n' >inner/length.h");
@@ -131,18 +131,18 @@ TEST_F(SessionVerb, ExportGivesBackWhatTheModelIncludes)
     EXPECT_EQ(read("files/length.h"), read("inner/length.h"));
 }
 
-TEST_F(SessionVerb, WhatIsNoSessionIsRefused)
+TEST_F(SessionCommand, WhatIsNoSessionIsRefused)
 {
     write("empty.tractus", "");
     write("text.tractus", std::string(9000, 'x'));
     run("mkdir folder.tractus");
     auto const session = read("hand.tractus");
     write("cut.tractus", session.substr(0, 5000));
-    for (std::string const verb : { "session info ", "session log ", "session export -o out ",
-                                    "grow -o x.glb ", "render -o x.png ", "vary -o x.glb " }) {
-        expect_error(run("tractus " + verb + "empty.tractus"), 1, "is not a session of tractus");
-        expect_error(run("tractus " + verb + "text.tractus"), 1, "is not a session of tractus");
-        expect_error(run("tractus " + verb + "cut.tractus"), 1, "cut.tractus is damaged");
+    for (std::string const command : { "session info ", "session log ", "session export -o out ",
+                                       "grow -o x.glb ", "render -o x.png ", "vary -o x.glb " }) {
+        expect_error(run("tractus " + command + "empty.tractus"), 1, "is not a session of tractus");
+        expect_error(run("tractus " + command + "text.tractus"), 1, "is not a session of tractus");
+        expect_error(run("tractus " + command + "cut.tractus"), 1, "cut.tractus is damaged");
     }
     expect_error(run("tractus session info missing.tractus"), 1, "there is no such file");
     expect_error(run("tractus session info folder.tractus"), 1, "it is no file");
@@ -150,7 +150,7 @@ TEST_F(SessionVerb, WhatIsNoSessionIsRefused)
     EXPECT_FALSE(exists("x.glb"));
 }
 
-TEST_F(SessionVerb, IsNeverWrittenOver)
+TEST_F(SessionCommand, IsNeverWrittenOver)
 {
     auto const before = read("hand.tractus");
     expect_error(run("tractus replay hand.tractus-log --plant small.l -o again --session "
@@ -163,7 +163,7 @@ TEST_F(SessionVerb, IsNeverWrittenOver)
     expect_error(run("tractus session info"), 2, "FILE is required");
 }
 
-TEST_F(SessionVerb, AFullDiskIsSaidAndWhatWasKeptStays)
+TEST_F(SessionCommand, AFullDiskIsSaidAndWhatWasKeptStays)
 {
     // Blocks of 512 bytes: enough for the session to begin, but not for its first stroke.
     expect_error(run("ulimit -f 40; tractus replay hand.tractus-log --plant small.l -o full "

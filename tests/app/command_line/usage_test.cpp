@@ -10,7 +10,7 @@ namespace {
 using Usage = Workshop;
 
 // "" is the program itself.
-std::vector<std::string> const kVerbs {
+std::vector<std::string> const kCommands {
     "",        "convert",      "decode",        "demo",           "derive", "devices",
     "doctor",  "grow",         "lsystem check", "record",         "render", "replay",
     "session", "session info", "session log",   "session export", "sim",    "tools",
@@ -19,28 +19,29 @@ std::vector<std::string> const kVerbs {
 
 TEST_F(Usage, HelpGoesToStandardOutputAndIsNoFailure)
 {
-    for (auto const& verb : kVerbs) {
-        auto const help = run("tractus " + verb + " --help");
-        EXPECT_EQ(help.exit_code, 0) << verb;
-        EXPECT_EQ(help.err, "") << verb;
-        EXPECT_NE(help.out.find("Usage: tractus" + (verb.empty() ? "" : " " + verb)),
+    for (auto const& command : kCommands) {
+        auto const help = run("tractus " + command + " --help");
+        EXPECT_EQ(help.exit_code, 0) << command;
+        EXPECT_EQ(help.err, "") << command;
+        EXPECT_NE(help.out.find("Usage: tractus" + (command.empty() ? "" : " " + command)),
                   std::string::npos)
             << help.out;
     }
 }
 
-TEST_F(Usage, HelpNamesEveryVerbAndTheExitCodes)
+TEST_F(Usage, HelpNamesEveryCommandAndTheExitCodes)
 {
     auto const help = run("tractus --help").out;
-    for (auto const& verb : kVerbs)
-        EXPECT_NE(help.find("\n  " + verb.substr(0, verb.find(' '))), std::string::npos) << verb;
+    for (auto const& command : kCommands)
+        EXPECT_NE(help.find("\n  " + command.substr(0, command.find(' '))), std::string::npos)
+            << command;
     EXPECT_NE(help.find("\nExit codes: "), std::string::npos);
 }
 
 TEST_F(Usage, HelpFitsInto85Columns)
 {
-    for (auto const& verb : kVerbs) {
-        std::istringstream help(run("tractus " + verb + " --help").out);
+    for (auto const& command : kCommands) {
+        std::istringstream help(run("tractus " + command + " --help").out);
         for (std::string line; std::getline(help, line);)
             EXPECT_LE(line.size(), 85u) << line;
     }

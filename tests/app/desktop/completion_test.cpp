@@ -23,7 +23,7 @@ protected:
     using Words = std::vector<std::string>;
 };
 
-TEST_F(Completing, OffersVerbsButNotTheHiddenOne)
+TEST_F(Completing, OffersCommandsButNotTheHiddenOne)
 {
     EXPECT_EQ(after({ "" }), (Words { "grow", "water" }));
     EXPECT_EQ(after({}), (Words { "grow", "water" }));
@@ -32,7 +32,7 @@ TEST_F(Completing, OffersVerbsButNotTheHiddenOne)
     EXPECT_EQ(after({ "--" }), (Words { "--help" }));
 }
 
-TEST_F(Completing, OffersTheOptionsOfTheVerbBefore)
+TEST_F(Completing, OffersTheOptionsOfTheCommandBefore)
 {
     EXPECT_EQ(after({ "grow", "--d" }), (Words { "--device", "--dry" }));
     EXPECT_EQ(after({ "grow", "birch", "--dry", "--o" }), (Words { "--output" }));

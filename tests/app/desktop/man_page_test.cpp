@@ -14,10 +14,13 @@ bool contains(std::string const& text, std::string const& part)
 
 class ManPage : public testing::Test, protected SmallProgram {
 protected:
-    std::string page(std::string const& verb) { return verb_man_page(*root.get_subcommand(verb)); }
+    std::string page(std::string const& command)
+    {
+        return command_man_page(*root.get_subcommand(command));
+    }
 };
 
-TEST_F(ManPage, OfTheProgramNamesEachVerbThatHelpLists)
+TEST_F(ManPage, OfTheProgramNamesEachCommandThatHelpLists)
 {
     auto const text = program_man_page(root);
     EXPECT_PRED2(contains, text, "\n.SH NAME\ngarden \\- a program for plants\n");
@@ -28,7 +31,7 @@ TEST_F(ManPage, OfTheProgramNamesEachVerbThatHelpLists)
     EXPECT_EQ(man_page_name(root), "garden");
 }
 
-TEST_F(ManPage, OfAVerbHasItsArgumentsAndOptionsWithWhatGoesWithThem)
+TEST_F(ManPage, OfACommandHasItsArgumentsAndOptionsWithWhatGoesWithThem)
 {
     auto const text = page("grow");
     EXPECT_PRED2(contains, text, "\n.SH NAME\ngarden\\-grow \\- Grow a plant\n");
@@ -48,7 +51,7 @@ TEST_F(ManPage, KeepsDotsDashesAndIndentedLines)
                  "stay:\n.PP\n.nf\n  tractus grow\n.fi\n");
 }
 
-TEST_F(ManPage, OfAVerbWithVerbsHasASectionForEach)
+TEST_F(ManPage, OfACommandWithCommandsHasASectionForEach)
 {
     auto const text = page("water");
     EXPECT_PRED2(contains, text,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/verbs/checks.h"
+#include "app/options/checks.h"
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// A program with two verbs, one of which has verbs itself, and one that is hidden.
+// A program with two commands, one of which has commands itself, and one that is hidden.
 struct SmallProgram {
     SmallProgram()
     {

@@ -1,7 +1,7 @@
 #include "app/devices/live_recording.h"
 
 #include "app/play/paced_log.h"
-#include "drivers/log.h"
+#include "drivers/logs/log.h"
 #include "tests/app/simple_rig.h"
 
 #include <gtest/gtest.h>

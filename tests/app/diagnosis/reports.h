@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/report_source.h"
+#include "drivers/reports/report_source.h"
 #include "tests/drivers/bytes.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "app/methods/all_methods.h"
 #include "app/stream/stream_lines.h"
-#include "drivers/log.h"
+#include "drivers/logs/log.h"
 #include "tests/app/flat_station.h"
 #include "tests/app/stream/local_reader.h"
 #include "tests/file_bytes.h"

@@ -1,8 +1,8 @@
 #include "app/terminal/error_text.h"
 
-#include "app/command_line.h"
+#include "app/commands/command_line.h"
 #include "app/methods/all_methods.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 
 #include <algorithm>
 #include <array>

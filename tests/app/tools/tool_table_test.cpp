@@ -1,7 +1,7 @@
 #include "app/tools/tool_table.h"
 
 #include "app/methods/all_methods.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "app/window/palette.h"
 #include "app/window/window.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 #include "tests/app/render/read_png.h"
 #include "tests/app/window/still_calibration.h"
 

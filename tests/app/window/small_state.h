@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/methods/indicators/indicator_layer.h"
-#include "app/station/window_model.h"
+#include "app/view/window_model.h"
 #include "tests/app/render/small_mesh.h"
 
 namespace tractus {

@@ -1,8 +1,9 @@
 #include "drivers/gpio/gpio_adc.h"
 
 #include "drivers/device_list.h"
-#include "drivers/log.h"
-#include "drivers/log_writer.h"
+#include "drivers/height_decoders.h"
+#include "drivers/logs/log.h"
+#include "drivers/logs/log_writer.h"
 #include "tests/drivers/bytes.h"
 #include "tests/drivers/gpio/simulated_converter.h"
 

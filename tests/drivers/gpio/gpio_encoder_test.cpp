@@ -1,6 +1,7 @@
 #include "drivers/gpio/gpio_encoder.h"
 
 #include "drivers/device_list.h"
+#include "drivers/height_decoders.h"
 #include "sim/simulated_encoder.h"
 #include "tests/drivers/bytes.h"
 

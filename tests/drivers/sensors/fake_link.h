@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/packet_link.h"
+#include "drivers/links/packet_link.h"
 
 #include <algorithm>
 #include <deque>

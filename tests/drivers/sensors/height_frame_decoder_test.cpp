@@ -1,5 +1,6 @@
 #include "drivers/sensors/height_frame_decoder.h"
 
+#include "drivers/height_decoders.h"
 #include "drivers/sensors/height_frame_parser.h"
 #include "engine/base/random.h"
 #include "sim/height_sensor_frames.h"

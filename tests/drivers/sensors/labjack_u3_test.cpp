@@ -1,5 +1,6 @@
 #include "drivers/sensors/labjack_u3.h"
 
+#include "drivers/height_decoders.h"
 #include "drivers/sensors/labjack_packet.h"
 #include "sim/labjack_u3_model.h"
 #include "tests/drivers/bytes.h"

@@ -1,5 +1,6 @@
 #include "drivers/sensors/linak_desk.h"
 
+#include "drivers/height_decoders.h"
 #include "sim/linak_desk_model.h"
 #include "tests/drivers/bytes.h"
 #include "tests/drivers/heights.h"

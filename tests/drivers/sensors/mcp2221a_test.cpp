@@ -1,5 +1,6 @@
 #include "drivers/sensors/mcp2221a.h"
 
+#include "drivers/height_decoders.h"
 #include "sim/mcp2221a_model.h"
 #include "tests/drivers/heights.h"
 #include "tests/drivers/sensors/fake_link.h"

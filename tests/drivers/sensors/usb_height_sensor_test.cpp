@@ -1,5 +1,6 @@
 #include "drivers/sensors/usb_height_sensor.h"
 
+#include "drivers/height_decoders.h"
 #include "sim/height_sensor_frames.h"
 #include "tests/drivers/heights.h"
 

@@ -1,6 +1,6 @@
 #include "drivers/sensors/usb_sensor_list.h"
 
-#include "drivers/height_decoder.h"
+#include "drivers/height_decoders.h"
 #include "sim/height_sensor_frames.h"
 
 #include <filesystem>

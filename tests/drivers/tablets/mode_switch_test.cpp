@@ -1,7 +1,7 @@
 #include "drivers/tablets/mode_switch.h"
 
-#include "drivers/pen_decoder.h"
 #include "drivers/tablets/hidraw_port.h"
+#include "drivers/tablets/pen_decoders.h"
 #include "drivers/usb/string_descriptor.h"
 #include "tests/drivers/bytes.h"
 

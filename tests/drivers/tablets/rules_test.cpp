@@ -1,7 +1,7 @@
 // drivers/70-tractus.rules and the table of tablets name the same vendors.
 
-#include "drivers/file.h"
 #include "drivers/tablets/tablet_table.h"
+#include "engine/base/file.h"
 #include "tests/corpus.h"
 
 #include <algorithm>

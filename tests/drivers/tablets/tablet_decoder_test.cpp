@@ -1,7 +1,7 @@
 #include "drivers/tablets/tablet_decoder.h"
 
-#include "drivers/log.h"
-#include "drivers/pen_decoder.h"
+#include "drivers/logs/log.h"
+#include "drivers/tablets/pen_decoders.h"
 #include "drivers/usb/string_descriptor.h"
 #include "tests/corpus.h"
 #include "tests/drivers/bytes.h"

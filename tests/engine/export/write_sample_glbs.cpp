@@ -1,5 +1,5 @@
 // Writes .glb files of every sort into a folder, for the validator. Run: write_sample_glbs FOLDER
-#include "drivers/file.h"
+#include "engine/base/file.h"
 #include "engine/export/glb_growth.h"
 #include "engine/export/glb_writer.h"
 #include "engine/export/stroke_glb.h"

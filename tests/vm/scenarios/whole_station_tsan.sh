@@ -2,10 +2,10 @@
 # processor is faster, for what they add would leave it behind the devices.
 like=whole_station
 preset=tsan
-programs='device_verbs vm_check'
+programs='device_commands vm_check'
 memory_mb=1024
 instruction_shift=1
 
 tractus() {
-    exec device_verbs "$@" # What is called in the background is to be the program itself.
+    exec device_commands "$@" # What is called in the background is to be the program itself.
 }

@@ -1,4 +1,4 @@
-#include "tests/app/verbs/outcome.h"
+#include "tests/app/commands/outcome.h"
 #include "tests/corpus.h"
 #include "tests/file_bytes.h"
 

@@ -7,14 +7,14 @@
 #include "app/methods/construction_lines/line_role_tool.h"
 #include "app/session/edit_record.h"
 #include "app/session/session.h"
-#include "app/station/station_view.h"
-#include "drivers/file.h"
+#include "app/view/station_view.h"
+#include "engine/base/file.h"
 #include "engine/methods/construction_lines/line_model.h"
+#include "tests/app/commands/outcome.h"
 #include "tests/app/flat_station.h"
 #include "tests/app/methods/construction_lines/drawn_frond.h"
 #include "tests/app/replayed.h"
 #include "tests/app/simulated_drawing.h"
-#include "tests/app/verbs/outcome.h"
 
 #include <filesystem>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "app/methods/leaves/leaf_atlas.h"
-#include "tests/app/verbs/outcome.h"
+#include "tests/app/commands/outcome.h"
 #include "tests/file_bytes.h"
 
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include "app/methods/all_leaves.h"
 
+#include "app/batch/plant_season.h"
 #include "app/methods/leaves/leaf_library.h"
-#include "app/plants/plant_season.h"
+#include "tests/app/commands/outcome.h"
 #include "tests/app/our_plant.h"
-#include "tests/app/verbs/outcome.h"
 
 #include <algorithm>
 #include <cmath>

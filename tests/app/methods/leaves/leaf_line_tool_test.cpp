@@ -1,6 +1,6 @@
 #include "app/methods/leaves/leaf_line_tool.h"
 
-#include "app/live/drawn_leaf_files.h"
+#include "app/controllers/drawn_leaf_files.h"
 #include "app/methods/all_leaves.h"
 #include "app/methods/all_methods.h"
 #include "app/methods/leaves/erase_leaf_tool.h"

@@ -1,7 +1,7 @@
-#include "app/live/leaf_page.h"
+#include "app/controllers/leaf_page.h"
 
 #include "app/document/logged_step.h"
-#include "tests/app/live/live_window_devices.h"
+#include "tests/app/controllers/live_window_devices.h"
 #include "tests/app/our_plant.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "engine/methods/leaves/leaf.h"
-#include "tests/app/verbs/outcome.h"
+#include "tests/app/commands/outcome.h"
 #include "tests/corpus.h"
 #include "tests/file_bytes.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/batch/plant_group.h"
 #include "app/methods/all_methods.h"
-#include "app/plants/plant_group.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/make_mesh.h"
 #include "tests/app/session/small_session.h"

@@ -1,12 +1,12 @@
-#include "app/live/choice_page.h"
+#include "app/controllers/choice_page.h"
 
+#include "app/controllers/picture_files.h"
 #include "app/document/logged_step.h"
-#include "app/live/picture_files.h"
 #include "app/methods/pictures/picture_tool.h"
 #include "app/session/session.h"
-#include "drivers/file.h"
-#include "drivers/log.h"
-#include "tests/app/live/live_window_devices.h"
+#include "drivers/logs/log.h"
+#include "engine/base/file.h"
+#include "tests/app/controllers/live_window_devices.h"
 #include "tests/app/methods/pictures/small_picture.h"
 
 #include <filesystem>

@@ -2,8 +2,8 @@
 
 #include "app/methods/all_methods.h"
 #include "app/session/edit_record.h"
-#include "app/station/station_view.h"
 #include "app/tools/tool.h"
+#include "app/view/station_view.h"
 #include "engine/scene/back_picture.h"
 #include "tests/app/document/step_of.h"
 #include "tests/app/flat_station.h"

@@ -1,8 +1,8 @@
+#include "app/batch/plant_file.h"
+#include "app/batch/session_plant.h"
 #include "app/methods/all_methods.h"
 #include "app/methods/silhouettes/silhouette_file.h"
-#include "app/plants/plant_file.h"
-#include "app/plants/session_plant.h"
-#include "tests/app/verbs/outcome.h"
+#include "tests/app/commands/outcome.h"
 #include "tests/file_bytes.h"
 
 #include <array>

@@ -1,9 +1,9 @@
 #include "app/methods/all_methods.h"
 #include "app/methods/silhouettes/outline_tool.h"
 #include "engine/methods/silhouettes/tree_edits.h"
+#include "tests/app/commands/outcome.h"
 #include "tests/app/replayed.h"
 #include "tests/app/simulated_drawing.h"
-#include "tests/app/verbs/outcome.h"
 
 #include <array>
 #include <cmath>

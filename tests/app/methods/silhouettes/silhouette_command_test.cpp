@@ -1,9 +1,9 @@
+#include "app/batch/plant_file.h"
+#include "app/batch/session_plant.h"
 #include "app/methods/all_methods.h"
-#include "app/plants/plant_file.h"
-#include "app/plants/session_plant.h"
 #include "app/session/edit_record.h"
 #include "engine/methods/silhouettes/tree_edits.h"
-#include "tests/app/verbs/outcome.h"
+#include "tests/app/commands/outcome.h"
 #include "tests/corpus.h"
 #include "tests/file_bytes.h"
 

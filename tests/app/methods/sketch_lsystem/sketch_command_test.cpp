@@ -1,9 +1,9 @@
+#include "app/files/resources.h"
 #include "app/methods/all_methods.h"
-#include "app/resources.h"
 #include "app/session/session_file.h"
 #include "engine/methods/sketch_lsystem/grow_edit.h"
 #include "engine/scene/scene.h"
-#include "tests/app/verbs/outcome.h"
+#include "tests/app/commands/outcome.h"
 #include "tests/file_bytes.h"
 
 #include <cmath>

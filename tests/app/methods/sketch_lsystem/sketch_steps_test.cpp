@@ -1,7 +1,7 @@
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 
-#include "app/station/station_view.h"
 #include "app/stream/stream_output.h"
+#include "app/view/station_view.h"
 #include "tests/app/flat_station.h"
 
 #include <algorithm>

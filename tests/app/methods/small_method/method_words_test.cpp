@@ -1,7 +1,7 @@
 // No file of the program but its own, and the one list, names a tool or a kind of edit.
 
 #include "app/methods/all_methods.h"
-#include "drivers/file.h"
+#include "engine/base/file.h"
 
 #include <algorithm>
 #include <array>
@@ -82,8 +82,11 @@ std::vector<fs::path> includes_of(SourceText const& source)
 // The method to whose folders a file belongs; empty where it belongs to none.
 std::string method_of(fs::path const& file)
 {
-    auto const folder = file.parent_path();
-    return folder.parent_path().filename() == "methods" ? folder.filename().string() : "";
+    std::vector<std::string> const parts(file.begin(), file.end());
+    for (std::size_t i = 0; i + 2 < parts.size(); ++i)
+        if (parts[i] == "methods" && parts[i + 1] != "commands")
+            return parts[i + 1];
+    return "";
 }
 
 // Words of other languages that happen to be the same, and who speaks them.
@@ -92,11 +95,11 @@ bool is_another_language(std::string const& path, std::string const& word)
     static std::set<std::pair<std::string, std::string>> const others {
         { "sim/gesture_script.cpp", "select" }, // The script of a simulated hand.
         { "sim/gesture_script.cpp", "draw" },
-        { "app/verbs/window.cpp", "draw" },                       // "tractus draw",
-        { "app/methods/leaves/leaves_command.cpp", "draw" },      // and "tractus leaves draw".
+        { "app/commands/window.cpp", "draw" },                        // "tractus draw",
+        { "app/methods/leaves/commands/leaves_command.cpp", "draw" }, // and "tractus leaves draw".
         { "engine/methods/leaves/parse_grammar.cpp", "outline" }, // A block of a leaf's grammar.
         // The tool line "calibrate" has this word, too.
-        { "app/live/calibration_panel_controller.cpp", "press" },
+        { "app/controllers/calibration_panel_controller.cpp", "press" },
         { "app/calibration/calibration_controller.cpp", "press" },
     };
     return others.contains({ path, word });
@@ -137,19 +140,23 @@ TEST(MethodWords, StandInTheFilesOfTheirRowsAlone)
     }
 }
 
-// A tool's header belongs to its own folder and the list; but anybody's other end may erase.
+// A tool's header belongs to its own folder, or its method's, and the list; but anybody's other end
+// may erase.
 TEST(MethodWords, ToolsAreIncludedByTheirFolderAndTheList)
 {
     int count = 0;
     for (auto const& file : sources()) {
-        auto const folder = fs::path(file.path).parent_path();
+        auto const home = [](fs::path const& path) {
+            auto const method = method_of(path);
+            return method.empty() ? path.parent_path().string() : method;
+        };
         for (auto const& header : includes_of(file)) {
             if (!header.stem().string().ends_with("_tool"))
                 continue;
             ++count;
             bool const is_eraser
                 = header.stem() == "erase_tool" && file.path.starts_with("app/methods/");
-            EXPECT_TRUE(header.parent_path() == folder || is_eraser
+            EXPECT_TRUE(home(header) == home(file.path) || is_eraser
                         || file.path == "app/methods/all_methods.cpp")
                 << file.path << " includes " << header;
         }
@@ -157,19 +164,20 @@ TEST(MethodWords, ToolsAreIncludedByTheirFolderAndTheList)
     EXPECT_GT(count, 10);
 }
 
-// Only the two files of the list include what a method has in its folders.
+// Only the files of the list include what a method has in its folders.
 TEST(MethodWords, MethodsAreIncludedByTheListAlone)
 {
     int count = 0;
     for (auto const& file : sources())
         for (auto const& header : includes_of(file)) {
-            auto const folder = header.parent_path();
-            if (folder.parent_path().filename() != "methods")
+            auto const method = method_of(header);
+            if (method.empty())
                 continue;
             ++count;
-            bool const is_own = fs::path(file.path).parent_path().filename() == folder.filename();
-            bool const is_list = file.path.starts_with("app/methods/all_");
-            EXPECT_TRUE(is_own || is_list) << file.path << " includes " << header;
+            bool const is_list = file.path.starts_with("app/methods/all_")
+                || file.path.starts_with("app/methods/commands/all_");
+            EXPECT_TRUE(method_of(file.path) == method || is_list)
+                << file.path << " includes " << header;
         }
     EXPECT_GT(count, 10);
 }

@@ -1,6 +1,6 @@
-#include "app/command_line.h"
+#include "app/commands/command_line.h"
+#include "app/options/action.h"
 #include "app/terminal/console.h"
-#include "app/verbs/verb.h"
 #include "tests/app/methods/small_method/gust.h"
 
 #include <array>
@@ -14,9 +14,9 @@ namespace {
 void add_gust_command(CLI::App& root, Action& action, Methods const& methods)
 {
     auto strength = std::make_shared<double>(1);
-    auto* const verb = root.add_subcommand("gust", "Blow");
-    verb->add_option("--strength", *strength, "How much");
-    verb->callback([strength, count = methods.tools.size(), &action] {
+    auto* const command = root.add_subcommand("gust", "Blow");
+    command->add_option("--strength", *strength, "How much");
+    command->callback([strength, count = methods.tools.size(), &action] {
         action = [strength, count] {
             return print_out(fmt::format("{} of {} tools\n", *strength, count));
         };

@@ -2,9 +2,9 @@
 #include "app/methods/all_methods.h"
 #include "app/session/session.h"
 #include "app/session/session_file.h"
-#include "app/station/station_view.h"
 #include "app/tools/tool_choices.h"
 #include "app/tools/tool_table.h"
+#include "app/view/station_view.h"
 #include "tests/app/methods/small_method/gust.h"
 #include "tests/app/simple_rig.h"
 

@@ -1,0 +1,356 @@
+#include "app/batch/collection.h"
+
+#include "app/batch/collection_grower.h"
+#include "app/batch/collection_manifest.h"
+#include "app/batch/collection_sheet.h"
+#include "app/batch/picture_thread.h"
+#include "app/batch/plant_billboard.h"
+#include "engine/base/file.h"
+#include "engine/base/random.h"
+#include "engine/mesh/level_of_detail.h"
+#include "engine/variation/growth.h"
+#include "engine/variation/growth_preset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <functional>
+#include <numbers>
+
+namespace tractus {
+
+namespace {
+
+constexpr std::size_t kCompared = 64; // Plants of whose diversity the report speaks.
+constexpr std::size_t kMeasured = 8;  // Plants by whose width all are set apart.
+constexpr double kSpacing = 1.15; // Spacing in their widths: leaves stand out, and some are wider.
+constexpr double kScatter = 0.35; // Share of the spacing, at most, to each side.
+constexpr std::uint32_t kPlaces = 0x706C; // The random stream of ages and places.
+
+// One collection on its way: each member function is a stage.
+class Collection {
+public:
+    Collection(CollectionOptions const& options, Progress& progress)
+        : options_(options)
+        , progress_(progress)
+    {
+    }
+    Collection(Collection const&) = delete;
+    Collection& operator=(Collection const&) = delete;
+
+    Result<CollectionReport> run();
+
+private:
+    Result<Scene> load();
+    Result<void> compare(CollectionGrower& grower);
+    double spacing_mm(CollectionGrower& grower);
+    Result<std::vector<ManifestPlant>> write_one_file(CollectionGrower& grower,
+                                                      std::vector<PlantPlace> const& places);
+    Result<std::vector<ManifestPlant>> write_folder(CollectionGrower& grower,
+                                                    std::vector<PlantPlace> const& places);
+    Result<void> write_sheet(CollectionGrower& grower, std::vector<PlantPlace> const& places);
+    PlacedMesh placed(PlantPlace const& place) const;
+    void add_details(PlacedMesh& mesh, std::function<Plant()> const& plant);
+    Billboard billboard(Plant const& plant);
+    Result<GlbSummary> write_plants(std::ostream& out, std::span<PlacedMesh const> plants);
+
+    // Holds until the next call. `place` is of a plant of this collection.
+    Plant const& grow(CollectionGrower& grower, PlantPlace const& place);
+
+    std::optional<WindKey> wind(PlantPlace const& place) const
+    {
+        return options_.has_wind ? std::optional(WindKey { options_.seed, place.index })
+                                 : std::nullopt;
+    }
+
+    PlantKey key(std::size_t index) const
+    {
+        return { options_.seed, static_cast<std::uint32_t>(index) };
+    }
+
+    CollectionOptions const& options_;
+    Progress& progress_;
+    CollectionReport report_;
+    Plant young_;
+    std::optional<PictureThread> pictures_; // Where pictures are wanted.
+    std::optional<Error> picture_error_;
+};
+
+Result<CollectionReport> Collection::run()
+{
+    // Checks come before the work.
+    TRY(check_writable(manifest_path(options_)));
+    if (!options_.sheet.empty())
+        TRY(check_writable(options_.sheet));
+    if (!options_.sheet.empty() || options_.details > 0)
+        pictures_.emplace(TRY(PictureThread::create()));
+    auto const scene = TRY(load());
+    auto grower = TRY(CollectionGrower::create(scene, options_.construction));
+    TRY(compare(grower));
+    auto const places = place_plants(options_, spacing_mm(grower));
+    bool const one_file = options_.output.extension() == ".glb";
+    auto const plants
+        = TRY(one_file ? write_one_file(grower, places) : write_folder(grower, places));
+    report_.plants = plants.size();
+
+    if (grower.failed_count() > 0)
+        report_.notes.push_back(fmt::format("{} of the plants could not be built otherwise than "
+                                            "they were drawn: they differ by their growth alone",
+                                            grower.failed_count()));
+    report_.manifest = manifest_path(options_);
+    auto const write
+        = [&](std::ostream& out) { return write_manifest(out, options_, report_, plants); };
+    TRY(write_file(report_.manifest, write));
+    if (!options_.sheet.empty())
+        TRY(write_sheet(grower, places));
+    progress_.finish();
+    return report_;
+}
+
+Result<Scene> Collection::load()
+{
+    progress_.begin("deriving the plant");
+    auto scene = TRY(
+        load_growing_plant({ options_.model, options_.kinds }, options_.growth, options_.seed));
+    report_.segments = scene.base->segment_count();
+    report_.notes = scene.model_warnings;
+    if (!options_.drawing)
+        return scene;
+    auto drawing
+        = TRY(read_drawing(*options_.drawing, std::move(scene), progress_, report_.drawing));
+    report_.notes.insert(report_.notes.end(), report_.drawing.notes.begin(),
+                         report_.drawing.notes.end());
+    return std::move(drawing.scene);
+}
+
+// Plants whose segments are others cannot be compared node by node.
+Result<void> Collection::compare(CollectionGrower& grower)
+{
+    auto const drawn = TRY(grower.drawn());
+    auto const box = bounds(drawn);
+    report_.height_mm = box.max_mm.z() - box.min_mm.z();
+    if (!grower.has_one_topology())
+        return {};
+    auto const count = std::min(options_.count, kCompared);
+    progress_.begin("comparing the plants", count);
+    Diversity diversity(drawn);
+    for (std::size_t i = 0; i < count; ++i) {
+        diversity.add(grower.grow(key(i)));
+        progress_.step();
+    }
+    report_.between_plants = diversity.between_plants();
+    report_.from_drawn = diversity.from_drawn();
+    return {};
+}
+
+// Returns one spacing for all shards.
+double Collection::spacing_mm(CollectionGrower& grower)
+{
+    double width_mm = 1;
+    for (std::size_t i = 0; i < std::min(options_.count, kMeasured); ++i) {
+        auto const box = bounds(grower.grow(key(i)));
+        width_mm = std::max(width_mm, (box.max_mm - box.min_mm).head<2>().maxCoeff());
+    }
+    return kSpacing * width_mm;
+}
+
+Plant const& Collection::grow(CollectionGrower& grower, PlantPlace const& place)
+{
+    auto const& grown = grower.grow(key(place.index), place.age);
+    if (place.age == 1)
+        return grown;
+    young_ = without_unborn(grown);
+    return young_;
+}
+
+PlacedMesh Collection::placed(PlantPlace const& place) const
+{
+    PlacedMesh mesh;
+    mesh.name = fmt::format("{} {}", options_.model.stem().string(), place.index + 1);
+    return mesh;
+}
+
+// Adds levels of detail: at its level's share of the screen's area a plant has about as many pixels
+// for each triangle as at every other level's.
+void Collection::add_details(PlacedMesh& mesh, std::function<Plant()> const& plant)
+{
+    constexpr double kFullCoverage = 0.2;
+    if (options_.details == 0)
+        return;
+    double share = 1;
+    mesh.least_coverage = kFullCoverage;
+    for (std::size_t level = 1; level < options_.details; ++level) {
+        share /= 2;
+        mesh.details.push_back(
+            { PlantToMesh {
+                  .plant
+                  = [this, plant, share] { return coarser_plant(plant(), options_.mesh, share); },
+                  .options = coarser_options(options_.mesh, share),
+                  .wind = std::get<PlantToMesh>(mesh.mesh).wind },
+              kFullCoverage * share });
+    }
+    mesh.details.push_back(
+        { std::function<Billboard()>([this, plant] { return billboard(plant()); }), 0 });
+}
+
+// Keeps the first error: the caller cannot be told.
+Billboard Collection::billboard(Plant const& plant)
+{
+    constexpr double kShare = 0.25; // More detail than this does not show in so few pixels.
+    auto const coarse = coarser_plant(plant, options_.mesh, kShare);
+    auto const mesh = make_mesh(coarse, coarser_options(options_.mesh, kShare));
+    Result<Billboard> drawn;
+    pictures_->draw([&](PictureMaker& pictures) { drawn = draw_billboard(pictures, mesh); });
+    if (drawn)
+        return *std::move(drawn);
+    if (!picture_error_)
+        picture_error_ = drawn.error();
+    return {};
+}
+
+Result<GlbSummary> Collection::write_plants(std::ostream& out, std::span<PlacedMesh const> plants)
+{
+    auto const summary = TRY(write_glb(out, plants, options_.glb));
+    if (picture_error_)
+        return fail(picture_error_->fault, picture_error_->message);
+    return summary;
+}
+
+Result<std::vector<ManifestPlant>> Collection::write_one_file(CollectionGrower& grower,
+                                                              std::vector<PlantPlace> const& places)
+{
+    progress_.begin("writing the plants", places.size());
+    std::vector<ManifestPlant> plants;
+    std::vector<PlacedMesh> meshes;
+    std::size_t begun = 0;
+    for (auto const& place : places) {
+        plants.push_back({ place, options_.output.filename().string() });
+        meshes.push_back(placed(place));
+        meshes.back().position_mm = place.position_mm;
+        meshes.back().rotation_rad = place.rotation_rad;
+        auto const make = [this, &grower, &begun, &place, number = plants.size()]() -> Plant {
+            if (number > begun) { // Some are made more than once.
+                begun = number;
+                progress_.step();
+            }
+            return grow(grower, place);
+        };
+        meshes.back().mesh = PlantToMesh { make, options_.mesh, wind(place) };
+        add_details(meshes.back(), make);
+    }
+    auto const write = [&](std::ostream& out) -> Result<void> {
+        auto const summary = TRY(write_plants(out, meshes));
+        report_.triangles = summary.triangles;
+        report_.bytes = summary.bytes;
+        return {};
+    };
+    TRY(write_file(options_.output, write));
+    return plants;
+}
+
+Result<std::vector<ManifestPlant>> Collection::write_folder(CollectionGrower& grower,
+                                                            std::vector<PlantPlace> const& places)
+{
+    progress_.begin("writing the plants", places.size());
+    auto const digits = std::to_string(options_.count).size();
+    std::vector<ManifestPlant> plants;
+    for (auto const& place : places) {
+        auto const file
+            = fmt::format("{}-{:0{}}.glb", options_.model.stem().string(), place.index + 1, digits);
+        auto mesh = placed(place);
+        auto const& plant = grow(grower, place);
+        mesh.mesh = PlantToMesh { &plant, options_.mesh, wind(place) };
+        add_details(mesh, [&] { return plant; });
+        auto const write = [&](std::ostream& out) -> Result<void> {
+            auto const summary = TRY(write_plants(out, { &mesh, 1 }));
+            report_.triangles += summary.triangles;
+            report_.bytes += summary.bytes;
+            return {};
+        };
+        if (auto const written = write_file(options_.output / file, write); !written)
+            return fail(written.error().fault,
+                        fmt::format("{}; {} of {} plants are written", written.error().message,
+                                    plants.size(), places.size()));
+        plants.push_back({ place, file });
+        progress_.step();
+    }
+    return plants;
+}
+
+Result<void> Collection::write_sheet(CollectionGrower& grower,
+                                     std::vector<PlantPlace> const& places)
+{
+    SheetPlants const plants {
+        places.size(),
+        [&](std::size_t i) -> Plant const& { return grow(grower, places[i]); },
+        [&](std::size_t i) {
+            auto const& [index, age, position_mm, rotation_rad] = places[i];
+            return age == 1 ? fmt::format("{}", index + 1)
+                            : fmt::format("{}, age {:.2f}", index + 1, age);
+        },
+    };
+    Image sheet;
+    pictures_->draw(
+        [&](PictureMaker& pictures) { sheet = collection_sheet(pictures, plants, progress_); });
+    TRY(write_file(options_.sheet, [&](std::ostream& out) { return write_png(out, sheet); }));
+    report_.sheet = options_.sheet;
+    return {};
+}
+
+} // namespace
+
+std::vector<PlantPlace> place_plants(CollectionOptions const& options, double spacing_mm)
+{
+    // Where a part ends, without a product that might not fit.
+    auto const end_of = [&](std::size_t number) {
+        auto const parts = options.shard.parts;
+        return options.count / parts * number + options.count % parts * number / parts;
+    };
+    // A field a little wider than deep.
+    auto const row
+        = static_cast<std::size_t>(std::ceil(std::sqrt(1.2 * static_cast<double>(options.count))));
+    std::vector<PlantPlace> places;
+    for (std::size_t i = end_of(options.shard.number - 1); i < end_of(options.shard.number); ++i) {
+        PlantPlace place { .index = static_cast<std::uint32_t>(i) };
+        Random random({ options.seed, kPlaces, place.index });
+        place.age = random.uniform(options.ages.youngest, options.ages.oldest);
+        place.position_mm
+            = spacing_mm * Vec3(static_cast<double>(i % row), -static_cast<double>(i / row), 0);
+        if (options.stand == Stand::Scatter) {
+            double const reach_mm = kScatter * spacing_mm;
+            place.position_mm.x() += random.uniform(-reach_mm, reach_mm);
+            place.position_mm.y() += random.uniform(-reach_mm, reach_mm);
+            place.rotation_rad = random.uniform(0, 2 * std::numbers::pi);
+        }
+        places.push_back(place);
+    }
+    return places;
+}
+
+Result<CollectionReport> make_collection(CollectionOptions const& options, Progress& progress)
+{
+    return Collection(options, progress).run();
+}
+
+std::string print_report(CollectionReport const& report)
+{
+    std::string text
+        = fmt::format("{} plants of {} segments, {} triangles, {:.1f} MB\n", report.plants,
+                      report.segments, report.triangles, static_cast<double>(report.bytes) / 1e6);
+    auto const distance = [&](char const* name, DistanceSpread const& spread) {
+        if (spread.count > 0)
+            text += fmt::format("{}: {:.1f} mm, +- {:.1f} mm ({:.1f} % of the height)\n", name,
+                                spread.mean_mm, spread.deviation_mm,
+                                100 * spread.mean_mm / std::max(report.height_mm, 1e-9));
+    };
+    distance("from plant to plant", report.between_plants);
+    distance("from what was drawn", report.from_drawn);
+    for (auto const& note : report.notes)
+        text += fmt::format("note: {}\n", note);
+    text += fmt::format("wrote {}\n", report.manifest.string());
+    if (!report.sheet.empty())
+        text += fmt::format("wrote {}\n", report.sheet.string());
+    return text;
+}
+
+} // namespace tractus

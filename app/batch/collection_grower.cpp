@@ -1,0 +1,51 @@
+#include "app/batch/collection_grower.h"
+
+#include "engine/scene/varied_scene.h"
+
+#include <utility>
+
+namespace tractus {
+
+Result<std::unique_ptr<CollectionGrower::Planned>> CollectionGrower::planned(Scene scene)
+{
+    auto result = std::make_unique<Planned>(std::move(scene));
+    result->plan = std::make_unique<GrowthPlan const>(TRY(plan_growth(result->scene)));
+    result->grower = std::make_unique<Grower>(*result->plan);
+    return result;
+}
+
+Result<CollectionGrower> CollectionGrower::create(Scene scene, double construction)
+{
+    CollectionGrower grower;
+    grower.construction_ = has_sources_that_vary(scene) ? construction : 0;
+    grower.shared_ = TRY(planned(std::move(scene)));
+    return grower;
+}
+
+Result<Plant> CollectionGrower::drawn() const
+{
+    auto as_drawn = shared_->scene;
+    as_drawn.growth.variability = 0;
+    auto const plan = TRY(plan_growth(as_drawn));
+    return Grower(plan).grow({});
+}
+
+// A plant of several ages, or levels of detail, is built once.
+Plant const& CollectionGrower::grow(PlantKey const& key, double age)
+{
+    if (construction_ == 0)
+        return shared_->grower->grow(key, age);
+    bool const is_same = key_ && key_->seed == key.seed && key_->plant_index == key.plant_index;
+    if (!is_same) {
+        key_ = key;
+        auto scene
+            = varied(shared_->scene,
+                     { .seed = key.seed, .plant = key.plant_index, .spread = construction_ });
+        auto made = scene ? planned(*std::move(scene)) : tl::unexpected(scene.error());
+        failed_count_ += !made;
+        varied_ = made ? *std::move(made) : nullptr;
+    }
+    return (varied_ ? varied_ : shared_)->grower->grow(key, age);
+}
+
+} // namespace tractus

@@ -1,0 +1,53 @@
+#include "app/batch/collection_sheet.h"
+
+#include "app/render/contact_sheet.h"
+#include "engine/mesh/make_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace tractus {
+
+static constexpr PictureSize kSheetTile { 240, 240 };
+
+// Enough for a tile, in which the thickest trunk is a few pixels wide.
+static constexpr MeshOptions kSheetMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
+
+static std::size_t sheet_plant_count(std::size_t count)
+{
+    return std::min(count, kMostSheetPlants);
+}
+
+std::size_t sheet_plant(std::size_t tile, std::size_t count)
+{
+    auto const tiles = sheet_plant_count(count);
+    return tiles < 2 ? 0 : tile * (count - 1) / (tiles - 1);
+}
+
+Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants, Progress& progress)
+{
+    auto const tile_count = sheet_plant_count(plants.count);
+    progress.begin("drawing the plants", 2 * tile_count);
+    Framing framing({}, kSheetTile.aspect()); // Shows all at one scale.
+    for (std::size_t tile = 0; tile < tile_count; ++tile) {
+        framing.add(make_mesh(plants.plant(sheet_plant(tile, plants.count)), kSheetMesh));
+        progress.step();
+    }
+    std::vector<SheetTile> tiles;
+    for (std::size_t tile = 0; tile < tile_count; ++tile) {
+        auto const index = sheet_plant(tile, plants.count);
+        tiles.push_back({ pictures.plant(make_mesh(plants.plant(index), kSheetMesh), kSheetTile,
+                                         framing.camera()),
+                          plants.caption(index) });
+        progress.step();
+    }
+    SheetStyle style;
+    style.caption_size_px = 15;
+    style.gap_px = 12;
+    // A little wider than high.
+    style.columns = static_cast<int>(std::ceil(std::sqrt(1.2 * static_cast<double>(tile_count))));
+    return contact_sheet(tiles, style);
+}
+
+} // namespace tractus

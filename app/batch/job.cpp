@@ -1,0 +1,300 @@
+#include "app/batch/job.h"
+
+#include "app/batch/pictures.h"
+#include "app/batch/plant_group.h"
+#include "app/batch/plant_season.h"
+#include "app/batch/session_plant.h"
+#include "app/render/contact_sheet.h"
+#include "engine/base/file.h"
+#include "engine/export/glb_writer.h"
+#include "engine/mesh/make_mesh.h"
+#include "engine/mesh/mesh_measures.h"
+#include "engine/variation/growth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <functional>
+#include <optional>
+
+namespace tractus {
+
+namespace {
+
+constexpr PictureSize kPicture { 1280, 960 };
+constexpr PictureSize kTile { 420, 420 };
+
+// Enough for a tile, in which the thickest trunk is a few pixels wide.
+constexpr MeshOptions kTileMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
+
+// Columns of a sheet or a field of `count` plants: a little wider than high, and one fewer where
+// the rows are full then.
+int columns(std::size_t count)
+{
+    auto const wide = static_cast<std::size_t>(std::ceil(std::sqrt(1.2 * double(count))));
+    bool const is_fuller = wide > 1 && count % wide != 0 && count % (wide - 1) == 0;
+    return static_cast<int>(is_fuller ? wide - 1 : wide);
+}
+
+// The plants of a job: the variations of what was drawn and, if wanted, the drawing itself in each
+// season.
+class Sequence {
+public:
+    static Result<Sequence> create(Scene const& scene, JobOptions const& options)
+    {
+        Sequence sequence(options, TRY(PlantGroup::create(scene)));
+        if (options.all_seasons)
+            for (auto const* name : { "spring", "summer", "autumn", "winter" }) {
+                auto season = options.growth.season.value_or(Season());
+                season.month = parse_month(name).value();
+                auto const there = TRY(with_season(scene, season));
+                sequence.seasons_.push_back({ name, TRY(shown_plants(there)) });
+            }
+        return sequence;
+    }
+
+    std::size_t size() const { return options_->variations + seasons_.size(); }
+
+    // The number of a variation, or the season's name.
+    std::string name(std::size_t index) const
+    {
+        return index < options_->variations ? fmt::format("{}", index + 1) : season(index).name;
+    }
+
+    // Holds until the next call.
+    Plant const& grow(std::size_t index)
+    {
+        return index < options_->variations
+            ? group_.grow({ options_->seed, static_cast<std::uint32_t>(index) }, options_->age)
+            : season(index).plant;
+    }
+
+private:
+    struct InSeason {
+        std::string name;
+        Plant plant;
+    };
+
+    Sequence(JobOptions const& options, PlantGroup group)
+        : options_(&options)
+        , group_(std::move(group))
+    {
+    }
+
+    InSeason const& season(std::size_t index) const
+    {
+        return seasons_[index - options_->variations];
+    }
+
+    JobOptions const* options_;
+    PlantGroup group_;
+    std::vector<InSeason> seasons_;
+};
+
+// One job on its way: each member function is a stage.
+class Job {
+public:
+    Job(JobOptions const& options, Progress& progress)
+        : options_(options)
+        , progress_(progress)
+    {
+    }
+
+    Result<JobReport> run();
+
+private:
+    Result<Scene> load_plant();
+    Result<Drawing> read_drawing(Scene scene);
+    Result<void> draw_base(Drawing const& drawing);
+    Result<void> make_collection(Scene const& scene);
+    Result<void> write_picture(std::string const& name, Image const& picture);
+    Result<void> write_collection(Bounds const& frame, Sequence& sequence);
+
+    JobOptions const& options_;
+    Progress& progress_;
+    PictureMaker* pictures_ = nullptr;
+    std::optional<Session> session_;
+    JobReport report_;
+};
+
+Result<JobReport> Job::run()
+{
+    auto scene = TRY(load_plant());
+    auto const drawing = TRY(read_drawing(std::move(scene)));
+    auto pictures = TRY(PictureMaker::create());
+    pictures_ = &pictures;
+    TRY(draw_base(drawing));
+    TRY(make_collection(drawing.scene));
+    progress_.finish();
+    report_.times = progress_.times();
+    auto const path = options_.folder / "report.txt";
+    report_.files.push_back(path);
+    TRY(write_file(path, print_report(report_)));
+    return report_;
+}
+
+Result<Scene> Job::load_plant()
+{
+    progress_.begin("deriving the plant");
+    auto const kinds = options_.drawing.methods.edits;
+    auto const edits
+        = TRY(growing_plant_edits({ options_.model, kinds }, options_.growth, options_.seed));
+    auto scene = TRY(growing_plant(options_.model, edits));
+    if (!options_.session.empty()) {
+        session_ = TRY(begin_session(options_.session, edits, kinds));
+        report_.files.push_back(options_.session);
+    }
+    report_.growth = options_.growth;
+    report_.age = options_.age;
+    report_.seed = options_.seed;
+    report_.model = options_.model.empty() ? "an empty sheet" : options_.model.string();
+    report_.notes = scene.model_warnings;
+    report_.segments = scene.base->segment_count();
+    report_.organs = scene.base->organs.size();
+    return scene;
+}
+
+Result<Drawing> Job::read_drawing(Scene scene)
+{
+    if (!session_)
+        return tractus::read_drawing(options_.drawing, std::move(scene), progress_, report_);
+    Document document(*std::exchange(session_, std::nullopt), Document::Working::AtOnce,
+                      following_edits);
+    return tractus::read_drawing(options_.drawing, document, progress_, report_);
+}
+
+Result<void> Job::write_picture(std::string const& name, Image const& picture)
+{
+    auto const path = options_.folder / name;
+    auto const write = [&](std::ostream& out) { return write_png(out, picture); };
+    TRY(write_file(path, write));
+    report_.files.push_back(path);
+    return {};
+}
+
+Result<void> Job::draw_base(Drawing const& drawing)
+{
+    progress_.begin("drawing the base plant and the strokes");
+    auto const mesh = make_mesh(*drawing.scene.in_season);
+    report_.triangles = mesh.triangle_count();
+    TRY(write_picture("base.png", pictures_->plant(mesh, kPicture)));
+    TRY(write_picture("strokes.png",
+                      pictures_->strokes(drawing.scene, drawing.strokes, drawing.nib, kPicture)));
+    return {};
+}
+
+Result<void> Job::make_collection(Scene const& scene)
+{
+    auto plants = TRY(Sequence::create(scene, options_));
+    // Grown again whenever it is needed: that is quicker than keeping them all is large.
+    auto const plant = [&](std::size_t index) -> Plant const& { return plants.grow(index); };
+    auto const count = plants.size();
+    report_.plants = count;
+
+    progress_.begin("growing the collection", options_.variations);
+    Framing framing({}, kTile.aspect()); // Shows all at one scale.
+    Bounds frame;
+    // What has fallen in other seasons lies far around.
+    for (std::size_t i = 0; i < options_.variations; ++i) {
+        auto const mesh = make_mesh(plant(i)); // Leaves and petals stand out.
+        framing.add(mesh);
+        auto const box = bounds(mesh);
+        frame.add(box.min_mm);
+        frame.add(box.max_mm);
+        progress_.step();
+    }
+
+    progress_.begin("drawing the collection", count);
+    std::vector<SheetTile> tiles;
+    for (std::size_t i = 0; i < count; ++i) {
+        auto const& grown = plant(i);
+        if (i == 0)
+            TRY(write_picture("varied.png", pictures_->plant(make_mesh(grown), kPicture)));
+        tiles.push_back({ pictures_->plant(make_mesh(grown, kTileMesh), kTile, framing.camera()),
+                          plants.name(i) });
+        progress_.step();
+    }
+    SheetStyle style;
+    style.columns = columns(count);
+    TRY(write_picture("collection.png", contact_sheet(tiles, style)));
+    return write_collection(frame, plants);
+}
+
+Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
+{
+    // Spacing in a plant's width, so that neighbours do not touch.
+    constexpr double kPlantSpacing = 1.15;
+    progress_.begin("writing the collection");
+    double const spacing_mm
+        = kPlantSpacing * std::max((frame.max_mm - frame.min_mm).head<2>().maxCoeff(), 1.0);
+    auto const row = static_cast<std::size_t>(columns(sequence.size()));
+    std::vector<PlacedMesh> plants;
+    for (std::size_t i = 0; i < sequence.size(); ++i)
+        plants.push_back(
+            { .name = fmt::format("{} {}",
+                                  options_.model.empty() ? "plant" : options_.model.stem().string(),
+                                  sequence.name(i)),
+              .position_mm
+              = spacing_mm * Vec3(static_cast<double>(i % row), -static_cast<double>(i / row), 0),
+              .mesh = std::function<Mesh()>([&sequence, &style = options_.mesh, i] {
+                  return make_mesh(sequence.grow(i), style);
+              }) });
+    auto const path = options_.folder / "collection.glb";
+    auto const write = [&](std::ostream& out) -> Result<void> {
+        auto const summary = TRY(write_glb(out, plants, options_.glb));
+        report_.collection_triangles = summary.triangles;
+        return {};
+    };
+    TRY(write_file(path, write));
+    report_.files.push_back(path);
+    return {};
+}
+
+} // namespace
+
+Result<JobReport> run_job(JobOptions const& options, Progress& progress)
+{
+    return Job(options, progress).run();
+}
+
+std::string print_report(JobReport const& report)
+{
+    std::string text = fmt::format(
+        "log                   {}\nmodel                 {}\nseed                  {}\n",
+        report.log, report.model, report.seed);
+    if (report.age != 1)
+        text += fmt::format("age                   {}\n", report.age);
+    if (report.growth.preset || report.growth.variability != 1)
+        text += fmt::format("growth                {}, variability {}\n",
+                            growth_name(report.model, report.growth), report.growth.variability);
+    if (report.growth.season)
+        text += fmt::format("season                {}\n", month_name(report.growth.season->month));
+    auto const count = [&](char const* name, std::size_t value) {
+        text += fmt::format("{:<22}{}\n", name, value);
+    };
+    count("reports read", report.reports);
+    count("reports not decoded", report.broken_reports);
+    count("pen samples", report.pen_samples);
+    count("height samples", report.height_samples);
+    count("strokes", report.strokes);
+    count("branches selected", report.branches_selected);
+    count("motion indicators", report.indicators);
+    count("plants", report.plants);
+    count("segments, each", report.segments);
+    count("organs, each", report.organs);
+    count("triangles, each", report.triangles);
+    count("triangles, all", report.collection_triangles);
+    double total_s = 0;
+    for (auto const& [stage, seconds] : report.times) {
+        text += fmt::format("{:>8.3f} s  {}\n", seconds, stage);
+        total_s += seconds;
+    }
+    text += fmt::format("{:>8.3f} s  in all\n", total_s);
+    for (auto const& note : report.notes)
+        text += fmt::format("note: {}\n", note);
+    for (auto const& file : report.files)
+        text += fmt::format("wrote {}\n", file.string());
+    return text;
+}
+
+} // namespace tractus

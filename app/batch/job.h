@@ -1,0 +1,58 @@
+#pragma once
+
+#include "app/batch/drawing.h"
+#include "app/terminal/progress.h"
+#include "engine/base/result.h"
+#include "engine/export/glb_writer.h"
+#include "engine/mesh/make_mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+// The main job: a recorded drawing and a model become a set of varied plants. Where several plants
+// were drawn each of the set is all of them.
+struct JobOptions {
+    DrawingOptions drawing {};
+    std::filesystem::path model {};
+    std::uint64_t seed = 1;             // Seed of the variations.
+    std::size_t variations = 12;        // Plants in the collection; at least 1.
+    std::filesystem::path folder = "."; // Made if it is not there.
+    GrowthOptions growth {};
+    double age = 1;           // Age of all plants; see Grower::grow().
+    bool all_seasons = false; // Also the drawing itself in four seasons.
+    GlbOptions glb {};        // Options of the collection's file, as the next one.
+    MeshOptions mesh {};
+    std::filesystem::path session {}; // The new file that keeps what is drawn; empty: none.
+};
+
+// Facts about what was read, and what became of it.
+struct JobReport : DrawingReport {
+    std::string model;
+    std::uint64_t seed = 1;
+    GrowthOptions growth;
+    double age = 1;
+    std::size_t plants = 0;
+    std::size_t segments = 0;  // Segments of one plant.
+    std::size_t organs = 0;    // Organs of one plant.
+    std::size_t triangles = 0; // Triangles of one plant.
+    std::uint64_t collection_triangles = 0;
+    std::vector<std::filesystem::path> files;
+    std::vector<Progress::StageTime> times;
+};
+
+// Replays the log onto the model and writes base.png, strokes.png, varied.png, collection.png,
+// collection.glb and report.txt into the folder. Each file appears whole or not at all; a session
+// appears as the plant is loaded and holds each stroke as soon as it is drawn. Fails like
+// growing_plant_edits() and read_drawing(), where a file cannot be written, and where the system
+// has no OpenGL.
+Result<JobReport> run_job(JobOptions const& options, Progress& progress);
+
+// The report as lines for a person to read, as they stand in report.txt.
+std::string print_report(JobReport const& report);
+
+} // namespace tractus

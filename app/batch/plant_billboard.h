@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/batch/pictures.h"
+#include "engine/base/result.h"
+#include "engine/export/billboard.h"
+
+namespace tractus {
+
+// Draws a plant from eight sides, each 256 pixels wide and high.
+Result<Billboard> draw_billboard(PictureMaker& pictures, Mesh const& mesh);
+
+} // namespace tractus

@@ -1,0 +1,127 @@
+#include "app/batch/session_plant.h"
+
+#include "app/terminal/error_text.h"
+#include "engine/scene/edit_ids.h"
+#include "engine/variation/growth.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <span>
+
+namespace tractus {
+
+namespace {
+
+// The name of the plant that edits load last.
+std::string plant_name(std::vector<Edit> const& edits)
+{
+    std::string name;
+    for (auto const& edit : edits) {
+        if (auto const* const model = edit.get<LoadModel>())
+            name = model->source.name;
+        else if (auto const* const skeleton = edit.get<LoadSkeleton>())
+            name = skeleton->name;
+        else if (auto const* const measured = edit.get<LoadMeasured>())
+            name = measured->name;
+    }
+    return std::filesystem::path(name).stem().string();
+}
+
+} // namespace
+
+bool is_session_file(std::filesystem::path const& path)
+{
+    return path.extension() == ".tractus";
+}
+
+// The state after a step, which does all that it says or nothing. What the session began with does
+// what it can: it has no step before it.
+static Result<DocumentState> state_after(DocumentState state, std::span<SessionEdit const> step,
+                                         SceneBuilder& builder)
+{
+    if (step.front().step == 0)
+        return begin_document(step, builder);
+    for (auto const& edit : step)
+        state = TRY(apply_edit(std::move(state), edit.edit, builder));
+    return state;
+}
+
+Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost const& cost)
+{
+    FoldedSession folded;
+    SceneBuilder builder(make_load_options(cost));
+    DocumentState state;
+    std::span const all(contents.edits);
+    for (auto const& edit : all)
+        folded.unknown.add(edit);
+    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+        UnknownEdits unknown;
+        for (; end < all.size() && all[end].step == all[first].step; ++end)
+            unknown.add(all[end]);
+        if (all[first].step > contents.step)
+            break;
+        auto const step = all.subspan(first, end - first);
+        auto after = state_after(state, step, builder);
+        if (!after && first == 0)
+            return tl::unexpected(after.error());
+        if (!after) {
+            folded.skipped_steps += unknown.count == 0;
+            state.last_edit += step.size();
+            continue;
+        }
+        state = *std::move(after);
+        for (auto const& edit : step)
+            if (!edit.edit.get<UnknownEdit>())
+                folded.edits.push_back(
+                    with_id(edit.edit, static_cast<std::uint64_t>(edit.place.number)));
+    }
+    folded.scene = TRY(build_scene(builder, std::move(state)));
+    return folded;
+}
+
+static Result<FoldedSession> load_folded(std::filesystem::path const& path, EditKinds kinds,
+                                         ModelCost const& cost)
+{
+    auto const contents = TRY(read_session(path, kinds));
+    auto folded = fold_session(contents, cost);
+    if (!folded)
+        return fail(folded.error().fault,
+                    fmt::format("{}: {}", path.string(), folded.error().message));
+    if (auto const said = folded->unknown.sentence(); !said.empty())
+        print_warning(fmt::format("{}: {}", path.string(), said));
+    if (folded->skipped_steps > 0)
+        print_warning(fmt::format("{}: {} steps need what was lost and change nothing",
+                                  path.string(), folded->skipped_steps));
+    return folded;
+}
+
+Result<std::vector<Edit>> session_edits(std::filesystem::path const& path, EditKinds kinds)
+{
+    return TRY(load_folded(path, kinds, {})).edits;
+}
+
+Result<Scene> load_session_scene(std::filesystem::path const& path, EditKinds kinds,
+                                 ModelCost const& cost)
+{
+    return TRY(load_folded(path, kinds, cost)).scene;
+}
+
+Result<Plant> shown_plant(BuiltPlant const& built)
+{
+    auto const plan = TRY(plan_growth(built));
+    Grower grower(plan);
+    auto const& plant = grower.grow({ built.growth.seed, 0 }, built.growth.age);
+    return built.growth.age < 1 ? without_unborn(plant) : plant;
+}
+
+Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edit> const& edits,
+                              EditKinds kinds)
+{
+    auto options = session_by_the_clock(kinds, [] { return load_options(); });
+    SessionOrigin const origin { .plant = plant_name(edits),
+                                 .program = TRACTUS_VERSION,
+                                 .created = options.now() };
+    return Session::create(path, origin, edits, options);
+}
+
+} // namespace tractus

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/options/action.h"
+
+namespace tractus {
+
+// tractus calibrate height|travel|latency|tilt|zero|check: finds out a rig's numbers, or how good
+// they are, and keeps them in its file.
+void add_calibrate_command(CLI::App& root, Action& action);
+
+} // namespace tractus

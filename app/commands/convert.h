@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/options/action.h"
+#include "app/tools/methods.h"
+
+namespace tractus {
+
+// `tractus convert IN -o OUT`: recordings of other programs to ours, ours to hid-recorder's, and
+// what was drawn in either to curves.
+void add_convert_command(CLI::App& root, Action& action, Methods const& methods);
+
+} // namespace tractus

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/options/action.h"
+
+namespace tractus {
+
+// tractus decode FILE [--csv [--raw] [-o FILE]]: what a device log's pens did.
+void add_decode_command(CLI::App& root, Action& action);
+
+} // namespace tractus

@@ -1,0 +1,66 @@
+#include "app/commands/demo.h"
+
+#include "app/batch/job.h"
+#include "app/files/resources.h"
+#include "app/options/checks.h"
+#include "app/options/glb_options.h"
+#include "app/options/shared_options.h"
+#include "app/terminal/console.h"
+#include "app/terminal/progress.h"
+#include "engine/base/file.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <memory>
+
+namespace tractus {
+
+void add_demo_command(CLI::App& root, Action& action, Methods const& methods)
+{
+    struct DemoArguments {
+        JobOptions job;
+        std::string plant = "station";
+    };
+    auto arguments = std::make_shared<DemoArguments>();
+    arguments->job.folder = "tractus-demo";
+    auto* const command = root.add_subcommand(
+        "demo",
+        "See what the station is for: a drawing recorded on the simulated rig varies plants");
+    add_folder_option(*command, arguments->job.folder);
+    add_glb_options(*command, arguments->job.glb);
+    command->footer(job_footer());
+    command
+        ->add_option(
+            "--plant", arguments->plant,
+            "Which drawing: one on our broadleaf, conifer, daisy or shrub, or station: three "
+            "plants drawn by every method, also in four seasons")
+        ->type_name("NAME")
+        ->check(one_of({ "broadleaf", "conifer", "daisy", "shrub", "station" }))
+        ->capture_default_str();
+    add_seed_option(*command, arguments->job.seed);
+    command->callback([arguments, methods, &action] {
+        action = [arguments, methods]() -> Result<void> {
+            auto job = arguments->job;
+            job.drawing.methods = methods;
+            TRY(check_writable(job.folder / "report.txt"));
+            bool const is_station = arguments->plant == "station";
+            job.model = TRY(find_model(is_station ? "birch" : arguments->plant));
+            job.all_seasons = is_station;
+            if (is_station) { // Sixteen times three plants, for whoever opens the file first.
+                job.growth.season.emplace();
+                job.mesh = { .min_sides = 3,
+                             .max_sides = 8,
+                             .subdivision = 2,
+                             .ends = MeshOptions::Ends::Open,
+                             .sections = MeshOptions::Sections::SameArea };
+                job.glb.vertices = std::max(job.glb.vertices, GlbOptions::Vertices::Quantized);
+            }
+            job.drawing.log
+                = TRY(find_resource(fmt::format("demo/{}.tractus-log", arguments->plant)));
+            Progress progress;
+            return print_out(print_report(TRY(run_job(job, progress))));
+        };
+    });
+}
+
+} // namespace tractus

@@ -1,0 +1,84 @@
+#include "app/commands/derive.h"
+
+#include "app/files/resources.h"
+#include "app/io/model_file.h"
+#include "app/options/checks.h"
+#include "app/options/model_options.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+#include "engine/lsystem/derivation/derive.h"
+#include "engine/lsystem/language/print.h"
+#include "engine/lsystem/rewriting/homomorphism.h"
+
+#include <fmt/core.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace tractus {
+
+namespace {
+
+struct DeriveArguments {
+    ModelOptions model;
+    ModelCost cost;
+    ModelCompanions companions;
+    bool homomorphism = false;
+    bool counts = false;
+    bool string = false;
+};
+
+Result<void> run(DeriveArguments const& arguments)
+{
+    auto const path = TRY(find_model(arguments.model.model));
+    warn_of_unused_companions(path, arguments.companions);
+    auto const model = TRY(load_model(path, arguments.companions));
+    for (auto const& warning : model.warnings)
+        print_warning(warning);
+    DeriveOptions options;
+    options.steps = arguments.model.steps;
+    options.seed = arguments.model.seed.value_or(1);
+    auto const run = load_options(arguments.cost);
+    options.limits = run.limits;
+    options.print = run.print;
+    auto string = TRY(derive(model, options));
+    if (arguments.homomorphism) {
+        HomomorphismOptions how;
+        how.limit = { run.limits.max_modules, run.limits.max_memory_bytes };
+        how.time = run.limits.time;
+        how.print = run.print;
+        string = TRY(apply_homomorphism(model, string, how));
+    }
+    if (arguments.counts)
+        return print_out(nlohmann::json(count_symbols(model, string)).dump() + "\n");
+    return print_out(to_string(model, string) + "\n");
+}
+
+} // namespace
+
+void add_derive_command(CLI::App& root, Action& action)
+{
+    // Shared with the callback, which outlives this.
+    auto const arguments = std::make_shared<DeriveArguments>();
+    auto* const command = root.add_subcommand(
+        "derive", "Derive an L-system and print its string or its symbols' counts");
+    command->footer(
+        "A model is in cpfg's language; MODEL.v beside MODEL.l, where there is one, gives\n"
+        "angles, materials and organs. The same model and seed always give the same string.");
+    add_model_options(*command, arguments->model);
+    add_cost_options(*command, arguments->cost);
+    add_companion_options(*command, arguments->companions);
+    command->add_flag("--homomorphism", arguments->homomorphism,
+                      "Apply the homomorphism rules first: what the turtle reads");
+    auto* const counts
+        = command->add_flag("--count", arguments->counts,
+                            "Print how often each symbol stands in the string, as a JSON object");
+    command->add_flag("--string", arguments->string, "Print the string as cpfg does, on one line")
+        ->excludes(counts);
+    command->callback([&action, arguments] {
+        if (!arguments->counts && !arguments->string)
+            throw CLI::RequiredError("--count or --string");
+        action = [arguments] { return run(*arguments); };
+    });
+}
+
+} // namespace tractus

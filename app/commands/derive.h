@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/options/action.h"
+
+namespace tractus {
+
+// tractus derive MODEL.l: rewrites a model's string and prints it, or what it consists of.
+void add_derive_command(CLI::App& root, Action& action);
+
+} // namespace tractus

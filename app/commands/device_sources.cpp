@@ -1,0 +1,58 @@
+#include "app/commands/device_sources.h"
+
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+
+#include <csignal>
+#include <fmt/core.h>
+
+namespace tractus {
+
+static std::atomic<bool> stop_asked = false;
+
+std::atomic<bool> const& stop_on_signals()
+{
+    auto const ask_to_stop = [](int) { stop_asked = true; };
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+    // The terminal has gone, unless nohup says that this does not matter.
+    if (std::signal(SIGHUP, ask_to_stop) == SIG_IGN)
+        std::signal(SIGHUP, SIG_IGN);
+    return stop_asked;
+}
+
+static Result<LiveDevices> open_named_or_found(std::vector<std::string> const& names,
+                                               std::string const& purpose)
+{
+    if (!names.empty())
+        return LiveDevices::open_named(names);
+    auto const found = find_pens_and_height_sensors();
+    if (found.empty())
+        return fail(Fault::User,
+                    fmt::format("there is no tablet and no height sensor {}: \"tractus doctor\" "
+                                "says why; the simulated rig goes by the name simulated",
+                                purpose));
+    return open_found(found);
+}
+
+Result<LiveDevices> open_found(std::vector<DeviceInfo> const& found)
+{
+    std::vector<RefusedDevice> refused;
+    auto devices = LiveDevices::open_usable(found, refused);
+    if (devices.infos().empty() && !refused.empty())
+        return tl::unexpected(refused.front().error);
+    for (auto const& [info, error] : refused)
+        print_error(fmt::format("without {}: {}\n", info.name, error.message));
+    return devices;
+}
+
+Result<LiveDevices> open_devices(std::vector<std::string> const& names, std::string const& purpose)
+{
+    auto devices = TRY(open_named_or_found(names, purpose));
+    for (auto const& info : devices.infos())
+        for (auto const& warning : info.warnings)
+            print_warning(warning);
+    return devices;
+}
+
+} // namespace tractus

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/options/action.h"
+
+namespace tractus {
+
+// tractus devices [--json]: the HID devices that this machine has, and what they are to the
+// station.
+void add_devices_command(CLI::App& root, Action& action);
+
+} // namespace tractus

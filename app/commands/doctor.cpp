@@ -1,0 +1,318 @@
+#include "app/commands/doctor.h"
+
+#include "app/commands/device_sources.h"
+#include "app/devices/live_devices.h"
+#include "app/diagnosis/diagnose.h"
+#include "app/diagnosis/udev_rules.h"
+#include "app/files/user_folder.h"
+#include "app/options/checks.h"
+#include "app/terminal/console.h"
+#include "app/terminal/terminal.h"
+#include "calib/rig_file.h"
+#include "drivers/logs/foreign_log.h"
+#include "drivers/tablets/pen_decoders.h"
+#include "engine/base/file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <fmt/core.h>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+struct DoctorArguments {
+    std::vector<std::string> devices;
+    std::string log;
+    double seconds = 3;
+    bool as_json = false;
+    bool install_rules = false;
+    bool for_group = false;
+    std::string surface; // "254x159"
+    std::string rig_file = user_rig_path().string();
+    std::string rules_file = "/etc/udev/rules.d/70-tractus.rules";
+};
+
+void append(std::vector<Finding>& all, std::vector<Finding> some)
+{
+    for (auto& finding : some)
+        all.push_back(std::move(finding));
+}
+
+Finding all_is_well(DeviceReading const& reading)
+{
+    Finding finding { .kind = FindingKind::Fine,
+                      .subject = fmt::format("{} at {}", reading.info.name, reading.info.location),
+                      .what
+                      = fmt::format("{}; {} reports, {:.0f} per second.", reading.description.text,
+                                    reading.reports, reading.pace.rate_hz) };
+    auto const pen = make_pen_decoder(reading.info);
+    finding.lacks_size = pen && (*pen)->traits().is_size_assumed;
+    if (finding.lacks_size)
+        finding.remedy = {
+            "Its size is a guess: measure the two sides of its active area, and tell them with",
+            "tractus doctor --surface WIDTHxDEPTH --rig FILE",
+        };
+    return finding;
+}
+
+// Whether it is some node of a tablet, for keys or fingers, of which another node carries the pen.
+bool is_beside_a_pen(DeviceReading const& reading, std::vector<DeviceReading> const& all)
+{
+    return reading.description.kind == DeviceKind::Other
+        && std::any_of(all.begin(), all.end(), [&](DeviceReading const& other) {
+               return other.description.kind == DeviceKind::Pen
+                   && other.info.vendor_id == reading.info.vendor_id
+                   && other.info.product_id == reading.info.product_id;
+           });
+}
+
+void judge(std::vector<DeviceMonitor> const& monitors, Duration listened,
+           std::vector<Finding>& findings)
+{
+    std::vector<DeviceReading> readings;
+    for (auto const& monitor : monitors)
+        readings.push_back(monitor.reading());
+    for (auto const& reading : readings) {
+        if (is_beside_a_pen(reading, readings))
+            continue;
+        auto found = diagnose_device(reading, listened);
+        if (found.empty() && reading.description.kind != DeviceKind::Other)
+            found.push_back(all_is_well(reading));
+        append(findings, std::move(found));
+    }
+}
+
+// Listens to the devices while a hand moves the pen.
+Result<void> listen(LiveDevices& devices, double seconds, std::vector<Finding>& findings)
+{
+    std::vector<DeviceMonitor> monitors;
+    for (auto const& info : devices.infos())
+        monitors.emplace_back(info);
+    auto const before = read_clocks();
+    auto const& stop = stop_on_signals();
+    std::vector<LiveReport> reports;
+    Duration listened {};
+    while (!stop && devices.any_left() && to_seconds(listened) < seconds) {
+        devices.take(reports);
+        for (auto const& [device, report] : reports)
+            monitors[device].push(report);
+        auto const now = read_clocks().monotonic;
+        listened = now - before.monotonic;
+        for (auto& monitor : monitors)
+            monitor.pass_time(Timestamp(now));
+        if (reports.empty())
+            std::this_thread::sleep_for(kPollRest);
+    }
+    append(findings, diagnose_clocks(before, read_clocks()));
+    judge(monitors, listened, findings);
+    return {};
+}
+
+// The devices of the machine that can be opened.
+Result<void> examine_machine(DoctorArguments const& arguments, std::vector<Finding>& findings)
+{
+    auto const facts = gather_system_facts();
+    append(findings, diagnose_system(facts));
+    std::vector<DeviceInfo> usable;
+    for (auto const& device : facts.devices)
+        if (device.description.kind != DeviceKind::Other && device.open_error == 0)
+            usable.push_back(device.info);
+    if (usable.empty())
+        return {};
+    print_error(fmt::format("Listening for {:g} s: move the pen over the tablet, press it, and "
+                            "move the surface.\n",
+                            arguments.seconds));
+    std::vector<RefusedDevice> refused;
+    auto devices = LiveDevices::open_usable(usable, refused);
+    for (auto const& [info, error] : refused)
+        findings.push_back(diagnose_refusal(info, error));
+    return listen(devices, arguments.seconds, findings);
+}
+
+Result<void> examine_log(std::string const& path, std::vector<Finding>& findings)
+{
+    auto const log = TRY(read_any_log(path));
+    std::vector<DeviceMonitor> monitors;
+    for (auto const& info : log.devices)
+        monitors.emplace_back(info);
+    RawReport report;
+    LogCursor cursor(log);
+    while (auto const* const from = TRY(cursor.next())) {
+        report.received = from->time;
+        report.size = from->bytes.size();
+        std::ranges::copy(from->bytes, report.storage.begin());
+        monitors[from->device].push(report);
+    }
+    if (!log.empty())
+        for (auto& monitor : monitors)
+            monitor.pass_time(log.end());
+    judge(monitors, log.end() - log.begin(), findings);
+    return {};
+}
+
+Result<void> install_rules(DoctorArguments const& arguments)
+{
+    TRY(write_file(arguments.rules_file,
+                   udev_rules(arguments.for_group ? RuleHolder::Group : RuleHolder::Seat)));
+    return print_out(fmt::format("{} is written. Now, as root:\n"
+                                 "  udevadm control --reload-rules && udevadm trigger\n"
+                                 "or unplug the devices and plug them in again.\n{}",
+                                 arguments.rules_file,
+                                 arguments.for_group
+                                     ? "Who may use them: sudo adduser USER plugdev, then log in "
+                                       "again.\n"
+                                     : ""));
+}
+
+// "254x158.75"
+std::optional<Vec2> parse_sides(std::string_view text)
+{
+    Vec2 sides_mm;
+    auto const* const end = text.data() + text.size();
+    auto const [x, error] = std::from_chars(text.data(), end, sides_mm.x());
+    if (error != std::errc() || x == end || *x != 'x')
+        return std::nullopt;
+    auto const [rest, y_error] = std::from_chars(x + 1, end, sides_mm.y());
+    bool const is_whole = y_error == std::errc() && rest == end;
+    return is_whole && is_tablets_surface(sides_mm) ? std::optional(sides_mm) : std::nullopt;
+}
+
+std::string expected_sides()
+{
+    return fmt::format("expected the two sides of the tablet's active area in millimetres, such as "
+                       "254x158.8, each {} to {}",
+                       kMinSurfaceSide_mm, kMaxSurfaceSide_mm);
+}
+
+// Writes the active area, as somebody measured it, into the rig.
+Result<void> write_sides(Rig rig, Vec2 const& sides_mm, std::string const& rig_file)
+{
+    rig.tablet_size_mm = rig.surface_mm.emplace(sides_mm);
+    TRY(save_rig(rig, rig_file));
+    return print_out(fmt::format("{}: the tablet's surface is {:g} x {:g} mm\n", rig_file,
+                                 sides_mm.x(), sides_mm.y()));
+}
+
+Result<void> measure_surface(DoctorArguments const& arguments)
+{
+    auto const sides_mm = parse_sides(arguments.surface);
+    if (!sides_mm)
+        return fail(Fault::User,
+                    fmt::format("--surface \"{}\": {}", arguments.surface, expected_sides()));
+    return write_sides(TRY(load_rig(arguments.rig_file)), *sides_mm, arguments.rig_file);
+}
+
+// Asks whoever sits at the terminal for what a tablet does not tell, until the answer makes sense
+// or is empty. Without a rig there is nowhere to keep it, and a rig that has it needs no answer.
+Result<void> ask_for_sides(std::string const& tablet, std::string const& rig_file)
+{
+    std::error_code ignored;
+    if (rig_file.empty() || !std::filesystem::exists(rig_file, ignored))
+        return {};
+    auto const rig = TRY(load_rig(rig_file));
+    if (rig.surface_mm)
+        return {};
+    TRY(print_out(
+        fmt::format("\n{} does not tell the size of its surface. Measure the sides of its "
+                    "active area.\nWidth x depth in millimetres, such as 254x158.8 "
+                    "(nothing: leave it as it is): ",
+                    tablet)));
+    for (std::string line; std::getline(std::cin, line) && !line.empty();) {
+        if (auto const sides_mm = parse_sides(line))
+            return write_sides(rig, *sides_mm, rig_file);
+        TRY(print_out(fmt::format("\"{}\": {}: ", line, expected_sides())));
+    }
+    return {};
+}
+
+Result<void> run(DoctorArguments const& arguments)
+{
+    if (!arguments.surface.empty())
+        return measure_surface(arguments);
+    if (arguments.install_rules)
+        return install_rules(arguments);
+    std::vector<Finding> findings;
+    if (!arguments.log.empty()) {
+        TRY(examine_log(arguments.log, findings));
+    } else if (!arguments.devices.empty()) {
+        auto devices = TRY(LiveDevices::open_named(arguments.devices));
+        TRY(listen(devices, arguments.seconds, findings));
+    } else {
+        TRY(examine_machine(arguments, findings));
+    }
+    if (arguments.as_json)
+        return print_out(print_findings_json(findings));
+    TRY(print_out(print_findings(findings)));
+    auto const unmeasured = std::ranges::find_if(findings, &Finding::lacks_size);
+    if (unmeasured == findings.end() || !is_terminal())
+        return {};
+    return ask_for_sides(unmeasured->subject, arguments.rig_file);
+}
+
+} // namespace
+
+void add_doctor_command(CLI::App& root, Action& action)
+{
+    auto arguments = std::make_shared<DoctorArguments>();
+    auto* const command = root.add_subcommand(
+        "doctor", "Find out why a tablet or sensor does not work, and what to do about it");
+    auto* const log = command->add_option("LOG", arguments->log,
+                                          "A recording to examine in place of the machine");
+    auto* const device
+        = command
+              ->add_option("--device", arguments->devices,
+                           fmt::format("What to listen to, each {}; without it, everything",
+                                       device_name_help()))
+              ->type_name("DEVICE...")
+              ->excludes(log);
+    command->add_option("--seconds", arguments->seconds, "How long to listen")
+        ->type_name("SECONDS")
+        ->check(number(0, 3600))
+        ->capture_default_str();
+    command->add_flag("--json", arguments->as_json, "Print a JSON array");
+    auto* const install
+        = command
+              ->add_flag("--install-rules", arguments->install_rules,
+                         "Write the udev rules that permit the devices to whoever sits at the "
+                         "screen")
+              ->excludes(log, device);
+    command
+        ->add_flag("--for-group", arguments->for_group,
+                   "Permit them to the group plugdev in place, for users over ssh")
+        ->needs(install);
+    command->add_option("--rules-file", arguments->rules_file, "Where the rules are written")
+        ->type_name("FILE")
+        ->capture_default_str()
+        ->needs(install);
+    command
+        ->add_option("--surface", arguments->surface,
+                     "Write the two sides of the tablet's active area, in millimetres, into the "
+                     "rig: for tablets that do not tell them")
+        ->type_name("WIDTHxDEPTH")
+        ->excludes(log, device, install);
+    command
+        ->add_option("--rig", arguments->rig_file,
+                     "The rig that keeps the sides of the tablet's active area; without it, "
+                     "your own")
+        ->type_name("FILE")
+        ->excludes(install);
+    command->footer(
+        "Looks at nodes and permissions, at the kernel's drivers and at libraries; then\n"
+        "listens for tablets in mouse mode or with unknown reports, for a sensor on a rail,\n"
+        "stuck, jumping or silent, and for clocks that jump. Each finding comes with its\n"
+        "remedy.");
+    command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+}
+
+} // namespace tractus

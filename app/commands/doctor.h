@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/options/action.h"
+
+namespace tractus {
+
+// `tractus doctor`: what keeps the devices from working, and what to do about it.
+void add_doctor_command(CLI::App& root, Action& action);
+
+} // namespace tractus

@@ -1,0 +1,296 @@
+#include "app/commands/grow.h"
+
+#include "app/batch/pictures.h"
+#include "app/batch/plant_file.h"
+#include "app/batch/plant_group.h"
+#include "app/batch/plant_season.h"
+#include "app/batch/session_plant.h"
+#include "app/files/resources.h"
+#include "app/io/model_file.h"
+#include "app/methods/all_leaves.h"
+#include "app/options/checks.h"
+#include "app/options/drawing_options.h"
+#include "app/options/glb_options.h"
+#include "app/options/growth_options.h"
+#include "app/options/model_options.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+#include "app/terminal/progress.h"
+#include "engine/base/file.h"
+#include "engine/export/glb_growth.h"
+#include "engine/mesh/make_mesh.h"
+#include "engine/scene/scene.h"
+#include "engine/variation/growth.h"
+#include "engine/variation/growth_preset.h"
+
+#include <filesystem>
+#include <fmt/core.h>
+#include <memory>
+
+namespace tractus {
+
+namespace {
+
+struct GrowArguments {
+    ModelOptions model;
+    ModelCost cost;
+    ModelCompanions companions;
+    GrowthOptions growth;
+    DrawingArguments drawing;
+    std::filesystem::path output;
+    PlantFileOptions file;
+    std::size_t ages = 0;   // Ages of an animation in one file; 0 for none.
+    std::size_t frames = 0; // Frames of one in a file for each; 0 for none.
+    double seconds = 10;
+
+    bool is_varied() const
+    {
+        return growth.preset || growth.variability != 1 || !drawing.log.empty();
+    }
+    bool is_for_a_model() const
+    {
+        return model.steps || !companions.view.empty() || !companions.colors.empty()
+            || !companions.environment.empty();
+    }
+};
+
+// tree.glb becomes tree-01.glb and so on.
+std::filesystem::path frame_path(std::filesystem::path const& output, std::size_t frame,
+                                 std::size_t frames)
+{
+    auto const name = fmt::format("{}-{:0{}}{}", output.stem().string(), frame,
+                                  std::to_string(frames).size(), output.extension().string());
+    return output.parent_path() / name;
+}
+
+Result<GrowthPlan> plan_animation(Scene const& scene, std::string const& name)
+{
+    if (scene.base->segment_count() == 0)
+        return fail(Fault::User, fmt::format("{}: the plant has no branch that could grow", name));
+    return plan_growth(scene);
+}
+
+// What was written; a graph has no triangles.
+std::string said_of(Plant const& plant, std::uint64_t triangles,
+                    std::filesystem::path const& output)
+{
+    auto const text
+        = fmt::format("{} segments, {} organs", plant.segment_count(), plant.organs.size());
+    return output.extension() == ".mtg" ? text : fmt::format("{}, {} triangles", text, triangles);
+}
+
+// Ages evenly apart, the last one full-grown.
+double age_of(std::size_t frame, std::size_t frames)
+{
+    return static_cast<double>(frame) / static_cast<double>(frames);
+}
+
+// A file for each age, with what has grown by then.
+Result<void> write_sequence(GrowArguments const& arguments, Scene const& scene,
+                            std::string const& name)
+{
+    auto const plan = TRY(plan_animation(scene, name));
+    Grower grower(plan);
+    PlantKey const key { scene.growth.seed, 0 };
+    auto file = arguments.file;
+    if (arguments.output.extension() == ".png") {
+        Framing framing({}, PictureSize().aspect());
+        framing.add(make_mesh(grower.grow(key)));
+        file.camera = framing.camera(); // One for all ages: it sees the whole plant.
+    }
+    for (std::size_t i = 1; i <= arguments.frames; ++i) {
+        double const age = age_of(i, arguments.frames);
+        auto const plant = without_unborn(grower.grow(key, age));
+        auto const path = frame_path(arguments.output, i, arguments.frames);
+        auto const triangles = TRY(write_plant_file(plant, name, path, file));
+        TRY(print_out(fmt::format("{}: age {:.3f}, {}\n", path.string(), age,
+                                  said_of(plant, triangles, path))));
+    }
+    return {};
+}
+
+// Writes all ages into one file, as morph targets.
+Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
+                             std::string const& name)
+{
+    if (arguments.output.extension() != ".glb")
+        return fail(Fault::User,
+                    fmt::format("{}: an animation in one file is a .glb; --sequence writes {} "
+                                "files, one for each age",
+                                arguments.output.string(), arguments.output.extension().string()));
+    auto const plan = TRY(plan_animation(scene, name));
+    Grower grower(plan);
+    PlantKey const key { scene.growth.seed, 0 };
+    Plant const whole = grower.grow(key);
+    AgedMesh const mesh(whole);
+    GrowthFilm film { .name = name, .mesh = &mesh, .seconds = arguments.seconds };
+    for (std::size_t i = 1; i <= arguments.ages; ++i)
+        film.ages.push_back(age_of(i, arguments.ages));
+    film.plant_at = [&](double age) -> Plant const& { return grower.grow(key, age); };
+    GlbSummary summary;
+    auto const write = [&](std::ostream& out) -> Result<void> {
+        summary = TRY(write_glb(out, film));
+        return {};
+    };
+    TRY(write_file(arguments.output, write));
+    return print_out(fmt::format("{}: {} ages in {} s, {} segments, {} organs, {} triangles, "
+                                 "{:.1f} MB\n",
+                                 arguments.output.string(), arguments.ages, arguments.seconds,
+                                 whole.segment_count(), whole.organs.size(), summary.triangles,
+                                 static_cast<double>(summary.bytes) / 1e6));
+}
+
+Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::string const& name)
+{
+    auto const triangles = TRY(write_plant_file(plant, name, arguments.output, arguments.file));
+    return print_out(fmt::format("{}: {}\n", arguments.output.string(),
+                                 said_of(plant, triangles, arguments.output)));
+}
+
+// A session says itself how its plant is derived; another seed is another variation of it.
+Result<Scene> load_session(GrowArguments const& arguments, std::filesystem::path const& path,
+                           EditKinds kinds)
+{
+    if (arguments.model.steps)
+        return fail(Fault::User,
+                    fmt::format("{} is a session, which has its own derivation steps: leave "
+                                "--steps out",
+                                path.string()));
+    auto scene = TRY(load_session_scene(path, kinds, arguments.cost));
+    auto growth = scene.growth;
+    growth.seed = arguments.model.seed.value_or(growth.seed);
+    return apply_edit(std::move(scene), growth);
+}
+
+// A model grows as drawn, and not as it might have grown, unless it is said how.
+Result<Scene> load_model_scene(GrowArguments const& arguments, std::filesystem::path const& path)
+{
+    auto edit = TRY(load_plant_edit(path, arguments.companions));
+    if (auto const* const model = edit.get<LoadModel>()) {
+        auto with_options = *model;
+        with_options.steps = arguments.model.steps;
+        with_options.seed = arguments.model.seed.value_or(1);
+        edit = std::move(with_options);
+    } else if (arguments.is_for_a_model()) {
+        return fail(Fault::User,
+                    fmt::format("{} is no L-system: --steps, --view, --colors and --environment "
+                                "are for those",
+                                path.string()));
+    }
+    auto scene = TRY(apply_edit({}, edit, make_load_options(arguments.cost)));
+    for (auto const& warning : scene.model_warnings)
+        print_warning(warning);
+    return apply_edit(
+        std::move(scene),
+        SetGrowth { TRY(growth_preset("as drawn")), arguments.model.seed.value_or(1) });
+}
+
+// A variability that is given counts on top of what a session has.
+Result<Scene> with_growth(GrowthOptions const& options, Scene scene)
+{
+    auto growth = scene.growth;
+    growth.parameters = TRY(options.preset ? growth_preset(*options.preset)
+                                           : at_variability(growth.parameters, growth.variability));
+    growth.variability = options.variability;
+    scene = TRY(apply_edit(std::move(scene), growth));
+    if (!options.leaves.empty()) {
+        auto const edits
+            = TRY(dressing_edits(scene, scene.state.active, dressing_of_word(options.leaves)));
+        scene = TRY(apply_edits(std::move(scene), edits));
+    }
+    return with_season(std::move(scene), options.season);
+}
+
+Result<Scene> add_drawing(DrawingOptions const& options, Scene scene, std::string const& name)
+{
+    if (scene.base->segment_count() == 0)
+        return fail(Fault::User,
+                    fmt::format("{}: the plant has no branch that a stroke could shape", name));
+    Progress progress;
+    DrawingReport report;
+    auto drawing = TRY(read_drawing(options, std::move(scene), progress, report));
+    progress.finish();
+    for (auto const& note : report.notes)
+        print_warning(note);
+    return std::move(drawing.scene);
+}
+
+Result<void> grow_model(GrowArguments const& arguments, Methods const& methods)
+{
+    TRY(check_writable(arguments.output));
+    auto const path = TRY(find_model(arguments.model.model));
+    auto const name = path.stem().string();
+    bool const is_session = is_session_file(path);
+    auto scene = TRY(is_session ? load_session(arguments, path, methods.edits)
+                                : load_model_scene(arguments, path));
+    scene = TRY(with_growth(arguments.growth, std::move(scene)));
+    if (auto const drawing = drawing_options(arguments.drawing, methods))
+        scene = TRY(add_drawing(*drawing, std::move(scene), name));
+    if (arguments.ages > 0)
+        return write_animation(arguments, scene, name);
+    if (arguments.frames > 0)
+        return write_sequence(arguments, scene, name);
+    if (!is_session && !arguments.is_varied())
+        return write_one(arguments, *scene.in_season, name);
+    return write_one(arguments, TRY(shown_plants(scene)), name);
+}
+
+void add_animation_options(CLI::App& command, GrowArguments& arguments)
+{
+    auto* const animation
+        = command
+              .add_option("--animation", arguments.ages,
+                          "Write the plant as it grows, from its youth to its full size, as one "
+                          ".glb: a morph target for each of N ages, and an animation of them")
+              ->type_name("N")
+              ->check(whole_number(2, 10'000))
+              ->excludes("--organs") // Morph targets blend one mesh, of floats.
+              ->excludes("--quantized")
+              ->excludes("--compressed");
+    command.add_option("--seconds", arguments.seconds, "How long the animation takes")
+        ->type_name("S")
+        ->check(number(0.01, 1e6))
+        ->needs(animation)
+        ->capture_default_str();
+    command
+        .add_option("--sequence", arguments.frames,
+                    "Write it as it grows, a file for each of N ages: FILE-1 to FILE-N, as many "
+                    "digits as N has")
+        ->type_name("N")
+        ->check(whole_number(1, 10'000))
+        ->excludes(animation);
+}
+
+} // namespace
+
+void add_grow_command(CLI::App& root, Action& action, Methods const& methods)
+{
+    auto arguments = std::make_shared<GrowArguments>();
+    auto* const command = root.add_subcommand(
+        "grow", "Grow a model and write it as glTF, OBJ, a graph or a picture");
+    add_model_options(*command, arguments->model);
+    add_cost_options(*command, arguments->cost);
+    add_companion_options(*command, arguments->companions);
+    command
+        ->add_option("-o,--output", arguments->output,
+                     "What to write: its ending, .glb, .obj, .mtg (a multiscale tree graph) or "
+                     ".png, says in which format")
+        ->type_name("FILE")
+        ->check(name_ending_in({ ".glb", ".obj", ".mtg", ".png" }))
+        ->required();
+    add_glb_options(*command, arguments->file.glb);
+    add_growth_options(*command, arguments->growth, "as drawn, or as in a session");
+    add_drawing_options(*command, arguments->drawing, "the plant is as its model gives it");
+    add_animation_options(*command, *arguments);
+    command->footer(
+        "MODEL may also be a skeleton that another program has drawn as lines (.obj, .glb), a\n"
+        "measured tree (cylinders, .csv or .txt; a skeleton, .ply; a graph, .mtg), or a\n"
+        "session (.tractus): then it is the plant as drawn, as the station's window shows it,\n"
+        "or with --seed another variation. With --growth the seed also says how a model\n"
+        "grows. The same model, drawing and seed always give the same file.");
+    command->callback([arguments, methods, &action] {
+        action = [arguments, methods] { return grow_model(*arguments, methods); };
+    });
+}
+
+} // namespace tractus

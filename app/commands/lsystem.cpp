@@ -1,0 +1,157 @@
+#include "app/commands/lsystem.h"
+
+#include "app/files/resources.h"
+#include "app/io/model_file.h"
+#include "app/methods/commands/all_checks.h"
+#include "app/options/checks.h"
+#include "app/options/model_options.h"
+#include "app/terminal/console.h"
+#include "engine/base/file.h"
+#include "engine/base/printable.h"
+#include "engine/lsystem/derivation/derive.h"
+#include "engine/lsystem/derivation/features.h"
+#include "engine/lsystem/fast_drawing/interpret.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace tractus {
+
+namespace {
+
+struct LsystemArguments {
+    ModelOptions model;
+    ModelCost cost;
+    ModelCompanions companions;
+};
+
+std::string features_text(Model const& model)
+{
+    std::string text = fmt::format("{}: understood\n\nUses\n", printable(model.name));
+    for (auto const& feature : features_used(model))
+        text += fmt::format("  {}\n", feature);
+    return text;
+}
+
+// Draws the string, since what the turtle leaves out is known only then.
+Result<std::string> drawing_text(Model const& model, ModuleString const& string,
+                                 LoadOptions const& run)
+{
+    auto const drawn
+        = TRY(interpret_with_warnings(model, string,
+                                      { .max_modules = run.limits.max_modules,
+                                        .max_memory_bytes = run.limits.max_memory_bytes,
+                                        .time = run.limits.time,
+                                        .print = run.print }));
+    auto const& plant = drawn.plant;
+    std::string text = fmt::format("\nDraws {} segments on {} axes, {} organs, {} polygons\n",
+                                   plant.segment_count(), plant.axes.size(), plant.organs.size(),
+                                   plant.polygons.size());
+    auto warnings = model.warnings;
+    warnings.insert(warnings.end(), drawn.warnings.begin(), drawn.warnings.end());
+    text += warnings.empty() ? "\nNo warnings\n" : "\nWarnings\n";
+    for (auto const& warning : warnings)
+        text += fmt::format("  {}\n", printable(warning));
+    return text;
+}
+
+Result<void> check(LsystemArguments const& arguments)
+{
+    auto const path = TRY(find_model(arguments.model.model));
+    warn_of_unused_companions(path, arguments.companions);
+    auto const model = TRY(load_model(path, arguments.companions));
+    TRY(print_out(features_text(model) + "\nStep      modules   parameters\n"));
+    DeriveOptions options;
+    options.steps = arguments.model.steps;
+    options.seed = arguments.model.seed.value_or(1);
+    auto const run = load_options(arguments.cost);
+    options.limits = run.limits;
+    options.print = run.print;
+    Result<void> printed;
+    options.on_step = [&](int step, ModuleString const& string) {
+        if (printed)
+            printed = print_out(
+                fmt::format("{:4} {:12} {:12}\n", step, string.size(), string.parameters.size()));
+    };
+    auto const string = TRY(derive(model, options));
+    TRY(std::move(printed));
+    auto const drawing = TRY(drawing_text(model, string, run));
+    return print_out(drawing + describe_uses(path, load_options(arguments.cost)));
+}
+
+// A plant of a few lines, each of which says what it does.
+constexpr std::string_view kNewModel = R"(/* A young tree. Change a number, save, and look again:
+     tractus grow THIS.l -o tree.png */
+#define STEPS 7     /* of growth */
+#define ANGLE 30    /* between a branch and what bears it, degrees */
+#define SHORTER 0.8 /* a branch than the one before */
+
+Lsystem: 1
+derivation length: STEPS
+Axiom: !(1.2)F(12)A(10) /* a trunk of 12, and a bud for 10 more */
+
+/* A bud makes two branches, each with a smaller bud at its end; the second is turned a quarter. */
+A(s) --> [+(ANGLE)!(s / 16)F(s)A(s * SHORTER)]/(90)[-(ANGLE)!(s / 16)F(s)A(s * SHORTER)]/(90)
+
+/* What the turtle draws for a bud: a leaf. Of which form ~l is, the view says, THIS.v. */
+homomorphism
+A(s) --> ~l(4)
+endlsystem
+)";
+
+// Its looks.
+constexpr std::string_view kNewView
+    = R"(/* How the tree looks: colours, and the organs that the rules draw by ~LETTER. */
+material: 1 bark kind=bark color=0.43,0.36,0.30
+material: 2 foliage kind=leaf color=0.27,0.46,0.16
+initial color: 1
+organ: l leaf kind=blade material=2 length=4 width=2.2 petiole=0.6
+)";
+
+Result<void> write_new(std::filesystem::path const& path)
+{
+    auto view = path;
+    view.replace_extension(".v");
+    if (view == path)
+        return fail(Fault::User,
+                    fmt::format("{} is the name of a view; a model's ends in .l", path.string()));
+    std::error_code ignored;
+    for (auto const& file : { path, view })
+        if (std::filesystem::exists(file, ignored))
+            return fail(Fault::User,
+                        fmt::format("{} is there already; choose another name", file.string()));
+    TRY(write_file(view, kNewView));
+    TRY(write_file(path, kNewModel));
+    return print_out(fmt::format("{} is written, with its view, {}: change them, and see the tree "
+                                 "with\n  tractus grow {} -o tree.png\n",
+                                 path.string(), view.string(), path.string()));
+}
+
+} // namespace
+
+void add_lsystem_command(CLI::App& root, Action& action)
+{
+    auto* const command = root.add_subcommand("lsystem", "Check an L-system, or begin one");
+    command->require_subcommand(1);
+    auto* const check_command = command->add_subcommand(
+        "check", "List what a model uses, its warnings, and the modules after each step");
+    // Shared with the callback, which outlives this.
+    auto const arguments = std::make_shared<LsystemArguments>();
+    add_model_options(*check_command, arguments->model);
+    add_cost_options(*check_command, arguments->cost);
+    add_companion_options(*check_command, arguments->companions);
+    check_command->callback(
+        [&action, arguments] { action = [arguments] { return check(*arguments); }; });
+    auto const new_path = std::make_shared<std::string>(); // Shared with the callback.
+    auto* const new_command
+        = command->add_subcommand("new", "Write a commented L-system and its view to begin with");
+    new_command->add_option("FILE.l", *new_path, "Where to; neither it nor FILE.v may be there yet")
+        ->required();
+    new_command->callback(
+        [&action, new_path] { action = [new_path] { return write_new(*new_path); }; });
+}
+
+} // namespace tractus

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/options/action.h"
+#include "app/tools/tool_kind.h"
+
+namespace tractus {
+
+// `tools`: those that a script of the simulated hand may use; none: any word.
+void add_record_command(CLI::App& root, Action& action, ToolKinds tools);
+
+} // namespace tractus

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/options/action.h"
+#include "app/tools/methods.h"
+
+namespace tractus {
+
+// tractus render FILE.glb -o FILE.png [--size WxH] [--azimuth DEG] [--elevation DEG]
+void add_render_command(CLI::App& root, Action& action, Methods const& methods);
+
+} // namespace tractus

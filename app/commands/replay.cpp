@@ -1,0 +1,76 @@
+#include "app/commands/replay.h"
+
+#include "app/batch/job.h"
+#include "app/files/resources.h"
+#include "app/options/checks.h"
+#include "app/options/glb_options.h"
+#include "app/options/growth_options.h"
+#include "app/options/shared_options.h"
+#include "app/terminal/console.h"
+#include "app/terminal/progress.h"
+#include "engine/base/file.h"
+
+#include <memory>
+
+namespace tractus {
+
+void add_replay_command(CLI::App& root, Action& action, Methods const& methods)
+{
+    struct ReplayArguments {
+        JobOptions job;
+        std::string model;
+        std::string rig;
+        std::string height;
+    };
+    auto arguments = std::make_shared<ReplayArguments>();
+    auto* const command = root.add_subcommand(
+        "replay",
+        "Replay a recorded drawing onto a plant model and make a collection of varied plants");
+    command
+        ->add_option("LOG", arguments->job.drawing.log,
+                     "The drawing: a .tractus-log, anybody's hid-recorder file, or strokes in "
+                     "space: .tilt (Open Brush), .strokes or .txt")
+        ->required();
+    add_plant_option(*command, arguments->model);
+    add_rig_option(*command, arguments->rig);
+    add_height_option(*command, arguments->height);
+    add_seed_option(*command, arguments->job.seed);
+    command
+        ->add_option("--speed", arguments->job.drawing.speed,
+                     "Replay at the pace of the hand, 1, or so many times as fast; without it, as "
+                     "fast as the log can be read")
+        ->type_name("X")
+        ->check(number(0.01, 1000));
+    command->add_option("--count", arguments->job.variations, "Plants in the collection, 1 to 100")
+        ->type_name("N")
+        ->check(whole_number(1, 100))
+        ->capture_default_str();
+    add_growth_options(*command, arguments->job.growth, "usual, or as in a session");
+    add_age_option(*command, arguments->job.age);
+    command->add_flag("--seasons", arguments->job.all_seasons,
+                      "Show what was drawn also in spring, summer, autumn and winter");
+    add_folder_option(*command, arguments->job.folder);
+    add_glb_options(*command, arguments->job.glb);
+    command
+        ->add_option("--session", arguments->job.session,
+                     "Keep what is drawn in a new session, each stroke as soon as it ends")
+        ->type_name("FILE.tractus")
+        ->check(name_ending_in({ ".tractus" }));
+    command->footer(job_footer());
+    command->callback([arguments, methods, &action] {
+        action = [arguments, methods]() -> Result<void> {
+            auto job = arguments->job;
+            job.drawing.methods = methods;
+            TRY(check_writable(job.folder / "report.txt"));
+            job.model = TRY(find_plant(arguments->model));
+            if (!arguments->rig.empty())
+                job.drawing.rig = arguments->rig;
+            if (!arguments->height.empty())
+                job.drawing.height = arguments->height;
+            Progress progress;
+            return print_out(print_report(TRY(run_job(job, progress))));
+        };
+    });
+}
+
+} // namespace tractus

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/options/action.h"
+
+namespace tractus {
+
+// "tractus sim mcp2221a", "desk", "cp2112" and "encoder"; `sim` is the command above.
+void add_sim_converter_commands(CLI::App& sim, Action& action);
+
+} // namespace tractus

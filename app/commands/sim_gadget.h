@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/options/action.h"
+
+namespace tractus {
+
+// "tractus sim gadget"; `sim` is the command above.
+void add_sim_gadget_command(CLI::App& sim, Action& action);
+
+} // namespace tractus

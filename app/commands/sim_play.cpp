@@ -1,0 +1,118 @@
+#include "app/commands/sim_play.h"
+
+#include "app/document/model_cost.h"
+#include "app/files/resources.h"
+#include "app/io/model_file.h"
+#include "app/play/simulated_recording.h"
+#include "app/terminal/console.h"
+#include "drivers/logs/log_source.h"
+#include "engine/base/file.h"
+
+#include <atomic>
+#include <csignal>
+#include <fmt/core.h>
+#include <memory>
+#include <sstream>
+
+namespace tractus {
+
+namespace {
+
+std::atomic<bool> unplug_asked = false;
+
+void ask_to_unplug(int)
+{
+    unplug_asked = true;
+}
+
+Result<Log> simulate(SimPlayArguments const& arguments)
+{
+    auto const text = TRY(read_text_file(arguments.script));
+    auto const script = TRY(parse_gesture_script(text, arguments.script));
+    auto const model = TRY(find_model(arguments.model));
+    auto const edit = TRY(load_plant_edit(model));
+    auto const scene = TRY(apply_edit({}, edit, make_load_options()));
+    std::ostringstream recording;
+    TRY(write_simulated_recording(recording, script, scene, {}));
+    return parse_log(recording.str(), arguments.script);
+}
+
+DevicePlay::Then what_then(SimPlayArguments const& arguments)
+{
+    if (arguments.repeat)
+        return DevicePlay::Then::Repeat;
+    return arguments.stay ? DevicePlay::Then::Stay : DevicePlay::Then::Leave;
+}
+
+} // namespace
+
+void add_sim_play_options(CLI::App& command, SimPlayArguments& arguments)
+{
+    auto* const log = command.add_option(
+        "LOG", arguments.log,
+        "The recording to play: a .tractus-log, or anybody's hid-recorder file");
+    auto* const simulate
+        = command
+              .add_option("--simulate", arguments.script,
+                          "Let the simulated hand do what this script says, a .hand.toml, as "
+                          "\"tractus record --simulate\" does")
+              ->type_name("SCRIPT")
+              ->excludes(log);
+    command.add_option("--plant", arguments.model, "The model whose branches the script traces")
+        ->type_name("MODEL")
+        ->capture_default_str()
+        ->needs(simulate);
+    auto* const stay = command.add_flag("--stay", arguments.stay,
+                                        "Stay plugged in when everything was played, until Ctrl-C");
+    command.add_flag("--repeat", arguments.repeat, "Play it again and again, until Ctrl-C")
+        ->excludes(stay);
+}
+
+Result<Log> load_sim_play(SimPlayArguments const& arguments)
+{
+    if (arguments.log.empty() && arguments.script.empty())
+        return fail(Fault::User,
+                    "there is nothing to play: name a LOG, or a script with "
+                    "--simulate SCRIPT");
+    auto log = arguments.script.empty() ? TRY(read_log(arguments.log)) : TRY(simulate(arguments));
+    if (log.empty())
+        return fail(Fault::User, fmt::format("there are no reports to play in {}", log.name));
+    return log;
+}
+
+std::function<NextReport()> reports_of(Log const& log, std::size_t device,
+                                       std::optional<double> rate_hz)
+{
+    return [&log, device, rate_hz]() -> NextReport {
+        // Shared, since functions are copied.
+        auto const source = std::make_shared<LogSource>(log, device);
+        return [&log, source, rate_hz, count = 0]() mutable -> Result<std::optional<RawReport>> {
+            auto report = TRY(source->read(Duration(0)));
+            if (report)
+                report->received = rate_hz ? Timestamp(from_seconds(count++ / *rate_hz))
+                                           : Timestamp(report->received - log.begin());
+            return report;
+        };
+    };
+}
+
+Result<void> run_sim_play(DevicePlay play, SimPlayArguments const& arguments)
+{
+    play.then = what_then(arguments);
+    play.on_begin = [] { print_error("somebody reads: playing; Ctrl-C unplugs\n"); };
+    print_error("plugged in, waiting for a program to read; Ctrl-C unplugs\n");
+    std::signal(SIGINT, ask_to_unplug);
+    std::signal(SIGTERM, ask_to_unplug);
+    std::signal(SIGHUP, ask_to_unplug);
+    TRY(play_parts(play, unplug_asked));
+    std::uint64_t lost = 0;
+    for (auto const* const device : play.devices)
+        lost += device->lost_count();
+    print_error(lost ? fmt::format("unplugged; {} reports came too fast, or while nobody read, and "
+                                   "were lost\n",
+                                   lost)
+                     : "unplugged; nothing was lost\n");
+    return {};
+}
+
+} // namespace tractus

@@ -1,0 +1,212 @@
+#include "app/commands/stream.h"
+
+#include "app/commands/device_sources.h"
+#include "app/files/user_folder.h"
+#include "app/options/checks.h"
+#include "app/options/shared_options.h"
+#include "app/stream/stream_drawing.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+#include "calib/rig_file.h"
+#include "drivers/height_decoders.h"
+#include "drivers/logs/log.h"
+#include "drivers/tablets/pen_decoders.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/core.h>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+struct StreamArguments {
+    std::string log; // Empty: devices.
+    std::vector<std::string> devices;
+    std::string socket; // Empty: standard output.
+    std::string rig;
+    std::string height;
+    std::optional<double> speed;
+    std::optional<double> seconds;
+    bool strokes_only = false;
+    Methods methods;
+};
+
+Result<StreamOutput> open_stream_output(StreamArguments const& arguments, Bounds const& volume_mm)
+{
+    auto const what
+        = arguments.strokes_only ? StreamOutput::What::Strokes : StreamOutput::What::All;
+    if (arguments.socket.empty())
+        return StreamOutput::open(print_out, volume_mm, what);
+    auto output = TRY(StreamOutput::open_socket(arguments.socket, volume_mm, what));
+    print_error(fmt::format("streaming at {}\n", arguments.socket));
+    return output;
+}
+
+// Warns of reports that nobody can use.
+void warn_of_losses(Station const& station)
+{
+    auto const& counts = station.counts();
+    if (counts.broken_reports > 0)
+        print_warning(fmt::format("{} reports could not be decoded, the first: {}",
+                                  counts.broken_reports, counts.first_broken));
+    for (auto const& sentence : describe_faults(station.height_monitor(), {}))
+        print_warning(sentence);
+}
+
+Result<void> stream_recording(StreamArguments const& arguments)
+{
+    auto const log = TRY(read_log(arguments.log));
+    if (auto const warnings = summarize_warnings(log); !warnings.empty())
+        print_warning(warnings);
+    ReplayOptions options { .methods = arguments.methods };
+    if (!arguments.rig.empty())
+        options.rig = TRY(load_rig(arguments.rig));
+    if (!arguments.height.empty())
+        options.height = TRY(parse_height_scenario(arguments.height));
+    auto replay = TRY(LogReplay::create(log, options));
+    for (auto const& sentence : replay.left_out())
+        print_warning(sentence);
+    // Catches signals before there is a socket to be taken away.
+    auto const& stop = stop_on_signals();
+    auto output = TRY(open_stream_output(arguments, replay.station().volume_mm()));
+    TRY(stream_log(replay, output, arguments.speed, stop));
+    warn_of_losses(replay.station());
+    return {};
+}
+
+bool has_sensor_of_height(LiveDevices const& devices)
+{
+    auto const& infos = devices.infos();
+    return std::any_of(infos.begin(), infos.end(),
+                       [](auto const& info) { return make_height_decoder(info).has_value(); });
+}
+
+// The one that was named, the played log's, or else the user's own.
+Result<std::optional<Rig>> find_stream_rig(StreamArguments const& arguments,
+                                           LiveDevices const& devices)
+{
+    if (!arguments.rig.empty())
+        return TRY(load_rig(arguments.rig));
+    if (!devices.rig_text().empty())
+        return TRY(parse_rig(devices.rig_text(), "the log's rig"));
+    std::error_code ignored;
+    if (auto const own = user_rig_path(); std::filesystem::exists(own, ignored))
+        return TRY(load_rig(own));
+    return std::optional<Rig>();
+}
+
+// The size of the first tablet, where no rig tells it.
+Rig rig_of_first_tablet(LiveDevices const& devices)
+{
+    Rig rig;
+    for (auto const& info : devices.infos())
+        if (auto const decoder = make_pen_decoder(info)) {
+            rig.tablet_size_mm = (*decoder)->traits().size_mm;
+            break;
+        }
+    return rig;
+}
+
+Result<StationOptions> live_station_options(StreamArguments const& arguments,
+                                            LiveDevices const& devices)
+{
+    auto const rig = TRY(find_stream_rig(arguments, devices));
+    bool const has_sensor = has_sensor_of_height(devices);
+    if (!rig && has_sensor && arguments.height.empty())
+        return fail(Fault::User,
+                    "there is a height sensor but no calibration of it: give one with --rig, or "
+                    "the surface's height with --height");
+    StationOptions options;
+    options.rig = rig ? *rig : rig_of_first_tablet(devices);
+    options.tools = arguments.methods.tools;
+    if (has_sensor && arguments.height.empty())
+        return options;
+    HeightScenario scenario;
+    if (!arguments.height.empty())
+        scenario.constant_mm = TRY(constant_height_mm(arguments.height));
+    else
+        print_warning("there is no height sensor: all is drawn at height 0");
+    options.scripted_height
+        = ScriptedHeight { .scenario = scenario, .first_pen = {}, .last_pen = {} };
+    return options;
+}
+
+Result<void> stream_devices(StreamArguments const& arguments)
+{
+    auto devices = TRY(open_devices(arguments.devices, "to draw with"));
+    auto const options = TRY(live_station_options(arguments, devices));
+    auto station = TRY(Station::create(devices.infos(), options));
+    auto const& stop = stop_on_signals();
+    auto output = TRY(open_stream_output(arguments, station.volume_mm()));
+    TRY(stream_live(devices, station, output, live_recording_by_the_clock(arguments.seconds),
+                    stop));
+    warn_of_losses(station);
+    if (auto const lost = devices.lost_count(); lost > 0)
+        print_warning(fmt::format("{} reports were lost, since the lines were not taken in time: "
+                                  "give --socket, which waits for nobody",
+                                  lost));
+    return {};
+}
+
+void add_stream_options(CLI::App& command, StreamArguments& arguments)
+{
+    auto* const log = command.add_option("LOG", arguments.log,
+                                         "A recording; without it, what is drawn now is streamed");
+    command
+        .add_option("--device", arguments.devices,
+                    fmt::format("What to read, each {}; without it, every pen and height sensor "
+                                "that is found",
+                                device_name_help()))
+        ->type_name("DEVICE...")
+        ->excludes(log);
+    command
+        .add_option("--socket", arguments.socket,
+                    "Stream at a local socket of this name, to any number of readers, in place of "
+                    "standard output")
+        ->type_name("PATH");
+    command.add_flag("--strokes", arguments.strokes_only, "Finished strokes alone, no tips");
+    add_rig_option(command, arguments.rig);
+    add_height_option(command, arguments.height);
+    command
+        .add_option("--speed", arguments.speed,
+                    "Stream a log at the pace of the hand, 1, or so many times as fast; without "
+                    "it, as fast as it can be read")
+        ->type_name("X")
+        ->check(number(0.01, 1000))
+        ->needs(log);
+    command.add_option("--seconds", arguments.seconds, "How long; without it, until Ctrl-C")
+        ->type_name("SECONDS")
+        ->check(number(0.001, 1e6))
+        ->excludes(log);
+}
+
+} // namespace
+
+void add_stream_command(CLI::App& root, Action& action, Methods const& methods)
+{
+    auto arguments = std::make_shared<StreamArguments>();
+    arguments->methods = methods;
+    auto* const command = root.add_subcommand(
+        "stream", "Give the pen in space to other programs: tips and strokes as JSON lines");
+    add_stream_options(*command, *arguments);
+    command->footer(
+        "One JSON object a line: \"stream\" at first, which has the version, then \"tip\" for "
+        "each\n"
+        "sample of the pen, \"stroke\" for each stroke that is finished, and \"end\". Lengths are\n"
+        "millimetres, z up. The manual's page \"Streaming\" has all members, and a script for\n"
+        "Blender. Standard output waits for its reader, and a socket never does: for one that\n"
+        "is too slow tips are left out. A log begins when the socket has a reader.");
+    command->callback([arguments, &action] {
+        action = [arguments] {
+            return arguments->log.empty() ? stream_devices(*arguments)
+                                          : stream_recording(*arguments);
+        };
+    });
+}
+
+} // namespace tractus

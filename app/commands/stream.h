@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/options/action.h"
+#include "app/tools/methods.h"
+
+namespace tractus {
+
+// `tractus stream [LOG]`: tips and strokes as lines for other programs.
+void add_stream_command(CLI::App& root, Action& action, Methods const& methods);
+
+} // namespace tractus

@@ -1,0 +1,456 @@
+#include "app/commands/window.h"
+
+#include "app/batch/malloc_tuning.h"
+#include "app/batch/session_plant.h"
+#include "app/commands/device_sources.h"
+#include "app/commands/window_look.h"
+#include "app/controllers/drawing_file.h"
+#include "app/controllers/live_window.h"
+#include "app/controllers/picture_files.h"
+#include "app/controllers/replay_window.h"
+#include "app/controllers/start_page_controller.h"
+#include "app/controllers/unnamed_session.h"
+#include "app/devices/live_devices.h"
+#include "app/files/resources.h"
+#include "app/files/user_folder.h"
+#include "app/options/checks.h"
+#include "app/options/shared_options.h"
+#include "app/station/log_replay.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+#include "app/window/window.h"
+#include "calib/rig_file.h"
+#include "drivers/links/closing_signals.h"
+#include "drivers/logs/log.h"
+#include "drivers/reports/clock.h"
+#include "engine/base/file.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/core.h>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+constexpr auto kUsualModel = "broadleaf";
+
+struct WindowArguments {
+    Methods methods;
+    std::string file; // A log or a session: sort_out() makes it one of the next two.
+    std::string log;
+    std::vector<std::string> devices;
+    std::string played; // A log whose devices are taken for real ones.
+    std::string recording;
+    std::string session;
+    std::string model;             // Empty: the start page, or kUsualModel where there is none.
+    bool wants_start_page = false; // Whatever else is said.
+    std::string rig;
+    std::string height;
+    std::string picture; // To be laid behind what is drawn.
+    std::string socket;  // Where other programs are told what is drawn; empty: nowhere.
+    bool fills_display = false;
+    std::string display; // The one to fill; empty: as `fills_display` says.
+    bool is_on_stage = false;
+    std::optional<bool> is_light {};       // No value: as the person chose it last.
+    std::optional<bool> is_left_handed {}; // Likewise.
+    double scale = 0;
+    int frames = 0;
+    std::string screenshot;
+    std::string film;
+    int film_rate = WindowOptions().film_rate;
+};
+
+std::string window_title(std::string const& hand, std::string const& drawing)
+{
+    return fmt::format("tractus: {} on {}", hand, drawing);
+}
+
+// Where a drawing has to be of something.
+Result<std::filesystem::path> model_of(WindowArguments const& arguments)
+{
+    return find_plant(arguments.model.empty() ? kUsualModel : arguments.model);
+}
+
+// What a program looks at, or a film, is the same for everybody.
+bool keeps_look(WindowArguments const& arguments)
+{
+    return arguments.frames == 0 && arguments.film.empty() && arguments.screenshot.empty()
+        && !user_look_path().empty();
+}
+
+// As the arguments say, else as the person chose it last.
+WindowLook look_for(WindowArguments const& arguments)
+{
+    WindowLook look;
+    if (keeps_look(arguments)) {
+        if (auto const kept = load_look(user_look_path()))
+            look = *kept;
+        else
+            print_warning(fmt::format("{}: the window looks as usual", kept.error().message));
+    }
+    look.is_light = arguments.is_light.value_or(look.is_light);
+    look.is_left_handed = arguments.is_left_handed.value_or(look.is_left_handed);
+    return look;
+}
+
+WindowOptions window_options(WindowArguments const& arguments, std::string title)
+{
+    WindowOptions options;
+    options.title = std::move(title);
+    if (arguments.fills_display || !arguments.display.empty())
+        options.full_screen = arguments.display;
+    options.is_on_stage = arguments.is_on_stage;
+    options.look = look_for(arguments);
+    if (keeps_look(arguments))
+        options.keep_look = [warned = false](WindowLook const& look) mutable {
+            auto const saved = save_look(user_look_path(), look);
+            if (!saved && !std::exchange(warned, true))
+                print_warning(saved.error().message);
+        };
+    options.scale = arguments.scale;
+    options.frames = arguments.frames;
+    options.should_close = ClosingSignals::have_come;
+    options.screenshot = arguments.screenshot;
+    options.film = arguments.film;
+    options.film_rate = arguments.film_rate;
+    return options;
+}
+
+Result<void> show_replay(WindowArguments const& arguments)
+{
+    auto const model = TRY(model_of(arguments));
+    ReplayOptions options { .methods = arguments.methods };
+    auto scene = TRY(scene_of_plant(model, arguments.methods.edits));
+    if (!arguments.rig.empty())
+        options.rig = TRY(load_rig(arguments.rig));
+    if (!arguments.height.empty())
+        options.height = TRY(parse_height_scenario(arguments.height));
+    auto const log = TRY(read_log(arguments.log));
+    std::optional<Session> session;
+    if (!arguments.session.empty()) {
+        std::string trouble;
+        session
+            = TRY(open_or_begin({ model, arguments.session }, arguments.methods.edits, trouble));
+        if (!trouble.empty())
+            print_warning(trouble);
+    }
+    ClosingSignals const signals; // Held until the window is closed and all is kept.
+    auto window = TRY(ReplayWindow::create(log, options, std::move(scene),
+                                           std::filesystem::current_path(), std::move(session)));
+    auto const name = std::filesystem::path(log.name).filename().string();
+    auto const on = arguments.session.empty() ? model : std::filesystem::path(arguments.session);
+    auto const title = window_title(name, on.empty() ? "an empty sheet" : on.stem().string());
+    return run_window(window, window_options(arguments, title));
+}
+
+// Nothing was asked for that a window could begin with, or end with.
+bool begins_with_start_page(WindowArguments const& arguments)
+{
+    if (arguments.wants_start_page)
+        return true;
+    return arguments.model.empty() && arguments.session.empty() && arguments.played.empty()
+        && arguments.picture.empty() && arguments.recording.empty() && arguments.frames == 0
+        && arguments.screenshot.empty();
+}
+
+// Opens what was asked for, kept in its session; else in a new one, of which the person is told.
+// Returns its name; of the start page none.
+Result<std::string> open_first_drawing(WindowArguments const& arguments, LiveWindowOptions& options)
+{
+    auto start = std::make_unique<StartPageController>(start_page_of_user(arguments.methods));
+    options.start_page = std::move(start);
+    options.unnamed = std::make_shared<std::filesystem::path>();
+    if (begins_with_start_page(arguments)) {
+        options.start_page->open({});
+        return std::string();
+    }
+    auto const model = TRY(model_of(arguments));
+    auto drawing = TRY(open_drawing({ model, arguments.session }, arguments.methods.edits));
+    options.scene = std::move(drawing.scene);
+    options.session = std::move(drawing.session);
+    options.model = drawing.model;
+    *options.unnamed = drawing.unnamed;
+    if (!drawing.trouble.empty())
+        print_warning(drawing.trouble);
+    if (!drawing.unnamed.empty())
+        TRY(print_out(fmt::format("What is drawn is kept in {}\n", drawing.unnamed.string())));
+    return drawing.name;
+}
+
+// A hand that draws now has no end at which a movement could be over.
+Result<void> draw_in_window(LiveDevices devices, LiveWindowOptions options,
+                            WindowOptions const& how)
+{
+    // Held until the window is closed and all is kept.
+    ClosingSignals const signals;
+    auto window = TRY(LiveWindow::create(std::move(devices), std::move(options)));
+    return run_window(window, how);
+}
+
+struct Clock {
+    std::function<Timestamp()> now;
+    std::shared_ptr<Timestamp> counted {}; // Time by frames, if it is not the machine's.
+};
+
+Clock clock_for(WindowArguments const& arguments)
+{
+    if (arguments.played.empty() || arguments.frames == 0)
+        return { monotonic_now };
+    auto const counted = std::make_shared<Timestamp>();
+    return { [counted] { return *counted; }, counted };
+}
+
+Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices, Clock const& clock)
+{
+    LiveWindowOptions options { .methods = arguments.methods };
+    options.rig_file
+        = arguments.rig.empty() ? user_rig_path() : std::filesystem::path(arguments.rig);
+    std::error_code ignored;
+    if (!arguments.rig.empty()
+        || (arguments.played.empty() && devices.rig_text().empty()
+            && std::filesystem::exists(options.rig_file, ignored)))
+        options.rig = TRY(load_rig(options.rig_file));
+    if (!arguments.height.empty())
+        options.height_mm = TRY(constant_height_mm(arguments.height));
+    // Last, since it may begin a file.
+    auto const drawing = TRY(open_first_drawing(arguments, options));
+    options.folder = std::filesystem::current_path();
+    if (auto const folder = user_folder(); !folder.empty()) {
+        options.cards = folder / "cards";
+        options.leaves = folder / "leaves";
+    }
+    options.picture_folders = user_picture_folders();
+    options.cache = user_cache_folder();
+    options.picture = arguments.picture;
+    options.recording = arguments.recording;
+    options.socket = arguments.socket;
+    options.now = clock.now;
+    options.counted_time = clock.counted;
+    if (!clock.counted)
+        options.mouse.emplace(options.now); // The mouse's threads go by the machine's clock.
+    auto const name = devices.infos().empty() ? "mouse" : devices.infos().front().name;
+    auto how = window_options(arguments, drawing.empty() ? "tractus" : window_title(name, drawing));
+    auto const tidy_up = [unnamed = options.unnamed] {
+        if (!unnamed->empty())
+            remove_if_nothing_was_drawn(*unnamed);
+    };
+    how.when_display_has_gone = tidy_up;
+    auto const done = draw_in_window(std::move(devices), std::move(options), how);
+    tidy_up();
+    return done;
+}
+
+// A session is gone on with, a plant is drawn on; anything else is a recording.
+Result<WindowArguments> sort_out(WindowArguments arguments)
+{
+    if (is_session_file(arguments.file)) {
+        std::error_code ignored;
+        if (!std::filesystem::exists(arguments.file, ignored))
+            return fail(
+                Fault::User,
+                fmt::format("there is no session {}: --session begins one", arguments.file));
+        if (!arguments.session.empty())
+            return fail(Fault::User,
+                        fmt::format("{} and --session are two sessions: give one", arguments.file));
+        arguments.session = arguments.file;
+        return arguments;
+    }
+    constexpr std::array<std::string_view, 6> kPlants {
+        ".l", ".obj", ".glb", ".mtg", ".ply", ".csv"
+    };
+    auto const ending = std::filesystem::path(arguments.file).extension().string();
+    if (std::find(kPlants.begin(), kPlants.end(), ending) != kPlants.end()) {
+        if (!arguments.model.empty())
+            return fail(Fault::User,
+                        fmt::format("{} and --plant are two plants: give one", arguments.file));
+        arguments.model = arguments.file;
+        return arguments;
+    }
+    arguments.log = arguments.file;
+    if (!arguments.log.empty()
+        && !(arguments.devices.empty() && arguments.played.empty() && arguments.recording.empty()
+             && arguments.socket.empty()))
+        return fail(Fault::User,
+                    fmt::format("{} is replayed: --device, --log, --record and --socket are for "
+                                "drawing",
+                                arguments.log));
+    return arguments;
+}
+
+// A film has an end, and a folder of its own: its pictures are numbered, and those of a longer one
+// before it would be taken for its end.
+Result<void> prepare_film(WindowArguments const& arguments)
+{
+    if (arguments.log.empty() && arguments.frames == 0)
+        return fail(Fault::User,
+                    "a film has an end: give the recording to replay, or --frames with how many "
+                    "frames it lasts");
+    TRY(make_folder(arguments.film));
+    std::error_code error;
+    bool const is_empty = std::filesystem::is_empty(arguments.film, error);
+    if (error || !is_empty)
+        return fail(
+            Fault::User,
+            fmt::format("{} holds files already: a film begins an empty folder", arguments.film));
+    return check_writable(std::filesystem::path(arguments.film) / "00001.png");
+}
+
+// Opens what was asked for; else the devices that are there; else a mouse.
+Result<void> open_window(WindowArguments const& arguments)
+{
+    return_large_blocks();
+    if (!arguments.picture.empty()) // Else the person would learn of it in the window.
+        TRY(load_back_picture(arguments.picture, Vec2(1, 1)));
+    if (!arguments.screenshot.empty())
+        TRY(check_writable(arguments.screenshot));
+    if (!arguments.film.empty())
+        TRY(prepare_film(arguments));
+    if (!arguments.log.empty())
+        return show_replay(arguments);
+    auto const clock = clock_for(arguments);
+    if (!arguments.played.empty())
+        return show_devices(arguments, TRY(LiveDevices::play_log(arguments.played, clock.now)),
+                            clock);
+    if (!arguments.devices.empty())
+        return show_devices(arguments, TRY(LiveDevices::open_named(arguments.devices)), clock);
+    auto const found = find_pens_and_height_sensors();
+    auto devices = found.empty() ? LiveDevices::start({}) : open_found(found);
+    return show_devices(arguments, TRY(std::move(devices)), clock);
+}
+
+// What is drawn with, and where it is kept.
+void add_drawing_options(CLI::App& command, WindowArguments& arguments)
+{
+    command
+        .add_option(
+            "--device", arguments.devices,
+            fmt::format("What to read in place of what is found, each {}", device_name_help()))
+        ->type_name("DEVICE...");
+    command
+        .add_option("--log", arguments.played,
+                    "Read this recording as if its devices were there: its pen draws and presses "
+                    "what the window shows; with --frames the same at each run")
+        ->type_name("FILE")
+        ->excludes("--device");
+    command
+        .add_option("--record", arguments.recording,
+                    "Record all that the devices send and every choice of a tool: a new "
+                    ".tractus-log")
+        ->type_name("FILE");
+    command
+        .add_option("--session", arguments.session,
+                    "Keep every stroke in this session as soon as it ends: a new one of the plant, "
+                    "or one that is gone on with; without it, a new one named after the plant and "
+                    "the time, in ~/.local/share/tractus")
+        ->type_name("FILE.tractus")
+        ->check(name_ending_in({ ".tractus" }));
+}
+
+// How the window looks, and for how long.
+void add_look_options(CLI::App& command, WindowArguments& arguments)
+{
+    command.add_flag("--full-screen", arguments.fills_display,
+                     "Fill a display: the tablet's own, if it has one, else that which the window "
+                     "opens on");
+    command
+        .add_option("--display", arguments.display,
+                    "Fill this display: its number, or a part of its name")
+        ->type_name("DISPLAY");
+    command.add_flag("--on-stage", arguments.is_on_stage,
+                     "Show nothing but what grows, until Esc or the ring of tools ends that");
+    auto const add_choice
+        = [&](char const* name, std::optional<bool>& chosen, bool value, char const* help) {
+              return command.add_flag_callback(
+                  name, [&chosen, value] { chosen = value; }, help);
+          };
+    add_choice("--light", arguments.is_light, true, "Light colours, for a bright room")
+        ->excludes(add_choice("--dark", arguments.is_light, false,
+                              "Dark ones; without either, as chosen last in the window"));
+    add_choice("--left-handed", arguments.is_left_handed, true,
+               "The menu on the left and the scale of heights on the right")
+        ->excludes(add_choice("--right-handed", arguments.is_left_handed, false,
+                              "The other way round; without either, as chosen last in the window"));
+    command
+        .add_option("--scale", arguments.scale,
+                    "How large letters and buttons are; 0 takes the display's own scale")
+        ->type_name("X")
+        ->check(number(0, 8));
+    command
+        .add_option("--frames", arguments.frames,
+                    "Close after so many frames of 1/60 s; 0 stays open")
+        ->type_name("N")
+        ->check(whole_number(0, 1'000'000'000))
+        ->capture_default_str();
+    command.add_option("--screenshot", arguments.screenshot, "Write the last frame as a PNG")
+        ->type_name("FILE.png")
+        ->check(picture_name());
+    command
+        .add_option("--film", arguments.film,
+                    "Write the window as pictures, 00001.png and on, into this new or empty "
+                    "folder: while a "
+                    "recording is replayed, or for --frames; the same pictures at each run")
+        ->type_name("FOLDER");
+    command.add_option("--film-rate", arguments.film_rate, "Pictures for a second of --film")
+        ->type_name("N")
+        ->check(whole_number(1, 60))
+        ->capture_default_str()
+        ->needs("--film");
+}
+
+} // namespace
+
+void add_window_command(CLI::App& root, Action& action, Methods const& methods)
+{
+    auto arguments = std::make_shared<WindowArguments>();
+    arguments->methods = methods;
+    auto* const command = root.add_subcommand(
+        "window", "Open the station's window: a hand draws, and the plant changes");
+    command->alias("draw");
+    command->add_option(
+        "FILE", arguments->file,
+        "A session (.tractus) to go on with; a plant to draw on, as of --plant; or a drawing to "
+        "replay, a .tractus-log or anybody's hid-recorder file; without it, one draws: with the "
+        "tablets and "
+        "the height sensor that are found, and with the mouse in place of what is "
+        "missing");
+    add_drawing_options(*command, *arguments);
+    add_plant_option(*command, arguments->model)->required(false);
+    command
+        ->add_flag("--start-page", arguments->wants_start_page,
+                   "Begin with the page on which one chooses, also with --log, --record, --frames "
+                   "or --screenshot")
+        ->excludes("--plant")
+        ->excludes("--session");
+    command
+        ->add_option("--picture", arguments->picture,
+                     "Lay this PNG or JPEG behind what is drawn, to draw after it")
+        ->type_name("FILE");
+    command
+        ->add_option("--socket", arguments->socket,
+                     "Tell other programs at a local socket of this name what is drawn, as "
+                     "\"tractus stream\" does, and what grows by it")
+        ->type_name("PATH");
+    add_rig_option(*command, arguments->rig);
+    add_height_option(*command, arguments->height);
+    add_look_options(*command, *arguments);
+    command->footer(
+        "Begins with a page on which one chooses: an empty sheet, a model, or a drawing to go\n"
+        "on with. With FILE, --plant, --session, --log, --record, --frames or --screenshot it\n"
+        "begins with the drawing, of a broadleaf unless something else is named.\n"
+        "\n"
+        "Needs a display. Pictures that are saved appear in the working folder. While a pen is\n"
+        "in range, the mouse counts for nothing in the window, since the desktop moves it with\n"
+        "the pen; drivers/70-tractus.rules says how to stop that everywhere.");
+    command->callback([arguments, &action] {
+        action = [arguments]() -> Result<void> { return open_window(TRY(sort_out(*arguments))); };
+    });
+}
+
+} // namespace tractus

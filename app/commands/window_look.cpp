@@ -1,0 +1,60 @@
+#include "app/commands/window_look.h"
+
+#include "app/files/user_folder.h"
+#include "calib/toml_table.h"
+#include "engine/base/file.h"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace tractus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kColors { "dark", "light" };
+constexpr std::array<std::string_view, 2> kHands { "right", "left" };
+
+// Whether a key has the second of two words.
+Result<bool> is_second(TomlTable& table, std::string_view key,
+                       std::array<std::string_view, 2> const& words)
+{
+    if (!table.has(key))
+        return false;
+    return TRY(table.word(key, { words.begin(), words.end() })) == 1;
+}
+
+} // namespace
+
+fs::path user_look_path()
+{
+    auto const folder = user_folder();
+    return folder.empty() ? fs::path() : folder / "window.toml";
+}
+
+Result<WindowLook> load_look(fs::path const& path)
+{
+    std::error_code ignored;
+    if (path.empty() || !fs::exists(path, ignored))
+        return WindowLook();
+    auto const text = TRY(read_file(path));
+    auto table = TRY(TomlTable::parse(text, path.string()));
+    WindowLook look;
+    look.is_light = TRY(is_second(table, "colors", kColors));
+    look.is_left_handed = TRY(is_second(table, "hand", kHands));
+    TRY(table.refuse_unknown_keys());
+    return look;
+}
+
+Result<void> save_look(fs::path const& path, WindowLook const& look)
+{
+    TRY(make_folder(path.parent_path()));
+    return write_file(path,
+                      fmt::format("# How tractus' window looks, as chosen there last.\n"
+                                  "colors = \"{}\"\nhand = \"{}\"\n",
+                                  kColors[look.is_light ? 1 : 0],
+                                  kHands[look.is_left_handed ? 1 : 0]));
+}
+
+} // namespace tractus

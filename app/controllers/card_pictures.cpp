@@ -1,0 +1,182 @@
+#include "app/controllers/card_pictures.h"
+
+#include "app/batch/picture_thread.h"
+#include "app/batch/plant_group.h"
+#include "app/batch/session_plant.h"
+#include "app/controllers/drawing_file.h"
+#include "app/controllers/picture_files.h"
+#include "app/controllers/recent_drawings.h"
+#include "app/methods/all_leaves.h"
+#include "app/render/read_picture.h"
+#include "engine/base/file.h"
+#include "engine/mesh/make_mesh.h"
+#include "engine/scene/back_picture.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace tractus {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// That is looked at in passing.
+constexpr std::uintmax_t kLargestFile_bytes = 32'000'000;
+constexpr double kLongest_s = 5;
+
+std::optional<Image> read_image(fs::path const& file, std::size_t most_bytes = 4'000'000)
+{
+    auto const bytes = read_file(file, most_bytes);
+    if (!bytes)
+        return std::nullopt;
+    auto image = read_picture(*bytes);
+    return image ? std::optional(*std::move(image)) : std::nullopt;
+}
+
+// As large as a card shows it.
+std::optional<Image> small_picture(fs::path const& file)
+{
+    auto const image = read_image(file, kMostPictureBytes);
+    if (!image || image->width() == 0)
+        return std::nullopt;
+    double const scale
+        = std::min(1.0, static_cast<double>(CardPictures::kWidth_px) / image->width());
+    auto const side = [&](int length) { return std::max(1, static_cast<int>(scale * length)); };
+    return resized(*image, side(image->width()), side(image->height()));
+}
+
+// On white, in the middle.
+std::optional<Image> card_of_grammar(fs::path const& file)
+{
+    constexpr Color kPaper { 250, 250, 248, 255 };
+    auto const leaf = picture_of_grammar(file, CardPictures::kHeight_px, kPaper);
+    if (!leaf)
+        return std::nullopt;
+    Image card(CardPictures::kWidth_px, CardPictures::kHeight_px, kPaper);
+    paste(card, *leaf, (card.width() - leaf->width()) / 2, 0);
+    return card;
+}
+
+bool is_grammar(fs::path const& file)
+{
+    return file.extension() == ".leaf";
+}
+
+// Names of the pictures that were ever kept for a file begin alike; the rest says of which state.
+struct KeptName {
+    std::string beginning;
+    std::string whole;
+};
+
+KeptName kept_name(fs::path const& file)
+{
+    std::error_code ignored;
+    auto const beginning = fmt::format(
+        "card-{:016x}-", std::hash<std::string>()(fs::absolute(file, ignored).string()));
+    return { beginning,
+             fmt::format("{}{:x}-{:x}.png", beginning,
+                         written_last(file).time_since_epoch().count(),
+                         fs::file_size(file, ignored)) };
+}
+
+// In place of those of earlier states. A folder that takes none is no reason to say anything.
+void keep(Image const& picture, fs::path const& folder, KeptName const& name)
+{
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+        if (entry->path().filename().string().starts_with(name.beginning)) {
+            std::error_code ignored;
+            fs::remove(entry->path(), ignored);
+        }
+    static_cast<void>(write_file(folder / name.whole,
+                                 [&](std::ostream& out) { return write_png(out, picture); }));
+}
+
+} // namespace
+
+CardPictures::CardPictures(EditKinds kinds, fs::path kept_in)
+    : kinds_(kinds)
+    , kept_in_(std::move(kept_in))
+    , job_([this](fs::path const& file, std::stop_token const& stop) { return make(file, stop); },
+           Urgency::Later)
+{
+}
+
+CardPictures::~CardPictures() = default;
+
+void CardPictures::want(std::deque<fs::path> files)
+{
+    waiting_ = std::move(files);
+}
+
+std::optional<CardPictures::Made> CardPictures::take()
+{
+    std::optional<Made> made;
+    if (is_making_) {
+        made = job_.take();
+        is_making_ = !made && job_.is_busy();
+    }
+    if (!is_making_ && !waiting_.empty()) {
+        is_making_ = true;
+        job_.want(std::move(waiting_.front()));
+        waiting_.pop_front();
+    }
+    return made;
+}
+
+CardPictures::Made CardPictures::make(fs::path const& file, std::stop_token const& stop)
+{
+    Made made { file, nullptr };
+    bool const has_none_beside_it
+        = is_session_file(file) || is_picture_file(file) || is_grammar(file);
+    auto image
+        = has_none_beside_it ? std::nullopt : read_image(fs::path(file).replace_extension(".png"));
+    auto const name = kept_name(file);
+    if (!image && !kept_in_.empty())
+        image = read_image(kept_in_ / name.whole);
+    if (!image && !stop.stop_requested()) {
+        image = is_picture_file(file) ? small_picture(file)
+            : is_grammar(file)        ? card_of_grammar(file)
+                                      : draw(file, stop);
+        if (image && !kept_in_.empty())
+            keep(*image, kept_in_, name);
+    }
+    if (image)
+        made.picture = std::make_shared<Image const>(*std::move(image));
+    return made;
+}
+
+std::optional<Image> CardPictures::draw(fs::path const& file, std::stop_token const& stop)
+{
+    std::error_code error;
+    if (fs::file_size(file, error) > kLargestFile_bytes || error || cannot_draw_)
+        return std::nullopt;
+    auto const scene = scene_of_plant(file, kinds_, { .max_seconds = kLongest_s });
+    if (!scene || scene->plants.empty() || stop.stop_requested())
+        return std::nullopt;
+    auto const plant = shown_plants(*scene);
+    if (!plant || plant->segment_count() == 0 || stop.stop_requested())
+        return std::nullopt;
+    auto const mesh = make_mesh(*plant, {}, stop);
+    if (stop.stop_requested())
+        return std::nullopt;
+    if (!drawing_) {
+        auto thread = PictureThread::create();
+        cannot_draw_ = !thread;
+        if (!thread)
+            return std::nullopt;
+        drawing_ = std::make_unique<PictureThread>(*std::move(thread));
+    }
+    std::optional<Image> picture;
+    drawing_->draw([&](PictureMaker& maker) {
+        picture = maker.plant(mesh, { .width_px = kWidth_px, .height_px = kHeight_px });
+    });
+    return picture;
+}
+
+} // namespace tractus

@@ -1,0 +1,95 @@
+#include "app/controllers/drawing_file.h"
+
+#include "app/batch/session_plant.h"
+#include "app/controllers/unnamed_session.h"
+#include "app/io/model_file.h"
+#include "app/session/begin_empty.h"
+
+#include <chrono>
+#include <fmt/core.h>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+namespace fs = std::filesystem;
+
+// What a new session begins with.
+static Result<std::vector<Edit>> edits_of_plant(fs::path const& plant, EditKinds kinds)
+{
+    if (plant.empty())
+        return std::vector<Edit> { BeginEmpty {} };
+    if (is_session_file(plant))
+        return session_edits(plant, kinds);
+    auto edit = TRY(load_plant_edit(plant));
+    return std::vector<Edit> { std::move(edit) };
+}
+
+Result<Scene> scene_of_plant(fs::path const& plant, EditKinds kinds, ModelCost const& cost)
+{
+    if (plant.empty())
+        return Scene {};
+    if (is_session_file(plant))
+        return load_session_scene(plant, kinds, cost);
+    auto const edit = TRY(load_plant_edit(plant));
+    return apply_edit({}, edit, make_load_options(cost));
+}
+
+Result<Session> open_or_begin(WantedDrawing const& wanted, EditKinds kinds, std::string& trouble)
+{
+    std::error_code ignored;
+    if (!fs::exists(wanted.session, ignored))
+        return begin_session(wanted.session, TRY(edits_of_plant(wanted.plant, kinds)), kinds);
+    auto session = TRY(
+        Session::open(wanted.session, session_by_the_clock(kinds, [] { return load_options(); })));
+    if (auto const said = session.unknown().sentence(); !said.empty())
+        trouble = fmt::format("{}: {}", wanted.session.string(), said);
+    else if (session.is_derived_anew())
+        trouble = fmt::format("{}: an earlier tractus drew in it, to which some models meant "
+                              "something else; its plants are derived anew and may differ",
+                              wanted.session.string());
+    return session;
+}
+
+// In a new session named after the plant; in memory, where that has no place.
+static Result<OpenedDrawing> begin_unnamed(WantedDrawing wanted, EditKinds kinds)
+{
+    OpenedDrawing opened;
+    auto const name = wanted.plant.empty() ? std::string("drawing") : wanted.plant.stem().string();
+    auto const begin = [&]() -> Result<Session> {
+        auto const now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+        wanted.session = TRY(unnamed_session_path(name, now));
+        return open_or_begin(wanted, kinds, opened.trouble);
+    };
+    auto session = begin();
+    opened.name = name;
+    if (session) {
+        opened.session = *std::move(session);
+        opened.unnamed = wanted.session;
+        return opened;
+    }
+    // Fails where it is the plant that is to blame.
+    opened.scene = TRY(scene_of_plant(wanted.plant, kinds));
+    opened.trouble = "what is drawn is not kept: " + session.error().message;
+    return opened;
+}
+
+static Result<OpenedDrawing> open_named(WantedDrawing const& wanted, EditKinds kinds)
+{
+    OpenedDrawing opened;
+    opened.session = TRY(open_or_begin(wanted, kinds, opened.trouble));
+    opened.name
+        = opened.session->name().empty() ? wanted.session.stem().string() : opened.session->name();
+    return opened;
+}
+
+Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, EditKinds kinds)
+{
+    auto opened
+        = TRY(wanted.session.empty() ? begin_unnamed(wanted, kinds) : open_named(wanted, kinds));
+    if (wanted.plant.extension() == ".l")
+        opened.model = wanted.plant;
+    return opened;
+}
+
+} // namespace tractus

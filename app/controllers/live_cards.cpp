@@ -1,0 +1,46 @@
+#include "app/controllers/live_cards.h"
+
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+void LiveCards::show(WindowState& state)
+{
+    auto const& kind = state.hand.kind();
+    if (std::exchange(shown_, &kind) != &kind)
+        state.cards
+            = cards_label(kind) ? library_.cards_of(state.tools, kind) : std::vector<ToolCard>();
+}
+
+void LiveCards::show_again(WindowState& state)
+{
+    shown_ = nullptr;
+    show(state);
+}
+
+void LiveCards::perform(KeepCard const&, WindowState& state)
+{
+    auto const name = library_.keep(state.hand);
+    state.status
+        = name ? fmt::format("Kept as {} in {}", *name, folder_.string()) : name.error().message;
+    show_again(state);
+}
+
+void LiveCards::perform(RenameCard const& command, WindowState& state)
+{
+    auto const done = library_.rename(command.from, command.to);
+    state.status = done ? fmt::format("{} is called {} now", command.from, command.to)
+                        : done.error().message;
+    show_again(state);
+}
+
+void LiveCards::perform(RemoveCard const& command, WindowState& state)
+{
+    auto const done = library_.remove(command.name);
+    state.status = done ? fmt::format("{} is gone; what was drawn with it stays", command.name)
+                        : done.error().message;
+    show_again(state);
+}
+
+} // namespace tractus

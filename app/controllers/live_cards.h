@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/controllers/card_library.h"
+#include "app/view/window_model.h"
+
+#include <filesystem>
+
+namespace tractus {
+
+// A person's own cards as a window shows them, and what is done with them there. States say in the
+// status what was done, or why not.
+class LiveCards {
+public:
+    explicit LiveCards(std::filesystem::path const& folder)
+        : library_(folder)
+        , folder_(folder)
+    {
+    }
+
+    // Shows the cards of the kind in hand, as the folder has them when that is taken in hand.
+    void show(WindowState& state);
+    void show_again(WindowState& state); // Reads the folder anew.
+
+    void perform(KeepCard const&, WindowState& state);
+    void perform(RenameCard const& command, WindowState& state);
+    void perform(RemoveCard const& command, WindowState& state);
+
+private:
+    CardLibrary library_;
+    std::filesystem::path folder_;
+    ToolKind const* shown_ = nullptr; // The kind whose cards are shown.
+};
+
+} // namespace tractus

@@ -1,0 +1,92 @@
+#include "app/controllers/live_rig.h"
+
+#include "calib/rig_file.h"
+#include "drivers/height_decoders.h"
+#include "drivers/reports/height_decoder.h"
+#include "drivers/tablets/pen_decoders.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+
+namespace tractus {
+
+static bool has_pen(LiveDevices const& devices)
+{
+    return std::any_of(devices.infos().begin(), devices.infos().end(),
+                       [](auto const& info) { return make_pen_decoder(info).has_value(); });
+}
+
+// Traits that the first tablet tells.
+static std::optional<PenTraits> first_tablet(LiveDevices const& devices)
+{
+    for (auto const& info : devices.infos())
+        if (auto const decoder = make_pen_decoder(info))
+            return (*decoder)->traits();
+    return std::nullopt;
+}
+
+bool has_height_sensor(LiveDevices const& devices)
+{
+    return std::any_of(devices.infos().begin(), devices.infos().end(), [](auto const& info) {
+        return !make_pen_decoder(info) && make_height_decoder(info);
+    });
+}
+
+Result<MouseParts> add_mouse(LiveDevices& devices, LiveWindowOptions const& options)
+{
+    constexpr double kFirstSurface_mm = 100; // Some of the plant is below it, and to be seen.
+    if (!options.mouse)
+        return MouseParts {};
+    MouseParts const parts { .pen = !has_pen(devices), .height = !has_height_sensor(devices) };
+    auto mouse = *options.mouse;
+    if (parts.pen)
+        TRY(devices.add_source(mouse.open_tablet()));
+    if (parts.height) {
+        mouse.set_surface(options.height_mm.value_or(kFirstSurface_mm));
+        TRY(devices.add_source(mouse.open_height()));
+    }
+    return parts;
+}
+
+bool lacks_calibration(LiveDevices const& devices, LiveWindowOptions const& options)
+{
+    return !options.rig && devices.rig_text().empty() && !options.height_mm
+        && has_height_sensor(devices);
+}
+
+Result<Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& options,
+                       MouseParts const& mouse)
+{
+    if (mouse.pen && mouse.height)
+        return MouseRig::rig();
+    if (mouse.height) {
+        auto rig
+            = options.rig.value_or(Rig { .tablet_size_mm = first_tablet(devices).value().size_mm });
+        MouseRig::set_height_sensor_in(rig);
+        return rig;
+    }
+    if (options.rig)
+        return *options.rig;
+    if (!devices.rig_text().empty())
+        return parse_rig(devices.rig_text(), "the log's rig");
+    if (lacks_calibration(devices, options) && options.rig_file.empty())
+        return fail(Fault::User,
+                    "there is a height sensor but no calibration of it: give one with --rig, or "
+                    "the surface's height with --height");
+    Rig rig;
+    if (auto const tablet = first_tablet(devices))
+        rig.tablet_size_mm = tablet->size_mm;
+    return rig;
+}
+
+std::optional<std::string> size_note(LiveDevices const& devices, Rig const& rig)
+{
+    auto const tablet = first_tablet(devices);
+    if (rig.surface_mm || !tablet || !tablet->is_size_assumed)
+        return std::nullopt;
+    return fmt::format("The tablet does not tell its size, and {:.0f} x {:.0f} mm is a guess: "
+                       "\"tractus doctor\" asks for it",
+                       rig.tablet_size_mm.x(), rig.tablet_size_mm.y());
+}
+
+} // namespace tractus

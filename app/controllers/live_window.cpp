@@ -1,0 +1,480 @@
+#include "app/controllers/live_window.h"
+
+#include "app/calibration/save_calibration.h"
+#include "app/controllers/live_rig.h"
+#include "app/document/logged_step.h"
+#include "calib/rig_file.h"
+#include "engine/base/check.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+constexpr double kMousePressure = 0.5; // Pressure of a hand that draws without effort.
+
+} // namespace
+
+Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions options)
+{
+    CHECK(options.now && !options.methods.tools.empty());
+    StationOptions station_options;
+    station_options.tools = options.methods.tools;
+    station_options.layers = options.methods.layers;
+    bool const has_sensor = has_height_sensor(devices);
+    bool const lacks_calibration = tractus::lacks_calibration(devices, options);
+    auto const mouse = TRY(add_mouse(devices, options));
+    station_options.rig = TRY(choose_rig(devices, options, mouse));
+    if (!mouse.height && (options.height_mm || !has_sensor || lacks_calibration))
+        station_options.scripted_height = ScriptedHeight {
+            .scenario = { .kind = HeightScenario::Kind::Constant,
+                          .constant_mm = options.height_mm.value_or(0) },
+            .first_pen = {},
+            .last_pen = {},
+        };
+    auto station = TRY(Station::create(devices.infos(), station_options));
+    LiveWindow window(std::move(devices), std::move(options), std::move(station_options),
+                      std::move(station));
+    window.view().state().mouse_draws = mouse.pen;
+    window.view().state().mouse_moves_surface = mouse.height;
+    window.view().state().may_calibrate = has_sensor && !window.options_.rig_file.empty();
+    if (auto const note = size_note(window.devices_, window.station_options_.rig))
+        window.view().state().status = *note;
+    if (lacks_calibration)
+        window.perform(OpenCalibration {});
+    if (!window.options_.recording.empty())
+        TRY(window.start_recording(window.options_.recording));
+    if (!window.options_.socket.empty())
+        window.stream_ = TRY(StreamOutput::open_socket(
+            window.options_.socket, window.station_.volume_mm(), StreamOutput::What::All));
+    if (!window.options_.picture.empty()) // A step of the recording, too.
+        window.perform(LayPictureFile { window.options_.picture });
+    return window;
+}
+
+LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
+                       StationOptions station_options, Station station)
+    : devices_(std::move(devices))
+    , options_(std::move(options))
+    , station_options_(std::move(station_options))
+    , station_(std::move(station))
+    , controller_(std::in_place, station_, std::exchange(options_.session, std::nullopt),
+                  std::exchange(options_.scene, {}), options_.folder)
+    , cards_(options_.cards)
+    , states_(devices_.infos().size(), LiveDevices::State::Connected)
+{
+    view().state().is_live = true;
+    view().state().playing = false;
+    view().state().may_begin_anew = options_.start_page != nullptr;
+    if (!options_.model.empty())
+        follow(options_.model);
+    if (view().state().status.empty()) // Else it says what of the session is unknown.
+        view().state().status = "Draw: the station reads the pen";
+}
+
+LiveWindow::~LiveWindow()
+{
+    static_cast<void>(close());
+}
+
+// The stroke under the pen ends with what it has sent.
+Result<void> LiveWindow::finish()
+{
+    take_reports();
+    station_.finish();
+    tell_programs();
+    record_tool_changes();
+    auto const kept = controller_->finish(station_, options_.now());
+    record_steps();
+    return kept;
+}
+
+Result<void> LiveWindow::close()
+{
+    if (!options_.now) // Moved from.
+        return {};
+    auto const kept = finish();
+    auto const recorded = recorder_ ? stop_recording() : Result<void>();
+    auto const written = controller_->finish_files();
+    if (stream_) {
+        static_cast<void>(stream_->end());
+        stream_->serve();
+        stream_.reset();
+    }
+    if (!kept) // The drawing is worth most.
+        return kept;
+    return recorded ? written : recorded;
+}
+
+void LiveWindow::advance(Duration real_step)
+{
+    if (options_.counted_time)
+        *options_.counted_time += real_step;
+    take_reports();
+    tell_programs();
+    follow_start_page();
+    follow_choices();
+    follow_leaf_page();
+    follow_model();
+    controller_->show(station_, options_.now());
+    view().pass(real_step);
+    if (auto hand = controller_->take_hand())
+        perform_kind(ChooseTool { *std::move(hand) });
+    record_steps();
+    view().show_pen(std::exchange(moments_, {}));
+    cards_.show(view().state());
+    calibrate();
+    show_devices();
+    tell_device_changes();
+    tell_who_is_away();
+    tell_what_is_lost();
+    flush_recording();
+}
+
+void LiveWindow::settle()
+{
+    if (options_.start_page) {
+        options_.start_page->settle();
+        follow_start_page();
+    }
+    if (choices_)
+        choices_->settle();
+    if (leaf_page_)
+        leaf_page_->settle();
+    controller_->settle(station_, options_.now());
+}
+
+void LiveWindow::follow(std::filesystem::path const& model)
+{
+    auto const* const plant = active_plant(controller_->document().newest()->scene.state);
+    auto const* const drawn_on = plant ? loaded_model(plant->source) : nullptr;
+    model_.emplace(model, drawn_on ? std::optional(*drawn_on) : std::nullopt);
+}
+
+void LiveWindow::follow_model()
+{
+    if (!model_)
+        return;
+    if (auto changed = model_->take_change(options_.now()))
+        controller_->take_model(*std::move(changed), station_);
+}
+
+void LiveWindow::take_reports()
+{
+    devices_.take(reports_);
+    for (auto const& report : reports_) {
+        station_.push(report.device, report.report.received, report.report.bytes());
+        record_tool_changes(); // Before the report: what it began belongs to the tool.
+        if (recorder_)
+            recorder_->write(report);
+        if (diagnosis_)
+            diagnosis_->push(report);
+        if (calibration_)
+            calibration_->push(report);
+    }
+    station_.pass_time(options_.now());
+}
+
+// Before the document takes the strokes. A socket waits for nobody, so that nothing can fail.
+void LiveWindow::tell_programs()
+{
+    auto const moments = station_.take_moments();
+    moments_.insert(moments_.end(), moments.begin(), moments.end());
+    if (!stream_)
+        return;
+    stream_->serve(); // Who has come since is told, too.
+    static_cast<void>(stream_->tell(moments, station_, scene()));
+    stream_->serve();
+}
+
+void LiveWindow::record_tool_changes()
+{
+    for (auto const& [time, tool] : station_.take_tool_changes()) {
+        auto const words = words_for(tool);
+        if (recorder_)
+            recorder_->write_tool(time, words.name, words.arguments);
+    }
+}
+
+// Records each step with the number of strokes that came before it in the recording: when it is
+// known that it was done, strokes after it may have begun.
+void LiveWindow::record_steps()
+{
+    for (auto const& step : controller_->take_done()) {
+        if (!recorder_)
+            continue;
+        auto const words = words_for(step, step.strokes_before - recorded_from_stroke_);
+        recorder_->write_tool(options_.now(), words.name, words.arguments);
+    }
+}
+
+void LiveWindow::tell_device_changes()
+{
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        auto const state = devices_.state(i);
+        if (std::exchange(states_[i], state) == state)
+            continue;
+        auto const& name = devices_.infos()[i].name;
+        switch (state) {
+        case LiveDevices::State::Connected:
+            view().state().status = fmt::format("{} is back", name);
+            break;
+        case LiveDevices::State::Away: // See tell_who_is_away().
+            break;
+        case LiveDevices::State::Ended:
+            view().state().status = fmt::format("{} is over", name);
+            break;
+        }
+    }
+}
+
+// Tells which devices are away, more urgent than what else may be wrong.
+void LiveWindow::tell_who_is_away()
+{
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        if (states_[i] != LiveDevices::State::Away)
+            continue;
+        auto const refusal = devices_.refusal(i);
+        view().state().trouble = refusal.empty()
+            ? fmt::format("{} has gone: plug it in again, what was drawn is kept",
+                          devices_.infos()[i].name)
+            : refusal + "; what was drawn is kept";
+    }
+}
+
+void LiveWindow::tell_what_is_lost()
+{
+    auto const lost = devices_.lost_count();
+    if (std::exchange(lost_reports_, lost) < lost)
+        view().state().status
+            = fmt::format("{} of the devices' reports {} lost: they came faster than they were "
+                          "read, or are longer than any pen's",
+                          lost, lost == 1 ? "is" : "are");
+}
+
+Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
+{
+    auto const now = options_.now();
+    recorder_ = TRY(LiveRecorder::create(path,
+                                         { .devices = devices_.infos(),
+                                           .rig_text = print_rig(station_options_.rig),
+                                           .start = now }));
+    (void)controller_->finish(station_, now);
+    (void)controller_->take_done(); // Steps from before are not of the recording.
+    recorded_from_stroke_ = controller_->document().stroke_count();
+    auto const tools = station_.tools_to_go_on_with();
+    // A replay begins with the first tool, so that need not be written.
+    if (tools != std::vector { Tool(*station_options_.tools.front()) })
+        for (auto const& tool : tools) {
+            auto const words = words_for(tool);
+            recorder_->write_tool(now, words.name, words.arguments);
+        }
+    view().state().recording = { true, path.filename().string(), recorder_->byte_count() };
+    return {};
+}
+
+Result<void> LiveWindow::stop_recording()
+{
+    auto const flushed = recorder_->flush();
+    view().state().recording.bytes = recorder_->byte_count();
+    view().state().recording.is_on = false;
+    recorder_.reset();
+    return flushed;
+}
+
+void LiveWindow::flush_recording()
+{
+    if (!recorder_)
+        return;
+    auto const flushed = recorder_->flush_if_due(options_.now());
+    view().state().recording.bytes = recorder_->byte_count();
+    if (flushed)
+        return;
+    recorder_.reset();
+    view().state().recording.is_on = false;
+    view().state().status = fmt::format("The recording has stopped: {}", flushed.error().message);
+}
+
+void LiveWindow::perform_kind(SetRecording const& command)
+{
+    if (command.is_on == recorder_.has_value())
+        return;
+    auto& status = view().state().status;
+    if (command.is_on) {
+        auto const path = controller_->new_file(".tractus-log");
+        auto const begun = start_recording(path);
+        status = begun ? fmt::format("Recording into {}", path.string()) : begun.error().message;
+        return;
+    }
+    // Steps that were asked for are part of it.
+    (void)controller_->finish(station_, options_.now());
+    record_steps();
+    auto const stopped = stop_recording();
+    auto const& [is_on, file, bytes] = view().state().recording;
+    status = stopped ? fmt::format("Recorded {}, {:.1f} kB", file, static_cast<double>(bytes) / 1e3)
+                     : stopped.error().message;
+}
+
+void LiveWindow::perform(WindowCommand const& command)
+{
+    std::visit([this](auto const& kind) { perform_kind(kind); }, command);
+}
+
+void LiveWindow::perform_kind(Restart const&)
+{
+    controller_->begin_again(station_, "The plant is as its model gives it");
+}
+
+// Takes the present station's place, with what is in the hand.
+void LiveWindow::go_on_with(Station station)
+{
+    auto const tools = station_.tools_to_go_on_with();
+    station_ = std::move(station);
+    station_.set_pressing_areas(pressing_areas_);
+    for (auto const& tool : tools)
+        station_.set_tool(options_.now(), tool);
+}
+
+void LiveWindow::perform_kind(ChooseTool const& command)
+{
+    station_.set_tool(options_.now(), command.tool);
+    record_tool_changes();
+    controller_->show(station_, options_.now());
+}
+
+void LiveWindow::perform_kind(AdjustTool const& command)
+{
+    auto const before = station_.tool();
+    if (command.slider == ChangeGrowth::Slider::Moving)
+        return controller_->preview_following(before, command.tool);
+    perform_kind(ChooseTool { command.tool });
+    controller_->let_follow(before, command.tool, station_);
+}
+
+void LiveWindow::perform_kind(TakeLikeDrawn const&)
+{
+    auto const hand = station_.tool();
+    auto* const like_drawn = hand.kind().like_drawn;
+    auto const tool = like_drawn ? like_drawn(hand, scene()) : std::nullopt;
+    if (tool)
+        return perform_kind(ChooseTool { *tool });
+    view().state().status = "The plant that takes what is drawn was drawn in another way";
+}
+
+void LiveWindow::perform_kind(SetPressingAreas const& command)
+{
+    pressing_areas_ = command.areas;
+    station_.set_pressing_areas(command.areas);
+}
+
+void LiveWindow::perform_kind(PressInstead const&)
+{
+    station_.press_instead();
+    record_tool_changes();
+}
+
+void LiveWindow::perform_kind(MoveMousePen const& command)
+{
+    if (!options_.mouse)
+        return;
+    Vec2 const middle_mm = station_options_.rig.tablet_size_mm / 2;
+    std::vector<TabletPen> pens;
+    for (auto const& pen : command.path)
+        pens.push_back({ .place_mm = pen.place_mm + middle_mm,
+                         .in_range = pen.in_range,
+                         .touching = pen.touching,
+                         .pressure = pen.touching ? kMousePressure : 0 });
+    options_.mouse->move_pen(pens);
+}
+
+void LiveWindow::perform_kind(MoveSurface const& command)
+{
+    if (options_.mouse)
+        options_.mouse->move_surface(command.by_mm);
+}
+
+void LiveWindow::perform_kind(WatchDevices const& command)
+{
+    diagnosis_.reset();
+    if (command.watched)
+        diagnosis_.emplace(devices_, options_.now());
+    view().state().devices = {};
+    ++view().state().devices_revision;
+    next_look_ = options_.now();
+}
+
+// Shows them as often as a person can read it.
+void LiveWindow::show_devices()
+{
+    constexpr Duration kLookEvery = std::chrono::milliseconds(100);
+    auto const now = options_.now();
+    if (!diagnosis_ || now < next_look_)
+        return;
+    next_look_ = now + kLookEvery;
+    diagnosis_->pass_time(now);
+    view().state().devices = { diagnosis_->readings(), diagnosis_->findings() };
+    ++view().state().devices_revision;
+}
+
+void LiveWindow::perform_kind(OpenCalibration const&)
+{
+    if (!view().state().may_calibrate)
+        return;
+    auto panel = CalibrationPanelController::create(
+        devices_.infos(),
+        { .controller = { .rig = station_options_.rig },
+          .date = today(),
+          .now = options_.now,
+          .keep = [file = options_.rig_file](CalibrationOutcome const& outcome) {
+              std::error_code ignored; // Saving fails, and says why.
+              std::filesystem::create_directories(file.parent_path(), ignored);
+              return save_calibration(outcome, file);
+          } });
+    if (panel)
+        calibration_ = *std::move(panel);
+    else
+        view().state().status = panel.error().message;
+}
+
+void LiveWindow::perform_kind(CloseCalibration const&)
+{
+    calibration_.reset();
+    ++view().state().live_revision; // The views are seen again.
+}
+
+void LiveWindow::calibrate()
+{
+    if (!calibration_)
+        return;
+    calibration_->advance();
+    if (auto const rig = calibration_->take_kept_rig())
+        use_rig(*rig);
+}
+
+// The pen draws by it from now on.
+void LiveWindow::use_rig(Rig const& rig)
+{
+    auto options = station_options_;
+    options.rig = rig;
+    options.scripted_height.reset();
+    auto station = Station::create(devices_.infos(), options);
+    if (!station) {
+        view().state().status = station.error().message;
+        return;
+    }
+    station_.finish();
+    tell_programs();
+    record_tool_changes();
+    auto const kept = controller_->finish(station_, options_.now()); // Else it is tried again.
+    station_options_ = std::move(options);
+    go_on_with(*std::move(station));
+    controller_->show_again(station_,
+                            kept ? "The pen draws by the new calibration" : kept.error().message);
+    if (recorder_) // Its header has the old one.
+        perform_kind(SetRecording { false });
+}
+
+} // namespace tractus

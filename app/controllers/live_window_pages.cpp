@@ -1,0 +1,240 @@
+#include "app/controllers/live_window.h"
+
+#include "app/controllers/drawn_leaf_files.h"
+#include "app/controllers/unnamed_session.h"
+#include "app/files/user_folder.h"
+#include "app/methods/all_leaves.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <utility>
+
+// The pages that the window shows in place of the drawing, and what is chosen there.
+namespace tractus {
+
+StartPageModel* LiveWindow::start_page()
+{
+    if (leaf_page_ && leaf_page_->is_open())
+        return leaf_page_.get();
+    if (choices_ && choices_->is_open())
+        return choices_.get();
+    return drawings_are_open() ? options_.start_page.get() : nullptr;
+}
+
+bool LiveWindow::drawings_are_open() const
+{
+    return options_.start_page && options_.start_page->is_open();
+}
+
+void LiveWindow::perform_kind(OpenStartPage const&)
+{
+    if (!options_.start_page || drawings_are_open() || !controller_->may_close(finish()))
+        return;
+    auto left = leave_drawing();
+    options_.start_page->open(std::move(left));
+}
+
+// What becomes of it, for the person. It is finished, and kept as far as it can be.
+std::string LiveWindow::leave_drawing()
+{
+    if (recorder_)
+        perform_kind(SetRecording { false });
+    auto const written = controller_->finish_files();
+    auto const& session = controller_->document().session();
+    auto const file = session.is_in_file() ? session.path() : std::filesystem::path();
+    bool const is_drawn = session.last_step() > 0;
+    auto const unnamed = options_.unnamed ? std::exchange(*options_.unnamed, {}) : file;
+    go_on_with(OpenedDrawing {}); // The file is closed.
+    view().state().title = "tractus";
+    if (!written)
+        return fmt::format("A file was not written: {}", written.error().message);
+    if (!unnamed.empty() && unnamed == file && !is_drawn) {
+        remove_if_nothing_was_drawn(unnamed);
+        return {};
+    }
+    if (file.empty())
+        return {};
+    bool const is_listed = file.parent_path() == user_folder();
+    return fmt::format("The drawing is kept as {}", (is_listed ? file.filename() : file).string());
+}
+
+// In place of the one at hand; what the window knows of the devices stays.
+void LiveWindow::go_on_with(OpenedDrawing drawing)
+{
+    auto const before = state();
+    if (options_.unnamed)
+        *options_.unnamed = drawing.unnamed;
+    controller_.emplace(station_, std::move(drawing.session), std::move(drawing.scene),
+                        options_.folder);
+    model_.reset();
+    if (!drawing.model.empty())
+        follow(drawing.model);
+    auto& state = view().state();
+    state.live_revision += before.live_revision + 1; // What was shown before is shown no more.
+    state.strokes_revision += before.strokes_revision + 1;
+    state.skeleton_revision += before.skeleton_revision + 1;
+    state.plant_revision += before.plant_revision + 1;
+    state.collection_revision += before.collection_revision + 1;
+    state.preview_revision += before.preview_revision + 1;
+    state.devices_revision += before.devices_revision + 1;
+    state.picture_revision += before.picture_revision + 1;
+    state.is_live = true;
+    state.playing = false;
+    state.pen = before.pen;
+    state.mouse_draws = before.mouse_draws;
+    state.mouse_moves_surface = before.mouse_moves_surface;
+    state.may_calibrate = before.may_calibrate;
+    state.may_begin_anew = before.may_begin_anew;
+    state.cards = before.cards;
+    state.title = fmt::format("tractus: {}", drawing.name);
+    state.recording.file = before.recording.file;
+    if (!drawing.trouble.empty())
+        state.status = drawing.trouble;
+    else if (auto const& session = controller_->document().session(); session.is_in_file())
+        state.status = fmt::format("What is drawn is kept in {}", session.path().string());
+}
+
+void LiveWindow::follow_start_page()
+{
+    if (!drawings_are_open())
+        return;
+    options_.start_page->advance();
+    auto chosen = options_.start_page->take_opened();
+    if (!chosen)
+        return;
+    go_on_with(std::move(chosen->drawing));
+    if (chosen->tool)
+        perform_kind(ChooseTool { *chosen->tool });
+}
+
+void LiveWindow::perform_kind(OpenPictures const&)
+{
+    open_choices(ChoiceOf::Picture, picture_choices(options_.picture_folders));
+}
+
+void LiveWindow::perform_kind(OpenLeaves const&)
+{
+    open_choices(ChoiceOf::Leaves, leaf_choices(options_.leaves, leaves_in_document()));
+}
+
+static bool is_drawn_leaf(Scene const& scene, ItemId plant)
+{
+    return std::ranges::any_of(drawn_leaves(scene.state),
+                               [&](DrawnLeafGrammar const& leaf) { return leaf.plant == plant; });
+}
+
+// Their files, for the page.
+LeavesInDocument LiveWindow::leaves_in_document()
+{
+    std::error_code error;
+    auto const cache
+        = options_.cache.empty() ? std::filesystem::temp_directory_path(error) : options_.cache;
+    auto const& state = scene().state;
+    drawn_leaves_ = write_drawn_leaves(state, cache);
+    LeavesInDocument leaves { .of_drawn = is_drawn_leaf(scene(), state.active)
+                                  ? "Choosing it keeps it among yours"
+                                  : "The plant follows its drawing" };
+    for (auto const& drawn : drawn_leaves_)
+        leaves.drawn.push_back(drawn.file);
+    kept_leaf_.clear();
+    if (auto const worn = worn_leaves(state, state.active))
+        if (auto const kept = state.leaf_grammars.find(worn->leaves);
+            kept != state.leaf_grammars.end())
+            if (auto const file = write_shown_leaf("worn-leaf", *kept->second, cache))
+                kept_leaf_ = *file;
+    leaves.kept = kept_leaf_;
+    return leaves;
+}
+
+// Among the person's own, while no plant is chosen that could have it.
+void LiveWindow::keep_drawn_leaf(std::filesystem::path const& file)
+{
+    Result<std::filesystem::path> kept = fail(Fault::User, "There is no folder for leaves");
+    if (!options_.leaves.empty())
+        kept = keep_leaf(file, options_.leaves);
+    view().state().status = kept
+        ? fmt::format("The leaf is kept as {}: choose the plant that shall have it, and "
+                      "then the leaf here again",
+                      kept->filename().string())
+        : kept.error().message;
+}
+
+// With what the plant wears, if that is of the grammar; else with grown-up leaves without damage.
+void LiveWindow::open_leaf_page(std::filesystem::path const& file)
+{
+    auto const& state = scene().state;
+    Dressing wanted { .leaves = leaves_of_grammar(file.string()) };
+    auto const drawn = std::ranges::find(drawn_leaves_, file, &DrawnLeafFile::file);
+    auto const worn = worn_leaves(state, state.active);
+    if (drawn != drawn_leaves_.end())
+        wanted = { .drawn = drawn->leaf };
+    else if (file == kept_leaf_ && worn)
+        wanted.leaves = worn->leaves;
+    if (worn && worn->leaves == wanted.leaves && worn->drawn == wanted.drawn)
+        wanted = *worn;
+    auto grammar = grammar_of(state, wanted);
+    if (!grammar) {
+        view().state().status = grammar.error().message;
+        return;
+    }
+    auto const name = file.stem().string();
+    if (!leaf_page_)
+        leaf_page_ = std::make_unique<LeafPage>();
+    leaf_page_->open(
+        { .title = wanted.drawn != 0 ? std::string("Your leaf") : fmt::format("Leaves: {}", name),
+          .grammar = *std::move(grammar),
+          .wanted = std::move(wanted),
+          .season = state.season });
+}
+
+void LiveWindow::follow_leaf_page()
+{
+    if (!leaf_page_)
+        return;
+    leaf_page_->advance();
+    if (auto const accepted = leaf_page_->take_accepted())
+        perform_kind(*accepted);
+    else if (leaf_page_->take_left())
+        perform_kind(OpenLeaves {});
+}
+
+void LiveWindow::open_choices(ChoiceOf what, Choices choices)
+{
+    if (!choices_)
+        choices_ = std::make_unique<ChoicePage>(options_.cache);
+    choice_of_ = what;
+    choices_->open(std::move(choices));
+}
+
+void LiveWindow::follow_choices()
+{
+    if (!choices_)
+        return;
+    choices_->advance();
+    auto const file = choices_->take_chosen();
+    if (!file)
+        return;
+    bool const is_drawn
+        = std::ranges::find(drawn_leaves_, *file, &DrawnLeafFile::file) != drawn_leaves_.end();
+    if (choice_of_ == ChoiceOf::Picture)
+        perform_kind(LayPictureFile { *file });
+    else if (file->empty())
+        perform_kind(DressActivePlant {});
+    else if (is_drawn && is_drawn_leaf(scene(), scene().state.active))
+        keep_drawn_leaf(*file);
+    else
+        open_leaf_page(*file);
+}
+
+// The pen places it next.
+void LiveWindow::perform_kind(LayPictureFile const& command)
+{
+    controller_->perform(command, station_);
+    auto const tools = station_.tools();
+    auto const placing = std::find_if(tools.begin(), tools.end(),
+                                      [](ToolKind const* kind) { return kind->lays_pictures; });
+    if (placing != tools.end() && &station_.tool().kind() != *placing)
+        perform_kind(ChooseTool { Tool(**placing) });
+}
+
+} // namespace tractus

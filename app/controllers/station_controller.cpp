@@ -1,0 +1,477 @@
+#include "app/controllers/station_controller.h"
+
+#include "app/batch/plant_file.h"
+#include "app/batch/plant_group.h"
+#include "app/batch/plant_season.h"
+#include "app/controllers/drawing_name.h"
+#include "app/controllers/picture_files.h"
+#include "app/controllers/unnamed_session.h"
+#include "app/files/dated_path.h"
+#include "app/io/glb_size.h"
+#include "app/methods/all_leaves.h"
+#include "app/session/session_copy.h"
+#include "app/view/orphans.h"
+#include "engine/base/file.h"
+
+#include <array>
+#include <chrono>
+#include <fmt/core.h>
+#include <utility>
+
+namespace tractus {
+
+static std::unique_ptr<Document> document_of(std::optional<Session> session, Scene scene)
+{
+    constexpr auto kWorking = Document::Working::OnItsThread;
+    if (session)
+        return std::make_unique<Document>(*std::move(session), kWorking, following_edits);
+    return std::make_unique<Document>(std::move(scene), kWorking, following_edits);
+}
+
+StationController::StationController(Station const& station, std::optional<Session> session,
+                                     Scene scene, std::filesystem::path folder)
+    : document_(document_of(std::move(session), std::move(scene)))
+    , view_(station, *document_)
+    , folder_(std::move(folder))
+{
+    view_.state().has_session = document_->session().is_in_file();
+    show_name();
+    view_.state().status = document_->session().unknown().sentence();
+}
+
+void StationController::show(Station& station, Timestamp now)
+{
+    show_document(station, now);
+    show_files();
+}
+
+void StationController::take_strokes(Station& station)
+{
+    for (auto& stroke : station.take_strokes())
+        document_->draw(std::move(stroke));
+}
+
+// What goes on following what was drawn with it; no value: nothing else.
+static std::optional<Tool> hand_after(Tool const& hand, Scene const& before, Scene const& after)
+{
+    auto* const like_drawn = hand.kind().like_drawn;
+    if (!like_drawn || like_drawn(hand, before) != hand)
+        return std::nullopt;
+    auto tool = like_drawn(hand, after);
+    return tool != hand ? tool : std::nullopt;
+}
+
+void StationController::show_document(Station& station, Timestamp now)
+{
+    now_ = now;
+    take_strokes(station);
+    document_->pass_time(now);
+    auto const before = view_.grown_scene();
+    bool has_travelled = false;
+    for (auto const& drawn : document_->take_drawn())
+        view_.tell(drawn);
+    while (auto done = document_->take_done()) {
+        if (!done->status && done->of == WantedStep::Of::Growth)
+            view_.show_growth();
+        else if (!done->status)
+            view_.propose({});
+        has_travelled |= done->status && done->what != LoggedStep::What::Edits;
+        view_.state().status = done->status ? *done->status : done->status.error().message;
+        if (done->status)
+            done_.push_back(*std::move(done));
+    }
+    view_.show(station, *document_);
+    if (has_travelled)
+        hand_ = hand_after(station.tool(), *before, *view_.grown_scene());
+    if (auto const& why = document_->newest()->not_kept; !why.empty())
+        view_.state().trouble = fmt::format("What is drawn is not kept: {}", why);
+}
+
+void StationController::show_files()
+{
+    while (auto const written = files_->take()) {
+        if (!*written) {
+            view_.state().status = written->error().message;
+            continue;
+        }
+        auto const& [path, note] = **written;
+        view_.state().status
+            = fmt::format("Saved {}{}{}", path.string(), note.empty() ? "" : ": ", note);
+    }
+    view_.state().is_saving = files_->is_busy();
+}
+
+Result<void> StationController::finish(Station& station, Timestamp now)
+{
+    if (!document_) // Moved from.
+        return {};
+    take_strokes(station);
+    document_->try_again();
+    document_->settle();
+    show_document(station, now);
+    auto const snapshot = document_->newest();
+    if (snapshot->unkept == 0)
+        return {};
+    auto const what = snapshot->unkept == 1
+        ? std::string("the last stroke is")
+        : fmt::format("the last {} strokes are", snapshot->unkept);
+    return fail(Fault::User, fmt::format("{} not kept: {}", what, snapshot->not_kept));
+}
+
+bool StationController::may_close(Result<void> const& finished)
+{
+    if (finished || std::exchange(knows_what_is_lost_, true))
+        return true;
+    view_.state().status = fmt::format("Not closed, since {}. Make room for it, or close once more "
+                                       "to leave without it",
+                                       finished.error().message);
+    return false;
+}
+
+Result<void> StationController::finish_files()
+{
+    Result<void> done;
+    if (!files_) // Moved from.
+        return done;
+    files_->settle();
+    while (auto const written = files_->take())
+        if (done && !*written)
+            done = tl::unexpected(written->error());
+    view_.state().is_saving = false;
+    return done;
+}
+
+void StationController::settle(Station& station, Timestamp now)
+{
+    take_strokes(station);
+    document_->settle();
+    show_document(station, now);
+    view_.settle();
+    files_->settle();
+    show_files();
+}
+
+std::filesystem::path StationController::new_file(std::string_view ending) const
+{
+    return dated_path(folder_, view_.grown_scene()->model_name, ending);
+}
+
+void StationController::show_again(Station const& station, std::string const& status)
+{
+    view_.begin_again(station, *document_);
+    view_.state().status = status;
+}
+
+void StationController::perform(Undo const&, Station& station)
+{
+    document_->undo();
+    show_document(station, now_);
+}
+
+void StationController::perform(Redo const&, Station& station)
+{
+    document_->redo();
+    show_document(station, now_);
+}
+
+void StationController::perform(TakeOrphansAway const&, Station& station)
+{
+    auto const without = [](Scene const& scene) -> Result<WantedStep::Change> {
+        auto edits = edits_without_orphans(scene);
+        if (edits.empty())
+            return fail(Fault::User, "nothing waits for a branch that the plant has lost");
+        return WantedStep::Change { std::move(edits), "What had lost its branch is gone" };
+    };
+    document_->make({ without, WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
+// Read where the document is changed: a large picture takes its time.
+void StationController::perform(LayPictureFile const& command, Station& station)
+{
+    auto const change = [file = command.file, tablet_mm = view_.state().surface_size_mm()](
+                            Scene const&) -> Result<WantedStep::Change> {
+        auto edit = TRY(load_back_picture(file, tablet_mm));
+        auto status = fmt::format("{} lies behind what is drawn", edit.name);
+        return WantedStep::Change { { std::move(edit) }, std::move(status) };
+    };
+    document_->make({ change, WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
+void StationController::perform(DragDrawnGlyph const& command, Station& station)
+{
+    auto const* const kind = station.tool().kind().drawn_glyph;
+    if (!kind)
+        return;
+    if (command.slider == ChangeGrowth::Slider::Moving) {
+        if (auto edits = kind->drag(*view_.grown_scene(), command.handle, command.to))
+            view_.propose(*std::move(edits));
+        else
+            view_.state().status = edits.error().message;
+        return;
+    }
+    auto const change = [kind, command](Scene const& scene) -> Result<WantedStep::Change> {
+        auto edits = TRY(kind->drag(scene, command.handle, command.to));
+        return WantedStep::Change { std::move(edits), "What was drawn follows" };
+    };
+    document_->make({ change, WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
+// What a person calls the leaves that they have chosen.
+static std::string leaves_in_words(Dressing const& wanted)
+{
+    if (wanted.drawn != 0)
+        return "leaves like the one that is drawn, and follows it";
+    return wanted.leaves.empty()
+        ? std::string("its own leaves")
+        : fmt::format("leaves of {}", std::filesystem::path(wanted.leaves).stem().string());
+}
+
+void StationController::perform(DressActivePlant const& command, Station& station)
+{
+    Dressing const wanted { .leaves = leaves_of_grammar(command.leaves),
+                            .drawn = command.drawn,
+                            .age = command.age,
+                            .damage = command.damage };
+    auto const change
+        = [wanted, season = command.season](Scene const& scene) -> Result<WantedStep::Change> {
+        if (!active_plant(scene.state))
+            return fail(Fault::User, "There is no plant yet: draw one first");
+        auto edits = TRY(dressing_edits(scene, scene.state.active, wanted));
+        // In a season they have its age.
+        if (auto const then = season.value_or(scene.state.season); then || season) {
+            auto const dressed = TRY(apply_edits(scene, edits));
+            for (auto& edit : TRY(season_edits(dressed, then)))
+                edits.push_back(std::move(edit));
+        }
+        return WantedStep::Change { std::move(edits),
+                                    fmt::format("The plant has {}", leaves_in_words(wanted)) };
+    };
+    document_->make({ change, WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
+void StationController::begin_again(Station& station, std::string const& status,
+                                    Document::Growth growth)
+{
+    document_->begin_again(
+        document_->session().is_in_file() ? "The session is as it began" : status, growth);
+    show_document(station, now_);
+}
+
+void StationController::take_model(Result<LoadModel> model, Station& station)
+{
+    if (!model) {
+        view_.state().status = model.error().message;
+        return;
+    }
+    auto const change
+        = [model = *std::move(model)](Scene const& scene) -> Result<WantedStep::Change> {
+        auto const name = std::filesystem::path(model.source.name).filename();
+        auto const* const plant = active_plant(scene.state);
+        auto const* const drawn_on = plant ? loaded_model(plant->source) : nullptr;
+        if (!drawn_on || std::filesystem::path(drawn_on->source.name).filename() != name)
+            return fail(Fault::User,
+                        fmt::format("{} has been saved, but another plant is drawn on: choose its "
+                                    "plant and save it "
+                                    "again",
+                                    name.string()));
+        auto edit = model;
+        edit.steps = drawn_on->steps;
+        edit.seed = drawn_on->seed;
+        edit.drawn = Drawn::Keep;
+        return WantedStep::Change {
+            { edit }, fmt::format("The plant is that of {} as it was saved", name.string())
+        };
+    };
+    document_->make({ change, WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
+static std::vector<Edit> following(Tool const& before, Tool const& after, Scene const& scene)
+{
+    auto* const follow = after.kind().follow;
+    return follow && &before.kind() == &after.kind() ? follow(before, after, scene)
+                                                     : std::vector<Edit>();
+}
+
+void StationController::preview_following(Tool const& before, Tool const& after)
+{
+    view_.propose(following(before, after, *view_.grown_scene()));
+}
+
+void StationController::let_follow(Tool const& before, Tool const& after, Station& station)
+{
+    if (following(before, after, *view_.grown_scene()).empty())
+        return view_.propose({});
+    auto const change = [=](Scene const& scene) -> Result<WantedStep::Change> {
+        auto edits = following(before, after, scene);
+        if (edits.empty())
+            return fail(Fault::User, "what was drawn so is gone");
+        auto status = edits.size() == 1 ? std::string("What was drawn so follows")
+                                        : fmt::format("{} that were drawn so follow", edits.size());
+        return WantedStep::Change { std::move(edits), std::move(status) };
+    };
+    document_->make({ change, WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
+void StationController::perform(NextVariation const&, Station& station)
+{
+    auto const next = [](SetGrowth growth) -> Result<WantedStep::Change> {
+        ++growth.seed;
+        return WantedStep::Change { { growth }, fmt::format("Another one: seed {}", growth.seed) };
+    };
+    set_growth(next, station);
+}
+
+void StationController::perform(ChangeGrowth const& command, Station& station)
+{
+    if (command.slider == ChangeGrowth::Slider::Moving) {
+        auto const seen = growth_set_to(command.growth, document_->newest()->scene.growth);
+        if (seen)
+            view_.preview(*seen);
+        else
+            view_.state().status = seen.error().message;
+        return;
+    }
+    auto const set = [wanted = command.growth](SetGrowth growth) -> Result<WantedStep::Change> {
+        growth = TRY(growth_set_to(wanted, std::move(growth)));
+        auto status = fmt::format("The plant {}", Edit(growth).describe());
+        return WantedStep::Change { { growth }, std::move(status) };
+    };
+    set_growth(set, station);
+}
+
+void StationController::perform(ChangeSeason const& command, Station& station)
+{
+    if (command.slider == ChangeGrowth::Slider::Moving)
+        return view_.preview(command.season);
+    auto const change
+        = [season = command.season](Scene const& scene) -> Result<WantedStep::Change> {
+        auto edits = TRY(season_edits(scene, season));
+        auto status = season ? fmt::format("It is {}", month_name(season->month))
+                             : std::string("No season: leaves as the models have them");
+        return WantedStep::Change { std::move(edits), std::move(status) };
+    };
+    document_->make({ change, WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
+void StationController::perform(AskForCollection const& command, Station&)
+{
+    view_.collect(command.count);
+}
+
+void StationController::perform(PickVariation const& command, Station& station)
+{
+    auto const pick = [seed = command.seed](SetGrowth growth) -> Result<WantedStep::Change> {
+        growth.seed = seed;
+        return WantedStep::Change { { growth }, fmt::format("This one: seed {}", seed) };
+    };
+    set_growth(pick, station);
+}
+
+// `change` is asked when what was wanted before is done.
+void StationController::set_growth(
+    std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change, Station& station)
+{
+    document_->make({ [=](Scene const& scene) -> Result<WantedStep::Change> {
+                         bool const is_empty = scene.plants.empty() && scene.base->axes.empty();
+                         return is_empty
+                             ? fail(Fault::User, "There is no plant yet: draw one first")
+                             : change(scene.growth);
+                     },
+                      WantedStep::Of::Growth });
+    show_document(station, now_);
+}
+
+void StationController::perform(SavePicture const& command, Station&)
+{
+    save(".png",
+         [picture = command.picture](std::filesystem::path const& path) -> Result<std::string> {
+             TRY(write_file(path, [&](std::ostream& out) { return write_png(out, picture); }));
+             return std::string();
+         });
+}
+
+void StationController::perform(ExportPlant const& command, Station&)
+{
+    constexpr std::array kEndings { ".glb", ".obj", ".mtg" };
+    save(kEndings.at(static_cast<std::size_t>(command.format)),
+         [scene = view_.grown_scene(),
+          organs = command.organs](std::filesystem::path const& path) -> Result<std::string> {
+             PlantFileOptions options { .glb = { .organs = organs } };
+             std::string note;
+             options.glb.before_writing = [&](GlbSummary const& expected) {
+                 note = large_glb_size(expected).value_or("");
+                 if (!note.empty() && organs != GlbOptions::Organs::Instanced)
+                     note += "; with its leaves instanced it is smaller";
+             };
+             auto const plant = TRY(shown_plants(*scene));
+             TRY(write_plant_file(plant, std::filesystem::path(scene->model_name).stem(), path,
+                                  options));
+             return note;
+         });
+}
+
+// What the drawing is called: as a person says, else as its file.
+void StationController::show_name()
+{
+    auto const& session = document_->session();
+    auto& state = view_.state();
+    state.drawing_name.reset();
+    if (session.is_in_file())
+        state.drawing_name = name_of_drawing(session.path(), session.name());
+}
+
+void StationController::perform(NameDrawing const& command, Station&)
+{
+    auto const named
+        = [&]() -> Result<void> { return document_->set_name(TRY(name_as_typed(command.name))); }();
+    auto& state = view_.state();
+    show_name();
+    state.status = named ? fmt::format("The drawing is called {}", *state.drawing_name)
+                         : named.error().message;
+    if (named)
+        state.title = fmt::format("tractus: {}", *state.drawing_name);
+}
+
+// The copy is of all that was drawn until now.
+void StationController::perform(SaveCopy const& command, Station& station)
+{
+    auto const begin = [&]() -> Result<void> {
+        auto const name = TRY(name_as_typed(command.name));
+        TRY(finish(station, now_));
+        if (!document_->session().is_in_file())
+            return fail(Fault::User,
+                        "there is no file to copy: what is drawn is kept in memory "
+                        "alone");
+        auto const now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+        auto path = TRY(unnamed_session_path(file_name_of(name), now));
+        view_.state().status = fmt::format("Writing {}", path.string());
+        view_.state().is_saving = true;
+        files_->add({ std::move(path),
+                      [name, from = document_->session().path()](
+                          std::filesystem::path const& copy) -> Result<std::string> {
+                          TRY(copy_session(from, copy, name));
+                          return std::string();
+                      } });
+        return {};
+    }();
+    if (!begin)
+        view_.state().status = begin.error().message;
+}
+
+void StationController::save(std::string_view ending,
+                             std::function<Result<std::string>(std::filesystem::path const&)> write)
+{
+    auto path = new_file(fmt::format("-seed-{}{}", view_.grown_scene()->growth.seed, ending));
+    view_.state().status = fmt::format("Writing {}", path.string());
+    view_.state().is_saving = true;
+    files_->add({ std::move(path), std::move(write) });
+}
+
+} // namespace tractus

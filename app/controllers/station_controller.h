@@ -1,0 +1,115 @@
+#pragma once
+
+#include "app/controllers/file_queue.h"
+#include "app/document/document.h"
+#include "app/station/station.h"
+#include "app/view/station_view.h"
+#include "app/view/window_model.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+// Applies what a person does to a drawing, wherever its station's reports come from: finished
+// strokes go to the document, and what is drawn and done is shown and can be undone.
+class StationController {
+public:
+    // Strokes work on the session's scene if there is one, else on `scene`. `folder` is where saved
+    // pictures and exports appear.
+    StationController(Station const& station, std::optional<Session> session, Scene scene,
+                      std::filesystem::path folder);
+
+    StationView& view() { return view_; }
+    StationView const& view() const { return view_; }
+    Document& document() { return *document_; }
+    Document const& document() const { return *document_; }
+
+    // Hands the station's finished strokes to the document, shows what has become of earlier ones,
+    // and what has been done in the background meanwhile.
+    void show(Station& station, Timestamp now);
+
+    // Does as show() when all that is under way is done, or cannot be done for now.
+    void settle(Station& station, Timestamp now);
+
+    // Waits until what was drawn, and what was done beside drawing, is kept. Fails, as the user's
+    // fault, if something cannot be.
+    Result<void> finish(Station& station, Timestamp now);
+
+    // Whether a person who wants to leave may do so, given what finish() says: else the status
+    // tells why not, and the next time they may all the same.
+    bool may_close(Result<void> const& finished);
+
+    // Waits until the files that a person has asked for are written. Fails with the first that
+    // could not be.
+    Result<void> finish_files();
+
+    // The steps beside drawing that were done since the last call, for a recording.
+    std::vector<DoneStep> take_done() { return std::exchange(done_, {}); }
+
+    // What the hand holds since undo or redo, where it held what the plant was drawn with before
+    // (ToolKind::like_drawn). No value: the same as before, or it was given out already.
+    std::optional<Tool> take_hand() { return std::exchange(hand_, std::nullopt); }
+
+    // A new file's name in the folder.
+    std::filesystem::path new_file(std::string_view ending) const;
+
+    void perform(NextVariation const&, Station& station);
+    void perform(ChangeGrowth const& command, Station& station);
+    void perform(ChangeSeason const& command, Station& station);
+    void perform(AskForCollection const& command, Station& station);
+    void perform(PickVariation const& command, Station& station);
+    void perform(SavePicture const& command, Station& station);
+    void perform(ExportPlant const& command, Station& station);
+    void perform(NameDrawing const& command, Station& station);
+    void perform(SaveCopy const& command, Station& station);
+    void perform(Undo const&, Station& station);
+    void perform(Redo const&, Station& station);
+    void perform(TakeOrphansAway const&, Station& station);
+    void perform(LayPictureFile const& command, Station& station);
+    void perform(DragDrawnGlyph const& command, Station& station);
+    void perform(DressActivePlant const& command, Station& station);
+
+    // What has been drawn with a tool follows other numbers (ToolKind::follow): is only shown so,
+    // or does as a step, if anything does.
+    void preview_following(Tool const& before, Tool const& after);
+    void let_follow(Tool const& before, Tool const& after, Station& station);
+
+    // The model of the active plant has been saved: the plant is that of its new text, with what
+    // was drawn on it. Where it is none any more, the plant stays and `status` says why.
+    void take_model(Result<LoadModel> model, Station& station);
+
+    // The document is as it began; where it is in no file `status` says so.
+    void begin_again(Station& station, std::string const& status,
+                     Document::Growth growth = Document::Growth::AsItBegan);
+
+    // Shows another station, and what led to it.
+    void show_again(Station const& station, std::string const& status);
+
+private:
+    void show_name();
+    void save(std::string_view ending,
+              std::function<Result<std::string>(std::filesystem::path const&)> write);
+    void take_strokes(Station& station);
+    void show_document(Station& station, Timestamp now);
+    void show_files();
+    void set_growth(std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change,
+                    Station& station);
+
+    std::unique_ptr<Document> document_; // On the heap, as this moves.
+    StationView view_;
+    std::vector<DoneStep> done_;      // Steps that are not taken yet.
+    std::optional<Tool> hand_;        // Likewise.
+    Timestamp now_ {};                // Time of the last show().
+    bool knows_what_is_lost_ = false; // A person who has asked to leave.
+    std::filesystem::path folder_;
+    // On the heap, as this moves.
+    std::unique_ptr<FileQueue> files_ = std::make_unique<FileQueue>();
+};
+
+} // namespace tractus

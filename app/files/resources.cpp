@@ -1,0 +1,61 @@
+#include "app/files/resources.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+namespace tractus {
+
+namespace fs = std::filesystem;
+
+Result<fs::path> find_resource(std::string_view name)
+{
+    std::error_code error;
+    auto const program = fs::read_symlink("/proc/self/exe", error);
+    auto const installed = program.parent_path().parent_path() / "share" / "tractus" / name;
+    auto const source = fs::path(TRACTUS_SOURCE_DIR) / "app" / name;
+    for (auto const& path : { installed, source })
+        if (fs::exists(path, error))
+            return path;
+    return fail(Fault::User,
+                fmt::format("cannot find {} at {} or {}: install the program again", name,
+                            installed.string(), source.string()));
+}
+
+std::vector<std::string> model_names()
+{
+    std::vector<std::string> names;
+    std::error_code error;
+    auto const folder = find_resource("models");
+    if (!folder)
+        return names;
+    for (auto const& entry : fs::directory_iterator(*folder, error))
+        if (entry.path().extension() == ".l")
+            names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Result<fs::path> find_model(std::string_view name)
+{
+    std::error_code error;
+    if (fs::path const path(name); fs::is_regular_file(path, error))
+        return path;
+    auto const folder = TRY(find_resource("models"));
+    auto const ours = folder / fmt::format("{}.l", name);
+    if (name.find('/') == std::string_view::npos && fs::exists(ours, error))
+        return ours;
+    return fail(Fault::User,
+                fmt::format("there is no model {}: give the path of an L-system file, or "
+                            "one of {}",
+                            name, fmt::join(model_names(), ", ")));
+}
+
+Result<fs::path> find_plant(std::string_view name)
+{
+    if (name == "empty")
+        return fs::path();
+    return find_model(name);
+}
+
+} // namespace tractus

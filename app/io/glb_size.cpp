@@ -1,0 +1,37 @@
+#include "app/io/glb_size.h"
+
+#include <fmt/format.h>
+
+namespace tractus {
+
+std::optional<std::string> large_glb_size(GlbSummary const& summary)
+{
+    if (summary.triangles <= kManyTriangles)
+        return std::nullopt;
+    return fmt::format("about {:.1f} million triangles and {:.0f} MB, which takes long to open",
+                       static_cast<double>(summary.triangles) / 1e6,
+                       static_cast<double>(summary.bytes) / 1e6);
+}
+
+std::optional<std::string> large_glb_note(GlbSummary const& expected, GlbOptions const& options)
+{
+    auto const size = large_glb_size(expected);
+    if (!size)
+        return std::nullopt;
+    auto const compressed = options.vertices == GlbOptions::Vertices::Compressed
+        ? std::string()
+        : fmt::format("--compressed makes about {:.0f} MB for programs that know "
+                      "EXT_meshopt_compression; ",
+                      static_cast<double>(expected.compressed_bytes) / 1e6);
+    auto const* const quantized = options.vertices != GlbOptions::Vertices::Float
+        ? ""
+        : "--quantized is smaller for programs that know KHR_mesh_quantization; ";
+    auto const* const instanced = options.organs == GlbOptions::Organs::Instanced
+        ? ""
+        : "--organs instanced is smaller for programs that know EXT_mesh_gpu_instancing; ";
+    return fmt::format("the .glb will have {}: {}{}{}\"tractus vary\" has --sides and --lods, and "
+                       "writes a file for each plant into a folder",
+                       *size, compressed, quantized, instanced);
+}
+
+} // namespace tractus

@@ -1,0 +1,236 @@
+#include "app/io/model_file.h"
+
+#include "app/io/measured_file.h"
+#include "app/methods/all_inputs.h"
+#include "app/terminal/error_text.h"
+#include "engine/base/file.h"
+#include "engine/export/glb_lines.h"
+#include "engine/lsystem/view/color_files.h"
+#include "engine/lsystem/view/environment_choice.h"
+#include "engine/plant/skeleton_lines.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/core.h>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+static constexpr std::size_t kMaxFileSize = std::size_t { 16 } << 20;
+
+// Files with an ending in the model's folder, in the order of their names.
+static std::vector<std::filesystem::path> files_beside(std::filesystem::path const& path,
+                                                       std::string const& ending)
+{
+    std::error_code ignored;
+    std::vector<std::filesystem::path> files;
+    auto const folder = path.has_parent_path() ? path.parent_path() : ".";
+    for (auto const& entry : std::filesystem::directory_iterator(folder, ignored))
+        if (entry.path().extension() == ending && entry.is_regular_file(ignored))
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+// Models say Lsystem: where other files of the same ending, such as control panels, do not.
+static bool is_model(std::filesystem::path const& path)
+{
+    auto text = read_text_file(path, kMaxFileSize);
+    if (!text)
+        return true;
+    std::transform(text->begin(), text->end(), text->begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text->find("lsystem:") != std::string::npos;
+}
+
+// The file beside the model with its name and this ending; where there is none, the only one with
+// the ending in a folder that is this model's alone.
+static std::optional<std::filesystem::path> find_beside(std::filesystem::path const& path,
+                                                        std::string const& ending)
+{
+    auto beside = path;
+    beside.replace_extension(ending);
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(beside, ignored))
+        return beside;
+    auto const files = files_beside(path, ending);
+    auto const models = files_beside(path, path.extension());
+    bool const is_alone = std::count_if(models.begin(), models.end(), is_model) == 1;
+    return files.size() == 1 && is_alone ? std::optional(files.front()) : std::nullopt;
+}
+
+// The file that gives the view, if any does.
+static std::optional<std::filesystem::path> view_of(std::filesystem::path const& path,
+                                                    ModelCompanions const& companions)
+{
+    if (!companions.view.empty())
+        return companions.view;
+    auto beside = path;
+    beside.replace_extension(".v");
+    std::error_code ignored;
+    if (beside == path || !std::filesystem::exists(beside, ignored))
+        return std::nullopt;
+    return beside;
+}
+
+// The file of colours with this ending, if there is one.
+static std::optional<std::filesystem::path> colors_of(std::filesystem::path const& path,
+                                                      ModelCompanions const& companions,
+                                                      std::string const& ending)
+{
+    if (companions.colors.empty())
+        return find_beside(path, ending);
+    return companions.colors.extension() == ending ? std::optional(companions.colors)
+                                                   : std::nullopt;
+}
+
+// Appends what a file of colours beside the model says, if there is one, to the view.
+static Result<void> add_colors(std::optional<std::filesystem::path> const& file,
+                               Result<std::string> (*statements)(std::string const& name,
+                                                                 std::string_view bytes),
+                               std::string& view_text)
+{
+    if (!file)
+        return {};
+    auto const bytes = TRY(read_file(*file, kMaxFileSize));
+    view_text += '\n' + TRY(statements(file->string(), bytes));
+    return {};
+}
+
+Result<ModelSource> load_model_source(std::filesystem::path const& path,
+                                      ModelCompanions const& companions)
+{
+    ModelSource source;
+    source.name = path.string();
+    source.text = TRY(read_text_file(path, kMaxFileSize));
+    auto view_path = path;
+    view_path.replace_extension(".v");
+    source.view_name = view_path.string();
+    if (auto const view = view_of(path, companions)) {
+        source.view_name = view->string();
+        source.view_text = TRY(read_text_file(*view, kMaxFileSize));
+    }
+    auto const& colors = companions.colors;
+    if (!colors.empty() && colors.extension() != ".mat" && colors.extension() != ".map")
+        return fail(Fault::User,
+                    fmt::format("{}: colours are in .mat or .map files", colors.string()));
+    // Colours come as on cpfg's command line. The first that names a colour counts: materials.
+    TRY(add_colors(colors_of(path, companions, ".mat"), material_file_statements,
+                   source.view_text));
+    TRY(add_colors(colors_of(path, companions, ".map"), color_map_statements, source.view_text));
+    if (!companions.environment.empty()) {
+        TRY(parse_environment(companions.environment));
+        source.view_text += "\nenvironment: " + companions.environment + '\n';
+    }
+    return source;
+}
+
+// Views and colours beside the model that it does not use, one sentence each.
+static std::vector<std::string> unused_companions(std::filesystem::path const& path,
+                                                  ModelCompanions const& companions)
+{
+    std::vector<std::string> result;
+    auto const note = [&](std::string const& ending,
+                          std::optional<std::filesystem::path> const& used, char const* option) {
+        for (auto const& file : files_beside(path, ending)) {
+            auto model = file;
+            std::error_code ignored;
+            if (used && std::filesystem::equivalent(file, *used, ignored))
+                continue;
+            if (std::filesystem::exists(model.replace_extension(path.extension()), ignored))
+                continue; // It is another model's.
+            result.push_back(fmt::format("{} is not used, since its name is not the model's; "
+                                         "{} {} uses it",
+                                         file.string(), option, file.string()));
+        }
+    };
+    if (companions.view.empty())
+        note(".v", view_of(path, companions), "--view");
+    if (!companions.colors.empty()) // Somebody has chosen.
+        return result;
+    note(".mat", colors_of(path, companions, ".mat"), "--colors");
+    note(".map", colors_of(path, companions, ".map"), "--colors");
+    return result;
+}
+
+void warn_of_unused_companions(std::filesystem::path const& path, ModelCompanions const& companions)
+{
+    for (auto const& warning : unused_companions(path, companions))
+        print_warning(warning);
+}
+
+bool leads_out_of_folder(std::filesystem::path const& name)
+{
+    return name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end();
+}
+
+IncludeReader model_includes(std::filesystem::path const& path)
+{
+    return [folder = path.parent_path()](std::string const& name) -> Result<std::string> {
+        std::filesystem::path const file(name);
+        if (leads_out_of_folder(file))
+            return fail(Fault::User, fmt::format("{} is outside the model's folder", name));
+        std::error_code ignored;
+        if (!std::filesystem::exists(folder / file, ignored))
+            if (auto made = TRY(make_input(folder, name)))
+                return std::move(*made);
+        return read_text_file(folder / file, kMaxFileSize);
+    };
+}
+
+Result<LoadModel> load_model_edit(std::filesystem::path const& path,
+                                  ModelCompanions const& companions)
+{
+    LoadModel edit;
+    edit.source = TRY(load_model_source(path, companions));
+    auto const from_files = model_includes(path);
+    // Compiling it is how to learn what it includes.
+    auto const record = [&](std::string const& name) -> Result<std::string> {
+        auto text = from_files(name);
+        if (text)
+            edit.includes[name] = *text;
+        return text;
+    };
+    TRY(compile_model(edit.source, record));
+    return edit;
+}
+
+// The lines of a file, by its name's ending; empty for one that has none.
+static Result<std::vector<SkeletonPiece>> load_lines(std::filesystem::path const& path)
+{
+    constexpr std::size_t kMaxSkeletonSize = std::size_t { 512 } << 20;
+    if (path.extension() == ".obj")
+        return parse_obj_lines(path.string(), TRY(read_text_file(path, kMaxSkeletonSize)));
+    if (path.extension() == ".glb")
+        return read_glb_lines(path.string(), TRY(read_file(path, kMaxSkeletonSize)));
+    if (path.extension() == ".gltf")
+        return fail(Fault::User,
+                    fmt::format("{}: glTF files are read in their binary form: export it as .glb",
+                                path.string()));
+    return std::vector<SkeletonPiece>();
+}
+
+Result<Edit> load_plant_edit(std::filesystem::path const& path, ModelCompanions const& companions)
+{
+    auto lines = TRY(load_lines(path));
+    if (!lines.empty())
+        return LoadSkeleton { path.string(), std::move(lines) };
+    auto measured = TRY(load_measured_edit(path));
+    if (measured)
+        return *std::move(measured);
+    warn_of_unused_companions(path, companions);
+    // A name for it, as g++ 14 warns wrongly of what it would destroy otherwise.
+    LoadModel model = TRY(load_model_edit(path, companions));
+    return model;
+}
+
+Result<Model> load_model(std::filesystem::path const& path, ModelCompanions const& companions)
+{
+    auto const source = TRY(load_model_source(path, companions));
+    return compile_model(source, model_includes(path));
+}
+
+} // namespace tractus

@@ -1,0 +1,57 @@
+#include "app/io/stroke_file.h"
+
+#include "engine/base/file.h"
+#include "engine/export/stroke_glb.h"
+#include "engine/stroke/read_tilt.h"
+#include "engine/stroke/stroke_text.h"
+
+#include <span>
+
+namespace tractus {
+
+bool is_stroke_file(std::filesystem::path const& path)
+{
+    auto const ending = path.extension();
+    return ending == ".tilt" || ending == ".strokes" || ending == ".txt";
+}
+
+Result<std::vector<Stroke>> load_strokes(std::filesystem::path const& path)
+{
+    constexpr std::size_t kMaxStrokeFileSize = std::size_t { 256 } << 20;
+    auto const text = TRY(read_text_file(path, kMaxStrokeFileSize));
+    if (path.extension() == ".tilt")
+        return read_tilt(path.string(), std::as_bytes(std::span(text)));
+    return parse_strokes(path.string(), text);
+}
+
+std::vector<Stroke> strokes_of(Scene const& scene)
+{
+    std::vector<Stroke> strokes;
+    for (auto const& association : scene.associations) {
+        auto const& stroke = association.what.stroke;
+        if (strokes.empty() || strokes.back().tips.front().time != stroke.tips.front().time)
+            strokes.push_back(stroke);
+    }
+    return strokes;
+}
+
+bool is_written_of_strokes(std::filesystem::path const& path)
+{
+    auto const ending = path.extension();
+    return ending == ".strokes" || ending == ".txt" || ending == ".glb" || ending == ".svg";
+}
+
+Result<void> write_strokes(std::filesystem::path const& path, std::span<Stroke const> strokes,
+                           StrokeView view)
+{
+    return write_file(path, [&](std::ostream& out) -> Result<void> {
+        if (path.extension() == ".glb")
+            return write_strokes_glb(out, strokes);
+        if (path.extension() == ".svg")
+            return write_strokes_svg(out, strokes, view);
+        out << print_strokes(strokes);
+        return {};
+    });
+}
+
+} // namespace tractus

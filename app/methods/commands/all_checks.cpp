@@ -1,0 +1,18 @@
+#include "app/methods/commands/all_checks.h"
+
+#include "app/methods/sketch_lsystem/commands/model_rule_file.h"
+
+#include <array>
+
+namespace tractus {
+
+std::string describe_uses(std::filesystem::path const& model, LoadOptions const& options)
+{
+    static constexpr std::array kDescribe { describe_contract };
+    std::string text;
+    for (auto const describe : kDescribe)
+        text += describe(model, options);
+    return text;
+}
+
+} // namespace tractus

@@ -1,0 +1,251 @@
+#include "app/methods/construction_lines/commands/construct_command.h"
+
+#include "app/batch/plant_file.h"
+#include "app/batch/session_plant.h"
+#include "app/document/model_cost.h"
+#include "app/methods/construction_lines/construct_report.h"
+#include "app/methods/construction_lines/line_drawing.h"
+#include "app/methods/construction_lines/line_sketch_file.h"
+#include "app/options/checks.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+#include "engine/base/file.h"
+#include "engine/methods/construction_lines/line_model.h"
+#include "engine/methods/construction_lines/organ_surface.h"
+#include "engine/scene/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ConstructArguments {
+    Methods methods;
+    fs::path sketch;
+    fs::path output;
+    lines::GivenBesides given;
+    bool smooth = false;
+    bool report = false;
+    bool session = false;
+};
+
+// What the model's files are called: the sketch's name, as far as a view can say it.
+std::string model_name(fs::path const& sketch)
+{
+    auto name = sketch.stem().string();
+    for (auto& character : name)
+        if (std::isalnum(static_cast<unsigned char>(character)) == 0 && character != '-')
+            character = '_';
+    return name;
+}
+
+// A plant's file instead of a folder.
+bool is_plant_file(fs::path const& output)
+{
+    constexpr std::array kEndings { ".glb", ".obj", ".mtg", ".png" };
+    return std::find(kEndings.begin(), kEndings.end(), output.extension()) != kEndings.end();
+}
+
+using Stems = std::vector<lines::MeasuredStem>;
+
+Result<Stems> measure(ConstructArguments const& arguments, lines::LineDrawing const& drawing)
+{
+    auto result = TRY(lines::measure_stems(drawing.stems));
+    for (auto const& notes : { drawing.notes, lines::notes_of(result) })
+        for (auto const& note : notes)
+            print_warning(fmt::format("{}: {}", arguments.sketch.string(), note));
+    return result;
+}
+
+// The same error, about the sketch's file.
+tl::unexpected<Error> about(fs::path const& file, Error const& error)
+{
+    return fail(error.fault, fmt::format("{}: {}", file.string(), error.message));
+}
+
+Result<void> write_model_files(fs::path const& base, lines::LineModel const& model)
+{
+    for (auto const& [name, text] : model.functions)
+        TRY(write_file(base.parent_path() / name, text));
+    TRY(write_file(fs::path(base).concat(".v"), model.source.view_text));
+    return write_file(fs::path(base).concat(".l"), model.source.text);
+}
+
+// The folder, and a sentence that says what is in it.
+Result<std::string> write_folder(ConstructArguments const& arguments, LoadModel const& load,
+                                 lines::LineModel const& model, Plant const& plant)
+{
+    auto const name = model_name(arguments.sketch);
+    auto const base = arguments.output / name;
+    TRY(write_model_files(base, model));
+    if (!arguments.report)
+        for (auto const* const ending : { ".png", ".glb" })
+            TRY(write_plant_file(plant, name, fs::path(base).concat(ending)));
+    if (arguments.session)
+        TRY(begin_session(fs::path(base).concat(".tractus"), { load }, arguments.methods.edits));
+    std::size_t const surfaces = model.functions.count(name + "_organ.s");
+    return fmt::format("{}.l, .v, {} .func,{} .png, .glb{}", base.string(),
+                       model.functions.size() - surfaces, surfaces > 0 ? " _organ.s," : "",
+                       arguments.session ? ", .tractus" : "");
+}
+
+lines::Smoothing smoothing_of(ConstructArguments const& arguments)
+{
+    return arguments.smooth ? lines::Smoothing::Hand : lines::Smoothing::None;
+}
+
+// The model; of a sketch some of whose organs are sketches with those.
+Result<lines::LineModel> write_model(ConstructArguments const& arguments,
+                                     lines::LineSketchFile const& file, Stems const& stems)
+{
+    auto const name = model_name(arguments.sketch);
+    bool const is_composed = std::any_of(file.organs.begin(), file.organs.end(),
+                                         [](std::string const& organ) { return !organ.empty(); });
+    if (!is_composed)
+        return lines::write_model(stems, file.pattern, name);
+    std::vector<std::string> notes;
+    auto const sketch
+        = TRY(lines::load_composed(arguments.sketch, file, stems, smoothing_of(arguments), notes));
+    for (auto const& note : notes)
+        print_warning(note);
+    auto model = lines::write_composed_model(sketch, name);
+    if (!model)
+        return about(arguments.sketch, model.error());
+    return model;
+}
+
+Result<void> make_plant(ConstructArguments const& arguments, lines::LineSketchFile const& file,
+                        lines::LineDrawing const& drawing, Stems const& stems)
+{
+    bool const to_file = is_plant_file(arguments.output);
+    auto const name = model_name(arguments.sketch);
+    auto model = TRY(write_model(arguments, file, stems));
+    if (file.organ)
+        model = lines::with_organs(std::move(model), TRY(lines::organ_surface(*file.organ)));
+    LoadModel const load { .source = model.source, .includes = model.functions };
+    auto const scene = TRY(apply_edit({}, load, make_load_options()));
+    auto written = arguments.output.string();
+    if (to_file)
+        TRY(write_plant_file(*scene.base, name, arguments.output));
+    else
+        written = TRY(write_folder(arguments, load, model, *scene.base));
+    if (arguments.report)
+        return print_out(lines::print_report(stems, *scene.base, drawing));
+    std::size_t nodes = 0;
+    for (auto const& stem : stems)
+        nodes += stem.construction.nodes.size();
+    return print_out(
+        fmt::format("{}: {} nodes, {} organs\n", written, nodes, scene.base->organs.size()));
+}
+
+Result<void> construct_plant(ConstructArguments const& arguments)
+{
+    if (arguments.session && is_plant_file(arguments.output))
+        return fail(Fault::User,
+                    fmt::format("{}: a session needs a folder to be in: give one as the output",
+                                arguments.output.string()));
+    TRY(check_writable(is_plant_file(arguments.output) ? arguments.output
+                                                       : arguments.output / "model.l"));
+    auto const file = TRY(lines::load_line_sketch(arguments.sketch, arguments.given));
+    for (auto const& key : file.unknown_keys)
+        print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so",
+                                  arguments.sketch.string(), key.substr(0, 40)));
+    auto const drawing = lines::prepare_drawing(file, smoothing_of(arguments));
+    if (!drawing)
+        return about(arguments.sketch, drawing.error());
+    auto const stems = measure(arguments, *drawing);
+    if (!stems)
+        return about(arguments.sketch, stems.error());
+    return make_plant(arguments, file, *drawing, *stems);
+}
+
+void add_options(CLI::App& command, ConstructArguments& arguments)
+{
+    command
+        .add_option("SKETCH", arguments.sketch,
+                    "The sketch: a JSON file of lines in millimetres, or an SVG drawing (.svg)")
+        ->type_name("SKETCH")
+        ->required();
+    command
+        .add_option(
+            "-o,--output", arguments.output,
+            "The folder for the plant's files, made if it is not there; or the plant alone, "
+            "as the file's ending says: .glb, .obj, .mtg or .png")
+        ->type_name("OUTPUT")
+        ->required();
+    command
+        .add_option("--pattern", arguments.given.pattern,
+                    "How organs stand, in place of what the sketch says: distichous, decussate, "
+                    "spiral, alternate or whorled(N)")
+        ->type_name("PATTERN");
+    command
+        .add_option("--sizes", arguments.given.sizes,
+                    "How sizes change around the stem from left to right: linear or half-ellipses")
+        ->type_name("SIZES")
+        ->check(CLI::IsMember({ "linear", "half-ellipses" }));
+    command
+        .add_option("--divergence", arguments.given.divergence_deg,
+                    "Degrees from organ to organ, of spiral and alternate")
+        ->type_name("DEGREES")
+        ->check(number(-360, 360));
+    command
+        .add_option("--nodes", arguments.given.nodes_per_layer,
+                    "How many nodes each layer has, from below, such as 9,14")
+        ->type_name("N,N,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(whole_number(0, lines::kMostNodesInLayer));
+    command.add_flag("--smooth", arguments.smooth,
+                     "The lines are a hand's: take its tremor out of them first");
+    command.add_flag("--session", arguments.session, "Also begin a session with the plant");
+    command.add_flag("--report", arguments.report,
+                     "Write the model alone, and print as JSON what was measured in the sketch");
+}
+
+} // namespace
+
+void add_construct_command(CLI::App& root, Action& action, Methods const& methods)
+{
+    auto arguments = std::make_shared<ConstructArguments>();
+    arguments->methods = methods;
+    auto* const command = root.add_subcommand("construct", "Make a plant from construction lines");
+    add_options(*command, *arguments);
+    command->footer(
+        "An illustrator's sketch sets a model's parameters (Anastacio, Prusinkiewicz, Sousa 2008): "
+        "a\n"
+        "stem, the lines that the organs' tips reach on its left and right, and lines across it "
+        "that\n"
+        "say how organs lean. SKETCH is a JSON object of \"pattern\": distichous, decussate, "
+        "spiral,\n"
+        "alternate or whorled(N); \"divergence\": degrees, of spiral and alternate; \"stem\": "
+        "points\n"
+        "[u,v] or [u,v,w], to the right, up and towards the viewer, base first; \"left\" and "
+        "\"right\":\n"
+        "the boundaries; \"boundaries\": more of them in space, [u,v,w]; \"sizes\": linear or\n"
+        "half-ellipses from left to right around the stem; \"inclinations\": at least two lines;\n"
+        "\"nodes_per_layer\": how many nodes stand between one line and the next, a number for "
+        "each\n"
+        "layer; \"organs\": for each layer from below null, or the file of a sketch whose plants "
+        "stand\n"
+        "there; \"organ\": the leaves' shape, an object of \"left\", \"right\", \"midrib\" and\n"
+        "\"section\"; \"stems\": more stems of the plant, objects of \"stem\" and, if what grows "
+        "on the "
+        "first\n"
+        "one does not grow on it, too, lines of its own. A stem that begins on another one stands\n"
+        "there, on its top as a fork.");
+    command->callback(
+        [arguments, &action] { action = [arguments] { return construct_plant(*arguments); }; });
+}
+
+} // namespace tractus

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/options/action.h"
+#include "app/tools/methods.h"
+
+namespace tractus {
+
+// tractus construct SKETCH -o DIR: a plant from construction lines.
+void add_construct_command(CLI::App& root, Action& action, Methods const& methods);
+
+} // namespace tractus

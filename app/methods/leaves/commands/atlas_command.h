@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/options/action.h"
+
+namespace tractus {
+
+// tractus leaves LEAF... -o DIR: pages of leaves for game engines.
+void add_atlas_options(CLI::App& leaves, Action& action);
+
+} // namespace tractus

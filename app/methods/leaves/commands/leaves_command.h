@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/options/action.h"
+#include "app/tools/methods.h"
+
+namespace tractus {
+
+// tractus leaves: leaf grammars.
+void add_leaves_command(CLI::App& root, Action& action, Methods const& methods);
+
+} // namespace tractus

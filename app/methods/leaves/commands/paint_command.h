@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/options/action.h"
+
+namespace tractus {
+
+// tractus leaves paint and tractus leaves list, below `leaves`.
+void add_paint_commands(CLI::App& leaves, Action& action);
+
+} // namespace tractus

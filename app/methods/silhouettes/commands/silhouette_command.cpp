@@ -1,0 +1,343 @@
+#include "app/methods/silhouettes/commands/silhouette_command.h"
+
+#include "app/batch/plant_file.h"
+#include "app/batch/session_plant.h"
+#include "app/files/resources.h"
+#include "app/io/model_file.h"
+#include "app/methods/silhouettes/silhouette_file.h"
+#include "app/methods/silhouettes/silhouette_lines.h"
+#include "app/methods/silhouettes/silhouette_report.h"
+#include "app/options/checks.h"
+#include "app/options/glb_options.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+#include "engine/base/file.h"
+#include "engine/methods/silhouettes/measured_style.h"
+#include "engine/methods/silhouettes/ready_form.h"
+#include "engine/methods/silhouettes/tree_edits.h"
+#include "engine/scene/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tractus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostLevels = 3;
+constexpr std::size_t kMostPlaces = 2000;
+
+struct SilhouetteArguments {
+    std::vector<fs::path> drawings;
+    fs::path output;
+    silhouette::TreeForm form;         // Without patterns:
+    std::vector<std::string> patterns; // of each level; the last one goes on.
+    std::string style;                 // A plant, on which it is measured.
+    CLI::App const* command = nullptr; // Which knows what else was given.
+    double height_m = 8;
+    std::optional<std::size_t> count;                         // Of an arrangement alone.
+    silhouette::StyleTo style_to = silhouette::StyleTo::None; // Of branches with parts.
+    bool report = false;
+    bool session = false;
+    Methods methods;
+    PlantFileOptions file;
+};
+
+// Patterns of each level; the last one goes on.
+silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
+{
+    auto form = arguments.form;
+    std::vector<silhouette::Pattern> given;
+    for (auto const& word : arguments.patterns)
+        given.push_back(*silhouette::pattern_of(word)); // one_of() has seen to it.
+    for (std::size_t level = 0; level < form.patterns.size() && !given.empty(); ++level)
+        form.patterns[level] = given[std::min(level, given.size() - 1)];
+    return form;
+}
+
+// The plant that a style is measured on, as it is drawn or was drawn on.
+Result<Plant> plant_of_style(SilhouetteArguments const& arguments)
+{
+    if (is_session_file(arguments.style))
+        return shown_plant(TRY(load_session_scene(arguments.style, arguments.methods.edits)));
+    auto const path = TRY(find_model(arguments.style));
+    auto const edit = TRY(load_plant_edit(path));
+    auto const scene = TRY(apply_edit({}, edit));
+    for (auto const& warning : scene.model_warnings)
+        print_warning(warning);
+    return *scene.base;
+}
+
+Result<silhouette::MeasuredStyle> measured_style(SilhouetteArguments const& arguments)
+{
+    auto style = silhouette::measure_style(TRY(plant_of_style(arguments)));
+    if (!style)
+        return fail(style.error().fault,
+                    fmt::format("{}: {}", arguments.style, style.error().message));
+    return style;
+}
+
+// A style's form, but for what other options say.
+silhouette::TreeForm styled_form(SilhouetteArguments const& arguments,
+                                 silhouette::MeasuredStyle const& style)
+{
+    auto const& given = arguments.form;
+    auto form = silhouette::form_of(style);
+    auto const is_given = [&](char const* option) { return arguments.command->count(option) > 0; };
+    if (is_given("--levels"))
+        form.levels = given.levels;
+    if (is_given("--leaves"))
+        form.leaves = given.leaves;
+    if (is_given("--leaf-width"))
+        form.leaf_width = given.leaf_width;
+    form.density = given.density;
+    form.seed = given.seed;
+    return form;
+}
+
+bool is_tree_file(fs::path const& output)
+{
+    constexpr std::array kEndings { ".glb", ".obj", ".mtg", ".png" };
+    return std::find(kEndings.begin(), kEndings.end(), output.extension()) != kEndings.end();
+}
+
+tl::unexpected<Error> about_drawing(fs::path const& file, Error const& error)
+{
+    return fail(error.fault, fmt::format("{}: {}", file.string(), error.message));
+}
+
+// Writes the tree where the user wants it; the names of the files.
+Result<std::string> write_tree(SilhouetteArguments const& arguments, fs::path const& drawing,
+                               Plant const& plant)
+{
+    auto const name = drawing.stem().string();
+    if (is_tree_file(arguments.output)) {
+        TRY(write_plant_file(plant, name, arguments.output, arguments.file));
+        return arguments.output.string();
+    }
+    auto const base = arguments.output / name;
+    for (auto const* const ending : { ".png", ".glb" })
+        TRY(write_plant_file(plant, name, fs::path(base).concat(ending), arguments.file));
+    return base.string() + ".png, .glb";
+}
+
+Result<std::string> write_session(SilhouetteArguments const& arguments, fs::path const& file,
+                                  silhouette::SilhouetteFile const& drawing,
+                                  silhouette::Skeleton const& skeleton)
+{
+    double const scale = silhouette::drawn_height(skeleton) / (1000 * arguments.height_m);
+    silhouette::DrawTree const first { .form = form_of(arguments), .scale = scale };
+    auto edits = silhouette::edits_of_lines(drawing, first, arguments.style_to);
+    if (!edits)
+        return about_drawing(file, edits.error());
+    auto path = arguments.output / file.stem();
+    path += ".tractus";
+    TRY(begin_session(path, *std::move(edits), arguments.methods.edits));
+    return path.filename().string();
+}
+
+Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& drawing,
+                          std::optional<silhouette::MeasuredStyle> const& style)
+{
+    auto file = TRY(silhouette::load_silhouette(drawing));
+    for (auto const& key : file.unknown_keys)
+        print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so", drawing.string(),
+                                  key.substr(0, 40)));
+    auto const form = form_of(arguments);
+    auto const as_read = file;
+    auto const skeleton
+        = silhouette::infer_lines(file, silhouette::skeleton_options(form), arguments.style_to);
+    if (!skeleton)
+        return about_drawing(drawing, skeleton.error());
+    for (auto const& note : skeleton->systems[0].notes)
+        print_warning(fmt::format("{}: {}", drawing.string(), note));
+    auto const tree = silhouette::make_tree(
+        *skeleton, silhouette::tree_options(form, 1000 * arguments.height_m));
+    std::string written;
+    if (!arguments.output.empty())
+        written = TRY(write_tree(arguments, drawing, tree.plant));
+    if (arguments.session)
+        written += ", " + TRY(write_session(arguments, drawing, as_read, *skeleton));
+    if (arguments.report)
+        return print_out(silhouette::print_report(*skeleton, tree, style, as_read.crown_lines));
+    return print_out(fmt::format("{}: {} branches, {} leaves, {:.0f} % of the outline covered\n",
+                                 written, tree.plant.axes.size() - 1 + tree.sprays, tree.leaves,
+                                 100 * skeleton->systems[0].coverage_after));
+}
+
+Result<void> arrange_alone(SilhouetteArguments const& arguments)
+{
+    if (arguments.patterns.size() != 1 || !arguments.count)
+        return fail(Fault::User,
+                    "there is no drawing: give a file, or --arrangement and --count for an "
+                    "arrangement alone");
+    auto const pattern = *silhouette::pattern_of(arguments.patterns[0]);
+    auto const arrangement = silhouette::arrange(
+        {}, { .pattern = pattern, .count = *arguments.count }, { .seed = arguments.form.seed });
+    return print_out(silhouette::print_arrangement(arrangement, pattern, arguments.form.seed));
+}
+
+Result<void> make_trees(SilhouetteArguments arguments)
+{
+    if (arguments.drawings.empty())
+        return arrange_alone(arguments);
+    if (arguments.output.empty() && !arguments.report)
+        return fail(Fault::User, "nothing is asked for: give --output, --report, or both");
+    if (arguments.drawings.size() > 1 && is_tree_file(arguments.output))
+        return fail(
+            Fault::User,
+            fmt::format("{}: several trees need a folder to be in", arguments.output.string()));
+    if (!arguments.output.empty())
+        TRY(check_writable(is_tree_file(arguments.output) ? arguments.output
+                                                          : arguments.output / "tree.glb"));
+    if (arguments.session && (arguments.output.empty() || is_tree_file(arguments.output)))
+        return fail(Fault::User, "a session needs a folder to be in: give one as --output");
+    std::optional<silhouette::MeasuredStyle> style;
+    if (!arguments.style.empty()) {
+        style = TRY(measured_style(arguments));
+        arguments.form = styled_form(arguments, *style);
+        TRY(silhouette::check_form(arguments.form));
+    }
+    for (auto const& drawing : arguments.drawings)
+        TRY(make_tree_of(arguments, drawing, style));
+    return {};
+}
+
+// How branches stand, how many there are, and their leaves.
+void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
+{
+    // Before its numbers, which change it.
+    command
+        .add_option_function<std::string>(
+            "--form",
+            [&form = arguments.form](std::string const& name) {
+                for (auto const& ready : silhouette::ready_forms())
+                    if (ready.name == name)
+                        form = ready.form;
+            },
+            "How the tree's branches stand, how many there are, and its leaves, but for what other "
+            "options say: oak, pine, willow, eucalyptus or fir")
+        ->type_name("NAME")
+        ->check(one_of({ "oak", "pine", "willow", "eucalyptus", "fir" }));
+    command
+        .add_option("--style", arguments.style,
+                    "Branches as they are measured on a plant, but for what other options say: one "
+                    "of our models, or the file of a model, a session or a measured tree")
+        ->type_name("PLANT")
+        ->excludes(command.get_option("--form"));
+    command
+        .add_option_function<std::string>(
+            "--style-to",
+            [&style_to = arguments.style_to](std::string const& word) {
+                style_to = word == "siblings" ? silhouette::StyleTo::Siblings
+                    : word == "deeper"        ? silhouette::StyleTo::Deeper
+                                              : silhouette::StyleTo::None;
+            },
+            "Whom the style of a branch with parts of the drawing goes to: siblings, the branches "
+            "beside it, deeper, those and the ones below, or none")
+        ->type_name("WHOM")
+        ->default_str("none")
+        ->check(one_of({ "siblings", "deeper", "none" }));
+    command
+        .add_option("--levels", arguments.form.levels,
+                    "How often branches branch before twigs come")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(whole_number(1, kMostLevels));
+    command
+        .add_option("--arrangement", arguments.patterns,
+                    "How branches stand around what bears them, for all levels or one after the "
+                    "other: even, spiral, decussate, whorls, two-rows or horizontal")
+        ->type_name("PATTERN,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(one_of({ "even", "spiral", "decussate", "whorls", "two-rows", "horizontal" }));
+    command
+        .add_option("--density", arguments.form.density,
+                    "Times as many branches as usual besides those in the drawing's plane")
+        ->type_name("TIMES")
+        ->capture_default_str()
+        ->check(number(0, 10));
+    command.add_option("--leaves", arguments.form.leaves, "Leaves on each twig")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(whole_number(1, 500));
+    command
+        .add_option("--leaf-width", arguments.form.leaf_width,
+                    "Of a leaf, as a share of its length")
+        ->type_name("SHARE")
+        ->capture_default_str()
+        ->check(number(0.01, 2));
+}
+
+void add_options(CLI::App& command, SilhouetteArguments& arguments)
+{
+    command
+        .add_option("DRAWING", arguments.drawings,
+                    "JSON files of an outline and a trunk in millimetres, or SVG drawings (.svg)")
+        ->type_name("DRAWING");
+    command
+        .add_option("-o,--output", arguments.output,
+                    "The folder for pictures and glTF, made if it is not there; or the tree alone, "
+                    "as the file's ending says: .glb, .obj, .mtg or .png")
+        ->type_name("OUTPUT");
+    add_form_options(command, arguments);
+    command.add_option("--height", arguments.height_m, "Of the whole tree, metres")
+        ->type_name("METRES")
+        ->capture_default_str()
+        ->check(number(0.01, 200));
+    command.add_option("--seed", arguments.form.seed, "Of what the drawing leaves open")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(seed_number());
+    command
+        .add_option("--count", arguments.count,
+                    "Without a drawing: prints an arrangement of so many branches as JSON")
+        ->type_name("N")
+        ->check(whole_number(1, kMostPlaces));
+    command.add_flag("--report", arguments.report,
+                     "Print as JSON what was inferred from each drawing");
+    command.add_flag("--session", arguments.session,
+                     "Write a session, too, in which the tree is as if a pen had drawn it");
+    add_glb_options(command, arguments.file.glb);
+}
+
+} // namespace
+
+void add_silhouette_command(CLI::App& root, Action& action, Methods const& methods)
+{
+    auto arguments = std::make_shared<SilhouetteArguments>();
+    arguments->methods = methods;
+    auto* const command = root.add_subcommand("silhouette", "Make a tree from its outline");
+    arguments->command = command;
+    add_options(*command, *arguments);
+    command->footer(
+        "A trunk and the outline of the crown around it make a tree (Wither, Boudon, Cani, Godin\n"
+        "2009): a branch ends in each bump of the outline, others fill what is empty, and all are\n"
+        "spread around the trunk. DRAWING is a JSON object of \"outline\": points [x,y] to the "
+        "right\n"
+        "and up, around the crown, or a list of such strokes; and \"trunk\": points, base first, "
+        "which\n"
+        "may be missing. \"parts\", strokes around parts of the crown, are outlines of single "
+        "branches,\n"
+        "or, from a branch on, branches of that branch. \"leaves\" are parts that are leaves. "
+        "\"splits\" and\n"
+        "\"joins\" are points on bumps of an outline, and between two, that make two of one, or "
+        "one of two.\n"
+        "\"styles\" are strokes from a branch over others, which branch as that one does. "
+        "\"rings\",\n"
+        "\"climbs\" and \"sides\" are lines in space on the crown's surface.");
+    command->callback(
+        [arguments, &action] { action = [arguments] { return make_trees(*arguments); }; });
+}
+
+} // namespace tractus

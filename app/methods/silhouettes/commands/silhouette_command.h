@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/options/action.h"
+#include "app/tools/methods.h"
+
+namespace tractus {
+
+// tractus silhouette FILE … -o OUTPUT: a tree from the outline of its crown.
+void add_silhouette_command(CLI::App& root, Action& action, Methods const& methods);
+
+} // namespace tractus

@@ -1,0 +1,49 @@
+#include "app/methods/sketch_lsystem/commands/model_rule_file.h"
+
+#include "app/files/resources.h"
+#include "app/io/model_file.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+namespace tractus {
+
+bool names_model(std::filesystem::path const& rule)
+{
+    if (rule.extension() == ".l")
+        return true;
+    auto const ours = model_names();
+    std::error_code error;
+    return std::find(ours.begin(), ours.end(), rule.string()) != ours.end()
+        && !std::filesystem::is_regular_file(rule, error);
+}
+
+static sketch::ModelRule rule_of_model(LoadModel edit)
+{
+    return { .source = std::move(edit.source), .includes = std::move(edit.includes) };
+}
+
+Result<sketch::ModelRule> load_model_rule(std::filesystem::path const& name)
+{
+    auto const path = TRY(find_model(name.string()));
+    auto edit = TRY(load_model_edit(path));
+    warn_of_unused_companions(path);
+    return rule_of_model(std::move(edit));
+}
+
+std::string describe_contract(std::filesystem::path const& model, LoadOptions const& options)
+{
+    auto edit = load_model_edit(model);
+    if (!edit)
+        return {}; // The check has said why.
+    auto const lacks = sketch::lacks_for_stroke(rule_of_model(*std::move(edit)), options);
+    if (lacks.empty())
+        return "\nCan be grown along a stroke\n";
+    std::string text = "\nCannot be grown along a stroke\n";
+    for (auto const& lack : lacks)
+        text += fmt::format("  {}\n", lack);
+    return text;
+}
+
+} // namespace tractus

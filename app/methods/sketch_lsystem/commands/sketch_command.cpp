@@ -1,0 +1,309 @@
+#include "app/methods/sketch_lsystem/commands/sketch_command.h"
+
+#include "app/batch/drawing.h"
+#include "app/batch/plant_file.h"
+#include "app/batch/session_plant.h"
+#include "app/document/model_cost.h"
+#include "app/io/model_file.h"
+#include "app/io/stroke_file.h"
+#include "app/methods/sketch_lsystem/commands/model_rule_file.h"
+#include "app/methods/sketch_lsystem/rule_file.h"
+#include "app/methods/sketch_lsystem/sketch_options.h"
+#include "app/methods/sketch_lsystem/sketch_report.h"
+#include "app/methods/sketch_lsystem/sketch_tool.h"
+#include "app/options/checks.h"
+#include "app/options/shared_options.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+#include "app/tools/tool_cards.h"
+#include "engine/base/file.h"
+#include "engine/lsystem/view/leaf_sheet.h"
+#include "engine/methods/sketch_lsystem/drawn_axis.h"
+#include "engine/methods/sketch_lsystem/grow_edit.h"
+#include "engine/methods/sketch_lsystem/stroke_resampler.h"
+#include "engine/scene/scene.h"
+#include "engine/stroke/upright_sheet.h"
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fmt/format.h>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace tractus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SketchArguments {
+    Methods methods;
+    fs::path stroke;
+    fs::path rule;
+    fs::path folder;
+    std::size_t number = 1; // Number of the stroke in its file.
+    std::string surface;    // Empty: as surface_for() has it.
+    std::string height;     // Height for a log without a height sensor.
+    std::uint64_t seed = 1; // Of a model's chance.
+    bool bare = false;
+    bool report = false;
+    bool session = false;
+};
+
+Result<Stroke> choose_stroke(SketchArguments const& arguments)
+{
+    DrawingOptions options { .log = arguments.stroke, .methods = arguments.methods };
+    if (!arguments.height.empty())
+        options.height = arguments.height;
+    auto const strokes = TRY(drawn_strokes(options));
+    if (arguments.number <= strokes.size())
+        return strokes[arguments.number - 1];
+    return fail(Fault::User,
+                fmt::format("{}: it has no stroke {}, its last is {}", arguments.stroke.string(),
+                            arguments.number, strokes.size()));
+}
+
+// A file of strokes says where they are in space; of a log the pen's way decides.
+StrokeSurface surface_for(SketchArguments const& arguments)
+{
+    if (arguments.surface.empty())
+        return is_stroke_file(arguments.stroke) ? StrokeSurface::Space : StrokeSurface::Decided;
+    return arguments.surface == "space" ? StrokeSurface::Space : StrokeSurface::Paper;
+}
+
+Result<sketch::DrawnAxis> draw_axis(SketchArguments const& arguments, sketch::Rule const& rule)
+{
+    auto const stroke = TRY(choose_stroke(arguments));
+    auto const& tips = stroke.tips.vector();
+    auto const surface = decide_surface(tips, surface_for(arguments));
+    auto const nodes_mm = sketch::resample_stroke(rule, plant_tips(tips, surface));
+    if (nodes_mm.size() < 2)
+        return fail(
+            Fault::User,
+            fmt::format("{}: the stroke never gets {:g} mm away from where it begins, so the "
+                        "rule is not applied once: draw a longer one, or give a rule with a "
+                        "shorter first internode, l",
+                        arguments.stroke.string(), rule.first_length_mm));
+    return sketch::draw_axis(rule, nodes_mm);
+}
+
+bool names_card(SketchArguments const& arguments)
+{
+    return arguments.rule.extension() == ".card";
+}
+
+// A card that was kept in the window.
+Result<SketchTool> read_card(SketchArguments const& arguments)
+{
+    constexpr std::size_t kMostBytes = 4096;
+    auto const text = TRY(read_text_file(arguments.rule, kMostBytes));
+    auto const card = TRY(parse_card(arguments.methods.tools, text, arguments.rule.string()));
+    if (auto const* const tool = card.get<SketchTool>())
+        return *tool;
+    return fail(
+        Fault::User,
+        fmt::format("{}: it is a card of another tool, and no rule", arguments.rule.string()));
+}
+
+Result<sketch::Rule> read_rule(SketchArguments const& arguments)
+{
+    if (arguments.rule.empty())
+        return sketch::parse_rule("", "the usual rule");
+    if (names_card(arguments))
+        return rule_of(TRY(read_card(arguments)));
+    return sketch::load_rule(arguments.rule);
+}
+
+// The model that grows in a rule's place; not set where a rule does.
+Result<sketch::ModelRule> read_model(SketchArguments const& arguments)
+{
+    sketch::ModelRule model;
+    if (names_model(arguments.rule))
+        model = TRY(load_model_rule(arguments.rule));
+    else if (names_card(arguments))
+        model = model_of(TRY(read_card(arguments)));
+    model.seed = arguments.seed;
+    return model;
+}
+
+Result<void> write_model_files(fs::path const& base, ModelSource const& model)
+{
+    TRY(write_file(fs::path(base).concat(".l"), model.text));
+    return write_file(fs::path(base).concat(".v"), model.view_text);
+}
+
+void warn_of_cut(sketch::Rule const& rule, sketch::DrawnAxis const& axis)
+{
+    if (axis.depth < sketch::kUncutDepth)
+        print_warning(
+            fmt::format("laterals fork at most {} times, so that the plant stays within {:g} "
+                        "internodes; \"limit\" in the rule allows more",
+                        axis.depth, rule.most_internodes));
+}
+
+// What a pen in the window would have made of it, so that rule and stroke can be changed there.
+Result<sketch::GrowAlongStroke> drawn_edit(SketchArguments const& arguments,
+                                           sketch::Rule const& rule)
+{
+    auto stroke = TRY(choose_stroke(arguments));
+    auto const surface = decide_surface(stroke.tips, surface_for(arguments));
+    return sketch::GrowAlongStroke {
+        .rule = rule,
+        .stroke = std::move(stroke),
+        .surface = surface,
+        .leaves = arguments.bare ? sketch::Leaves::Bare : sketch::Leaves::Leafy,
+    };
+}
+
+// The plant's pictures and session, once its model is written.
+Result<void> write_plant(SketchArguments const& arguments, Edit const& load, fs::path const& base,
+                         Result<sketch::GrowAlongStroke> const& drawn, int segments)
+{
+    auto const scene = TRY(apply_edit({}, load, make_load_options()));
+    auto const name = arguments.stroke.stem().string();
+    for (auto const* const ending : { ".png", ".glb" })
+        TRY(write_plant_file(*scene.base, name, fs::path(base).concat(ending)));
+    if (arguments.session) {
+        auto const edit = TRY(Result<sketch::GrowAlongStroke>(drawn));
+        TRY(begin_session(fs::path(base).concat(".tractus"), { edit }, arguments.methods.edits));
+    }
+    return print_out(
+        fmt::format("{0}.l, .v, .png, .glb{1}: {2} segments drawn, {3} internodes, {4} "
+                    "leaves\n",
+                    base.string(), arguments.session ? ", .tractus" : "", segments,
+                    scene.base->segment_count(), scene.base->organs.size()));
+}
+
+Result<void> sketch_rule(SketchArguments const& arguments)
+{
+    auto const rule = TRY(read_rule(arguments));
+    auto const axis = TRY(draw_axis(arguments, rule));
+    auto const name = arguments.stroke.stem().string();
+    auto const base = arguments.folder / name;
+    auto const leaves = arguments.bare ? sketch::Leaves::Bare : sketch::Leaves::Leafy;
+    auto const source = sketch::write_model(rule, axis, leaves, name);
+    TRY(write_model_files(base, source));
+    if (arguments.report) {
+        auto const model = TRY(compile_model(source));
+        auto const report
+            = TRY(sketch::print_report({ axis, sketch::nodes_of(axis, rule), axis.depth }, model));
+        return print_out(report);
+    }
+    warn_of_cut(rule, axis);
+    return write_plant(arguments, LoadModel { .source = source }, base, drawn_edit(arguments, rule),
+                       axis.segments());
+}
+
+// What the model includes lies beside it, but for leaves, which are grown again.
+Result<void> write_includes(fs::path const& folder, sketch::ModelRule const& model)
+{
+    for (auto const& [name, text] : model.includes)
+        if (!parse_leaf_sheet_name(name))
+            TRY(write_file(folder / name, text));
+    return {};
+}
+
+Result<void> sketch_model(SketchArguments const& arguments, sketch::ModelRule model)
+{
+    auto drawn = TRY(drawn_edit(arguments, {}));
+    drawn.model = std::move(model);
+    auto const nodes_mm = TRY(sketch::drawn_nodes_mm(drawn));
+    auto const base = arguments.folder / arguments.stroke.stem();
+    auto const source = TRY(sketch::model_of(drawn));
+    TRY(write_model_files(base, source));
+    TRY(write_includes(arguments.folder, drawn.model));
+    auto axis = TRY(sketch::axis_along(drawn.model, nodes_mm, drawn.scale));
+    if (!arguments.report)
+        return write_plant(arguments, drawn, base, drawn, axis.axis.segments());
+    auto const compiled = TRY(compile_model(source, model_includes(base)));
+    auto const report
+        = TRY(sketch::print_report({ axis.axis, axis.nodes_mm, {} }, compiled, drawn.model.seed));
+    return print_out(report);
+}
+
+Result<void> sketch_plant(SketchArguments const& arguments)
+{
+    TRY(check_writable(arguments.folder / "model.l"));
+    auto model = TRY(read_model(arguments));
+    return model.is_set() ? sketch_model(arguments, std::move(model)) : sketch_rule(arguments);
+}
+
+void add_options(CLI::App& command, SketchArguments& arguments)
+{
+    command
+        .add_option("STROKE", arguments.stroke,
+                    "A file of strokes (.txt with x y z in mm on each line, .tilt), or a recording")
+        ->type_name("STROKE")
+        ->required();
+    command
+        .add_option("--rule", arguments.rule,
+                    "The rule, a small TOML file or a card (.card) from the window, or a model, an "
+                    "L-system file (.l) or one of ours; without it the usual rule")
+        ->type_name("RULE");
+    command
+        .add_option("-o,--output", arguments.folder,
+                    "The folder for the plant's files; made if it is not there")
+        ->type_name("FOLDER")
+        ->required();
+    command.add_option("--stroke", arguments.number, "Which of the strokes in the file")
+        ->type_name("N")
+        ->check(whole_number(1, 1'000'000))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--surface", arguments.surface,
+            "Whether the stroke was drawn in \"space\", or on \"paper\" that stands upright; "
+            "without it a recording is on paper if its surface hardly moved")
+        ->type_name("SURFACE")
+        ->check(one_of({ "space", "paper" }));
+    add_height_option(command, arguments.height);
+    command
+        .add_option("--seed", arguments.seed,
+                    "Of a model's chance: another seed, other laterals along the same axis")
+        ->type_name("N")
+        ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
+        ->capture_default_str();
+    command.add_flag("--bare", arguments.bare, "Without leaves; a model has its own");
+    command.add_flag("--session", arguments.session, "Also begin a session with the plant");
+    command.add_flag(
+        "--report", arguments.report,
+        "Write the model alone, and print as JSON what the stroke and the rule amount to");
+}
+
+} // namespace
+
+void add_sketch_command(CLI::App& root, Action& action, Methods const& methods)
+{
+    auto arguments = std::make_shared<SketchArguments>();
+    arguments->methods = methods;
+    auto* const command = root.add_subcommand("sketch", "Grow a rule along a drawn stroke");
+    add_options(*command, *arguments);
+    command->footer(
+        "A Sketch L-system (Ijiri, Owada, Igarashi 2006): the stroke becomes the main axis, and "
+        "each\n"
+        "time it gets an internode longer the rule is applied, so a longer stroke is an older "
+        "plant.\n"
+        "A rule file has, each on a line, what differs from the usual: k laterals at a node (2), l "
+        "mm\n"
+        "the first internode's length (30), r and q each internode's length and width by the one\n"
+        "before it (0.9, 0.85), w mm the first one's diameter (0.15 l), a degrees between a "
+        "lateral\n"
+        "and its parent (45), s and v its length and width by its parent's (0.62, 0.55), T and t\n"
+        "degrees of twist from node to node along the stroke and along laterals (180/k), l_min mm "
+        "the\n"
+        "shortest internode (1), n_max the most segments of the stroke (64), limit the most "
+        "internodes\n"
+        "of the plant (200000).\n"
+        "A model can be grown so whose text has the places for a stroke: birch, broadleaf, "
+        "conifer,\n"
+        "frond, palm, poplar and vine have them, and \"tractus lsystem check\" says what another "
+        "lacks.");
+    command->callback(
+        [arguments, &action] { action = [arguments] { return sketch_plant(*arguments); }; });
+}
+
+} // namespace tractus

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/options/action.h"
+#include "app/tools/methods.h"
+
+namespace tractus {
+
+// tractus sketch STROKE -o DIR: a rule grows along a drawn stroke.
+void add_sketch_command(CLI::App& root, Action& action, Methods const& methods);
+
+} // namespace tractus

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/base/result.h"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace tractus {
+
+// Action that the command line asked for: each command's parser sets it, main() runs it. An error
+// becomes one line on standard error and exit code 1.
+using Action = std::function<Result<void>()>;
+
+} // namespace tractus

@@ -1,0 +1,33 @@
+#include "app/options/drawing_options.h"
+
+#include "app/options/shared_options.h"
+
+namespace tractus {
+
+void add_drawing_options(CLI::App& command, DrawingArguments& drawing, std::string const& without)
+{
+    auto* const log
+        = command
+              .add_option("--drawing", drawing.log,
+                          "What was drawn, kept by every plant: a .tractus-log, anybody's "
+                          "hid-recorder file, .tilt, .strokes or .txt; without it, "
+                              + without)
+              ->type_name("LOG");
+    add_rig_option(command, drawing.rig)->needs(log);
+    add_height_option(command, drawing.height)->needs(log);
+}
+
+std::optional<DrawingOptions> drawing_options(DrawingArguments const& drawing,
+                                              Methods const& methods)
+{
+    if (drawing.log.empty())
+        return std::nullopt;
+    DrawingOptions options { .log = drawing.log, .methods = methods };
+    if (!drawing.rig.empty())
+        options.rig = drawing.rig;
+    if (!drawing.height.empty())
+        options.height = drawing.height;
+    return options;
+}
+
+} // namespace tractus

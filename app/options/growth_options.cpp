@@ -1,0 +1,90 @@
+#include "app/options/growth_options.h"
+
+#include "app/methods/all_leaves.h"
+#include "app/options/checks.h"
+#include "engine/variation/growth_preset.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <string>
+#include <vector>
+
+namespace tractus {
+
+static std::string preset_check(std::string const& name)
+{
+    auto const preset = growth_preset(name);
+    return preset ? "" : preset.error().message;
+}
+
+void add_growth_options(CLI::App& command, GrowthOptions& growth, std::string const& without)
+{
+    std::vector<std::string> names;
+    for (auto const& preset : growth_presets())
+        names.emplace_back(preset.name);
+    command
+        .add_option(
+            "--growth", growth.preset,
+            fmt::format("How plants grow: {}; without it, {}", fmt::join(names, ", "), without))
+        ->type_name("NAME")
+        ->check(offering(names, CLI::Validator(preset_check, "")));
+    command
+        .add_option(
+            "--variability,--liking", growth.variability,
+            "How much plants vary: 0 is as drawn, 1 is as the growth's name says, 4 is most; "
+            "--liking is its older name")
+        ->type_name("X")
+        ->check(number(0, 4))
+        ->capture_default_str();
+    names.clear();
+    for (auto const& kind : leaf_kinds())
+        names.push_back(kind.name);
+    command
+        .add_option("--leaves", growth.leaves,
+                    fmt::format("Grown leaves in the place of the plant's own: {}, or a .leaf "
+                                "file; \"oak+spots=0.3\" with damage",
+                                fmt::join(names, ", ")))
+        ->type_name("NAME");
+    add_season_options(command, growth.season);
+}
+
+void add_season_options(CLI::App& command, std::optional<Season>& season)
+{
+    auto* const month = command.add_option_function<std::string>(
+        "--season",
+        [&season](std::string const& text) {
+            if (!season)
+                season.emplace();
+            season->month = *parse_month(text);
+        },
+        "The time of the year: buds, spring, summer, autumn, winter or bare, a month's name, or "
+        "its number, 1 to below 13; without it, as the model or the session has its leaves");
+    month->type_name("WHEN")->check(CLI::Validator(
+        [](std::string const& text) {
+            auto const read = parse_month(text);
+            return read ? "" : read.error().message;
+        },
+        ""));
+    command
+        .add_option_function<double>(
+            "--fallen",
+            [&season](double share) {
+                if (!season)
+                    season.emplace();
+                season->fallen = share;
+            },
+            "Share of the leaves fallen by then that lie on the ground, 0 to 1 (0.25)")
+        ->type_name("X")
+        ->check(number(0, 1))
+        ->needs(month);
+}
+
+void add_age_option(CLI::App& command, double& age)
+{
+    command.add_option("--age", age, "How old the plants are: above 0, and 1 is full-grown")
+        ->type_name("X")
+        ->check(number(0.01, 1))
+        ->capture_default_str();
+}
+
+} // namespace tractus

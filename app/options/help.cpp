@@ -1,0 +1,82 @@
+#include "app/options/help.h"
+
+#include <fmt/core.h>
+#include <set>
+#include <sstream>
+
+namespace tractus {
+
+static constexpr std::size_t kIndent = 24;
+static constexpr std::size_t kTextWidth = 80 - kIndent;
+
+static std::string wrapped(std::string const& text)
+{
+    std::istringstream words(text);
+    std::string lines;
+    std::size_t column = 0;
+    for (std::string word; words >> word; column += word.size()) {
+        if (column > 0 && column + 1 + word.size() > kTextWidth) {
+            lines += '\n';
+            column = 0;
+        } else if (column > 0) {
+            lines += ' ';
+            ++column;
+        }
+        lines += word;
+    }
+    return lines;
+}
+
+static std::string names_of(std::set<CLI::Option*> const& options)
+{
+    std::string names;
+    for (auto const* option : options)
+        names += (names.empty() ? "" : ", ") + option->get_name();
+    return names;
+}
+
+HelpFormatter::HelpFormatter()
+{
+    column_width(kIndent);
+    label("Positionals", "Arguments");
+    label("OPTIONS", "OPTIONS...");
+    label("SUBCOMMAND", "COMMAND");
+}
+
+std::string HelpFormatter::make_option_opts(CLI::Option const* option) const
+{
+    if (option->get_positional())
+        return {};
+    auto const type = option->get_type_name();
+    return type.empty() ? type : " " + type;
+}
+
+std::string option_text(CLI::Option const& option)
+{
+    auto text = option.get_description();
+    auto const add = [&](std::string const& note) { text += fmt::format(" ({})", note); };
+    if (!option.get_default_str().empty())
+        add("default: " + option.get_default_str());
+    if (option.get_required() && !option.get_positional())
+        add("required");
+    if (!option.get_needs().empty())
+        add("only with " + names_of(option.get_needs()));
+    if (!option.get_excludes().empty())
+        add("not with " + names_of(option.get_excludes()));
+    return text;
+}
+
+std::string HelpFormatter::make_option_desc(CLI::Option const* option) const
+{
+    return wrapped(option_text(*option));
+}
+
+std::string HelpFormatter::make_subcommand(CLI::App const* command) const
+{
+    std::stringstream out;
+    CLI::detail::format_help(out, command->get_name(), wrapped(command->get_description()),
+                             get_column_width());
+    return out.str();
+}
+
+} // namespace tractus

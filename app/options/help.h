@@ -1,0 +1,23 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace tractus {
+
+// How --help looks: one column of options, one of sentences, within 80 columns, with defaults and
+// what goes with what at the end of each sentence.
+class HelpFormatter final : public CLI::Formatter {
+public:
+    HelpFormatter();
+
+    std::string make_option_opts(CLI::Option const* option) const override;
+    std::string make_option_desc(CLI::Option const* option) const override;
+    std::string make_subcommand(CLI::App const* command) const override;
+};
+
+// Returns what --help says of an option, on one line: its sentence, its default and what it goes
+// with.
+std::string option_text(CLI::Option const& option);
+
+} // namespace tractus

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/document/model_cost.h"
+#include "app/io/model_file.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace tractus {
+
+// Options that say which plant a command is about: MODEL, --steps and --seed mean the same
+// everywhere.
+struct ModelOptions {
+    std::string model; // Name for find_model().
+    std::optional<int> steps;
+    std::optional<std::uint64_t> seed; // If there is none, 1 or what a session has.
+};
+
+// --view, --colors and --environment. `companions` must live as long as the command.
+void add_companion_options(CLI::App& command, ModelCompanions& companions);
+
+// Adds them to a command. `options` must live as long as the command.
+void add_model_options(CLI::App& command, ModelOptions& options);
+
+// --max-modules, --max-memory and --max-seconds: what a model may cost, alike in every command that
+// runs one.
+void add_cost_options(CLI::App& command, ModelCost& cost);
+
+} // namespace tractus

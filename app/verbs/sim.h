@@ -1,9 +1,0 @@
-#pragma once
-
-#include "app/verbs/verb.h"
-
-namespace tractus {
-
-void add_sim_verb(CLI::App& root, Action& action);
-
-} // namespace tractus

@@ -1,0 +1,80 @@
+#include "app/view/ink_line.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace tractus {
+
+namespace {
+
+constexpr double kInkWidth_mm = 3.5;
+
+// Place and width, which are to change as little.
+Eigen::Vector4f dot(InkLine::Point const& point)
+{
+    return { point.position_mm.x(), point.position_mm.y(), point.position_mm.z(), point.width_mm };
+}
+
+// Whether the straight line between two points leaves those between them where they are.
+bool is_straight(std::vector<InkLine::Point> const& points, std::size_t first, std::size_t last)
+{
+    auto const start = dot(points[first]);
+    Eigen::Vector4f const way = dot(points[last]) - start;
+    float const length2 = std::max(way.squaredNorm(), 1e-12f);
+    for (auto i = first + 1; i < last; ++i) {
+        Eigen::Vector4f const to_point = dot(points[i]) - start;
+        float const share = std::clamp(to_point.dot(way) / length2, 0.0f, 1.0f);
+        if ((to_point - share * way).norm() > static_cast<float>(kThinned_mm))
+            return false;
+    }
+    return true;
+}
+
+// How far a straight line may go from a point that is not the last. In strides that double and then
+// halve, so that a long stroke is not looked at once for each of its points.
+std::size_t straight_until(std::vector<InkLine::Point> const& points, std::size_t first)
+{
+    auto last = first + 1;
+    auto const can_go = [&](std::size_t stride) {
+        return last + stride < points.size() && is_straight(points, first, last + stride);
+    };
+    std::size_t stride = 1;
+    for (; can_go(stride); stride *= 2)
+        last += stride;
+    for (; stride > 0; stride /= 2)
+        if (can_go(stride))
+            last += stride;
+    return last;
+}
+
+} // namespace
+
+InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool, Nib nib)
+{
+    InkLine line;
+    auto const& style = tool.kind().ink;
+    line.look = style.look;
+    line.points.reserve(tips.size());
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+        double const share = (0.35 + 0.65 * tips[i].pressure) * broadening(nib, tips, i);
+        line.points.push_back(
+            { tips[i].position_mm.cast<float>(),
+              static_cast<float>(style.width_mm > 0 ? style.width_mm : kInkWidth_mm * share) });
+    }
+    return line;
+}
+
+InkLine thinned(InkLine const& line)
+{
+    if (line.points.empty())
+        return line;
+    InkLine thin { { line.points.front() }, line.look };
+    for (std::size_t i = 0; i + 1 < line.points.size();) {
+        i = straight_until(line.points, i);
+        thin.points.push_back(line.points[i]);
+    }
+    thin.points.shrink_to_fit(); // Kept for hours.
+    return thin;
+}
+
+} // namespace tractus

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/view/window_model.h"
+#include "engine/scene/scene.h"
+
+#include <vector>
+
+namespace tractus {
+
+// The strokes and indicators of a scene whose branch its plant has lost, in order.
+std::vector<OrphanView> orphans_of(Scene const& scene);
+
+// What takes them away.
+std::vector<Edit> edits_without_orphans(Scene const& scene);
+
+} // namespace tractus

@@ -1,0 +1,153 @@
+#include "app/view/plant_grower.h"
+
+#include "engine/mesh/join_meshes.h"
+#include "engine/mesh/make_mesh.h"
+#include "engine/scene/scene_shaper.h"
+#include "engine/variation/growth.h"
+
+#include <map>
+
+namespace tractus {
+
+namespace {
+
+// What it gives after `stop` has asked it to end is dropped.
+Result<Mesh> grow_mesh(BuiltPlant const& built, SetGrowth const& growth, SceneShaper& shaper,
+                       MeshOptions const& options, std::stop_token const& stop)
+{
+    auto wanted = built;
+    wanted.growth = growth;
+    auto const plan = TRY(plan_growth(wanted, shaper, stop));
+    if (stop.stop_requested())
+        return Mesh {};
+    Grower grower(plan);
+    auto const& plant = grower.grow({ growth.seed, 0 }, growth.age, stop);
+    if (stop.stop_requested())
+        return Mesh {};
+    return make_mesh(plant, options, stop);
+}
+
+// Grows the plants of scenes that follow each other: only those that have changed are grown anew.
+class SceneGrower {
+public:
+    Result<Mesh> grow(WantedPlant const& wanted, std::stop_token const& stop)
+    {
+        auto const& scene = *wanted.scene;
+        bool const is_hidden = scene.drawn->is_hidden && !scene.plants.empty();
+        auto mesh = is_hidden ? Result<Mesh>(Mesh {})
+                              : grow_mesh(scene, wanted.growth, active_, {}, stop);
+        if (!mesh)
+            return mesh;
+        std::map<ItemId, Other> still_there;
+        for (auto const& plant : scene.plants) {
+            if (plant->drawn == scene.drawn || plant->drawn->is_hidden)
+                continue;
+            auto& other = still_there[plant->drawn->id] = std::move(others_[plant->drawn->id]);
+            if (other.plant != plant)
+                other = { plant, TRY(grow_mesh(*plant, plant->growth, other_, {}, stop)) };
+            if (stop.stop_requested())
+                break;
+            Vec3 const moved_mm
+                = scene.placement.plant_of_world(plant->placement.world_of_plant(Vec3::Zero()));
+            append_mesh(*mesh, other.mesh, moved_mm.cast<float>());
+        }
+        if (!stop.stop_requested()) // Else what was given up counts for nothing.
+            others_ = std::move(still_there);
+        else
+            others_.clear();
+        return mesh;
+    }
+
+private:
+    struct Other {
+        std::shared_ptr<BuiltPlant const> plant; // Shared with the scenes that have it.
+        Mesh mesh;
+    };
+
+    SceneShaper active_;
+    SceneShaper other_;
+    std::map<ItemId, Other> others_;
+};
+
+} // namespace
+
+// What a picture of a few hundred pixels shows.
+static MeshOptions coarse()
+{
+    return { .min_sides = 3,
+             .max_sides = 6,
+             .subdivision = 1,
+             .collar = 0,
+             .ends = MeshOptions::Ends::Open,
+             .sections = MeshOptions::Sections::SameArea,
+             .organs = MeshOptions::Organs::Cards };
+}
+
+PlantGrower::PlantGrower()
+    // Shared by the copies of the function, of which one is called.
+    : plant_([grower = std::make_shared<SceneGrower>()](
+                 WantedPlant const& wanted,
+                 std::stop_token const& stop) { return grower->grow(wanted, stop); },
+             Urgency::Later)
+    , variation_(make_variation, Urgency::Later)
+    , worn_out_([](std::unique_ptr<Mesh const> const&) { return true; }, Urgency::Later)
+{
+}
+
+PlantGrower::MadeVariation PlantGrower::make_variation(WantedVariation const& wanted,
+                                                       std::stop_token const& stop)
+{
+    SceneShaper shaper;
+    auto mesh = grow_mesh(*wanted.plant.scene, wanted.plant.growth, shaper, coarse(), stop);
+    if (!mesh)
+        return { tl::unexpected(std::move(mesh).error()), wanted.wish };
+    return { Variation { wanted.plant.growth.seed, *std::move(mesh) }, wanted.wish };
+}
+
+void PlantGrower::vary(WantedVariations wanted)
+{
+    variations_ = std::move(wanted);
+    varied_ = std::vector<Variation> {};
+    ++wish_;
+    want_next();
+}
+
+void PlantGrower::want_next()
+{
+    if (variations_.count > 0)
+        variation_.want({ variations_.like, wish_ });
+}
+
+void PlantGrower::take_variation()
+{
+    auto made = variation_.take();
+    if (!made || made->wish != wish_)
+        return;
+    if (made->variation) {
+        varied_->push_back(*std::move(made->variation));
+        --variations_.count;
+        ++variations_.like.growth.seed;
+        want_next();
+    } else {
+        varied_ = tl::unexpected(std::move(made->variation).error());
+        variations_.count = 0;
+    }
+}
+
+Result<std::vector<Variation>> PlantGrower::take_variations()
+{
+    take_variation();
+    return std::exchange(varied_, std::vector<Variation> {});
+}
+
+void PlantGrower::settle()
+{
+    plant_.settle();
+    while (variations_.count > 0) {
+        variation_.settle();
+        take_variation();
+    }
+    worn_out_.settle();
+}
+
+} // namespace tractus

@@ -1,0 +1,525 @@
+#include "app/view/station_view.h"
+
+#include "app/render/read_picture.h"
+#include "app/tools/tool.h"
+#include "app/view/ink_line.h"
+#include "app/view/orphans.h"
+#include "engine/variation/growth_preset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <unordered_map>
+#include <utility>
+
+namespace tractus {
+
+// A tool is mostly in hand for many strokes, and what shows them keeps something between them.
+StationView::Preview StationView::Previewing::show(WantedPreview const& wanted)
+{
+    auto* const make = wanted.tool.kind().previewer;
+    if (!make)
+        return { .stroke = wanted.stroke };
+    if (made_by != make) {
+        previewer = make();
+        made_by = make;
+    }
+    auto lines = previewer->show({ wanted.scene, wanted.tool, wanted.ink, wanted.orders });
+    if (lines.empty())
+        last.reset();
+    else if (!last || *last != lines)
+        last = std::make_shared<std::vector<SkeletonLine> const>(std::move(lines));
+    return { last, previewer->note(), wanted.stroke };
+}
+
+StationView::StationView(Station const& station, Document const& document)
+    : preview_(std::make_unique<NewestJob<WantedPreview, Preview>>(
+        // Shared by the copies of the function, of which one is called.
+        [previewing = std::make_shared<Previewing>()](WantedPreview const& wanted) {
+            return previewing->show(wanted);
+        }))
+    , proposal_(std::make_unique<NewestJob<WantedProposal, std::shared_ptr<Scene const>>>(
+          [](WantedProposal const& wanted) -> std::shared_ptr<Scene const> {
+              auto scene = apply_edits(*wanted.scene, wanted.edits);
+              return scene ? std::make_shared<Scene const>(*std::move(scene)) : nullptr;
+          }))
+    , reading_(std::make_unique<NewestJob<std::shared_ptr<std::string const>, ReadPicture>>(read))
+{
+    state_.volume_mm = station.volume_mm();
+    nib_ = station.nib();
+    layers_.set_layers(station.layers());
+    aims_at_ = station.tool().kind().aims_at;
+    show_scene(document.newest());
+}
+
+void StationView::show(Station const& station, Document const& document)
+{
+    finished_strokes_ = station.counts().strokes;
+    show_grown();
+    take_picture();
+    take_proposal();
+    show_live(station, document);
+    bool const is_drawing = is_drawing_ || !document.waiting().empty();
+    auto const snapshot = document.newest(); // After what waits: no stroke is seen in neither.
+    state_.unkept_steps = snapshot->unkept;
+    if (snapshot->drawn_revision != shown_drawn_revision_)
+        show_scene(snapshot);
+    else if (snapshot->revision != shown_revision_)
+        grow_plant(snapshot);
+    if (!is_drawing && std::exchange(is_outcome_proposed_, false))
+        propose({}); // The stroke has changed nothing.
+    show_drawn_glyph();
+}
+
+void StationView::tell(DrawnStroke const& drawn)
+{
+    state_.refused.reset();
+    if (!drawn.refusal.empty() && !drawn.stroke.tips.empty())
+        state_.refused = RefusedStroke { ink_line(drawn.stroke.tips, drawn.tool, nib_),
+                                         drawn.tool.kind().surface, drawn.refusal };
+    ++state_.live_revision;
+    state_.status = !drawn.refusal.empty() ? drawn.refusal
+        : drawn.said.empty()               ? drawn.tool.kind().done
+                                           : drawn.said;
+}
+
+void StationView::begin_again(Station const& station, Document const& document)
+{
+    shown_pen_samples_ = 0;
+    finished_strokes_ = station.counts().strokes;
+    state_.volume_mm = station.volume_mm();
+    if (nib_ != station.nib()) {
+        nib_ = station.nib();
+        inked_.clear();
+    }
+    layers_.set_layers(station.layers());
+    ++state_.live_revision;
+    show_live(station, document);
+    show_scene(document.newest());
+}
+
+void StationView::show_pen(std::vector<PenMoment> const& moments)
+{
+    state_.pen_path.clear();
+    for (auto const& moment : moments)
+        state_.pen_path.push_back({ .in_range = moment.in_range,
+                                    .touching = moment.touching,
+                                    .tip_mm = moment.position_mm.cast<float>(),
+                                    .eraser = moment.eraser,
+                                    .pressing = moment.pressing,
+                                    .barrel = moment.barrel });
+    if (!state_.pen_path.empty())
+        state_.pen = state_.pen_path.back();
+}
+
+// The surface follows its sensor while no pen is there or it rests, but not the sensor's noise.
+void StationView::show_surface(Station const& station)
+{
+    constexpr double kSeen_mm = 0.5;
+    auto const& tip = station.newest_tip();
+    bool const follows_pen = station.pen_in_range() && tip.has_value() && !station.pen_rests();
+    if (follows_pen)
+        state_.surface_height_mm = tip->position_mm.z();
+    else if (auto const height_mm = station.surface_height_mm())
+        if (std::abs(*height_mm - state_.surface_height_mm) >= kSeen_mm)
+            state_.surface_height_mm = *height_mm;
+    if (tip) {
+        state_.is_outside_calibration = tip->outside_calibration;
+        state_.pen.in_range = station.pen_in_range();
+        state_.pen.touching = tip->touching;
+        state_.pen.tip_mm = tip->position_mm.cast<float>();
+        if (station.pen_rests() && !tip->touching) // It goes with the surface on which it rests.
+            state_.pen.tip_mm.z() = static_cast<float>(state_.surface_height_mm);
+    }
+    if (std::exchange(shown_surface_mm_, state_.surface_height_mm) != state_.surface_height_mm)
+        ++state_.live_revision;
+}
+
+// Under way, and finished but not yet in the scene.
+void StationView::show_ink(Station const& station, std::vector<ToolStroke> const& waiting)
+{
+    state_.live_ink.clear();
+    for (auto const& [stroke, tool] : waiting)
+        if (!stroke.tips.empty())
+            state_.live_ink.push_back(ink_line(stroke.tips, tool, nib_));
+    auto const count = state_.live_ink.size();
+    if (std::exchange(shown_waiting_, count) != count)
+        ++state_.live_revision;
+    if (station.is_pressing())
+        return;
+    if (!station.inks().empty())
+        state_.refused.reset();
+    for (auto const& ink : station.inks())
+        state_.live_ink.push_back(ink_line(ink, station.meaning_of(ink), nib_));
+}
+
+void StationView::show_live(Station const& station, Document const& document)
+{
+    // Without a sample of the pen there is nothing new to see: the hand rests, or is away.
+    if (std::exchange(shown_pen_samples_, station.counts().pen_samples)
+        != station.counts().pen_samples)
+        ++state_.live_revision;
+    state_.tool = station.tool().title();
+    state_.tools = station.tools();
+    if (auto const before = std::exchange(state_.hand, station.tool());
+        grown_scene_ && !(before == state_.hand)) {
+        layers_.show(*grown_scene_, state_.hand); // It may ask for others.
+        see_layers();
+    }
+    state_.remembered = station.remembered();
+    if (std::exchange(aims_at_, state_.hand.kind().aims_at) != state_.hand.kind().aims_at)
+        show_skeleton();
+    auto const fault = station.height_monitor().present();
+    state_.trouble = fault ? describe_fault(*fault) : "";
+    show_ink(station, document.waiting());
+    show_selecting(station);
+    show_surface(station);
+    show_preview(station);
+}
+
+// The branches follow the ink as fast as they can.
+void StationView::show_preview(Station const& station)
+{
+    auto const inks
+        = station.is_pressing() ? std::vector<std::vector<TipSample>>() : station.inks();
+    if (inks.empty())
+        set_preview({});
+    else if (std::exchange(previewed_live_, state_.live_revision) != state_.live_revision)
+        preview_->want({ grown_scene_, station.meaning_of(inks.front()), inks.front(),
+                         skeleton_.orders(), finished_strokes_ });
+    is_drawing_ = !inks.empty();
+    take_preview();
+    if (is_drawing_)
+        propose_outcome(station);
+}
+
+void StationView::propose_outcome(Station const& station)
+{
+    auto const ink = station.inks().front();
+    auto const tool = station.meaning_of(ink);
+    if (!tool.kind().shows_outcome
+        || std::exchange(proposed_live_, state_.live_revision) == state_.live_revision)
+        return;
+    Stroke stroke;
+    stroke.tips = ink;
+    if (auto edits = tool.mean(stroke, *grown_scene_)) {
+        is_outcome_proposed_ = true;
+        propose(*std::move(edits));
+    }
+}
+
+void StationView::take_preview()
+{
+    if (auto made = preview_->take(); made && is_drawing_ && made->stroke == finished_strokes_)
+        set_preview(*std::move(made));
+}
+
+void StationView::set_preview(Preview preview)
+{
+    state_.preview_note = std::move(preview.note);
+    if (std::exchange(previewed_, preview.lines) == preview.lines)
+        return; // Most samples of the pen change nothing.
+    ++state_.preview_revision;
+    state_.preview = preview.lines ? *preview.lines : std::vector<SkeletonLine>();
+}
+
+// While a pen selects, its path so far, and what is undetermined, are seen in their own colours.
+void StationView::show_selecting(Station const& station)
+{
+    auto const& tool = station.tool();
+    auto* const marks = tool.kind().marks_branches;
+    bool const marks_branches = marks && marks(tool);
+    auto const inks
+        = station.is_pressing() ? std::vector<std::vector<TipSample>>() : station.inks();
+    bool const was_selecting = std::exchange(is_selecting_, marks_branches && !inks.empty());
+    if (!is_selecting_) {
+        if (was_selecting)
+            show_skeleton();
+        shown_touched_.reset();
+        return;
+    }
+    if (!shown_skeleton_ || shown_scene_ != grown_scene_ || shown_angle_ != tool.angle()) {
+        shown_scene_ = grown_scene_;
+        shown_angle_ = tool.angle();
+        shown_skeleton_.emplace(*shown_scene_, shown_angle_);
+    }
+    auto touched = shown_skeleton_->touched_by(inks.front());
+    if (shown_touched_ == touched)
+        return;
+    show_skeleton(touched);
+    shown_touched_ = std::move(touched);
+}
+
+void StationView::show_scene(std::shared_ptr<Snapshot const> const& snapshot)
+{
+    shown_drawn_revision_ = snapshot->drawn_revision;
+    auto const& placement = snapshot->scene.placement;
+    state_.T_world_plant = Eigen::Translation3f(placement.origin_mm.cast<float>())
+        * Eigen::Scaling(static_cast<float>(placement.scale));
+    show_strokes(snapshot->scene);
+    show_layers(snapshot->scene);
+    state_.paper = paper_of(snapshot->scene.state);
+    show_picture(snapshot->scene);
+    grow_plant(snapshot);
+    show_skeleton();
+    shown_touched_.reset();
+    list_orphans(snapshot->scene);
+}
+
+// Those that were shown before keep their ink: their tips need not be read again.
+void StationView::show_strokes(Scene const& scene)
+{
+    std::unordered_map<void const*, std::size_t> before;
+    for (std::size_t i = 0; i < inked_.size(); ++i)
+        before.emplace(inked_[i].id(), i);
+    std::vector<SharedVector<TipSample>> inked;
+    std::vector<InkLine> lines;
+    for (auto const number : shaping_numbers(scene)) {
+        auto const& tips = scene.associations[number].what.stroke.tips;
+        if (!inked.empty() && inked.back().id() == tips.id())
+            continue; // One that shapes several branches is shown once.
+        auto const found = before.find(tips.id());
+        if (found != before.end()) {
+            lines.push_back(std::move(state_.strokes[found->second]));
+        } else if (auto const read = tips.in_memory()) {
+            lines.push_back(thinned(ink_line(*read, {}, nib_)));
+        } else {
+            state_.status = read.error().message; // Looked for again when the strokes change.
+            continue;
+        }
+        inked.push_back(tips);
+    }
+    inked_ = std::move(inked);
+    state_.strokes = std::move(lines);
+    ++state_.strokes_revision;
+}
+
+void StationView::show_layers(Scene const& scene)
+{
+    layers_.show(scene, state_.hand);
+    state_.layers = layers_.seen();
+}
+
+void StationView::pass(Duration step)
+{
+    layers_.pass(step, state_.hand);
+    see_layers();
+}
+
+// Where others are seen than before, or otherwise.
+void StationView::see_layers()
+{
+    if (state_.layers == layers_.seen())
+        return;
+    state_.layers = layers_.seen();
+    ++state_.strokes_revision;
+    ++state_.skeleton_revision; // They are seen with the skeleton, too.
+}
+
+void StationView::list_orphans(Scene const& scene)
+{
+    auto const before = state_.orphans.size();
+    state_.orphans = orphans_of(scene);
+    if (auto const count = state_.orphans.size(); count > before)
+        state_.status = fmt::format("The plant has lost {} of the branches that were drawn: what "
+                                    "was drawn there waits until they come back",
+                                    count);
+}
+
+void StationView::show_skeleton(ShownSkeleton::Touched const& touched)
+{
+    bool const aims = aims_at_ && !is_proposed_; // Else at a branch of another plant.
+    auto const next = aims ? aims_at_(*grown_scene_) : std::vector<SegmentId>();
+    state_.skeleton = skeleton_.lines(touched, next);
+    state_.skeleton_box_mm = skeleton_.box_mm();
+    ++state_.skeleton_revision;
+}
+
+void StationView::grow_plant(std::shared_ptr<Snapshot const> const& snapshot)
+{
+    is_proposed_ = false;
+    is_outcome_proposed_ = false;
+    shown_revision_ = snapshot->revision;
+    grown_scene_ = { snapshot, &snapshot->scene };
+    shown_in_place_ = grown_scene_;
+    skeleton_.set_scene(grown_scene_);
+    preview(grown_scene_->growth);
+}
+
+void StationView::preview(SetGrowth const& growth)
+{
+    state_.seed = growth.seed;
+    state_.growth
+        = { std::string(growth_preset_of(growth.parameters)), growth.variability, growth.age };
+    grower_->grow({ grown_scene_, growth });
+    state_.season = grown_scene_->state.season;
+    state_.is_growing = true;
+}
+
+void StationView::preview(std::optional<Season> const& season)
+{
+    auto seen = std::make_shared<Scene const>(preview_in_season(*grown_scene_, season));
+    auto const& growth = seen->growth;
+    grower_->grow({ seen, growth });
+    state_.is_growing = true;
+}
+
+void StationView::propose(std::vector<Edit> edits)
+{
+    bool const was_proposed = std::exchange(is_proposed_, !edits.empty());
+    if (is_proposed_)
+        proposal_->want({ grown_scene_, std::move(edits) });
+    else if (was_proposed)
+        show_in_place(grown_scene_);
+}
+
+void StationView::take_proposal()
+{
+    if (auto const scene = proposal_->take(); scene && *scene && is_proposed_)
+        show_in_place(*scene);
+}
+
+// Picture, plant and skeleton, until the next snapshot.
+void StationView::show_in_place(std::shared_ptr<Scene const> const& scene)
+{
+    show_picture(*scene);
+    auto const before = std::exchange(shown_in_place_, scene);
+    if (before->plants == scene->plants && before->state.active == scene->state.active)
+        return;
+    skeleton_.set_scene(scene);
+    show_skeleton();
+    show_layers(*scene);
+    ++state_.strokes_revision;
+    grower_->grow({ scene, scene->growth });
+    state_.is_growing = true;
+}
+
+static bool is_same_file(std::shared_ptr<BackPicture const> const& one,
+                         std::shared_ptr<BackPicture const> const& other)
+{
+    return one && other && (one->file == other->file || *one->file == *other->file);
+}
+
+// A picture that is another one is read in the background.
+void StationView::show_picture(Scene const& scene)
+{
+    auto const before = std::exchange(picture_, scene.state.picture);
+    if (before == picture_)
+        return;
+    if (!is_same_file(before, picture_)) {
+        state_.picture.reset();
+        if (picture_)
+            reading_->want(picture_->file);
+    }
+    if (state_.picture)
+        state_.picture->place = picture_->place;
+    ++state_.picture_revision;
+}
+
+void StationView::show_drawn_glyph()
+{
+    auto const* const kind = state_.hand.kind().drawn_glyph;
+    bool const is_same_scene = std::exchange(glyph_scene_, shown_in_place_) == shown_in_place_;
+    if (std::exchange(glyph_kind_, kind) == kind && is_same_scene)
+        return;
+    state_.drawn_glyph = kind ? kind->show(*shown_in_place_) : std::nullopt;
+    ++state_.live_revision;
+}
+
+void StationView::take_picture()
+{
+    auto const read = reading_->take();
+    if (!read || !picture_ || *read->file != *picture_->file)
+        return;
+    if (!read->image)
+        state_.status = fmt::format("The picture {} is not shown: {}", picture_->name, read->why);
+    else
+        state_.picture = ShownPicture { read->image, picture_->place };
+    ++state_.picture_revision;
+}
+
+// Larger pictures than a screen shows are made smaller.
+StationView::ReadPicture StationView::read(std::shared_ptr<std::string const> const& file)
+{
+    constexpr int kLongest_px = 3000;
+    auto image = read_picture(*file);
+    if (!image)
+        return { file, nullptr, image.error().message };
+    int const longest = std::max(image->width(), image->height());
+    if (longest > kLongest_px) {
+        auto const side = [&](int length) {
+            return std::max(1, static_cast<int>(std::int64_t { length } * kLongest_px / longest));
+        };
+        image = resized(*image, side(image->width()), side(image->height()));
+    }
+    return { file, std::make_shared<Image const>(*std::move(image)) };
+}
+
+void StationView::show_growth()
+{
+    preview(grown_scene_->growth);
+}
+
+void StationView::collect(std::size_t count)
+{
+    constexpr std::size_t kMost = 100;
+    state_.collection.clear();
+    state_.collection_wanted = std::min(count, kMost);
+    ++state_.collection_revision;
+    grower_->vary({ { grown_scene_, grown_scene_->growth }, state_.collection_wanted });
+}
+
+void StationView::show_variations()
+{
+    auto varied = grower_->take_variations();
+    if (!varied) {
+        state_.status = varied.error().message;
+        state_.collection_wanted = state_.collection.size();
+        return;
+    }
+    for (auto& [seed, mesh] : *varied)
+        state_.collection.push_back({ seed, std::make_shared<Mesh const>(std::move(mesh)) });
+    state_.collection_revision += !varied->empty();
+}
+
+void StationView::settle()
+{
+    reading_->settle();
+    take_picture();
+    proposal_->settle();
+    take_proposal();
+    grower_->settle();
+    show_grown();
+    preview_->settle();
+    take_preview();
+    show_drawn_glyph();
+}
+
+void StationView::show_grown()
+{
+    show_variations();
+    auto grown = grower_->take();
+    state_.is_growing = grower_->is_growing();
+    if (!grown)
+        return;
+    if (!*grown) {
+        state_.status = grown->error().message;
+        return;
+    }
+    if (plant_)
+        grower_->drop(std::move(plant_));
+    plant_ = std::make_unique<Mesh const>(**std::move(grown));
+    state_.plant = plant_.get();
+    ++state_.plant_revision;
+}
+
+Result<SetGrowth> growth_set_to(GrowthView const& wanted, SetGrowth growth)
+{
+    if (!wanted.preset.empty())
+        growth.parameters = TRY(growth_preset(wanted.preset));
+    growth.variability = wanted.variability;
+    growth.age = wanted.age;
+    return growth;
+}
+
+} // namespace tractus

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "drivers/links/packet_link.h"
+#include "drivers/reports/device_info.h"
+#include "drivers/reports/report_source.h"
+
+#include <cstddef>
+#include <memory>
+
+struct hid_device_;
+
+namespace tractus {
+
+// The calls of one of hidapi's two libraries. Both have the same names, so that only one can be
+// linked under them; see drivers/tablets/hidapi_libusb.h.
+struct HidBackEnd {
+    int (*write)(hid_device_*, unsigned char const* data, std::size_t size) = nullptr;
+    int (*read_timeout)(hid_device_*, unsigned char* data, std::size_t size, int timeout_ms)
+        = nullptr;
+    void (*close)(hid_device_*) = nullptr;
+    wchar_t const* (*error)(hid_device_*) = nullptr;
+};
+
+using HidHandle = std::unique_ptr<hid_device_, void (*)(hid_device_*)>;
+
+// An open device as a link, as open_hid_link says. `back_end` must outlive it.
+std::unique_ptr<PacketLink> make_hid_link(HidBackEnd const& back_end, HidHandle handle,
+                                          DeviceInfo info);
+
+// A link as a source.
+std::unique_ptr<ReportSource> make_hid_source(DeviceInfo info, std::unique_ptr<PacketLink> link);
+
+} // namespace tractus

@@ -1,0 +1,276 @@
+#include "drivers/logs/foreign_log.h"
+#include "drivers/logs/foreign_log_builder.h"
+#include "drivers/logs/line_splitter.h"
+
+#include <charconv>
+#include <fmt/core.h>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+#include <yaml.h>
+
+namespace tractus {
+
+namespace {
+
+// Passes a text on to libyaml as far as its lines are such as a text has.
+class TextLines {
+public:
+    explicit TextLines(std::istream& in)
+        : in_(in)
+    {
+    }
+
+    bool has_too_long_line() const { return since_break_ > LineSplitter::kMaxLineBytes; }
+
+    static int read(void* self, unsigned char* to, std::size_t most, std::size_t* size)
+    {
+        *size = static_cast<TextLines*>(self)->read_some(to, most);
+        return 1;
+    }
+
+private:
+    std::size_t read_some(unsigned char* to, std::size_t most)
+    {
+        in_.read(reinterpret_cast<char*>(to), static_cast<std::streamsize>(most));
+        auto const size = static_cast<std::size_t>(in_.gcount());
+        for (std::size_t i = 0; i < size && !has_too_long_line(); ++i)
+            since_break_ = to[i] == '\n' ? 0 : since_break_ + 1;
+        return has_too_long_line() ? 0 : size;
+    }
+
+    std::istream& in_;
+    std::size_t since_break_ = 0;
+};
+
+Result<std::int64_t> number_in(std::string_view text)
+{
+    bool const is_hex = text.starts_with("0x") || text.starts_with("0X");
+    auto const digits = is_hex ? text.substr(2) : text;
+    auto const* const end = digits.data() + digits.size();
+    std::int64_t value = 0;
+    auto const [read, error] = std::from_chars(digits.data(), end, value, is_hex ? 16 : 10);
+    if (error != std::errc() || read != end)
+        return fail(Fault::User, fmt::format("\"{}\" is no whole number", text.substr(0, 40)));
+    return value;
+}
+
+// Walks through the recording value by value, so that none of it stays in memory but the reports.
+class RecordReader {
+public:
+    explicit RecordReader(std::string_view name)
+        : builder_(name)
+    {
+    }
+
+    // Fails at what is no recording; the message lacks the place.
+    Result<void> take_event(yaml_event_t const& event)
+    {
+        line_ = event.start_mark.line + 1;
+        switch (event.type) {
+        case YAML_SCALAR_EVENT:
+            return take_scalar({ reinterpret_cast<char const*>(event.data.scalar.value),
+                                 event.data.scalar.length });
+        case YAML_ALIAS_EVENT:
+            return take_scalar("");
+        case YAML_SEQUENCE_START_EVENT:
+            return open(Level::Kind::List);
+        case YAML_MAPPING_START_EVENT:
+            return open(Level::Kind::Map);
+        case YAML_SEQUENCE_END_EVENT:
+        case YAML_MAPPING_END_EVENT:
+            return close();
+        default:
+            return {};
+        }
+    }
+
+    Log take() { return builder_.take(); }
+
+private:
+    // One list or map that is open.
+    struct Level {
+        enum class Kind { List, Map } kind = Kind::List;
+        std::string key {}; // Key in a map, of the value that comes; in a list empty.
+        bool has_key = false;
+    };
+
+    Result<void> open(Level::Kind kind)
+    {
+        if (levels_.size() == kMaxLevels)
+            return fail(Fault::User, "lists in lists without end");
+        if (!levels_.empty() && levels_.back().kind == Level::Kind::Map && !levels_.back().has_key)
+            return fail(Fault::User, "a list or a map in place of a name");
+        levels_.push_back({ kind });
+        if (is_at({ "devices", "", "events", "", "hid" }))
+            report_line_ = line_;
+        return {};
+    }
+
+    Result<void> close()
+    {
+        if (is_at({ "devices", "", "events", "", "hid" }))
+            TRY(end_report());
+        else if (is_at({ "devices", "" }))
+            end_device();
+        levels_.pop_back();
+        end_value();
+        return {};
+    }
+
+    void end_value()
+    {
+        if (!levels_.empty())
+            levels_.back().has_key = false;
+    }
+
+    // The names of the open maps' keys, "" for lists, up to the innermost list or map itself.
+    bool is_at(std::initializer_list<std::string_view> path) const
+    {
+        if (levels_.size() != path.size() + 1)
+            return false;
+        auto level = levels_.begin();
+        for (auto const key : path) {
+            bool const is_list = level->kind == Level::Kind::List;
+            if (is_list != key.empty() || (!is_list && level->key != key))
+                return false;
+            ++level;
+        }
+        return true;
+    }
+
+    Result<void> take_scalar(std::string_view value)
+    {
+        if (levels_.empty())
+            return {};
+        auto& level = levels_.back();
+        if (level.kind == Level::Kind::Map && !level.has_key) {
+            level.key = value;
+            level.has_key = true;
+            return {};
+        }
+        TRY(take_value(level, value));
+        end_value();
+        return {};
+    }
+
+    Result<void> take_value(Level const& level, std::string_view value)
+    {
+        if (is_at({ "devices", "" }) && level.key == "node")
+            info_.location = fmt::format("{}:{}", builder_.log().name, value);
+        else if (is_at({ "devices", "", "evdev" }) && level.key == "name")
+            info_.name = value;
+        else if (is_at({ "devices", "", "evdev", "id" }))
+            return append(ids_, value, 3, 0xffff);
+        else if (is_at({ "devices", "", "hid" }))
+            return append(info_.report_descriptor, value, kMaxDescriptorBytes, 0xff);
+        else if (is_at({ "devices", "", "events", "", "hid", "time" }))
+            return append(time_, value, 2, kMaxSeconds);
+        else if (levels_.size() == 7 && levels_[5].key.starts_with("hidraw")
+                 && is_at({ "devices", "", "events", "", "hid", levels_[5].key }))
+            return append(reports_[levels_[5].key], value, kMaxBlockBytes, 0xff);
+        return {};
+    }
+
+    // Leaves out values beyond `most`.
+    template<typename Value>
+    static Result<void> append(std::vector<Value>& values, std::string_view text, std::size_t most,
+                               std::int64_t largest)
+    {
+        auto const number = TRY(number_in(text));
+        if (number < 0 || number > largest)
+            return fail(Fault::User, fmt::format("{} is not in 0 to {}", number, largest));
+        if (values.size() < most)
+            values.push_back(static_cast<Value>(number));
+        return {};
+    }
+
+    // A hidraw node's reports stand among the events of one of the input devices it feeds.
+    Result<void> end_report()
+    {
+        time_.resize(2);
+        auto const when = timestamp_ns((time_[0] * 1'000'000 + time_[1]) * 1000);
+        for (auto const& [node, bytes] : reports_) {
+            auto found = nodes_.find(node);
+            if (found == nodes_.end())
+                found = nodes_.emplace(node, TRY(builder_.add_device({}))).first;
+            TRY(builder_.append_report(report_line_, found->second, when, bytes));
+        }
+        reports_.clear();
+        time_.clear();
+        return {};
+    }
+
+    void end_device()
+    {
+        ids_.resize(3);
+        info_.bus = ids_[0];
+        info_.vendor_id = ids_[1];
+        info_.product_id = ids_[2];
+        for (auto const& [node, device] : nodes_)
+            builder_.log().devices[device] = info_;
+        nodes_.clear();
+        ids_.clear();
+        info_ = {};
+    }
+
+    static constexpr std::size_t kMaxLevels = 100;
+    static constexpr std::size_t kMaxDescriptorBytes = 4096; // HID_MAX_DESCRIPTOR_SIZE of Linux.
+    static constexpr std::size_t kMaxBlockBytes = std::size_t { 1 } << 16;
+    static constexpr std::int64_t kMaxSeconds = 9'000'000'000;
+
+    ForeignLogBuilder builder_;
+    std::vector<Level> levels_;
+    DeviceInfo info_; // The device that is read.
+    std::vector<std::uint16_t> ids_;
+    std::map<std::string, std::size_t> nodes_; // Its hidraw nodes → index in the log's devices.
+    std::vector<std::int64_t> time_; // Time of the report that is read: seconds, microseconds.
+    std::map<std::string, std::vector<std::byte>> reports_;
+    std::size_t line_ = 0; // Line of the event that is taken.
+    std::size_t report_line_ = 0;
+};
+
+} // namespace
+
+Result<Log> parse_libinput_record(std::istream& in, std::string_view name)
+{
+    RecordReader reader(name);
+    TextLines lines(in);
+    yaml_parser_t parser;
+    if (yaml_parser_initialize(&parser) == 0)
+        return fail(Fault::Station, "not enough memory to read YAML");
+    std::unique_ptr<yaml_parser_t, void (*)(yaml_parser_t*)> const cleared(&parser,
+                                                                           yaml_parser_delete);
+    yaml_parser_set_input(&parser, TextLines::read, &lines);
+    for (bool goes_on = true; goes_on;) {
+        yaml_event_t event;
+        bool const is_yaml = yaml_parser_parse(&parser, &event) != 0;
+        if (lines.has_too_long_line())
+            return fail(Fault::User,
+                        fmt::format("{} has a line of more than {} bytes: this is no log", name,
+                                    LineSplitter::kMaxLineBytes));
+        auto const taken = is_yaml
+            ? reader.take_event(event)
+            : fail(Fault::User, parser.problem ? parser.problem : "it is not YAML");
+        auto const line = (is_yaml ? event.start_mark : parser.problem_mark).line + 1;
+        goes_on = is_yaml && event.type != YAML_DOCUMENT_END_EVENT
+            && event.type != YAML_STREAM_END_EVENT;
+        if (is_yaml)
+            yaml_event_delete(&event);
+        if (!taken)
+            return fail(Fault::User,
+                        fmt::format("{}:{}: not a recording by libinput record: {}", name, line,
+                                    taken.error().message));
+    }
+    auto log = reader.take();
+    if (log.devices.empty())
+        return fail(Fault::User,
+                    fmt::format("{} has no raw reports: record it with \"libinput record "
+                                "--with-hidraw\"",
+                                name));
+    return log;
+}
+
+} // namespace tractus

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "drivers/logs/log_text.h"
+
+#include <unistd.h>
+
+namespace tractus {
+
+// The part of a log that is not in memory: its file, and where that part begins.
+struct LogRest {
+    explicit LogRest(int open_file)
+        : file(open_file)
+    {
+    }
+    ~LogRest()
+    {
+        if (file >= 0)
+            ::close(file);
+    }
+    LogRest(LogRest const&) = delete;
+    LogRest& operator=(LogRest const&) = delete;
+
+    int file; // Open for reading; owned.
+    LogPlace place {};
+    LogTotals totals {}; // Totals of the whole log.
+};
+
+} // namespace tractus

@@ -1,0 +1,13 @@
+#include "drivers/reports/pen_decoder.h"
+
+namespace tractus {
+
+std::optional<PenSample> PenSilence::leave_if_over(PenDecoder& pen, Timestamp now) const
+{
+    auto const limit = pen.silence_limit();
+    if (!limit || now - last_ <= *limit)
+        return std::nullopt;
+    return pen.leave(last_ + *limit);
+}
+
+} // namespace tractus

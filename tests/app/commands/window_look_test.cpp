@@ -1,0 +1,54 @@
+#include "app/commands/window_look.h"
+#include "engine/base/file.h"
+
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WindowLookTest : public testing::Test {
+protected:
+    ~WindowLookTest() override
+    {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+
+    fs::path folder_
+        = fs::temp_directory_path() / ("tractus_window_look_" + std::to_string(::getpid()));
+    fs::path path_ = folder_ / "new" / "window.toml";
+};
+
+TEST_F(WindowLookTest, IsKeptFromOneTimeToTheNext)
+{
+    EXPECT_EQ(load_look(path_).value(), WindowLook()); // Nothing was chosen yet.
+    for (bool const is_light : { true, false })
+        for (bool const is_left_handed : { true, false }) {
+            WindowLook const look { is_light, is_left_handed };
+            ASSERT_TRUE(save_look(path_, look));
+            EXPECT_EQ(load_look(path_).value(), look);
+        }
+}
+
+TEST_F(WindowLookTest, SaysWhereAFileIsWrong)
+{
+    ASSERT_TRUE(save_look(path_, {}));
+    auto const error_of = [&](std::string_view text) {
+        EXPECT_TRUE(write_file(path_, text));
+        auto const look = load_look(path_);
+        EXPECT_FALSE(look);
+        return look ? std::string() : look.error().message;
+    };
+    EXPECT_NE(error_of("colors = \"light\"\nhand = \"both\"\n").find("window.toml:2: hand"),
+              std::string::npos);
+    EXPECT_NE(error_of("hands = \"left\"\n").find("hands"), std::string::npos);
+    ASSERT_TRUE(write_file(path_, "hand = \"left\"\n")); // What is not said is as usual.
+    EXPECT_EQ(load_look(path_).value(), (WindowLook { .is_left_handed = true }));
+}
+
+} // namespace
+} // namespace tractus

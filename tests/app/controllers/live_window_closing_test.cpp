@@ -1,0 +1,110 @@
+#include "app/batch/session_plant.h"
+#include "tests/app/controllers/live_window_devices.h"
+#include "tests/app/full_disk.h"
+
+#include <filesystem>
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A window that keeps what is drawn in a session of its own, and devices that stop sending in the
+// middle of a stroke, with the pen down.
+class LiveWindowClosing : public testing::Test {
+protected:
+    LiveWindowClosing() { fs::remove(path_); }
+    ~LiveWindowClosing() override { fs::remove(path_); }
+
+    LiveWindow drawing() const
+    {
+        std::vector<RawReport> reports;
+        for (int i = 0; i < 20; ++i)
+            reports.push_back(arrived(5 * i, pen_report(50 + 5 * i, 50, true)));
+        std::vector<std::unique_ptr<ReportSource>> sources;
+        sources.push_back(std::make_unique<ScriptedSource>(simple_pen(), std::move(reports)));
+        auto options = live_options();
+        options.session = begin_session(path_, { small_model() }, all_methods().edits).value();
+        auto window
+            = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), std::move(options))
+                  .value();
+        advance_to_end(window);
+        EXPECT_FALSE(window.state().live_ink.empty());
+        EXPECT_EQ(window.station().counts().strokes, 0u);
+        return window;
+    }
+    std::size_t kept_steps() const
+    {
+        return read_session(path_, all_methods().edits).value().last_step();
+    }
+
+    fs::path path_
+        = fs::temp_directory_path() / fmt::format("tractus_closing_{}.tractus", ::getpid());
+};
+
+TEST_F(LiveWindowClosing, KeepsTheStrokeUnderWay)
+{
+    {
+        auto window = drawing();
+        EXPECT_EQ(kept_steps(), 0u);
+        EXPECT_TRUE(window.close());
+        EXPECT_EQ(kept_steps(), 1u);
+    }
+    EXPECT_EQ(kept_steps(), 1u) << "it closes once";
+}
+
+TEST_F(LiveWindowClosing, KeepsTheStrokeUnderWayWhenNobodyCloses)
+{
+    drawing();
+    EXPECT_EQ(kept_steps(), 1u);
+}
+
+TEST_F(LiveWindowClosing, SaysWhatCannotBeKept)
+{
+    auto window = drawing();
+    FullDisk const disk(1);
+    auto const closed = window.close();
+    ASSERT_FALSE(closed);
+    EXPECT_NE(closed.error().message.find("the last stroke is not kept"), std::string::npos)
+        << closed.error().message;
+}
+
+TEST_F(LiveWindowClosing, AsksOnceBeforeSomethingIsLost)
+{
+    auto window = drawing();
+    {
+        FullDisk const disk(1);
+        EXPECT_FALSE(window.may_close());
+        EXPECT_NE(window.state().status.find("close once more"), std::string::npos)
+            << window.state().status;
+        EXPECT_TRUE(window.may_close());
+    }
+    EXPECT_TRUE(window.close()) << "there is room again";
+    EXPECT_EQ(kept_steps(), 1u);
+}
+
+TEST_F(LiveWindowClosing, SaysWhichStepCannotBeKept)
+{
+    auto window = drawing();
+    ASSERT_TRUE(window.close());
+    FullDisk const disk(1);
+    window.perform(NextVariation {});
+    EXPECT_FALSE(window.close());
+}
+
+TEST_F(LiveWindowClosing, SaysWhichFileCannotBeWritten)
+{
+    auto window = drawing();
+    ASSERT_TRUE(window.may_close()); // The stroke is kept.
+    FullDisk const disk(1);
+    window.perform(SavePicture { Image(2, 2) });
+    auto const closed = window.close();
+    ASSERT_FALSE(closed);
+    EXPECT_NE(closed.error().message.find(".png"), std::string::npos) << closed.error().message;
+}
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "app/controllers/live_window.h"
+#include "app/methods/all_methods.h"
+#include "tests/app/simple_rig.h"
+#include "tests/app/small_model.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace tractus {
+
+// Sends what it is told to send, when it is told to; nothing else knows the time.
+class ScriptedSource : public ReportSource {
+public:
+    ScriptedSource(DeviceInfo info, std::vector<RawReport> reports)
+        : info_(std::move(info))
+        , reports_(std::move(reports))
+    {
+    }
+
+    DeviceInfo const& info() const override { return info_; }
+
+    Result<std::optional<RawReport>> read(Duration) override
+    {
+        if (next_ == reports_.size())
+            return fail(Fault::User, "the script is over");
+        return std::optional(reports_[next_++]);
+    }
+
+private:
+    DeviceInfo info_;
+    std::vector<RawReport> reports_;
+    std::size_t next_ = 0;
+};
+
+inline RawReport arrived(std::int64_t milliseconds, std::vector<std::byte> const& bytes)
+{
+    RawReport report { .received = at_ms(milliseconds), .size = bytes.size() };
+    std::copy(bytes.begin(), bytes.end(), report.storage.begin());
+    return report;
+}
+
+// A stroke across the tablet, which ends when the tablet is unplugged if it `goes_away`.
+inline LiveDevices drawing_devices(bool goes_away)
+{
+    std::vector<RawReport> reports;
+    for (int i = 0; i < 20; ++i)
+        reports.push_back(arrived(5 * i, pen_report(50 + 5 * i, 50, true)));
+    reports.push_back(goes_away ? RawReport { .received = at_ms(100) }
+                                : arrived(100, pen_report(150, 50, false)));
+    std::vector<std::unique_ptr<ReportSource>> sources;
+    sources.push_back(std::make_unique<ScriptedSource>(simple_pen(), std::move(reports)));
+    return LiveDevices::start(std::move(sources)).value();
+}
+
+inline LiveWindowOptions live_options()
+{
+    return { .methods = all_methods(), .scene = small_scene(), .now = [] { return at_ms(100); } };
+}
+
+// Advances until the script is over and was seen to be: it is read on a thread of its own, which a
+// loaded machine may let wait.
+inline void advance_to_end(LiveWindow& window)
+{
+    while (window.state().status.find("is over") == std::string::npos) {
+        window.advance(std::chrono::milliseconds(16));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+} // namespace tractus

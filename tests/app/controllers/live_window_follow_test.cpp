@@ -1,0 +1,106 @@
+#include "app/methods/sketch_lsystem/sketch_tool.h"
+#include "engine/methods/sketch_lsystem/change_edits.h"
+#include "tests/app/controllers/live_window_devices.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus {
+namespace {
+
+Scene sketched(SketchTool const& tool)
+{
+    auto const stroke = stroke_through({ { 0, 0, 0 }, { 10, 0, 100 }, { 10, 20, 200 } });
+    return apply_edits(Scene {}, Tool(tool).mean(stroke, Scene {}).value()).value();
+}
+
+class LiveWindowFollow : public testing::Test {
+protected:
+    using Slider = ChangeGrowth::Slider;
+
+    LiveWindowFollow()
+    {
+        auto options = live_options();
+        options.scene = sketched(drawn_);
+        window_.emplace(LiveWindow::create(drawing_devices(false), std::move(options)).value());
+        window_->perform(ChooseTool { drawn_ });
+        settle();
+    }
+
+    void settle()
+    {
+        window_->settle();
+        window_->advance(std::chrono::milliseconds(16));
+        window_->settle();
+    }
+
+    std::size_t triangles() { return window_->state().plant->triangle_count(); }
+    int laterals() { return sketch::newest_grown(*window_->scene().drawn)->sketch->rule.laterals; }
+
+    SketchTool drawn_ { .laterals = 2 };
+    std::optional<LiveWindow> window_;
+};
+
+TEST_F(LiveWindowFollow, ShowsWhatAHandleWouldDoAndDoesItWhenItIsLetGo)
+{
+    auto const before = triangles();
+    auto const skeleton = window_->state().skeleton.size();
+    SketchTool more = drawn_;
+    more.laterals = 4;
+    window_->perform(AdjustTool { more, Slider::Moving });
+    settle();
+    EXPECT_GT(triangles(), before);
+    EXPECT_GT(window_->state().skeleton.size(), skeleton);
+    EXPECT_EQ(laterals(), 2) << "nothing is done yet";
+    EXPECT_EQ(window_->state().hand, Tool(drawn_));
+
+    window_->perform(AdjustTool { drawn_, Slider::Moving }); // Back to where it was.
+    settle();
+    EXPECT_EQ(triangles(), before);
+    EXPECT_EQ(window_->state().skeleton.size(), skeleton);
+
+    window_->perform(AdjustTool { more, Slider::Released });
+    settle();
+    EXPECT_EQ(laterals(), 4);
+    EXPECT_GT(triangles(), before);
+    EXPECT_EQ(window_->state().hand, Tool(more));
+    EXPECT_EQ(window_->state().status, "What was drawn so follows");
+}
+
+// So that the next drag changes the plant again.
+TEST_F(LiveWindowFollow, UndoGivesTheHandItsRuleBack)
+{
+    SketchTool more = drawn_;
+    more.laterals = 4;
+    window_->perform(AdjustTool { more, Slider::Released });
+    settle();
+    window_->perform(Undo {});
+    settle();
+    EXPECT_EQ(laterals(), 2);
+    EXPECT_EQ(window_->state().hand, Tool(drawn_));
+    window_->perform(Redo {});
+    settle();
+    EXPECT_EQ(laterals(), 4);
+    EXPECT_EQ(window_->state().hand, Tool(more));
+}
+
+TEST_F(LiveWindowFollow, LeavesWhatWasDrawnOtherwise)
+{
+    SketchTool other { .laterals = 5 };
+    window_->perform(ChooseTool { other });
+    auto const before = triangles();
+    SketchTool next = other;
+    next.laterals = 7;
+    window_->perform(AdjustTool { next, Slider::Moving });
+    settle();
+    EXPECT_EQ(triangles(), before);
+    window_->perform(AdjustTool { next, Slider::Released });
+    settle();
+    EXPECT_EQ(laterals(), 2);
+    EXPECT_EQ(window_->state().hand, Tool(next));
+    window_->perform(TakeLikeDrawn {});
+    settle();
+    EXPECT_EQ(window_->state().hand, Tool(drawn_));
+}
+
+} // namespace
+} // namespace tractus

@@ -1,0 +1,238 @@
+#include "app/controllers/live_window.h"
+
+#include "app/methods/indicators/indicate_tool.h"
+#include "app/play/paced_log.h"
+#include "app/tools/draw_in_order_tool.h"
+#include "app/tools/erase_tool.h"
+#include "calib/rig_file.h"
+#include "engine/base/file.h"
+#include "tests/app/controllers/live_window_devices.h"
+#include "tests/app/replayed.h"
+#include "tests/app/session/same_edit.h"
+
+#include <filesystem>
+#include <fmt/core.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace tractus {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(LiveWindow, ShowsWhatTheDevicesDraw)
+{
+    auto window = LiveWindow::create(drawing_devices(false), live_options()).value();
+    EXPECT_TRUE(window.state().is_live);
+    EXPECT_FALSE(window.state().playing);
+    window.settle();
+    auto const plants = window.state().plant_revision;
+    advance_to_end(window);
+    window.settle();
+    ASSERT_EQ(window.station().counts().strokes, 1u);
+    EXPECT_EQ(window.scene().associations.size(), 1u);
+    EXPECT_EQ(window.state().strokes.size(), 1u);
+    EXPECT_EQ(window.state().plant_revision, plants + 1);
+    EXPECT_FALSE(window.state().pen.touching);
+}
+
+TEST(LiveWindow, KeepsTheStrokeOfATabletThatIsUnplugged)
+{
+    auto window = LiveWindow::create(drawing_devices(true), live_options()).value();
+    advance_to_end(window);
+    window.settle();
+    EXPECT_EQ(window.station().counts().strokes, 1u);
+    EXPECT_TRUE(window.state().live_ink.empty());
+    EXPECT_FALSE(window.state().pen.in_range); // The mouse counts again.
+}
+
+TEST(LiveWindow, RecordsWhatReplaysToTheSame)
+{
+    auto const path
+        = fs::temp_directory_path() / fmt::format("tractus_live_{}.tractus-log", ::getpid());
+    fs::remove(path);
+    auto options = live_options();
+    options.recording = path;
+    {
+        auto window = LiveWindow::create(drawing_devices(true), std::move(options)).value();
+        window.perform(ChooseTool { IndicateTool {} });
+        EXPECT_EQ(window.state().tool, "Motion indicator");
+        advance_to_end(window);
+    }
+    auto const log = read_log(path).value();
+    EXPECT_EQ(log.records.size(), 21u);
+    EXPECT_EQ(log.records.back().size, 0u);
+    ASSERT_EQ(log.tools.size(), 1u);
+    EXPECT_EQ(log.tools[0].tool, "indicate");
+    EXPECT_TRUE(parse_rig(log.rig_text, "log"));
+    fs::remove(path);
+}
+
+// Else what is drawn live would not be, bit for bit, what its recording replays to.
+TEST(LiveDevices, CutTimesToMicrosecondsAsLogsHaveThem)
+{
+    auto report = arrived(0, pen_report(50, 50, true));
+    report.received = Timestamp(std::chrono::nanoseconds(1'234'567));
+    std::vector<std::unique_ptr<ReportSource>> sources;
+    sources.push_back(std::make_unique<ScriptedSource>(simple_pen(), std::vector { report }));
+    auto devices = LiveDevices::start(std::move(sources)).value();
+    std::vector<LiveReport> reports;
+    while (devices.any_left() && reports.empty()) {
+        devices.take(reports);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ASSERT_EQ(reports.size(), 1u);
+    EXPECT_EQ(reports[0].report.received, Timestamp(std::chrono::microseconds(1'234)));
+}
+
+// Undo, growth and all else that no stroke does.
+TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
+{
+    auto const path
+        = fs::temp_directory_path() / fmt::format("tractus_steps_{}.tractus-log", ::getpid());
+    fs::remove(path);
+    auto options = live_options();
+    options.recording = path;
+    options.now = [] { return at_ms(0); }; // No report is older.
+    Scene drawn;
+    {
+        auto window = LiveWindow::create(drawing_devices(true), std::move(options)).value();
+        window.perform(NextVariation {});
+        window.perform(ChangeGrowth { { "windy hillside", 0.5, 0.75 } });
+        advance_to_end(window);
+        window.perform(NextVariation {});
+        window.perform(Undo {});
+        window.perform(Undo {}); // The stroke,
+        window.perform(Redo {}); // which comes back.
+        window.perform(PickVariation { 42 });
+        window.settle();
+        drawn = window.scene();
+    }
+    EXPECT_EQ(drawn.growth.seed, 42u);
+    ASSERT_EQ(drawn.associations.size(), 1u);
+    auto const log = read_log(path).value();
+    ASSERT_EQ(log.tools.size(), 7u);
+    EXPECT_EQ(log.tools[0].tool, "step");
+    EXPECT_EQ(log.tools[3].tool, "undo");
+    EXPECT_EQ(log.tools[3].arguments, "1");
+    ReplayOptions replay_options { .methods = all_methods() };
+    replay_options.height = parse_height_scenario("0").value();
+    auto const [counts, scene, strokes] = replayed(log, replay_options);
+    ASSERT_EQ(strokes.size(), 1u);
+    EXPECT_EQ(strokes[0].refusal, "");
+    EXPECT_TRUE(same(scene.growth, drawn.growth));
+    ASSERT_EQ(scene.associations.size(), 1u);
+    EXPECT_TRUE(same(scene.associations[0].what.stroke, drawn.associations[0].what.stroke));
+    fs::remove(path);
+}
+
+TEST(LiveWindow, BeginsAgainWithTheSameTool)
+{
+    auto window = LiveWindow::create(drawing_devices(false), live_options()).value();
+    window.perform(ChooseTool { IndicateTool {} });
+    advance_to_end(window);
+    window.perform(Restart {});
+    window.settle();
+    EXPECT_TRUE(window.state().strokes.empty());
+    EXPECT_TRUE(window.state().layers.empty());
+    EXPECT_EQ(window.state().tool, "Motion indicator");
+}
+
+// Returns what the window says is wrong after the height sensor has sent `counts` for 100 ms, at
+// `now_ms`.
+std::string trouble_after(int counts, std::int64_t now_ms)
+{
+    std::vector<RawReport> heights;
+    for (int i = 0; i <= 20; ++i)
+        heights.push_back(arrived(5 * i, height_report(counts)));
+    std::vector<std::unique_ptr<ReportSource>> sources;
+    sources.push_back(std::make_unique<ScriptedSource>(
+        simple_pen(), std::vector { arrived(0, pen_report(50, 50, false)) }));
+    sources.push_back(std::make_unique<ScriptedSource>(simple_height_sensor(), std::move(heights)));
+    auto options = live_options();
+    options.rig = Rig {};
+    auto now = at_ms(100);
+    options.now = [&now] { return now; };
+    auto devices = LiveDevices::start(std::move(sources)).value();
+    auto window = LiveWindow::create(std::move(devices), std::move(options)).value();
+    while (window.station().counts().height_samples < 21) {
+        window.advance(std::chrono::milliseconds(16));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    now = at_ms(now_ms);
+    window.advance(std::chrono::milliseconds(16));
+    return window.state().trouble;
+}
+
+TEST(LiveWindow, SaysWhatIsWrongWithTheHeightSensor)
+{
+    EXPECT_EQ(trouble_after(2000, 100), "");
+    EXPECT_EQ(trouble_after(4095, 100),
+              "height sensor reads 4095, the end of its range: wiper or cable open?");
+    EXPECT_EQ(trouble_after(2000, 3100), "height sensor silent for 3 s: is it plugged in?");
+}
+
+// Says after each report that one more was too long.
+class Chatterbox final : public ScriptedSource {
+public:
+    using ScriptedSource::ScriptedSource;
+    std::uint64_t too_long_count() const override { return 1; }
+};
+
+TEST(LiveWindow, SaysThatReportsAreLost)
+{
+    std::vector<std::unique_ptr<ReportSource>> sources;
+    sources.push_back(std::make_unique<Chatterbox>(
+        simple_pen(), std::vector { arrived(0, pen_report(50, 50, false)) }));
+    auto window = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), live_options())
+                      .value();
+    while (window.state().status.find("lost") == std::string::npos)
+        window.advance(Duration(0));
+    EXPECT_EQ(window.state().status.find("1 of the devices' reports is lost"), 0u)
+        << window.state().status;
+}
+
+TEST(LiveWindow, SaysThatATabletsSizeIsAGuess)
+{
+    auto tablet = simple_pen();
+    auto& descriptor = tablet.report_descriptor;
+    // The physical size is taken away: the maxima of both axes and the unit.
+    std::vector<std::byte> plain;
+    for (std::size_t i = 0; i < descriptor.size(); ++i)
+        if (descriptor[i] == std::byte { 0x46 })
+            i += 2;
+        else
+            plain.push_back(descriptor[i]);
+    descriptor = plain;
+    auto const status = [&](LiveWindowOptions options) {
+        std::vector<std::unique_ptr<ReportSource>> sources;
+        sources.push_back(std::make_unique<ScriptedSource>(tablet, std::vector<RawReport> {}));
+        return LiveWindow::create(LiveDevices::start(std::move(sources)).value(),
+                                  std::move(options))
+            .value()
+            .state()
+            .status;
+    };
+    EXPECT_NE(status(live_options()).find("does not tell its size"), std::string::npos);
+    auto options = live_options();
+    options.rig = Rig {};
+    options.rig->surface_mm = options.rig->tablet_size_mm;
+    EXPECT_EQ(status(std::move(options)).find("does not tell its size"), std::string::npos);
+}
+
+TEST(LiveWindow, AsksForACalibration)
+{
+    std::vector<std::unique_ptr<ReportSource>> sources;
+    sources.push_back(std::make_unique<ScriptedSource>(simple_pen(), std::vector<RawReport> {}));
+    sources.push_back(
+        std::make_unique<ScriptedSource>(simple_height_sensor(), std::vector<RawReport> {}));
+    auto const window
+        = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), live_options());
+    ASSERT_FALSE(window);
+    EXPECT_EQ(window.error().fault, Fault::User);
+    EXPECT_NE(window.error().message.find("--rig"), std::string::npos);
+}
+
+} // namespace
+} // namespace tractus

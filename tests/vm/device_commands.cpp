@@ -1,0 +1,35 @@
+// `tractus record` and `tractus sim` without the rest of the program, for scenarios that have to be
+// built again for them alone.
+
+#include "app/commands/record.h"
+#include "app/commands/sim.h"
+#include "app/methods/all_inputs.h"
+#include "app/options/action.h"
+#include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
+#include "engine/base/file.h"
+
+// Scenarios draw on models that no method makes anything for.
+tractus::Result<std::optional<std::string>> tractus::make_input(std::filesystem::path const&,
+                                                                std::string const&)
+{
+    return std::nullopt;
+}
+
+int main(int argc, char** argv)
+{
+    tractus::prepare_console();
+    tractus::remove_unfinished_file_on_signals();
+    CLI::App root;
+    root.require_subcommand(1);
+    tractus::Action action;
+    tractus::add_record_command(root, action, {});
+    tractus::add_sim_command(root, action);
+    CLI11_PARSE(root, argc, argv);
+
+    auto const result = action();
+    if (result)
+        return 0;
+    tractus::print_error(tractus::error_text(result.error(), tractus::error_style()));
+    return 1;
+}
