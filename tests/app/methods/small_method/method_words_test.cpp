@@ -97,7 +97,7 @@ bool is_another_language(std::string const& path, std::string const& word)
         { "sim/gesture_script.cpp", "draw" },
         { "app/commands/window.cpp", "draw" },                        // "tractus draw",
         { "app/methods/leaves/commands/leaves_command.cpp", "draw" }, // and "tractus leaves draw".
-        { "engine/methods/leaves/parse_grammar.cpp", "outline" }, // A block of a leaf's grammar.
+        { "engine/methods/leaves/read_directive.cpp", "outline" }, // A block of a leaf's grammar.
         // The tool line "calibrate" has this word, too.
         { "app/controllers/calibration_panel_controller.cpp", "press" },
         { "app/calibration/calibration_controller.cpp", "press" },
