@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -32,7 +32,7 @@ double worth_of_a_count(HeightModel const& model, double height_mm)
 
 } // namespace
 
-SensorIdentity identity_of(DeviceInfo const& info)
+SensorIdentity identity_of(drivers::DeviceInfo const& info)
 {
     return { .name = info.name,
              .id = fmt::format("{:04x}:{:04x}:{:04x}", info.bus, info.vendor_id, info.product_id),
@@ -155,4 +155,4 @@ Result<HeightFit> refit_height(Rig const& rig)
     return fit;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

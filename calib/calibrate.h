@@ -12,13 +12,13 @@
 #include <span>
 #include <string>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Functions for what a fit changes in a rig, and for the record that it leaves there. Numbers are
 // rounded to what a reader of the rig file can take in, far below their errors. `date` is today's,
 // "2026-11-21".
 
-SensorIdentity identity_of(DeviceInfo const& info);
+SensorIdentity identity_of(drivers::DeviceInfo const& info);
 
 struct HeightCalibration {
     HeightFit fit {};
@@ -38,4 +38,4 @@ Rig with_check(Rig rig, HeightCheck const& check, std::string const& date);
 // fit_height does.
 Result<HeightFit> refit_height(Rig const& rig);
 
-} // namespace tractus
+} // namespace tractus::calib

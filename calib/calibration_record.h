@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 // How a rig came to its numbers: kept with it for whoever asks how good they are, or wants to fit
 // them anew. Dates are "2026-11-21"; standard errors are named errors.
@@ -102,4 +102,4 @@ struct CalibrationRecord {
     std::optional<CheckRecord> check {};
 };
 
-} // namespace tractus
+} // namespace tractus::calib

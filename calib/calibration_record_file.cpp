@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -307,4 +307,4 @@ std::string print_calibration_record(CalibrationRecord const& record)
     return text;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace tractus {
+namespace tractus::calib {
 
 // A rig's calibration record in its file: the table [calibration] with one table for each
 // procedure that was done.
@@ -18,4 +18,4 @@ Result<CalibrationRecord> parse_calibration_record(TomlTable& table);
 // record.
 std::string print_calibration_record(CalibrationRecord const& record);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -220,4 +220,4 @@ void EvenTimes::fit()
         offset_ns_ = std::min(offset_ns_, point.arrival_ns - period_ns_ * point.index);
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <deque>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Tells when a device that samples evenly, but has no clock that it tells of, took its samples,
 // from the times at which they arrived.
@@ -85,4 +85,4 @@ private:
     double offset_ns_ = 0; // Height of the line at index 0.
 };
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::calib {
 
 Fuser::Fuser(Rig const& rig)
     : rig_(rig)
-    , T_world_tablet_(tractus::T_world_tablet(rig))
+    , T_world_tablet_(calib::T_world_tablet(rig))
     , calibrated_(calibrated_heights(rig))
     , heights_(kPatience + rig.max_height_age + HeightTrack::kHalfWidth)
     , leans_(kPatience + rig.max_height_age + LeanTrack::kHalfWidth)
@@ -21,7 +21,7 @@ Fuser::Fuser(Rig const& rig, ScriptedHeight const& height)
 }
 
 // The hand's pressure in place of the device's.
-PenSample Fuser::as_felt(PenSample pen)
+drivers::PenSample Fuser::as_felt(drivers::PenSample pen)
 {
     if (!pen.pressure)
         return pen;
@@ -34,13 +34,14 @@ PenSample Fuser::as_felt(PenSample pen)
 }
 
 // Pens that report no pressure press fully while they touch.
-static double pressure(PenSample const& pen)
+static double pressure(drivers::PenSample const& pen)
 {
     return pen.pressure ? std::clamp(*pen.pressure, 0.0, 1.0) : (pen.touching ? 1.0 : 0.0);
 }
 
 // The way the pen's shaft points, turned as the tablet is mounted.
-static std::optional<Vec2> tilt_rad(PenSample const& pen, Eigen::Affine3d const& T_world_tablet)
+static std::optional<Vec2> tilt_rad(drivers::PenSample const& pen,
+                                    Eigen::Affine3d const& T_world_tablet)
 {
     if (!pen.tilt_rad)
         return std::nullopt;
@@ -49,7 +50,7 @@ static std::optional<Vec2> tilt_rad(PenSample const& pen, Eigen::Affine3d const&
     return Vec2(std::atan2(turned.x(), turned.z()), std::atan2(turned.y(), turned.z()));
 }
 
-TipSample Fuser::tip(PenSample const& pen, HeightTrack::Estimate const& height) const
+TipSample Fuser::tip(drivers::PenSample const& pen, HeightTrack::Estimate const& height) const
 {
     Vec2 const nib = nib_mm(pen, leans_, rig_);
     Vec3 const tablet_mm(nib.x(), nib.y(), height.height_mm);
@@ -65,7 +66,7 @@ TipSample Fuser::tip(PenSample const& pen, HeightTrack::Estimate const& height) 
     };
 }
 
-std::optional<HeightTrack::Estimate> Fuser::height_at(PenSample const& pen) const
+std::optional<HeightTrack::Estimate> Fuser::height_at(drivers::PenSample const& pen) const
 {
     if (!scripted_)
         return heights_.at(instant(pen), rig_.max_height_age);
@@ -74,7 +75,7 @@ std::optional<HeightTrack::Estimate> Fuser::height_at(PenSample const& pen) cons
     return HeightTrack::Estimate { height, TipSample::HeightSource::Interpolated };
 }
 
-std::optional<HeightTrack::Estimate> Fuser::live_height_at(PenSample const& pen) const
+std::optional<HeightTrack::Estimate> Fuser::live_height_at(drivers::PenSample const& pen) const
 {
     return scripted_
         ? height_at(pen)
@@ -89,13 +90,13 @@ bool Fuser::is_calibrated(double height_mm) const
 }
 
 // Whether later readings, should they come in order, cannot change the height at `pen` any more.
-bool Fuser::has_all_readings(PenSample const& pen) const
+bool Fuser::has_all_readings(drivers::PenSample const& pen) const
 {
     return scripted_
         || (!heights_.empty() && heights_.newest() >= instant(pen) + HeightTrack::kHalfWidth);
 }
 
-void Fuser::push(HeightSample const& sample)
+void Fuser::push(drivers::HeightSample const& sample)
 {
     ++counts_.heights;
     if (scripted_)
@@ -123,7 +124,7 @@ static void lift_after_gap(TipSample& tip, bool& gap)
     }
 }
 
-std::optional<TipSample> Fuser::push(PenSample const& reported)
+std::optional<TipSample> Fuser::push(drivers::PenSample const& reported)
 {
     auto pen = as_felt(reported);
     if (has_times_evened())
@@ -149,7 +150,7 @@ std::optional<TipSample> Fuser::push(PenSample const& reported)
 void Fuser::settle_ready()
 {
     // A pen sample that has waited so long has lost its heights. (Or the clock has jumped back.)
-    auto const given_up = [&](PenSample const& pen) {
+    auto const given_up = [&](drivers::PenSample const& pen) {
         return std::chrono::abs(pending_.back().time - pen.time) > kPatience + rig_.max_height_age;
     };
     while (!pending_.empty() && (has_all_readings(pending_.front()) || given_up(pending_.front())))
@@ -182,4 +183,4 @@ void Fuser::flush()
         settle_next();
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Stands in for the height sensor where a log has none.
 struct ScriptedHeight {
@@ -74,7 +74,7 @@ public:
     // and height samples are ignored.
     Fuser(Rig const& rig, ScriptedHeight const& height);
 
-    void push(HeightSample const& sample);
+    void push(drivers::HeightSample const& sample);
 
     // The live tip. No value until the first height has come, and while the last one is older than
     // Rig::max_height_age. After such a gap the first tip is given as not touching, so that no
@@ -82,7 +82,7 @@ public:
     //
     // Every pen sample has its tip, those out of range too: they say that the pen is up, at the
     // last position in range.
-    [[nodiscard]] std::optional<TipSample> push(PenSample const& pen);
+    [[nodiscard]] std::optional<TipSample> push(drivers::PenSample const& pen);
 
     // The tips that have settled since the last call, in the order of their pen samples. They are
     // marked as interpolated, save where readings lay on one side alone (before the first, or once
@@ -97,13 +97,16 @@ public:
 
 private:
     bool has_times_evened() const { return rig_.sample_times == SampleTimes::Evened && !scripted_; }
-    PenSample as_felt(PenSample pen);
-    TipSample tip(PenSample const& pen, HeightTrack::Estimate const& height) const;
-    Timestamp instant(PenSample const& pen) const { return pen.time - rig_.tablet_latency; }
-    std::optional<HeightTrack::Estimate> height_at(PenSample const& pen) const;
-    std::optional<HeightTrack::Estimate> live_height_at(PenSample const& pen) const;
+    drivers::PenSample as_felt(drivers::PenSample pen);
+    TipSample tip(drivers::PenSample const& pen, HeightTrack::Estimate const& height) const;
+    Timestamp instant(drivers::PenSample const& pen) const
+    {
+        return pen.time - rig_.tablet_latency;
+    }
+    std::optional<HeightTrack::Estimate> height_at(drivers::PenSample const& pen) const;
+    std::optional<HeightTrack::Estimate> live_height_at(drivers::PenSample const& pen) const;
     bool is_calibrated(double height_mm) const;
-    bool has_all_readings(PenSample const& pen) const;
+    bool has_all_readings(drivers::PenSample const& pen) const;
     void settle_ready();
     void settle_next();
 
@@ -115,7 +118,7 @@ private:
     LeanTrack leans_; // Empty where the rig does not need it.
     EvenTimes pen_times_;
     EvenTimes height_times_;
-    std::deque<PenSample> pending_; // Samples that are not settled yet.
+    std::deque<drivers::PenSample> pending_; // Samples that are not settled yet.
     std::vector<TipSample> settled_;
     bool presses_ = false; // Above the rig's pressure threshold.
     bool gap_before_live_ = false;
@@ -123,4 +126,4 @@ private:
     FuserCounts counts_;
 };
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::calib {
 
 std::vector<HeightCapture> captures_without(std::span<HeightCapture const> captures,
                                             std::span<std::size_t const> left_out)
@@ -42,7 +42,7 @@ struct Statistics {
     std::size_t on_high_rail = 0;
 };
 
-Statistics statistics(std::span<HeightSample const> samples)
+Statistics statistics(std::span<drivers::HeightSample const> samples)
 {
     Statistics result;
     auto const count = static_cast<double>(samples.size());
@@ -100,7 +100,8 @@ bool is_on_rail(std::size_t readings_there, std::size_t readings)
     return readings_there * 100 > readings;
 }
 
-tl::unexpected<Error> on_rail(Statistics const& seen, std::span<HeightSample const> samples)
+tl::unexpected<Error> on_rail(Statistics const& seen,
+                              std::span<drivers::HeightSample const> samples)
 {
     bool const is_low = is_on_rail(seen.on_low_rail, samples.size());
     return fail(Fault::User,
@@ -111,7 +112,7 @@ tl::unexpected<Error> on_rail(Statistics const& seen, std::span<HeightSample con
                             samples.front().full_scale));
 }
 
-Duration longest_gap(std::span<HeightSample const> samples)
+Duration longest_gap(std::span<drivers::HeightSample const> samples)
 {
     Duration gap {};
     for (std::size_t i = 1; i < samples.size(); ++i)
@@ -119,7 +120,7 @@ Duration longest_gap(std::span<HeightSample const> samples)
     return gap;
 }
 
-Result<void> check_flow(std::span<HeightSample const> samples)
+Result<void> check_flow(std::span<drivers::HeightSample const> samples)
 {
     if (samples.size() < kLeastReadings)
         return fail(Fault::Device,
@@ -134,7 +135,7 @@ Result<void> check_flow(std::span<HeightSample const> samples)
     return {};
 }
 
-Result<void> check_rest(Statistics const& seen, std::span<HeightSample const> samples)
+Result<void> check_rest(Statistics const& seen, std::span<drivers::HeightSample const> samples)
 {
     auto const full_scale = samples.front().full_scale;
     if (is_on_rail(seen.on_low_rail, samples.size())
@@ -155,7 +156,7 @@ Result<void> check_rest(Statistics const& seen, std::span<HeightSample const> sa
     return {};
 }
 
-std::vector<int> scatter_about(double mean, std::span<HeightSample const> samples)
+std::vector<int> scatter_about(double mean, std::span<drivers::HeightSample const> samples)
 {
     double const width = noise_bin_counts(samples.front().full_scale);
     std::vector<int> scatter(2 * kScatterReach + 1);
@@ -184,7 +185,7 @@ double noise_bin_counts(std::int32_t full_scale_counts)
     return std::max(1.0, std::round(full_scale_counts / 4095.0));
 }
 
-std::optional<HeightReading> summarize(std::span<HeightSample const> samples)
+std::optional<HeightReading> summarize(std::span<drivers::HeightSample const> samples)
 {
     if (samples.empty())
         return std::nullopt;
@@ -200,7 +201,8 @@ std::optional<HeightReading> summarize(std::span<HeightSample const> samples)
     };
 }
 
-Result<HeightCapture> capture_at_rest(std::span<HeightSample const> samples, double ruler_mm)
+Result<HeightCapture> capture_at_rest(std::span<drivers::HeightSample const> samples,
+                                      double ruler_mm)
 {
     TRY(check_flow(samples));
     auto const seen = statistics(samples);
@@ -214,7 +216,7 @@ Result<HeightCapture> capture_at_rest(std::span<HeightSample const> samples, dou
     };
 }
 
-void RecentReadings::add(HeightSample const& sample)
+void RecentReadings::add(drivers::HeightSample const& sample)
 {
     // A converter that changed is another one; times that go back are another recording.
     if (!samples_.empty()
@@ -227,8 +229,8 @@ void RecentReadings::add(HeightSample const& sample)
 
 std::optional<HeightReading> RecentReadings::reading() const
 {
-    std::vector<HeightSample> const samples(samples_.begin(), samples_.end());
+    std::vector<drivers::HeightSample> const samples(samples_.begin(), samples_.end());
     return summarize(samples);
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 // One height that a person set with a ruler or blocks, and what the sensor read there.
 struct HeightCapture {
@@ -74,7 +74,7 @@ struct HeightReading {
 };
 
 // The readings of about kCaptureTime as one. No value for none.
-std::optional<HeightReading> summarize(std::span<HeightSample const> samples);
+std::optional<HeightReading> summarize(std::span<drivers::HeightSample const> samples);
 
 // The capture from readings at rest; `from` is the caller's to fill in. Fails, in one sentence that
 // says what to do:
@@ -87,17 +87,18 @@ std::optional<HeightReading> summarize(std::span<HeightSample const> samples);
 // The noise is taken from the differences of neighbours (J. von Neumann, "Distribution of the ratio
 // of the mean square successive difference to the variance", Ann. Math. Stat. 12, 1941), so that a
 // slow movement does not pass for noise.
-Result<HeightCapture> capture_at_rest(std::span<HeightSample const> samples, double ruler_mm);
+Result<HeightCapture> capture_at_rest(std::span<drivers::HeightSample const> samples,
+                                      double ruler_mm);
 
 // The readings of the last kCaptureTime, as they come.
 class RecentReadings {
 public:
-    void add(HeightSample const& sample);
+    void add(drivers::HeightSample const& sample);
 
     std::optional<HeightReading> reading() const;
 
 private:
-    std::deque<HeightSample> samples_;
+    std::deque<drivers::HeightSample> samples_;
 };
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -156,4 +156,4 @@ Result<void> check_captures(Captures captures)
     return check_order(captures, order);
 }
 
-} // namespace tractus
+} // namespace tractus::calib

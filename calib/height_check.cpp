@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::calib {
 
 Result<void> check_converter(std::int32_t full_scale_counts, Rig const& rig)
 {
@@ -74,4 +74,4 @@ std::string quote(HeightCheck const& check)
                        check.high_mm);
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 // How well a rig measures, from captures at heights that were not used to calibrate it.
 struct HeightCheck {
@@ -38,4 +38,4 @@ Result<void> check_converter(std::int32_t full_scale_counts, Rig const& rig);
 // The height of a reading by the rig's model. Fails, as the user's fault, if it has none there.
 Result<double> height_of(HeightCapture const& capture, Rig const& rig);
 
-} // namespace tractus
+} // namespace tractus::calib

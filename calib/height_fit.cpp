@@ -12,7 +12,7 @@
 #include <fmt/core.h>
 #include <functional>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -483,4 +483,4 @@ Result<HeightFit> fit_height(Captures captures, HeightFitOptions const& options)
     return describe(captures, std::move(choice), options);
 }
 
-} // namespace tractus
+} // namespace tractus::calib

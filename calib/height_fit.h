@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 struct HeightFitOptions {
     // The model to fit; no value: the simplest that the captures support.
@@ -140,4 +140,4 @@ void tell_directions(std::vector<HeightCapture>& captures);
 std::string_view name_of(HeightModelKind kind);
 std::optional<HeightModelKind> parse_height_model_kind(std::string_view name);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -150,4 +150,4 @@ std::optional<HeightFitDoubt> doubt_about(HeightFit const& fit, Captures capture
     return std::nullopt;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

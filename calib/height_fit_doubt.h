@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Why the rig that a fit gives had better not be kept.
 struct HeightFitDoubt {
@@ -38,4 +38,4 @@ std::optional<HeightFitDoubt> doubt_about(HeightFit const& fit,
                                           std::span<HeightCapture const> captures,
                                           HeightFitOptions const& options);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -374,4 +374,4 @@ HeightModel with_bend(HeightModel model, TrackBend bend)
     return model;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Meaning of the height sensor's readings in millimetres. Height is that of the tablet's carriage
 // over the rig's zero, which is where the ruler of the calibration had its own. It grows upwards;
@@ -125,4 +125,4 @@ HeightModel with_parameters(HeightModel model, Eigen::VectorXd const& parameters
 TrackBend const& bend_of(HeightModel const& model);
 HeightModel with_bend(HeightModel model, TrackBend bend);
 
-} // namespace tractus
+} // namespace tractus::calib

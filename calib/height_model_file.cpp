@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -138,4 +138,4 @@ std::string print_height_model(HeightModel const& model)
     return std::visit([](auto const& kind) { return print(kind); }, model);
 }
 
-} // namespace tractus
+} // namespace tractus::calib

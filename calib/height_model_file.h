@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace tractus {
+namespace tractus::calib {
 
 // A height model in a rig file: the key `model` and, in the same table, the model's own numbers.
 
@@ -16,4 +16,4 @@ Result<HeightModel> parse_height_model(TomlTable& table);
 // The lines for a model, with comments that say what its numbers mean.
 std::string print_height_model(HeightModel const& model);
 
-} // namespace tractus
+} // namespace tractus::calib

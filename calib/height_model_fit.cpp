@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -225,4 +225,4 @@ Eigen::VectorXd height_gradient(HeightModel const& model, double counts)
     return gradient;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

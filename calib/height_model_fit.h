@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Fits of single models, without judgement: height_fit.h chooses among them.
 
@@ -51,4 +51,4 @@ std::optional<ModelFit> fit_monotone(std::span<HeightCapture const> captures,
 // track's bend.
 Eigen::VectorXd height_gradient(HeightModel const& model, double counts);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -40,7 +40,7 @@ HeightMonitor::HeightMonitor(Rig const& rig, HeightMonitorLimits const& limits)
 {
 }
 
-void HeightMonitor::push(HeightSample const& sample)
+void HeightMonitor::push(drivers::HeightSample const& sample)
 {
     advance(sample.time);
     close(HeightFaultKind::Silence);
@@ -96,13 +96,13 @@ void HeightMonitor::close_old(HeightFaultKind kind, Duration lasts, Timestamp no
         close(kind);
 }
 
-bool HeightMonitor::is_on_rail(HeightSample const& sample) const
+bool HeightMonitor::is_on_rail(drivers::HeightSample const& sample) const
 {
     auto const margin = limits_.rail_margin * sample.full_scale;
     return sample.counts <= margin || sample.counts >= sample.full_scale - margin;
 }
 
-void HeightMonitor::watch_rail(HeightSample const& sample)
+void HeightMonitor::watch_rail(drivers::HeightSample const& sample)
 {
     if (!is_on_rail(sample)) {
         rail_since_.reset();
@@ -120,7 +120,7 @@ void HeightMonitor::watch_rail(HeightSample const& sample)
 
 // The way to a rail and back from it is the rail's fault, and what happened in a silence is not
 // known to have happened at once.
-void HeightMonitor::watch_jump(HeightSample const& sample)
+void HeightMonitor::watch_jump(drivers::HeightSample const& sample)
 {
     if (!last_ || sample.full_scale != rig_.full_scale_counts
         || last_->full_scale != sample.full_scale || is_on_rail(sample) || is_on_rail(*last_)
@@ -185,7 +185,7 @@ constexpr Duration kStepTakes = std::chrono::milliseconds(30);
 
 } // namespace
 
-std::optional<double> HeightMonitor::height_of(HeightSample const& sample) const
+std::optional<double> HeightMonitor::height_of(drivers::HeightSample const& sample) const
 {
     if (sample.full_scale != rig_.full_scale_counts || is_on_rail(sample))
         return std::nullopt;
@@ -194,7 +194,7 @@ std::optional<double> HeightMonitor::height_of(HeightSample const& sample) const
 
 // The heights of 30 ms, and those of 30 ms that end 30 ms before. Between their middles a movement
 // goes as far as the mean of both speeds takes it, and exactly so under a steady acceleration.
-void HeightMonitor::watch_step(HeightSample const& sample)
+void HeightMonitor::watch_step(drivers::HeightSample const& sample)
 {
     constexpr std::size_t kLeastForStep = 3;
     auto const height = height_of(sample);
@@ -224,7 +224,7 @@ void HeightMonitor::watch_step(HeightSample const& sample)
               .step_mm = step_mm });
 }
 
-void HeightMonitor::watch_stop(HeightSample const& sample)
+void HeightMonitor::watch_stop(drivers::HeightSample const& sample)
 {
     auto const height = height_of(sample);
     if (!height)
@@ -237,7 +237,7 @@ void HeightMonitor::watch_stop(HeightSample const& sample)
               .step_mm = moved->to_mm - moved->from_mm });
 }
 
-void HeightMonitor::learn_noise(HeightSample const& sample)
+void HeightMonitor::learn_noise(drivers::HeightSample const& sample)
 {
     int const sign = sample.counts > last_->counts ? 1 : -1;
     if (sign == -last_change_sign_ && sample.time - last_change_ < kFlicker)
@@ -247,7 +247,7 @@ void HeightMonitor::learn_noise(HeightSample const& sample)
 }
 
 // A reading on a rail has no noise, and is a fault already.
-void HeightMonitor::watch_stuck(HeightSample const& sample)
+void HeightMonitor::watch_stuck(drivers::HeightSample const& sample)
 {
     bool const is_same = last_ && last_->counts == sample.counts;
     if (last_ && !is_same)
@@ -389,4 +389,4 @@ std::vector<std::string> describe_faults(HeightMonitor const& monitor, Timestamp
     return sentences;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Faults of a height sensor that goes on being a device.
 enum class HeightFaultKind {
@@ -82,10 +82,10 @@ public:
     // called a jump.
     explicit HeightMonitor(Rig const& rig, HeightMonitorLimits const& limits = {});
 
-    void push(HeightSample const& sample);
+    void push(drivers::HeightSample const& sample);
 
     // Whether a reading lies at an end of its range, where it tells no height.
-    bool is_on_rail(HeightSample const& sample) const;
+    bool is_on_rail(drivers::HeightSample const& sample) const;
 
     // Other data show that it is `now`: without it, silence after the last reading goes unnoticed.
     // The first call, or the first reading, begins the watch.
@@ -116,23 +116,23 @@ private:
     void see(HeightFault const& fault);
     void close(HeightFaultKind kind);
     void close_old(HeightFaultKind kind, Duration lasts, Timestamp now);
-    std::optional<double> height_of(HeightSample const& sample) const;
-    void watch_rail(HeightSample const& sample);
-    void watch_jump(HeightSample const& sample);
-    void watch_step(HeightSample const& sample);
-    void watch_stop(HeightSample const& sample);
-    void watch_stuck(HeightSample const& sample);
-    void learn_noise(HeightSample const& sample);
+    std::optional<double> height_of(drivers::HeightSample const& sample) const;
+    void watch_rail(drivers::HeightSample const& sample);
+    void watch_jump(drivers::HeightSample const& sample);
+    void watch_step(drivers::HeightSample const& sample);
+    void watch_stop(drivers::HeightSample const& sample);
+    void watch_stuck(drivers::HeightSample const& sample);
+    void learn_noise(drivers::HeightSample const& sample);
     void watch_rate(Timestamp time);
 
     Rig rig_;
     HeightMonitorLimits limits_;
     std::array<Watch, kHeightFaultKinds> watches_ {};
 
-    std::optional<Timestamp> alive_ {};      // The last reading, or when the watch began.
-    std::optional<HeightSample> last_ {};    // The last reading.
-    std::optional<Timestamp> rail_since_ {}; // Set as long as readings are there.
-    Timestamp same_since_ {};                // Since when all readings are like the last.
+    std::optional<Timestamp> alive_ {};            // The last reading, or when the watch began.
+    std::optional<drivers::HeightSample> last_ {}; // The last reading.
+    std::optional<Timestamp> rail_since_ {};       // Set as long as readings are there.
+    Timestamp same_since_ {};                      // Since when all readings are like the last.
 
     // Heights of the last 0.1 s, to find steps.
     struct Height {
@@ -159,4 +159,4 @@ std::vector<std::string> describe_faults(HeightMonitor const& monitor, Timestamp
 // more than once a second: "height sensor silent for 3 s: is it plugged in?"
 std::string describe_fault(HeightFault const& fault);
 
-} // namespace tractus
+} // namespace tractus::calib

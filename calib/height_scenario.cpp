@@ -8,7 +8,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::calib {
 
 struct NamedScenario {
     std::string_view name;
@@ -66,4 +66,4 @@ double height_mm(HeightScenario const& scenario, Duration since_first, Duration 
     return scenario.constant_mm;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace tractus {
+namespace tractus::calib {
 
 // How high the carriage was during a log that has no height sensor: somebody's recording of a
 // tablet that lay flat on a desk still becomes strokes in space. Deterministic.
@@ -37,4 +37,4 @@ Result<HeightScenario> parse_height_scenario(std::string_view text);
 // zero, p is 0.
 double height_mm(HeightScenario const& scenario, Duration since_first, Duration length);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace tractus {
+namespace tractus::calib {
 
 HeightTrack::Place HeightTrack::first_not_before(Timestamp time) const
 {
@@ -192,4 +192,4 @@ std::optional<HeightTrack::Estimate> HeightTrack::newest_at(Timestamp time, Dura
     return Estimate { height_mm, TipSample::HeightSource::Extrapolated };
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -7,7 +7,7 @@
 #include <deque>
 #include <optional>
 
-namespace tractus {
+namespace tractus::calib {
 
 // The carriage's last heights, and its height at any instant among them.
 //
@@ -97,4 +97,4 @@ private:
     std::deque<Reading> readings_; // Readings in time order.
 };
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -61,7 +61,8 @@ struct Data {
 };
 
 // Touches for which every delay has its height, so that all delays are judged by the same ones.
-Data data_of(std::span<PenSample const> pens, std::span<HeightSample const> heights, Rig rig)
+Data data_of(std::span<drivers::PenSample const> pens,
+             std::span<drivers::HeightSample const> heights, Rig rig)
 {
     rig.tablet_latency = rig.height_latency = Duration {};
     rig.sample_times = SampleTimes::Evened;
@@ -232,8 +233,8 @@ std::optional<LeastSquares> refine(Data const& data, Eigen::MatrixX2d const& pla
 
 } // namespace
 
-Result<LatencyFit> fit_latency(std::span<PenSample const> pens,
-                               std::span<HeightSample const> heights, Rig const& rig)
+Result<LatencyFit> fit_latency(std::span<drivers::PenSample const> pens,
+                               std::span<drivers::HeightSample const> heights, Rig const& rig)
 {
     auto const data = data_of(pens, heights, rig);
     TRY(check_movement(data));
@@ -275,4 +276,4 @@ Rig with_delay(Rig rig, LatencyFit const& fit)
     return rig;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <span>
 
-namespace tractus {
+namespace tractus::calib {
 
 // How much later than the height the pen arrives, from a pen that follows a fixed inclined edge
 // while the surface moves up and down: where the edge is fixed, place and height must agree.
@@ -42,12 +42,12 @@ struct LatencyFit {
 // Fails, as the user's fault, with what to do: fewer than 200 touches with a height, less than 50
 // mm of rise or 20 mm along the tablet, fewer than two turns from up to down or down to up, place
 // and height that do not belong together (correlation below 0.9), a delay at the end of the search.
-Result<LatencyFit> fit_latency(std::span<PenSample const> pens,
-                               std::span<HeightSample const> heights, Rig const& rig);
+Result<LatencyFit> fit_latency(std::span<drivers::PenSample const> pens,
+                               std::span<drivers::HeightSample const> heights, Rig const& rig);
 
 // The rig with times that are evened out and latencies that differ by the delay: the height
 // sensor's stays, and the tablet's follows, unless that would be less than nothing; then it is
 // nothing, and the height sensor's follows.
 Rig with_delay(Rig rig, LatencyFit const& fit);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::calib {
 
 Vec2 lean_of(Vec2 const& tilt_rad)
 {
@@ -14,7 +14,7 @@ Vec2 lean_of(Vec2 const& tilt_rad)
     return shaft.normalized().head<2>();
 }
 
-void LeanTrack::add(PenSample const& sample)
+void LeanTrack::add(drivers::PenSample const& sample)
 {
     if (!moments_.empty() && sample.time < moments_.back().time)
         moments_.clear();
@@ -46,7 +46,7 @@ std::optional<Vec2> LeanTrack::at(Timestamp time) const
     return x && y ? Vec2(x->at_zero, y->at_zero) : asked->lean;
 }
 
-Vec2 nib_mm(PenSample const& sample, LeanTrack const& leans, Rig const& rig)
+Vec2 nib_mm(drivers::PenSample const& sample, LeanTrack const& leans, Rig const& rig)
 {
     if (rig.coil_height_mm.isZero(0) || !sample.tilt_rad)
         return sample.position_mm;
@@ -54,4 +54,4 @@ Vec2 nib_mm(PenSample const& sample, LeanTrack const& leans, Rig const& rig)
     return sample.position_mm - rig.coil_height_mm.cwiseProduct(lean);
 }
 
-} // namespace tractus
+} // namespace tractus::calib

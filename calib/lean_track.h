@@ -8,7 +8,7 @@
 #include <deque>
 #include <optional>
 
-namespace tractus {
+namespace tractus::calib {
 
 // A pen's lean: how far aside a point is that lies a millimetre up the pen, towards +x and +y. Its
 // length is the sine of the angle from upright.
@@ -34,7 +34,7 @@ public:
     }
 
     // A sample that tells no tilt is left out. Where times go back, all before it is forgotten.
-    void add(PenSample const& sample);
+    void add(drivers::PenSample const& sample);
 
     // The lean at `time`, which must be that of a sample; no value where that one told no tilt, or
     // is older than the memory.
@@ -52,6 +52,6 @@ private:
 
 // Where the nib of a pen is, in the tablet frame, by the rig's coil height: the sample's place less
 // what its lean, of the track, makes it seem to be aside.
-Vec2 nib_mm(PenSample const& sample, LeanTrack const& leans, Rig const& rig);
+Vec2 nib_mm(drivers::PenSample const& sample, LeanTrack const& leans, Rig const& rig);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::calib {
 
 Eigen::MatrixXd small_product(Eigen::MatrixXd const& a, Eigen::MatrixXd const& b)
 {
@@ -146,4 +146,4 @@ Eigen::MatrixXd block_covariance(LeastSquares const& fit, std::span<int const> b
         * small_product(small_product(fit.unit_covariance, scatter), fit.unit_covariance);
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Least squares as calibration needs them: few parameters, small problems, errors that are honest.
 
@@ -44,4 +44,4 @@ std::optional<LeastSquares> fit_least_squares(ResidualFunction const& residuals,
 // using generalized linear models", Biometrika 73, 1986, with its correction for few clusters).
 Eigen::MatrixXd block_covariance(LeastSquares const& fit, std::span<int const> block);
 
-} // namespace tractus
+} // namespace tractus::calib

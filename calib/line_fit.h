@@ -2,7 +2,7 @@
 
 #include <optional>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Sums of a weighted fit of a line, about the instant at which it is asked.
 class LineFit {
@@ -45,4 +45,4 @@ private:
     int count_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::calib

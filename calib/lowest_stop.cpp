@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::optional<LowestStop::Moved> LowestStop::let_down(Timestamp time, double hei
     return moved;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

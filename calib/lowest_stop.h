@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Watches for a lowest stop that is no longer where it was: a surface that people let down to its
 // stop again and again comes to rest at one height there, until the string slips. That is how a
@@ -52,4 +52,4 @@ private:
     std::optional<Place> next_ {}; // Where the stop may be now.
 };
 
-} // namespace tractus
+} // namespace tractus::calib

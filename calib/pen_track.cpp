@@ -3,7 +3,7 @@
 #include "calib/even_times.h"
 #include "calib/lean_track.h"
 
-namespace tractus {
+namespace tractus::calib {
 
 static constexpr Duration kAllOfIt = std::chrono::hours(24);
 static constexpr Duration kLongestGap = std::chrono::milliseconds(50);
@@ -14,11 +14,11 @@ static Timestamp time_of(Timestamp arrival, Rig const& rig, EvenTimes& times)
     return rig.sample_times == SampleTimes::Evened ? times.add(arrival) : arrival;
 }
 
-std::vector<TouchPoint> touch_points(std::span<PenSample const> pens, Rig const& rig)
+std::vector<TouchPoint> touch_points(std::span<drivers::PenSample const> pens, Rig const& rig)
 {
     auto level = rig;
     level.travel_shear = Vec2::Zero();
-    auto const T_world_tablet = tractus::T_world_tablet(level);
+    auto const T_world_tablet = calib::T_world_tablet(level);
     std::vector<TouchPoint> points;
     EvenTimes times;
     LeanTrack leans(kAllOfIt);
@@ -35,7 +35,7 @@ std::vector<TouchPoint> touch_points(std::span<PenSample const> pens, Rig const&
     return points;
 }
 
-HeightTrack height_track(std::span<HeightSample const> heights, Rig const& rig)
+HeightTrack height_track(std::span<drivers::HeightSample const> heights, Rig const& rig)
 {
     HeightTrack track(kAllOfIt);
     EvenTimes times;
@@ -61,4 +61,4 @@ int stretch_of(Timestamp time)
     return static_cast<int>(time.time_since_epoch() / kStretch);
 }
 
-} // namespace tractus
+} // namespace tractus::calib

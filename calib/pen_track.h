@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Shared by travel_fit.h and latency_fit.h: a pen that touches while the carriage moves.
 
@@ -22,11 +22,11 @@ struct TouchPoint {
     Vec2 position_mm = Vec2::Zero();
 };
 
-std::vector<TouchPoint> touch_points(std::span<PenSample const> pens, Rig const& rig);
+std::vector<TouchPoint> touch_points(std::span<drivers::PenSample const> pens, Rig const& rig);
 
 // The heights by the rig's model, at times as the rig has them told, less its height latency.
 // Readings of another converter and readings that the model has no height for are left out.
-HeightTrack height_track(std::span<HeightSample const> heights, Rig const& rig);
+HeightTrack height_track(std::span<drivers::HeightSample const> heights, Rig const& rig);
 
 // The height at an instant between two readings; no value elsewhere.
 std::optional<double> height_between(HeightTrack const& track, Timestamp time);
@@ -35,4 +35,4 @@ std::optional<double> height_between(HeightTrack const& track, Timestamp time);
 // remembers, see least_squares.h.
 int stretch_of(Timestamp time);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -99,4 +99,4 @@ PlaneLines fit_plane_lines(Sightings sightings)
     return lines;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Places of a pen that move with something measured beside them: with the height along an upright
 // edge (travel_fit.h), with the pen's lean (tilt_fit.h).
@@ -30,4 +30,4 @@ struct PlaneLines {
 // sighting.
 PlaneLines fit_plane_lines(std::span<PlaneSighting const> sightings);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::calib {
 
 double respond(PressureResponse const& response, double pressure)
 {
@@ -11,4 +11,4 @@ double respond(PressureResponse const& response, double pressure)
     return std::pow(std::clamp(share, 0.0, 1.0), response.exponent);
 }
 
-} // namespace tractus
+} // namespace tractus::calib

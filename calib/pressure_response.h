@@ -1,6 +1,6 @@
 #pragma once
 
-namespace tractus {
+namespace tractus::calib {
 
 // Pressure from which on a pen draws, and how its ink grows with the pressure. Pens differ, and so
 // do hands. Pressures are 0 to 1, of the most that the device can report.
@@ -18,4 +18,4 @@ struct PressureResponse {
 // begins and ends, no stroke has a blob at its end.
 double respond(PressureResponse const& response, double pressure);
 
-} // namespace tractus
+} // namespace tractus::calib

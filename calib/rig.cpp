@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::calib {
 
 std::optional<HeightRange> calibrated_heights(Rig const& rig)
 {
@@ -26,4 +26,4 @@ Eigen::Affine3d T_world_tablet(Rig const& rig)
     return transform;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace tractus {
+namespace tractus::calib {
 
 // When a sample is taken to have been there, of a device that does not tell. In both cases its
 // latency is taken off.
@@ -87,4 +87,4 @@ inline bool is_tablets_surface(Vec2 const& sides_mm)
 // height zero.
 Eigen::Affine3d T_world_tablet(Rig const& rig);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::calib {
 
 static constexpr std::int64_t kVersion = 2; // 1 had no [calibration], and knew no monotone models.
 static constexpr std::string_view kSampleTimes = "sample_times";
@@ -261,4 +261,4 @@ Result<void> save_rig(Rig const& rig, std::filesystem::path const& path)
     return write_file(path, print_rig(rig));
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::calib {
 
 // A rig in a file (.rig.toml): TOML with the units in its keys, angles in degrees. Print a rig to
 // see all keys with what they mean; these may be left out: sample_times ("as_arrived"
@@ -28,4 +28,4 @@ Result<Rig> load_rig(std::filesystem::path const& path);
 // behind its name. Fails like write_file().
 Result<void> save_rig(Rig const& rig, std::filesystem::path const& path);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -34,7 +34,7 @@ void find_span(std::vector<double> tilts, double& least, double& most)
     most = tilts[tilts.size() - 1 - left_out];
 }
 
-Result<Leant> touches_of(std::span<PenSample const> pens)
+Result<Leant> touches_of(std::span<drivers::PenSample const> pens)
 {
     LeanTrack leans(std::chrono::hours(24));
     for (auto const& pen : pens)
@@ -118,7 +118,7 @@ bool TiltFit::is_corrected() const
     return (coil_height_mm.array().abs() <= 2 * coil_height_error_mm.array()).all();
 }
 
-Result<TiltFit> fit_tilt(std::span<PenSample const> pens)
+Result<TiltFit> fit_tilt(std::span<drivers::PenSample const> pens)
 {
     auto const leant = TRY(touches_of(pens));
     TRY(check_span(leant));
@@ -143,4 +143,4 @@ Rig with_coil_height(Rig rig, TiltFit const& fit)
     return rig;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

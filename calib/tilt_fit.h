@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <span>
 
-namespace tractus {
+namespace tractus::calib {
 
 // How far beside its nib a tablet sees a pen that leans, from a nib that stays in one place while
 // the pen is leaned around.
@@ -40,9 +40,9 @@ struct TiltFit {
 // Fails, as the user's fault, with what to do: a tablet that tells no tilt, fewer than 200 touches,
 // tilts that span less than 40 degrees along an axis, a nib that moved (by more than 1 mm over half
 // a second, in the mean).
-Result<TiltFit> fit_tilt(std::span<PenSample const> pens);
+Result<TiltFit> fit_tilt(std::span<drivers::PenSample const> pens);
 
 // The rig with the fit's coil height; zero where the tablet corrects for it.
 Rig with_coil_height(Rig rig, TiltFit const& fit);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -7,7 +7,7 @@
 #include <optional>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::calib {
 
 static constexpr std::string_view expectation(NumberRange range)
 {
@@ -312,4 +312,4 @@ Result<void> TomlTable::refuse_unknown_keys() const
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -12,7 +12,7 @@
 #include <toml++/toml.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Numbers that a key takes; infinities and NaN never.
 enum class NumberRange {
@@ -97,4 +97,4 @@ private:
     std::set<std::string, std::less<>> known_;
 };
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -311,4 +311,4 @@ std::optional<ModelFit> fit_law_of_bent_track(HeightModel const& law, Captures c
                       .unit_covariance = covariance_of(*fitted) / variance_mm2 };
 }
 
-} // namespace tractus
+} // namespace tractus::calib

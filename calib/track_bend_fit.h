@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-namespace tractus {
+namespace tractus::calib {
 
 // A law together with the bend of its potentiometer's track.
 struct BentFit {
@@ -64,4 +64,4 @@ std::optional<ModelFit> fit_law_of_bent_track(HeightModel const& law,
                                               std::span<HeightCapture const> captures,
                                               double error_mm, double linearity_percent);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -22,8 +22,9 @@ struct Touch {
     int stretch = 0;
 };
 
-std::vector<Touch> touches_with_height(std::span<PenSample const> pens,
-                                       std::span<HeightSample const> heights, Rig const& rig)
+std::vector<Touch> touches_with_height(std::span<drivers::PenSample const> pens,
+                                       std::span<drivers::HeightSample const> heights,
+                                       Rig const& rig)
 {
     auto const track = height_track(heights, rig);
     std::vector<Touch> touches;
@@ -67,8 +68,8 @@ Result<double> check_rise(std::vector<Touch> const& touches)
 
 } // namespace
 
-Result<TravelFit> fit_travel(std::span<PenSample const> pens, std::span<HeightSample const> heights,
-                             Rig const& rig)
+Result<TravelFit> fit_travel(std::span<drivers::PenSample const> pens,
+                             std::span<drivers::HeightSample const> heights, Rig const& rig)
 {
     auto const touches = touches_with_height(pens, heights, rig);
     TravelFit result { .rise_mm = TRY(check_rise(touches)), .touches = touches.size() };
@@ -90,4 +91,4 @@ Result<TravelFit> fit_travel(std::span<PenSample const> pens, std::span<HeightSa
     return result;
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <span>
 
-namespace tractus {
+namespace tractus::calib {
 
 // How the carriage really travels, from a pen held against a vertical straight edge that stands on
 // the desk: what the pen seems to drift over the tablet, the tablet drifts under it.
@@ -34,7 +34,7 @@ struct TravelFit {
 //
 // Fails, as the user's fault, with what to do: fewer than 100 touches with a height, less than 100
 // mm of rise, a pen that strayed by more than 3 mm in the mean.
-Result<TravelFit> fit_travel(std::span<PenSample const> pens, std::span<HeightSample const> heights,
-                             Rig const& rig);
+Result<TravelFit> fit_travel(std::span<drivers::PenSample const> pens,
+                             std::span<drivers::HeightSample const> heights, Rig const& rig);
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::calib {
 
 namespace {
 
@@ -142,4 +142,4 @@ Result<Zeroing> zeroed(Rig const& rig, Captures captures, std::int32_t full_scal
                      .is_told = cause || captures_tell };
 }
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::calib {
 
 // Why a rig's heights are off, when its scale is still right. A string that hangs plumb cannot tell
 // the two apart, and need not; one that runs aslant has another curve after each.
@@ -43,4 +43,4 @@ struct Zeroing {
 Result<Zeroing> zeroed(Rig const& rig, std::span<HeightCapture const> captures,
                        std::int32_t full_scale_counts, std::optional<ZeroCause> cause = {});
 
-} // namespace tractus
+} // namespace tractus::calib

@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::drivers {
 
 static std::string describe_pen(PenTraits const& traits)
 {
@@ -37,4 +37,4 @@ DeviceDescription describe_device(DeviceInfo const& info)
     return { .kind = DeviceKind::Other, .text = pen.error().message };
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Role of a device in the station.
 enum class DeviceKind {
@@ -23,4 +23,4 @@ struct DeviceDescription {
 // Tells from the report descriptor alone.
 DeviceDescription describe_device(DeviceInfo const&);
 
-} // namespace tractus
+} // namespace tractus::drivers

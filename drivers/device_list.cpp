@@ -18,7 +18,7 @@
 #include <mutex>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -96,4 +96,4 @@ Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info)
     return open_tablet(std::move(info));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Every device that can be found without being told where: HID devices by their hidraw nodes, then
 // the USB devices that are height sensors. What is on GPIO lines cannot be found, and is named by
@@ -37,4 +37,4 @@ Result<DeviceInfo> find_device(std::string_view address);
 // driver does.
 Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info);
 
-} // namespace tractus
+} // namespace tractus::drivers

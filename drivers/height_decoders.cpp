@@ -8,7 +8,7 @@
 #include "drivers/sensors/linak_desk.h"
 #include "drivers/sensors/mcp2221a.h"
 
-namespace tractus {
+namespace tractus::drivers {
 
 Result<std::unique_ptr<HeightDecoder>> make_height_decoder(DeviceInfo const& info)
 {
@@ -27,4 +27,4 @@ Result<std::unique_ptr<HeightDecoder>> make_height_decoder(DeviceInfo const& inf
     return make_hid_slider_decoder(info);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The decoder of a height sensor, chosen by what is known of the device alone, so that a log of
 // any sensor replays as it was recorded.
@@ -15,4 +15,4 @@ namespace tractus {
 // says of itself is broken.
 Result<std::unique_ptr<HeightDecoder>> make_height_decoder(DeviceInfo const&);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -8,7 +8,7 @@
 #include <libusb.h>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::drivers {
 
 std::vector<LibraryVersion> library_versions()
 {
@@ -45,4 +45,4 @@ bool is_older_version(std::string const& version, std::string const& than)
     return false;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

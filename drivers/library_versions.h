@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A library of the system that a driver stands on.
 struct LibraryVersion {
@@ -19,4 +19,4 @@ std::vector<LibraryVersion> library_versions();
 // counts as 0.
 bool is_older_version(std::string const& version, std::string const& than);
 
-} // namespace tractus
+} // namespace tractus::drivers

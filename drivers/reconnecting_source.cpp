@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 using namespace std::chrono_literals;
 
@@ -221,4 +221,4 @@ void ReconnectingSource::try_to_open(DeviceInfo const& info)
     is_connected_.store(true, std::memory_order_relaxed);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

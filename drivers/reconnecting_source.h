@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The locations that a program's sources have open, so that of two equal tablets the one that comes
 // back is not taken for the one that never left. Safe to use from any thread.
@@ -117,4 +117,4 @@ private:
     std::string refusal_; // Reading thread to any, under its mutex.
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

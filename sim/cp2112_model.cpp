@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -43,9 +43,9 @@ Cp2112Model::Cp2112Model(Wiring wiring)
 {
 }
 
-DeviceInfo Cp2112Model::info()
+drivers::DeviceInfo Cp2112Model::info()
 {
-    DeviceInfo info {
+    drivers::DeviceInfo info {
         .name = "Simulated CP2112 HID USB-to-SMBus Bridge",
         .location = "simulated",
         .physical_path = "simulated/cp2112",
@@ -116,4 +116,4 @@ void Cp2112Model::drive()
         wiring_.driven(static_cast<std::uint8_t>(latch_ & outputs));
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A Silicon Labs CP2112, a bridge from USB to I²C with eight GPIO lines, as its HID interface shows
 // it (application note AN495): the feature reports that the kernel's hid-cp2112 uses, which makes a
@@ -30,7 +30,7 @@ public:
     explicit Cp2112Model(Wiring wiring);
 
     // Returns what the kernel sees: ids, name, and a report descriptor with these reports.
-    static DeviceInfo info();
+    static drivers::DeviceInfo info();
 
     // The feature report of an id; no value for one that is not there, and for the lines' levels
     // while readings fail.
@@ -53,4 +53,4 @@ private:
     bool is_failing_ = false;
 };
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -3,7 +3,7 @@
 #include <map>
 #include <memory>
 
-namespace tractus {
+namespace tractus::sim {
 
 UhidAnswers remember_features()
 {
@@ -24,4 +24,4 @@ UhidAnswers remember_features()
     };
 }
 
-} // namespace tractus
+} // namespace tractus::sim

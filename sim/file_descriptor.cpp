@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::sim {
 
 void FileDescriptor::close()
 {
@@ -25,4 +25,4 @@ Result<FileDescriptor> open_kernel_file(std::filesystem::path const& path, int f
     return file;
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sim {
 
 // An open file of the system's, closed with the value. Empty by default.
 class FileDescriptor {
@@ -41,4 +41,4 @@ private:
 Result<FileDescriptor> open_kernel_file(std::filesystem::path const& path, int flags,
                                         std::string_view remedy);
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -11,7 +11,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace fs = std::filesystem;
 
@@ -268,4 +268,4 @@ void FunctionFsDevice::answer(UsbSetup const& request)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A function's interface, for full and for high speed: the descriptors of the interface itself and
 // of its one endpoint, bulk IN (USB 2.0 sections 9.6.5 and 9.6.6). Its string, number 1, is `name`.
@@ -89,4 +89,4 @@ private:
     std::uint64_t lost_count_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::sim

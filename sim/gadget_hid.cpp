@@ -12,7 +12,7 @@
 #include <string_view>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace fs = std::filesystem;
 
@@ -20,7 +20,7 @@ namespace {
 
 // A packet must be longer than any report: a transfer of just its length would have to be ended by
 // an empty one, and some readers see that as a report without bytes. Below high speed 64 is all.
-std::size_t packet_bytes(HidReportDescriptor const& descriptor)
+std::size_t packet_bytes(drivers::HidReportDescriptor const& descriptor)
 {
     std::size_t bytes = 64;
     for (auto const& report : descriptor.reports)
@@ -35,9 +35,9 @@ struct InterfaceKind {
     char const* protocol = "0";
 };
 
-InterfaceKind interface_kind(HidReportDescriptor const& descriptor)
+InterfaceKind interface_kind(drivers::HidReportDescriptor const& descriptor)
 {
-    constexpr HidUsage kMouse = 0x0001'0002;
+    constexpr drivers::HidUsage kMouse = 0x0001'0002;
     bool const is_mouse
         = !descriptor.collections.empty() && descriptor.collections.front().usage == kMouse;
     return is_mouse ? InterfaceKind { "1", "2" } : InterfaceKind {};
@@ -73,14 +73,14 @@ GadgetHid::GadgetHid(fs::path folder)
 }
 
 Result<std::unique_ptr<GadgetHid>> GadgetHid::add_to(UsbGadget& gadget, std::string const& name,
-                                                     DeviceInfo const& info)
+                                                     drivers::DeviceInfo const& info)
 {
     if (info.report_descriptor.empty())
         return fail(Fault::User,
                     fmt::format("{} cannot be played as a USB device: its report "
                                 "descriptor is not known",
                                 info.name));
-    auto const descriptor = TRY(parse_report_descriptor(info.report_descriptor));
+    auto const descriptor = TRY(drivers::parse_report_descriptor(info.report_descriptor));
     auto const kind = interface_kind(descriptor);
     auto const folder
         = TRY(gadget.add_function("hid." + name,
@@ -178,4 +178,4 @@ void GadgetHid::leave()
     file_.close();
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A HID function of a USB gadget (the kernel's f_hid): a pen, say. At high speed the host asks for
 // a report each millisecond. What it sends to the device is taken and forgotten.
@@ -28,7 +28,7 @@ public:
     // interface with the report descriptor of `info`. `name` tells the gadget's functions apart.
     // Fails if the report descriptor is missing or broken, or configfs refuses it.
     static Result<std::unique_ptr<GadgetHid>> add_to(UsbGadget& gadget, std::string const& name,
-                                                     DeviceInfo const& info);
+                                                     drivers::DeviceInfo const& info);
 
     void add_files_to(std::vector<pollfd>& files) const override;
     Result<void> serve() override;
@@ -61,4 +61,4 @@ private:
     std::uint64_t lost_count_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::sim

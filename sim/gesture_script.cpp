@@ -5,7 +5,7 @@
 #include <array>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::sim {
 
 static constexpr std::int64_t kScriptVersion = 1;
 static constexpr double kSlowest_mm_s = 5;
@@ -14,7 +14,7 @@ static constexpr double kFastest_mm_s = 1000;
 static constexpr std::array<std::string_view, 3> kPropagations { "selected", "descendants",
                                                                  "both" };
 
-static Result<PathShape> parse_line(TomlTable& table)
+static Result<PathShape> parse_line(calib::TomlTable& table)
 {
     LineShape line;
     line.from_mm = TRY(table.vec3("from_mm"));
@@ -22,31 +22,32 @@ static Result<PathShape> parse_line(TomlTable& table)
     return line;
 }
 
-static Result<PathShape> parse_arc(TomlTable& table)
+static Result<PathShape> parse_arc(calib::TomlTable& table)
 {
     HelixShape arc;
     arc.foot_mm = TRY(table.vec3("center_mm"));
-    arc.radius_mm = arc.end_radius_mm = TRY(table.number("radius_mm", NumberRange::Positive));
+    arc.radius_mm = arc.end_radius_mm
+        = TRY(table.number("radius_mm", calib::NumberRange::Positive));
     arc.turns = TRY(table.number("sweep_deg")) / 360;
     arc.start_rad = radians(TRY(table.number_or("start_deg", 0)));
     arc.rise_mm = TRY(table.number_or("rise_mm", 0));
     return arc;
 }
 
-static Result<PathShape> parse_helix(TomlTable& table)
+static Result<PathShape> parse_helix(calib::TomlTable& table)
 {
     HelixShape helix;
     helix.foot_mm = TRY(table.vec3("foot_mm"));
-    helix.radius_mm = TRY(table.number("radius_mm", NumberRange::NotNegative));
+    helix.radius_mm = TRY(table.number("radius_mm", calib::NumberRange::NotNegative));
     helix.end_radius_mm
-        = TRY(table.number_or("end_radius_mm", helix.radius_mm, NumberRange::NotNegative));
+        = TRY(table.number_or("end_radius_mm", helix.radius_mm, calib::NumberRange::NotNegative));
     helix.turns = TRY(table.number("turns"));
     helix.start_rad = radians(TRY(table.number_or("start_deg", 0)));
     helix.rise_mm = TRY(table.number_or("rise_mm", 0));
     return helix;
 }
 
-static Result<PathShape> parse_s_curve(TomlTable& table)
+static Result<PathShape> parse_s_curve(calib::TomlTable& table)
 {
     SCurveShape curve;
     curve.from_mm = TRY(table.vec3("from_mm"));
@@ -55,11 +56,11 @@ static Result<PathShape> parse_s_curve(TomlTable& table)
     return curve;
 }
 
-static Result<PathShape> parse_branch(TomlTable& table)
+static Result<PathShape> parse_branch(calib::TomlTable& table)
 {
     BranchShape branch;
     branch.from_mm = TRY(table.vec3("from_mm"));
-    branch.length_mm = TRY(table.number("length_mm", NumberRange::Positive));
+    branch.length_mm = TRY(table.number("length_mm", calib::NumberRange::Positive));
     branch.heading_rad = radians(TRY(table.number("heading_deg")));
     branch.elevation_rad = radians(TRY(table.number("elevation_deg")));
     branch.turn_rad = radians(TRY(table.number_or("turn_deg", 0)));
@@ -67,14 +68,14 @@ static Result<PathShape> parse_branch(TomlTable& table)
     return branch;
 }
 
-static Result<PathShape> parse_polyline(TomlTable& table)
+static Result<PathShape> parse_polyline(calib::TomlTable& table)
 {
     return PolylineShape { TRY(table.vec3_list("points_mm")) };
 }
 
 struct NamedPath {
     std::string_view name;
-    Result<PathShape> (*parse)(TomlTable&);
+    Result<PathShape> (*parse)(calib::TomlTable&);
 };
 
 static constexpr NamedPath kPaths[] = {
@@ -82,7 +83,7 @@ static constexpr NamedPath kPaths[] = {
     { "s_curve", parse_s_curve }, { "branch", parse_branch }, { "polyline", parse_polyline },
 };
 
-static Result<PathShape> parse_path(TomlTable& table)
+static Result<PathShape> parse_path(calib::TomlTable& table)
 {
     std::vector<std::string_view> names;
     for (auto const& path : kPaths)
@@ -94,14 +95,15 @@ static Result<PathShape> parse_path(TomlTable& table)
     return shape;
 }
 
-static Result<AxisTrace> parse_trace(TomlTable& table, std::string const& tool)
+static Result<AxisTrace> parse_trace(calib::TomlTable& table, std::string const& tool)
 {
     TRY(table.word("trace", { "axis" }));
     if (tool != "select")
         return table.wrong(
             "trace", fmt::format("is for the tool \"select\", expected a path for \"{}\"", tool));
     AxisTrace trace;
-    trace.rank = static_cast<std::size_t>(TRY(table.integer("axis", NumberRange::NotNegative)));
+    trace.rank
+        = static_cast<std::size_t>(TRY(table.integer("axis", calib::NumberRange::NotNegative)));
     trace.height_mm = TRY(table.number_or("height_mm", trace.height_mm));
     return trace;
 }
@@ -112,7 +114,7 @@ static bool is_at_once(std::string_view words)
     return words == kNow || words.starts_with("now ") || words.ends_with(" now");
 }
 
-static Result<Gesture> parse_gesture(TomlTable& table)
+static Result<Gesture> parse_gesture(calib::TomlTable& table)
 {
     Gesture gesture { .place = table.place() };
     gesture.tool = TRY(table.text("tool"));
@@ -136,10 +138,11 @@ static Result<Gesture> parse_gesture(TomlTable& table)
     return gesture;
 }
 
-static Result<void> parse_lean(TomlTable& root, GestureScript& script)
+static Result<void> parse_lean(calib::TomlTable& root, GestureScript& script)
 {
     constexpr double kFarthest_deg = 85;
-    script.coil_height_mm = TRY(root.number_or("coil_height_mm", 0, NumberRange::NotNegative));
+    script.coil_height_mm
+        = TRY(root.number_or("coil_height_mm", 0, calib::NumberRange::NotNegative));
     if (root.has("lean_deg"))
         script.lean_deg = TRY(root.vec2("lean_deg"));
     script.leaned_around_deg = TRY(root.vec2_or("leaned_around_deg", Vec2::Zero()));
@@ -154,12 +157,12 @@ static Result<void> parse_lean(TomlTable& root, GestureScript& script)
 
 Result<GestureScript> parse_gesture_script(std::string_view text, std::string const& file)
 {
-    auto root = TRY(TomlTable::parse(text, file));
+    auto root = TRY(calib::TomlTable::parse(text, file));
     TRY(root.require_version(kScriptVersion));
     GestureScript script;
     if (root.has("seed"))
-        script.seed
-            = static_cast<std::uint64_t>(TRY(root.integer("seed", NumberRange::NotNegative)));
+        script.seed = static_cast<std::uint64_t>(
+            TRY(root.integer("seed", calib::NumberRange::NotNegative)));
     TRY(parse_lean(root, script));
     for (auto& table : TRY(root.tables("gesture")))
         script.gestures.push_back(TRY(parse_gesture(table)));
@@ -171,7 +174,7 @@ Result<GestureScript> parse_gesture_script(std::string_view text, std::string co
 static Result<Path> trace_path(AxisTrace const& trace, RigGeometry const& geometry,
                                AxisTracer const& tracer)
 {
-    auto const T_world_tablet = tractus::T_world_tablet(true_rig(geometry));
+    auto const T_world_tablet = tractus::calib::T_world_tablet(true_rig(geometry));
     PolylineShape polyline;
     for (auto const& place_mm : TRY(tracer(trace.rank)))
         polyline.points_mm.push_back(T_world_tablet
@@ -211,4 +214,4 @@ Result<std::vector<HandStroke>> strokes_of(GestureScript const& script, RigGeome
     return strokes;
 }
 
-} // namespace tractus
+} // namespace tractus::sim

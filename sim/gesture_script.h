@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A hand's part, written down: which tools it takes, and what it draws with each. Logs for
 // demonstrations and tests are made from it. TOML; millimetres of the world frame, degrees:
@@ -106,4 +106,4 @@ using AxisTracer = std::function<Result<std::vector<Vec2>>(std::size_t rank)>;
 Result<std::vector<HandStroke>> strokes_of(GestureScript const& script, RigGeometry const& geometry,
                                            AxisTracer const& tracer);
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tractus {
+namespace tractus::sim {
 
 static constexpr double kMoveSpeed_mm_s = 250;
 // Pause at the start and at the end.
@@ -207,4 +207,4 @@ HandState Hand::at(Timestamp time) const
     return state;
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // How a point moves along a path: from rest to rest, with as little jerk as can be, as arms do
 // (T. Flash, N. Hogan, "The coordination of arm movements", J. Neurosci. 5, 1985). On a long way it
@@ -142,4 +142,4 @@ private:
     Timestamp end_ {};
 };
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sim {
 
 HeightCurve::HeightCurve(std::vector<Point> points, std::int32_t full_scale)
     : points_(std::move(points))
@@ -15,14 +15,14 @@ HeightCurve::HeightCurve(std::vector<Point> points, std::int32_t full_scale)
 {
 }
 
-Result<HeightCurve> HeightCurve::read(Log const& log)
+Result<HeightCurve> HeightCurve::read(drivers::Log const& log)
 {
     for (std::size_t device = 0; device < log.devices.size(); ++device) {
-        auto const decoder = make_height_decoder(log.devices[device]);
+        auto const decoder = drivers::make_height_decoder(log.devices[device]);
         if (!decoder)
             continue;
-        std::vector<HeightSample> samples;
-        LogCursor cursor(log);
+        std::vector<drivers::HeightSample> samples;
+        drivers::LogCursor cursor(log);
         while (auto const* const report = TRY(cursor.next()))
             if (report->device == device) // Broken parts of a report are not in the curve.
                 static_cast<void>((*decoder)->decode(report->time, report->bytes, samples));
@@ -60,4 +60,4 @@ std::int32_t HeightCurve::counts_at(Timestamp time, std::int32_t full_scale) con
     return static_cast<std::int32_t>(std::lround(fraction_at(time) * full_scale));
 }
 
-} // namespace tractus
+} // namespace tractus::sim

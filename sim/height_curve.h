@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // The heights of a recording as a function of time, so that another converter can be asked what it
 // would have read at any instant. Between readings the height goes straight from one to the next;
@@ -16,7 +16,7 @@ class HeightCurve {
 public:
     // The first height sensor of the log; times count from the log's first report. Fails, as the
     // user's fault, if there is none or it has sent nothing.
-    static Result<HeightCurve> read(Log const& log);
+    static Result<HeightCurve> read(drivers::Log const& log);
 
     // Height as a share of full scale: 0 to 1.
     double fraction_at(Timestamp time) const;
@@ -41,4 +41,4 @@ private:
     std::int32_t full_scale_;
 };
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sim {
 
 HeightFaults::HeightFaults(std::vector<SimulatedHeightFault> faults)
     : faults_(std::move(faults))
@@ -17,16 +17,16 @@ std::optional<std::int32_t> HeightFaults::apply(Timestamp now, std::int32_t coun
                                     [&](auto const& f) { return f.begin <= now && now < f.end; });
     if (fault != faults_.end()) {
         switch (fault->kind) {
-        case HeightFaultKind::Silence:
+        case calib::HeightFaultKind::Silence:
             return std::nullopt;
-        case HeightFaultKind::Rail:
+        case calib::HeightFaultKind::Rail:
             counts = fault->counts;
             break;
-        case HeightFaultKind::Jump:
-        case HeightFaultKind::Stop: // Slipped, whichever of them tells it.
+        case calib::HeightFaultKind::Jump:
+        case calib::HeightFaultKind::Stop: // Slipped, whichever of them tells it.
             counts = std::clamp(counts + fault->counts, 0, full_scale);
             break;
-        case HeightFaultKind::Stuck:
+        case calib::HeightFaultKind::Stuck:
             counts = last_.value_or(counts);
             break;
         }
@@ -35,4 +35,4 @@ std::optional<std::int32_t> HeightFaults::apply(Timestamp now, std::int32_t coun
     return counts;
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // Something that goes wrong with the height sensor while a hand draws: the truth beside the bytes.
 struct SimulatedHeightFault {
-    HeightFaultKind kind = HeightFaultKind::Silence;
+    calib::HeightFaultKind kind = calib::HeightFaultKind::Silence;
     Timestamp begin {};
     Timestamp end {}; // It is well again from here on.
 
@@ -35,4 +35,4 @@ private:
     std::optional<std::int32_t> last_ {}; // The last reading, where a string may be stuck.
 };
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -61,17 +61,17 @@ bool is_period(unsigned period_us)
 
 bool is_frame_size(unsigned samples)
 {
-    return samples >= 1 && samples <= kMaxHeightFrameSamples;
+    return samples >= 1 && samples <= drivers::kMaxHeightFrameSamples;
 }
 
 } // namespace
 
-std::vector<std::byte> encode_height_frame(HeightFrame const& frame)
+std::vector<std::byte> encode_height_frame(drivers::HeightFrame const& frame)
 {
     CHECK(is_frame_size(static_cast<unsigned>(frame.count)));
     Bytes bytes;
-    bytes.reserve(kMaxHeightFrameBytes);
-    for (auto const letter : kHeightFrameMagic)
+    bytes.reserve(drivers::kMaxHeightFrameBytes);
+    for (auto const letter : drivers::kHeightFrameMagic)
         put(bytes, { letter });
     put(bytes, { frame.flags, static_cast<unsigned>(frame.count) });
     put_u16(bytes, frame.sequence);
@@ -79,7 +79,7 @@ std::vector<std::byte> encode_height_frame(HeightFrame const& frame)
     put_u16(bytes, frame.period_us);
     for (auto const counts : frame.readings())
         put_u16(bytes, counts);
-    put_u16(bytes, height_frame_crc(bytes));
+    put_u16(bytes, drivers::height_frame_crc(bytes));
     return bytes;
 }
 
@@ -125,9 +125,9 @@ std::vector<std::byte> HeightSensorModel::interface_descriptors(UsbSpeed speed,
 {
     Bytes bytes;
     put(bytes,
-        { 9, 4, 0, 0, 1, kHeightSensorClass, kHeightSensorSubclass, kHeightSensorProtocol,
-          string });               // Interface 0 with one endpoint
-    put(bytes, { 7, 5, 0x81, 2 }); // Endpoint 1, in, bulk
+        { 9, 4, 0, 0, 1, drivers::kHeightSensorClass, drivers::kHeightSensorSubclass,
+          drivers::kHeightSensorProtocol, string }); // Interface 0 with one endpoint
+    put(bytes, { 7, 5, 0x81, 2 });                   // Endpoint 1, in, bulk
     put_u16(bytes, speed == UsbSpeed::High ? 512 : 64);
     put(bytes, { 0 });
     return bytes;
@@ -171,7 +171,7 @@ std::vector<std::byte> HeightSensorModel::bos_descriptor() const
 
 std::string HeightSensorModel::interface_string() const
 {
-    return fmt::format("{}{}", kHeightSensorTitle, options_.full_scale);
+    return fmt::format("{}{}", drivers::kHeightSensorTitle, options_.full_scale);
 }
 
 std::vector<std::string> HeightSensorModel::strings() const
@@ -179,7 +179,7 @@ std::vector<std::string> HeightSensorModel::strings() const
     return { "tractus", "Height sensor", options_.serial_number, interface_string() };
 }
 
-DeviceInfo HeightSensorModel::info() const
+drivers::DeviceInfo HeightSensorModel::info() const
 {
     auto const texts = strings();
     return { .name = texts[1],
@@ -201,22 +201,24 @@ std::optional<std::vector<std::byte>> HeightSensorModel::answer(UsbSetup const& 
         if (setup.request != kMicrosoftRequest || setup.index != kMicrosoftDescriptorIndex)
             return std::nullopt;
         bytes = microsoft_os_descriptors();
-    } else if (setup.request_type != kVendorInterfaceIn || setup.value != 0) {
+    } else if (setup.request_type != drivers::kVendorInterfaceIn || setup.value != 0) {
         return std::nullopt;
-    } else if (setup.request == static_cast<std::uint8_t>(HeightSensorRequest::GetIdentity)) {
+    } else if (setup.request
+               == static_cast<std::uint8_t>(drivers::HeightSensorRequest::GetIdentity)) {
         put(bytes, { 1, 0 });   // Protocol 1.0
         put_u16(bytes, 0x0100); // Firmware 1.00
         put_u16(bytes, options_.full_scale);
         put(bytes, { 12, 1 }); // Bits of the converter; conversions per reading
         put_u16(bytes, kShortestPeriodUs);
         put_u16(bytes, kLongestPeriodUs);
-        put(bytes, { 0x03, kMaxHeightFrameSamples }); // References; readings per frame
+        put(bytes, { 0x03, drivers::kMaxHeightFrameSamples }); // References; readings per frame
         put_u16(bytes, 0);
         put_u32(bytes, now_us);
-    } else if (setup.request == static_cast<std::uint8_t>(HeightSensorRequest::GetRate)) {
+    } else if (setup.request == static_cast<std::uint8_t>(drivers::HeightSensorRequest::GetRate)) {
         put_u16(bytes, period_us_);
         put(bytes, { samples_per_frame_, 0 });
-    } else if (setup.request == static_cast<std::uint8_t>(HeightSensorRequest::GetReference)) {
+    } else if (setup.request
+               == static_cast<std::uint8_t>(drivers::HeightSensorRequest::GetReference)) {
         put(bytes, { static_cast<std::uint8_t>(reference_) });
     } else {
         return std::nullopt;
@@ -228,11 +230,11 @@ std::optional<std::vector<std::byte>> HeightSensorModel::answer(UsbSetup const& 
 bool HeightSensorModel::accept(UsbSetup const& setup, std::span<std::byte const> data)
 {
     auto const at = [&](std::size_t i) { return std::to_integer<unsigned>(data[i]); };
-    if (setup.request_type != kVendorInterfaceOut || data.size() != setup.length)
+    if (setup.request_type != drivers::kVendorInterfaceOut || data.size() != setup.length)
         return false;
-    switch (static_cast<HeightSensorRequest>(setup.request)) {
-    case HeightSensorRequest::SetRate: {
-        if (setup.value != 0 || data.size() != kHeightRateBytes || at(3) != 0
+    switch (static_cast<drivers::HeightSensorRequest>(setup.request)) {
+    case drivers::HeightSensorRequest::SetRate: {
+        if (setup.value != 0 || data.size() != drivers::kHeightRateBytes || at(3) != 0
             || !is_period(at(0) | at(1) << 8) || !is_frame_size(at(2)))
             return false;
         period_us_ = static_cast<std::uint16_t>(at(0) | at(1) << 8);
@@ -240,16 +242,16 @@ bool HeightSensorModel::accept(UsbSetup const& setup, std::span<std::byte const>
         frame_.count = 0;
         return true;
     }
-    case HeightSensorRequest::SetReference:
+    case drivers::HeightSensorRequest::SetReference:
         if (setup.value != 0 || data.size() != 1 || at(0) > 1)
             return false;
-        reference_ = static_cast<HeightReference>(at(0));
+        reference_ = static_cast<drivers::HeightReference>(at(0));
         return true;
-    case HeightSensorRequest::SetStreaming:
+    case drivers::HeightSensorRequest::SetStreaming:
         if (setup.value > 1 || !data.empty())
             return false;
         is_streaming_ = setup.value == 1;
-        frame_ = { .flags = kHeightFrameStart };
+        frame_ = { .flags = drivers::kHeightFrameStart };
         return true;
     default:
         return false;
@@ -276,8 +278,8 @@ std::optional<std::vector<std::byte>> HeightSensorModel::push(std::uint32_t devi
 void HeightSensorModel::lose_frames(std::uint16_t count)
 {
     frame_.sequence = static_cast<std::uint16_t>(frame_.sequence + count);
-    frame_.flags |= kHeightFrameOverrun;
+    frame_.flags |= drivers::kHeightFrameOverrun;
     frame_.count = 0;
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // The station's own height sensor as USB shows it (firmware-notes/height-sensor-protocol.md): its
 // descriptors, its answers to control requests and its frames. Knows no clock and no USB; a gadget
 // gives it the one and puts it behind the other.
 
 // A frame as bytes, its CRC last. At least one reading, at most kMaxHeightFrameSamples.
-std::vector<std::byte> encode_height_frame(HeightFrame const& frame);
+std::vector<std::byte> encode_height_frame(drivers::HeightFrame const& frame);
 
 enum class UsbSpeed { Full, High };
 
@@ -47,7 +47,7 @@ public:
     std::string interface_string() const;
 
     // Returns what the station knows of the sensor once it has opened it.
-    DeviceInfo info() const;
+    drivers::DeviceInfo info() const;
 
     // The data of the answer, at most `setup.length` bytes; no value for a request that stalls.
     // `now_us` is the sensor's clock.
@@ -58,7 +58,7 @@ public:
 
     bool is_streaming() const { return is_streaming_; }
     std::uint16_t period_us() const { return period_us_; }
-    HeightReference reference() const { return reference_; }
+    drivers::HeightReference reference() const { return reference_; }
 
     // A reading at `device_us` of the sensor's clock. The frame that it fills, if it fills one and
     // streaming is on. Readings are taken every period_us().
@@ -71,9 +71,9 @@ private:
     Options options_;
     std::uint16_t period_us_;
     std::uint8_t samples_per_frame_;
-    HeightReference reference_ = HeightReference::Supply;
+    drivers::HeightReference reference_ = drivers::HeightReference::Supply;
     bool is_streaming_ = false;
-    HeightFrame frame_ {}; // The one being filled.
+    drivers::HeightFrame frame_ {}; // The one being filled.
 };
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A device that this program plays to the kernel: through uhid, or as a function of a USB gadget.
 // It has no thread and no clock: whoever plays it waits for its files with poll(2) and calls
@@ -41,4 +41,4 @@ public:
     virtual std::size_t waiting_count() const = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -53,19 +53,19 @@ void LabJackU3Model::set_counts(int channel, std::uint16_t counts)
 
 std::vector<std::byte> LabJackU3Model::answer(std::span<std::byte const> command)
 {
-    if (check_labjack_packet(command) != LabJackDefect::None)
+    if (drivers::check_labjack_packet(command) != drivers::LabJackDefect::None)
         return { std::byte { 0xB8 }, std::byte { 0xB8 } };
-    auto const data = command.subspan(kLabJackHeaderBytes);
-    auto const name = static_cast<LabJackCommand>(command[3]);
+    auto const data = command.subspan(drivers::kLabJackHeaderBytes);
+    auto const name = static_cast<drivers::LabJackCommand>(command[3]);
     switch (name) {
-    case LabJackCommand::Feedback:
-        return labjack_packet(name, answer_feedback(data));
-    case LabJackCommand::ConfigIo:
-        return labjack_packet(name, answer_config_io(data));
-    case LabJackCommand::ConfigU3:
-        return labjack_packet(name, answer_config_u3());
-    case LabJackCommand::ReadMemory:
-        return labjack_packet(name, answer_read_memory(data));
+    case drivers::LabJackCommand::Feedback:
+        return drivers::labjack_packet(name, answer_feedback(data));
+    case drivers::LabJackCommand::ConfigIo:
+        return drivers::labjack_packet(name, answer_config_io(data));
+    case drivers::LabJackCommand::ConfigU3:
+        return drivers::labjack_packet(name, answer_config_u3());
+    case drivers::LabJackCommand::ReadMemory:
+        return drivers::labjack_packet(name, answer_read_memory(data));
     }
     return { std::byte { 0xB8 }, std::byte { 0xB8 } };
 }
@@ -141,4 +141,4 @@ std::vector<std::byte> LabJackU3Model::answer_read_memory(std::span<std::byte co
     return reply;
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A LabJack U3 as its bulk endpoints show it: one command in, one reply out (U3 user's guide,
 // section 5: low-level commands). It knows Feedback with the analog input, ConfigIO, ConfigU3 and
@@ -43,4 +43,4 @@ private:
     std::uint16_t analog_ = 0; // One bit per channel.
 };
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -93,4 +93,4 @@ std::vector<std::byte> LinakDeskModel::report_descriptor()
     return descriptor;
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A motorised desk behind LINAK's cable USB2LIN06 as its feature reports show it
 // (firmware-notes/desk.md): it tells its height when it is asked, after it was initialised, and
@@ -50,4 +50,4 @@ private:
     std::size_t movement_count_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::sim

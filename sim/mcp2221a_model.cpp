@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -130,4 +130,4 @@ std::uint16_t Mcp2221aModel::counts(int pin) const
     return static_cast<std::uint16_t>(std::clamp(counts, 0.0, 1023.0));
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A Microchip MCP2221A as its HID interface shows it: 64 bytes of command in, 64 bytes of reply out
 // (datasheet DS20005565, section 3.1). It knows the commands that have to do with its pins and its
@@ -51,4 +51,4 @@ private:
     std::uint8_t told_reference_ = 0; // Reference that the settings claim.
 };
 
-} // namespace tractus
+} // namespace tractus::sim

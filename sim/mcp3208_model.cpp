@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -109,4 +109,4 @@ void Mcp3208Model::decide_next_bit()
         code_ = candidate;
 }
 
-} // namespace tractus
+} // namespace tractus::sim

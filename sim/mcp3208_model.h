@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-namespace tractus {
+namespace tractus::sim {
 
 // The MCP3008 (10 bits) and MCP3208 (12 bits) as seen at their pins: Microchip DS21295 and DS21298,
 // sections 5 and 6. Pins go in as they change, each with its time, and DOUT comes out; so whatever
@@ -86,4 +86,4 @@ private:
     std::uint64_t conversions_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::sim

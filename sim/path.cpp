@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::sim {
 
 static constexpr double kLongest_mm = 10'000;
 static constexpr double kStep_mm = 0.5;
@@ -121,4 +121,4 @@ Path make_path(PathShape const& shape)
     return Path(points_of_any(shape));
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A curve in space as a function of its arc length, piecewise straight in steps of at most half a
 // millimetre (or between the points of a polyline). World frame, millimetres.
@@ -79,4 +79,4 @@ bool is_drawable(PathShape const& shape);
 // The path along a shape, which must be drawable.
 Path make_path(PathShape const& shape);
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace tractus {
+namespace tractus::sim {
 
 // Streams of the simulation's random numbers (RandomKey::stream), so that one seed serves all and
 // none depends on another.
@@ -13,4 +13,4 @@ constexpr std::uint32_t kHeightNoiseStream = 0x73'69'6d'04;
 constexpr std::uint32_t kTiltNoiseStream = 0x73'69'6d'06;
 constexpr std::uint32_t kRulerStream = 0x73'69'6d'05;
 
-} // namespace tractus
+} // namespace tractus::sim

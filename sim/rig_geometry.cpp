@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::sim {
 
 double string_length_mm(RigGeometry const& geometry, double height_mm)
 {
@@ -16,9 +16,9 @@ double ideal_counts(RigGeometry const& geometry, double height_mm)
         / geometry.string_per_count_mm;
 }
 
-Rig true_rig(RigGeometry const& geometry)
+calib::Rig true_rig(RigGeometry const& geometry)
 {
-    StringHeight const model {
+    calib::StringHeight const model {
         .mm_per_count = geometry.string_per_count_mm,
         .zero_length_mm = geometry.string_at_zero_counts_mm,
         .offset_mm = geometry.string_offset_mm,
@@ -38,13 +38,13 @@ Rig true_rig(RigGeometry const& geometry)
 
 Eigen::Affine3d T_tablet_world(RigGeometry const& geometry)
 {
-    return T_world_tablet(true_rig(geometry)).inverse(Eigen::Affine);
+    return calib::T_world_tablet(true_rig(geometry)).inverse(Eigen::Affine);
 }
 
 Result<void> check_reach(RigGeometry const& geometry, Path const& path)
 {
     constexpr double kMargin_mm = 1;
-    auto const T_tablet_world = tractus::T_tablet_world(geometry);
+    auto const T_tablet_world = sim::T_tablet_world(geometry);
     Vec3 const room_mm(geometry.tablet_size_mm.x(), geometry.tablet_size_mm.y(),
                        geometry.travel_mm);
     for (auto const& point : path.points_mm()) {
@@ -61,4 +61,4 @@ Result<void> check_reach(RigGeometry const& geometry, Path const& path)
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::sim

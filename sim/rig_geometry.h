@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A rig as it stands there, in bodies and distances, as no calibration ever knows it. The string
 // runs aslant (height_model.h has the drawing), so that height is far from linear in counts.
@@ -37,7 +37,7 @@ double ideal_counts(RigGeometry const& geometry, double height_mm);
 
 // Returns what a perfect calibration of the rig would find; the latencies are the caller's to fill
 // in.
-Rig true_rig(RigGeometry const& geometry);
+calib::Rig true_rig(RigGeometry const& geometry);
 
 // Takes a place of the tip in the world to (x, y, height): where on the tablet it is, in the tablet
 // frame, and how high the carriage. The inverse of calib's T_world_tablet.
@@ -47,4 +47,4 @@ Eigen::Affine3d T_tablet_world(RigGeometry const& geometry);
 // beyond the travel, a millimetre kept for the hand's tremor.
 Result<void> check_reach(RigGeometry const& geometry, Path const& path);
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sim {
 
 DeviceClock::DeviceClock(DeviceTiming const& timing, RandomKey const& key)
     : timing_(timing)
@@ -31,7 +31,7 @@ Timestamp DeviceClock::arrival(Timestamp instant)
     return last_arrival_;
 }
 
-class SimulatedSource : public ReportSource {
+class SimulatedSource : public drivers::ReportSource {
 public:
     SimulatedSource(SimulatedDevice device, Pacer pacer)
         : device_(std::move(device))
@@ -39,15 +39,15 @@ public:
     {
     }
 
-    DeviceInfo const& info() const override { return device_.info; }
+    drivers::DeviceInfo const& info() const override { return device_.info; }
 
-    Result<std::optional<RawReport>> read(Duration timeout) override
+    Result<std::optional<drivers::RawReport>> read(Duration timeout) override
     {
         bool const ended = next_ == device_.reports.size();
         auto const due = ended ? Timestamp::max() : device_.reports[next_].received;
         bool const is_due = !pacer_ || pacer_(due, timeout);
         if (ended || !is_due)
-            return std::optional<RawReport>();
+            return std::optional<drivers::RawReport>();
         return std::optional(device_.reports[next_++]);
     }
 
@@ -57,7 +57,7 @@ private:
     std::size_t next_ = 0;
 };
 
-std::unique_ptr<ReportSource> open_simulated(SimulatedDevice device, Pacer pacer)
+std::unique_ptr<drivers::ReportSource> open_simulated(SimulatedDevice device, Pacer pacer)
 {
     return std::make_unique<SimulatedSource>(std::move(device), std::move(pacer));
 }
@@ -74,4 +74,4 @@ std::vector<ArrivedReport> in_order_of_arrival(std::span<SimulatedDevice const* 
     return arrived;
 }
 
-} // namespace tractus
+} // namespace tractus::sim

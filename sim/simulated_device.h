@@ -11,13 +11,13 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A device that is not there: what it is, and everything it sends, in order of arrival. Times count
 // from the hand's start.
 struct SimulatedDevice {
-    DeviceInfo info;
-    std::vector<RawReport> reports;
+    drivers::DeviceInfo info;
+    std::vector<drivers::RawReport> reports;
 };
 
 // How a device's measurements become arrivals.
@@ -56,16 +56,16 @@ using Pacer = std::function<bool(Timestamp due, Duration timeout)>;
 // nothing comes any more: without a pacer read() returns no value at once, with one it waits out
 // its timeout, since the pacer is given a time that never comes. Reports keep their simulated
 // times.
-std::unique_ptr<ReportSource> open_simulated(SimulatedDevice device, Pacer pacer = {});
+std::unique_ptr<drivers::ReportSource> open_simulated(SimulatedDevice device, Pacer pacer = {});
 
 // A report of one of several devices.
 struct ArrivedReport {
     std::size_t device = 0;
-    RawReport const* report = nullptr;
+    drivers::RawReport const* report = nullptr;
 };
 
 // The reports of all devices as they arrive at one computer: what a log of them holds. Points into
 // `devices`. At the same time the earlier device is first.
 std::vector<ArrivedReport> in_order_of_arrival(std::span<SimulatedDevice const* const> devices);
 
-} // namespace tractus
+} // namespace tractus::sim

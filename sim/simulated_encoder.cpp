@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sim {
 
-bool is_encoder_line_high(QuadratureEdge::Line line, std::int64_t count)
+bool is_encoder_line_high(drivers::QuadratureEdge::Line line, std::int64_t count)
 {
     auto const quarter = count & 3;
-    return line == QuadratureEdge::Line::A ? quarter == 1 || quarter == 2 : quarter >= 2;
+    return line == drivers::QuadratureEdge::Line::A ? quarter == 1 || quarter == 2 : quarter >= 2;
 }
 
 static std::int64_t whole_counts(double position)
@@ -25,18 +25,18 @@ SimulatedEncoder::SimulatedEncoder(Position position, Options options)
 {
 }
 
-Quadrature::Beginning SimulatedEncoder::beginning() const
+drivers::Quadrature::Beginning SimulatedEncoder::beginning() const
 {
-    return { .a = is_encoder_line_high(QuadratureEdge::Line::A, first_count_),
-             .b = is_encoder_line_high(QuadratureEdge::Line::B, first_count_) };
+    return { .a = is_encoder_line_high(drivers::QuadratureEdge::Line::A, first_count_),
+             .b = is_encoder_line_high(drivers::QuadratureEdge::Line::B, first_count_) };
 }
 
-void SimulatedEncoder::emit(std::int64_t to, std::vector<QuadratureEdge>& edges)
+void SimulatedEncoder::emit(std::int64_t to, std::vector<drivers::QuadratureEdge>& edges)
 {
-    auto const line = is_encoder_line_high(QuadratureEdge::Line::A, to)
-            != is_encoder_line_high(QuadratureEdge::Line::A, count_)
-        ? QuadratureEdge::Line::A
-        : QuadratureEdge::Line::B;
+    auto const line = is_encoder_line_high(drivers::QuadratureEdge::Line::A, to)
+            != is_encoder_line_high(drivers::QuadratureEdge::Line::A, count_)
+        ? drivers::QuadratureEdge::Line::A
+        : drivers::QuadratureEdge::Line::B;
     count_ = to;
     ++edge_count_;
     if (options_.unnumbered.contains(edge_count_))
@@ -49,7 +49,7 @@ void SimulatedEncoder::emit(std::int64_t to, std::vector<QuadratureEdge>& edges)
                           .number = number_ });
 }
 
-void SimulatedEncoder::step(std::vector<QuadratureEdge>& edges)
+void SimulatedEncoder::step(std::vector<drivers::QuadratureEdge>& edges)
 {
     now_ += kStep;
     auto const target = whole_counts(position_(now_));
@@ -57,7 +57,7 @@ void SimulatedEncoder::step(std::vector<QuadratureEdge>& edges)
         emit(count_ + (target > count_ ? 1 : -1), edges);
 }
 
-Result<void> SimulatedEncoder::read(Duration timeout, std::vector<QuadratureEdge>& edges)
+Result<void> SimulatedEncoder::read(Duration timeout, std::vector<drivers::QuadratureEdge>& edges)
 {
     auto const end = now_ + std::max(timeout, Duration(0));
     while (now_ < end && edges.empty())
@@ -67,4 +67,4 @@ Result<void> SimulatedEncoder::read(Duration timeout, std::vector<QuadratureEdge
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -8,16 +8,16 @@
 #include <set>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // Whether a line is high where the encoder is at this count: of a period of four counts, A is in
 // its second and third quarter, B in its third and fourth.
-bool is_encoder_line_high(QuadratureEdge::Line line, std::int64_t count);
+bool is_encoder_line_high(drivers::QuadratureEdge::Line line, std::int64_t count);
 
 // A quadrature encoder's two lines as the kernel tells them: its edges, stamped and numbered, as
 // something moves it. Time passes only while somebody waits for edges, in steps of kStep: the
 // encoder must not move by more than a few counts in one.
-class SimulatedEncoder final : public GpioEdges {
+class SimulatedEncoder final : public drivers::GpioEdges {
 public:
     static constexpr Duration kStep = std::chrono::microseconds(20);
 
@@ -32,13 +32,13 @@ public:
 
     SimulatedEncoder(Position position, Options options);
 
-    Result<void> read(Duration timeout, std::vector<QuadratureEdge>& edges) override;
+    Result<void> read(Duration timeout, std::vector<drivers::QuadratureEdge>& edges) override;
     Timestamp now() override { return now_; }
-    Quadrature::Beginning beginning() const override;
+    drivers::Quadrature::Beginning beginning() const override;
 
 private:
-    void step(std::vector<QuadratureEdge>& edges);
-    void emit(std::int64_t to, std::vector<QuadratureEdge>& edges);
+    void step(std::vector<drivers::QuadratureEdge>& edges);
+    void emit(std::int64_t to, std::vector<drivers::QuadratureEdge>& edges);
 
     Position position_;
     Options options_;
@@ -49,4 +49,4 @@ private:
     std::uint32_t number_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::sim

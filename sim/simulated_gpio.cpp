@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -39,9 +39,9 @@ Result<void> SimulatedGpio::set(std::uint32_t values)
         return gone();
     }
     model_.set_pins(now_,
-                    { .clk = (values & kMcp3208Clk) != 0,
-                      .din = (values & kMcp3208Din) != 0,
-                      .cs = (values & kMcp3208Cs) != 0 });
+                    { .clk = (values & drivers::kMcp3208Clk) != 0,
+                      .din = (values & drivers::kMcp3208Din) != 0,
+                      .cs = (values & drivers::kMcp3208Cs) != 0 });
     return {};
 }
 
@@ -49,7 +49,7 @@ Result<std::uint32_t> SimulatedGpio::get()
 {
     if (!begin_request())
         return gone();
-    return model_.dout().value_or(options_.dout_pull) ? kMcp3208Dout : 0;
+    return model_.dout().value_or(options_.dout_pull) ? drivers::kMcp3208Dout : 0;
 }
 
 void SimulatedGpio::sleep_until(Timestamp time)
@@ -57,4 +57,4 @@ void SimulatedGpio::sleep_until(Timestamp time)
     now_ = std::max(now_, time);
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -7,14 +7,14 @@
 #include <map>
 #include <optional>
 
-namespace tractus {
+namespace tractus::sim {
 
 // The four lines of an MCP3008 or MCP3208 with the converter behind them, and the time that passes
 // while somebody uses them: each request takes a while, and the scheduler may put a pause before
 // any. The lines' order is that of mcp3208_lines: CLK, DIN, DOUT, CS.
 //
 // No clock and no threads: time is what the requests took and what was waited.
-class SimulatedGpio final : public GpioLines {
+class SimulatedGpio final : public drivers::GpioLines {
 public:
     struct Options {
         Duration request_time = std::chrono::microseconds(2); // A Raspberry Pi's.
@@ -48,4 +48,4 @@ private:
     std::uint64_t requests_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -61,7 +61,7 @@ std::vector<std::byte> report_descriptor(std::int32_t full_scale_counts)
 
 } // namespace
 
-DeviceInfo simulated_slider_info(std::int32_t full_scale_counts)
+drivers::DeviceInfo simulated_slider_info(std::int32_t full_scale_counts)
 {
     return {
         .name = "Simulated height sensor",
@@ -74,9 +74,9 @@ DeviceInfo simulated_slider_info(std::int32_t full_scale_counts)
     };
 }
 
-RawReport simulated_slider_report(std::int32_t counts, Timestamp received)
+drivers::RawReport simulated_slider_report(std::int32_t counts, Timestamp received)
 {
-    RawReport report { .received = received, .size = 4 };
+    drivers::RawReport report { .received = received, .size = 4 };
     report.storage[0] = static_cast<std::byte>(kHeightReportId);
     report.storage[1] = static_cast<std::byte>(counts & 0xff);
     report.storage[2] = static_cast<std::byte>(counts >> 8);
@@ -89,7 +89,7 @@ namespace {
 class Encoder {
 public:
     virtual ~Encoder() = default;
-    virtual DeviceInfo info() const = 0;
+    virtual drivers::DeviceInfo info() const = 0;
 
     // The report that a reading at `instant` completes, if it does. No reading: the sensor fails.
     virtual std::optional<std::vector<std::byte>> encode(Timestamp instant,
@@ -104,7 +104,7 @@ public:
     {
     }
 
-    DeviceInfo info() const override { return simulated_slider_info(full_scale_counts_); }
+    drivers::DeviceInfo info() const override { return simulated_slider_info(full_scale_counts_); }
 
     std::optional<std::vector<std::byte>> encode(Timestamp,
                                                  std::optional<std::int32_t> counts) override
@@ -130,14 +130,14 @@ public:
         , clock_rate_(1 / (1 + options.clock_drift_ppm * 1e-6))
     {
         bool const is_on
-            = model_.accept({ .request_type = kVendorInterfaceOut,
-                              .request = std::uint8_t(HeightSensorRequest::SetStreaming),
+            = model_.accept({ .request_type = drivers::kVendorInterfaceOut,
+                              .request = std::uint8_t(drivers::HeightSensorRequest::SetStreaming),
                               .value = 1 },
                             {});
         CHECK(is_on);
     }
 
-    DeviceInfo info() const override { return model_.info(); }
+    drivers::DeviceInfo info() const override { return model_.info(); }
 
     std::optional<std::vector<std::byte>> encode(Timestamp instant,
                                                  std::optional<std::int32_t> counts) override
@@ -167,9 +167,9 @@ std::unique_ptr<Encoder> make_encoder(std::int32_t full_scale_counts, HeightOpti
 // mean.
 Duration mean_latency(SimulatedDevice const& device, std::vector<Timestamp> const& instants)
 {
-    auto const decoder = make_height_decoder(device.info);
+    auto const decoder = drivers::make_height_decoder(device.info);
     CHECK(decoder);
-    std::vector<HeightSample> samples;
+    std::vector<drivers::HeightSample> samples;
     for (auto const& report : device.reports)
         CHECK((*decoder)->decode(report, samples));
     CHECK(samples.size() == instants.size());
@@ -206,7 +206,7 @@ SimulatedHeight simulate_height(Hand const& hand, RigGeometry const& geometry,
         if (!bytes)
             continue;
         sent = instants.size();
-        RawReport report { .received = arrival, .size = bytes->size() };
+        drivers::RawReport report { .received = arrival, .size = bytes->size() };
         std::ranges::copy(*bytes, report.storage.begin());
         device.reports.push_back(report);
     }
@@ -216,4 +216,4 @@ SimulatedHeight simulate_height(Hand const& hand, RigGeometry const& geometry,
     return { .device = std::move(device), .latency = latency };
 }
 
-} // namespace tractus
+} // namespace tractus::sim

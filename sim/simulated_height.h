@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // The height sensor: a string potentiometer on an analog-to-digital converter that speaks HID, as
 // an absolute Generic Desktop Slider (HID Usage Tables, page 0x01, usage 0x36) whose logical range
@@ -44,7 +44,7 @@ SimulatedHeight simulate_height(Hand const& hand, RigGeometry const& geometry,
                                 HeightOptions const& options);
 
 // The HID slider, moved by somebody who is no Hand: what it is, and what it sends for a reading.
-DeviceInfo simulated_slider_info(std::int32_t full_scale_counts);
-RawReport simulated_slider_report(std::int32_t counts, Timestamp received);
+drivers::DeviceInfo simulated_slider_info(std::int32_t full_scale_counts);
+drivers::RawReport simulated_slider_report(std::int32_t counts, Timestamp received);
 
-} // namespace tractus
+} // namespace tractus::sim

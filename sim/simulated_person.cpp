@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::sim {
 
 std::vector<SetHeight> set_heights(std::span<double const> aimed_mm, PersonOptions const& options)
 {
@@ -22,14 +22,14 @@ std::vector<SetHeight> set_heights(std::span<double const> aimed_mm, PersonOptio
     return heights;
 }
 
-std::vector<HeightCapture> simulate_captures(RigGeometry const& geometry,
-                                             std::span<double const> aimed_mm,
-                                             PersonOptions const& options)
+std::vector<calib::HeightCapture> simulate_captures(RigGeometry const& geometry,
+                                                    std::span<double const> aimed_mm,
+                                                    PersonOptions const& options)
 {
     Random noise({ .seed = options.seed, .stream = kHeightNoiseStream });
-    std::vector<HeightCapture> captures;
+    std::vector<calib::HeightCapture> captures;
     for (auto const& height : set_heights(aimed_mm, options)) {
-        std::vector<HeightSample> samples;
+        std::vector<drivers::HeightSample> samples;
         for (std::size_t i = 0; i < options.readings; ++i) {
             double const counts
                 = ideal_counts(geometry, height.true_mm) + options.noise_counts * noise.normal();
@@ -39,12 +39,12 @@ std::vector<HeightCapture> simulate_captures(RigGeometry const& geometry,
                                 .counts = static_cast<std::int32_t>(read),
                                 .full_scale = geometry.full_scale_counts });
         }
-        auto const capture = capture_at_rest(samples, height.said_mm);
+        auto const capture = calib::capture_at_rest(samples, height.said_mm);
         CHECK(capture); // A person who holds still, on a sensor that works.
         captures.push_back(*capture);
     }
-    tell_directions(captures);
+    calib::tell_directions(captures);
     return captures;
 }
 
-} // namespace tractus
+} // namespace tractus::sim

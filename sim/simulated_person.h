@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A person who calibrates: sets the carriage to heights with a ruler, none too exactly, and says
 // what the ruler shows.
@@ -37,8 +37,8 @@ std::vector<SetHeight> set_heights(std::span<double const> aimed_mm, PersonOptio
 
 // The captures that come of them, from the sensor of a rig: noise and rounding included, without
 // the detour through reports.
-std::vector<HeightCapture> simulate_captures(RigGeometry const& geometry,
-                                             std::span<double const> aimed_mm,
-                                             PersonOptions const& options);
+std::vector<calib::HeightCapture> simulate_captures(RigGeometry const& geometry,
+                                                    std::span<double const> aimed_mm,
+                                                    PersonOptions const& options);
 
-} // namespace tractus
+} // namespace tractus::sim

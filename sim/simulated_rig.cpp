@@ -3,11 +3,11 @@
 #include <array>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sim {
 
 std::vector<ArrivedReport> SimulatedRun::in_order_of_arrival() const
 {
-    return tractus::in_order_of_arrival(std::array { &tablet, &height });
+    return sim::in_order_of_arrival(std::array { &tablet, &height });
 }
 
 SimulatedRun simulate_rig(Hand const& hand, SimulatedRigOptions const& options)
@@ -29,4 +29,4 @@ SimulatedRun simulate_rig(Hand const& hand, SimulatedRigOptions const& options)
     };
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 struct SimulatedRigOptions {
     RigGeometry geometry {};
@@ -23,7 +23,7 @@ struct SimulatedRigOptions {
 struct SimulatedRun {
     SimulatedDevice tablet {};
     SimulatedDevice height {};
-    Rig rig {};                    // Rig as a user's perfect calibration would have it.
+    calib::Rig rig {};             // Rig as a user's perfect calibration would have it.
     std::vector<TrueTip> truth {}; // One per report of the tablet.
 
     // Device 0 is the tablet, 1 the height sensor.
@@ -33,4 +33,4 @@ struct SimulatedRun {
 // A pure function: the same hand and options give the same bytes.
 SimulatedRun simulate_rig(Hand const& hand, SimulatedRigOptions const& options);
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -77,9 +77,9 @@ std::vector<std::byte> report_descriptor(Vec2 const& size_mm)
     return bytes;
 }
 
-RawReport encode(PenReport const& report, Timestamp received)
+drivers::RawReport encode(PenReport const& report, Timestamp received)
 {
-    RawReport raw { .received = received, .size = kReportSize };
+    drivers::RawReport raw { .received = received, .size = kReportSize };
     auto const put = [&](std::size_t at, int value) {
         raw.storage[at] = static_cast<std::byte>(value & 0xff);
     };
@@ -126,7 +126,7 @@ PenReport quantise(HandState const& state, Vec2 const& place_mm, Vec2 const& siz
 
 } // namespace
 
-DeviceInfo simulated_tablet_info(Vec2 const& size_mm)
+drivers::DeviceInfo simulated_tablet_info(Vec2 const& size_mm)
 {
     return {
         .name = "Simulated pen tablet",
@@ -139,7 +139,8 @@ DeviceInfo simulated_tablet_info(Vec2 const& size_mm)
     };
 }
 
-RawReport simulated_tablet_report(TabletPen const& pen, Vec2 const& size_mm, Timestamp received)
+drivers::RawReport simulated_tablet_report(TabletPen const& pen, Vec2 const& size_mm,
+                                           Timestamp received)
 {
     HandState state;
     state.touching = pen.touching;
@@ -156,7 +157,7 @@ SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
 {
     SimulatedTablet tablet;
     tablet.device.info = simulated_tablet_info(geometry.tablet_size_mm);
-    auto const T_tablet_world = tractus::T_tablet_world(geometry);
+    auto const T_tablet_world = sim::T_tablet_world(geometry);
     DeviceClock clock(options.timing, { .seed = options.seed, .stream = kTabletTimingStream });
     Random tilt_noise({ .seed = options.seed, .stream = kTiltNoiseStream });
     PenReport last;
@@ -164,7 +165,7 @@ SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
         auto state = hand.at(now);
         Vec2 place_mm = (T_tablet_world * state.position_mm).head<2>();
         if (geometry.coil_height_mm != 0)
-            place_mm += geometry.coil_height_mm * lean_of(state.tilt_rad);
+            place_mm += geometry.coil_height_mm * calib::lean_of(state.tilt_rad);
         if (options.tilt_noise_deg > 0)
             for (double& angle_rad : state.tilt_rad)
                 angle_rad += radians(options.tilt_noise_deg) * tilt_noise.normal();
@@ -186,4 +187,4 @@ SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
     return tablet;
 }
 
-} // namespace tractus
+} // namespace tractus::sim

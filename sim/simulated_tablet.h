@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // A pen tablet as the HID standard describes one, with a report descriptor of its own (HID 1.11
 // section 6.2.2; HID Usage Tables, page 0x0D): 100 counts per millimetre, 8,192 levels of pressure,
@@ -61,7 +61,8 @@ struct TabletPen {
     bool touching = false;
     double pressure = 0; // 0 to 1.
 };
-DeviceInfo simulated_tablet_info(Vec2 const& size_mm);
-RawReport simulated_tablet_report(TabletPen const& pen, Vec2 const& size_mm, Timestamp received);
+drivers::DeviceInfo simulated_tablet_info(Vec2 const& size_mm);
+drivers::RawReport simulated_tablet_report(TabletPen const& pen, Vec2 const& size_mm,
+                                           Timestamp received);
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -24,7 +24,7 @@ std::vector<std::byte> mcp2221a_report_descriptor()
     return descriptor;
 }
 
-DeviceInfo mcp2221a_info()
+drivers::DeviceInfo mcp2221a_info()
 {
     return {
         .name = "Microchip Technology Inc. MCP2221 USB-I2C/UART Combo",
@@ -82,7 +82,8 @@ Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
     auto const desk = std::make_shared<LinakDeskModel>(); // Shared by both answers.
     UhidAnswers answers;
     answers.get_feature = [desk, input = std::move(input)](std::uint8_t id) {
-        auto const tenths_mm = std::lround(input() * kLinakFullScale) - kLinakCountsBelow;
+        auto const tenths_mm
+            = std::lround(input() * drivers::kLinakFullScale) - drivers::kLinakCountsBelow;
         desk->move_to(static_cast<std::int16_t>(std::max(tenths_mm, 0L)));
         return desk->get_feature(id);
     };
@@ -153,11 +154,11 @@ std::uint8_t Cp2112WithEncoder::next_levels()
         *count_ += std::clamp<std::int64_t>(target - *count_, -1, 1);
     else
         count_ = begin_ = target;
-    auto const level = [&](QuadratureEdge::Line line, unsigned at) {
+    auto const level = [&](drivers::QuadratureEdge::Line line, unsigned at) {
         return static_cast<unsigned>(is_encoder_line_high(line, *count_ - begin_)) << at;
     };
-    return static_cast<std::uint8_t>(level(QuadratureEdge::Line::A, wiring_.a)
-                                     | level(QuadratureEdge::Line::B, wiring_.b));
+    return static_cast<std::uint8_t>(level(drivers::QuadratureEdge::Line::A, wiring_.a)
+                                     | level(drivers::QuadratureEdge::Line::B, wiring_.b));
 }
 
-} // namespace tractus
+} // namespace tractus::sim

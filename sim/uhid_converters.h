@@ -13,7 +13,7 @@
 #include <memory>
 #include <optional>
 
-namespace tractus {
+namespace tractus::sim {
 
 // Converters that the kernel and every program take for real ones, through uhid.
 
@@ -91,4 +91,4 @@ private:
     Cp2112Model bridge_;
 };
 
-} // namespace tractus
+} // namespace tractus::sim

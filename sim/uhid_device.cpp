@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -69,7 +69,8 @@ UhidDevice::UhidDevice(FileDescriptor file, UhidAnswers answers)
 {
 }
 
-Result<std::unique_ptr<UhidDevice>> UhidDevice::create(DeviceInfo const& info, UhidAnswers answers)
+Result<std::unique_ptr<UhidDevice>> UhidDevice::create(drivers::DeviceInfo const& info,
+                                                       UhidAnswers answers)
 {
     auto file
         = TRY(open_kernel_file(kNode, O_RDWR | O_NONBLOCK,
@@ -152,4 +153,4 @@ Result<void> UhidDevice::send(std::span<std::byte const> report)
     return write_event(file_, event);
 }
 
-} // namespace tractus
+} // namespace tractus::sim

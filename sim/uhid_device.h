@@ -15,7 +15,7 @@
 
 struct uhid_event; // linux/uhid.h
 
-namespace tractus {
+namespace tractus::sim {
 
 // Answers of a device. Reports begin with their id if the device numbers them. Each may be left
 // out: then features are an input/output error to the kernel, and output reports are ignored.
@@ -35,7 +35,7 @@ class UhidDevice final : public KernelDevice {
 public:
     // Name, path, bus, ids and report descriptor are those of `info`. Fails, as the user's fault,
     // if /dev/uhid may not be used or the kernel refuses the descriptor.
-    static Result<std::unique_ptr<UhidDevice>> create(DeviceInfo const& info,
+    static Result<std::unique_ptr<UhidDevice>> create(drivers::DeviceInfo const& info,
                                                       UhidAnswers answers = {});
 
     void add_files_to(std::vector<pollfd>& files) const override;
@@ -60,4 +60,4 @@ private:
     bool is_open_ = false;
 };
 
-} // namespace tractus
+} // namespace tractus::sim

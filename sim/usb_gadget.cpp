@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace fs = std::filesystem;
 
@@ -210,4 +210,4 @@ Result<void> UsbGadget::unplug()
     return write_attribute(folder_ / "UDC", "\n");
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // Identity of a USB device that this computer plays.
 struct UsbGadgetIdentity {
@@ -84,4 +84,4 @@ private:
 // Writes an attribute of configfs or sysfs at once. Fails, as the user's fault, naming it.
 Result<void> write_attribute(std::filesystem::path const& path, std::string_view value);
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace tractus {
+namespace tractus::sim {
 
 // The eight bytes that begin a control transfer (USB 2.0 section 9.3).
 struct UsbSetup {
@@ -13,4 +13,4 @@ struct UsbSetup {
     std::uint16_t length = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -57,9 +57,9 @@ private:
     // Holds until the next call. `place` is of a plant of this collection.
     Plant const& grow(CollectionGrower& grower, PlantPlace const& place);
 
-    std::optional<WindKey> wind(PlantPlace const& place) const
+    std::optional<mesh::WindKey> wind(PlantPlace const& place) const
     {
-        return options_.has_wind ? std::optional(WindKey { options_.seed, place.index })
+        return options_.has_wind ? std::optional(mesh::WindKey { options_.seed, place.index })
                                  : std::nullopt;
     }
 
@@ -183,9 +183,9 @@ void Collection::add_details(PlacedMesh& mesh, std::function<Plant()> const& pla
         share /= 2;
         mesh.details.push_back(
             { PlantToMesh {
-                  .plant
-                  = [this, plant, share] { return coarser_plant(plant(), options_.mesh, share); },
-                  .options = coarser_options(options_.mesh, share),
+                  .plant = [this, plant,
+                            share] { return mesh::coarser_plant(plant(), options_.mesh, share); },
+                  .options = mesh::coarser_options(options_.mesh, share),
                   .wind = std::get<PlantToMesh>(mesh.mesh).wind },
               kFullCoverage * share });
     }
@@ -197,8 +197,8 @@ void Collection::add_details(PlacedMesh& mesh, std::function<Plant()> const& pla
 Billboard Collection::billboard(Plant const& plant)
 {
     constexpr double kShare = 0.25; // More detail than this does not show in so few pixels.
-    auto const coarse = coarser_plant(plant, options_.mesh, kShare);
-    auto const mesh = make_mesh(coarse, coarser_options(options_.mesh, kShare));
+    auto const coarse = mesh::coarser_plant(plant, options_.mesh, kShare);
+    auto const mesh = mesh::make_mesh(coarse, mesh::coarser_options(options_.mesh, kShare));
     Result<Billboard> drawn;
     pictures_->draw([&](PictureMaker& pictures) { drawn = draw_billboard(pictures, mesh); });
     if (drawn)

@@ -57,7 +57,7 @@ struct CollectionOptions {
     std::filesystem::path output {};
     // A picture of small pictures (collection_sheet.h); none if it is empty.
     std::filesystem::path sheet {};
-    MeshOptions mesh {};
+    mesh::MeshOptions mesh {};
     GlbOptions glb {};
     bool has_wind = false; // Whether files have what the wind needs; glb.wind says where.
 

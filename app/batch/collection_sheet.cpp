@@ -12,7 +12,7 @@ namespace tractus {
 static constexpr PictureSize kSheetTile { 240, 240 };
 
 // Enough for a tile, in which the thickest trunk is a few pixels wide.
-static constexpr MeshOptions kSheetMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
+static constexpr mesh::MeshOptions kSheetMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
 
 static std::size_t sheet_plant_count(std::size_t count)
 {
@@ -31,14 +31,14 @@ Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants, Progre
     progress.begin("drawing the plants", 2 * tile_count);
     Framing framing({}, kSheetTile.aspect()); // Shows all at one scale.
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
-        framing.add(make_mesh(plants.plant(sheet_plant(tile, plants.count)), kSheetMesh));
+        framing.add(mesh::make_mesh(plants.plant(sheet_plant(tile, plants.count)), kSheetMesh));
         progress.step();
     }
     std::vector<SheetTile> tiles;
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
         auto const index = sheet_plant(tile, plants.count);
-        tiles.push_back({ pictures.plant(make_mesh(plants.plant(index), kSheetMesh), kSheetTile,
-                                         framing.camera()),
+        tiles.push_back({ pictures.plant(mesh::make_mesh(plants.plant(index), kSheetMesh),
+                                         kSheetTile, framing.camera()),
                           plants.caption(index) });
         progress.step();
     }

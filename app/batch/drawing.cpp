@@ -23,7 +23,7 @@ namespace {
 constexpr char const* kUsual = "usual";
 
 // Why samples of the pen were lost, or stand in doubt.
-void note_heights(FuserCounts const& counts, std::vector<std::string>& notes)
+void note_heights(calib::FuserCounts const& counts, std::vector<std::string>& notes)
 {
     if (counts.heights_refused > 0)
         notes.push_back(
@@ -124,17 +124,17 @@ Result<void> DrawingReader::play(LogReplay& replay)
 Result<void> DrawingReader::replay()
 {
     progress_.begin("reading the log");
-    auto const log = TRY(read_log(options_.log));
+    auto const log = TRY(drivers::read_log(options_.log));
     report_.log = options_.log.string();
-    if (auto const warnings = summarize_warnings(log); !warnings.empty())
+    if (auto const warnings = drivers::summarize_warnings(log); !warnings.empty())
         report_.notes.push_back(warnings);
 
     progress_.begin("replaying the log");
     ReplayOptions replay_options { .methods = options_.methods };
     if (options_.rig)
-        replay_options.rig = TRY(load_rig(*options_.rig));
+        replay_options.rig = TRY(calib::load_rig(*options_.rig));
     if (options_.height)
-        replay_options.height = TRY(parse_height_scenario(*options_.height));
+        replay_options.height = TRY(calib::parse_height_scenario(*options_.height));
     auto replay = TRY(LogReplay::create(log, replay_options));
     TRY(play(replay));
     auto const& counts = replay.station().counts();
@@ -158,7 +158,7 @@ void DrawingReader::note_replay(Station const& station)
     report_.height_samples = counts.height_samples;
     report_.strokes = counts.strokes;
     note_heights(station.fuser_counts(), report_.notes);
-    for (auto& sentence : describe_faults(station.height_monitor(), {}))
+    for (auto& sentence : calib::describe_faults(station.height_monitor(), {}))
         report_.notes.push_back(std::move(sentence));
     if (counts.strokes == 0)
         report_.notes.push_back(

@@ -25,7 +25,7 @@ constexpr PictureSize kPicture { 1280, 960 };
 constexpr PictureSize kTile { 420, 420 };
 
 // Enough for a tile, in which the thickest trunk is a few pixels wide.
-constexpr MeshOptions kTileMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
+constexpr mesh::MeshOptions kTileMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
 
 // Columns of a sheet or a field of `count` plants: a little wider than high, and one fewer where
 // the rows are full then.
@@ -175,7 +175,7 @@ Result<void> Job::write_picture(std::string const& name, Image const& picture)
 Result<void> Job::draw_base(Drawing const& drawing)
 {
     progress_.begin("drawing the base plant and the strokes");
-    auto const mesh = make_mesh(*drawing.scene.in_season);
+    auto const mesh = mesh::make_mesh(*drawing.scene.in_season);
     report_.triangles = mesh.triangle_count();
     TRY(write_picture("base.png", pictures_->plant(mesh, kPicture)));
     TRY(write_picture("strokes.png",
@@ -196,9 +196,9 @@ Result<void> Job::make_collection(Scene const& scene)
     Bounds frame;
     // What has fallen in other seasons lies far around.
     for (std::size_t i = 0; i < options_.variations; ++i) {
-        auto const mesh = make_mesh(plant(i)); // Leaves and petals stand out.
+        auto const mesh = mesh::make_mesh(plant(i)); // Leaves and petals stand out.
         framing.add(mesh);
-        auto const box = bounds(mesh);
+        auto const box = mesh::bounds(mesh);
         frame.add(box.min_mm);
         frame.add(box.max_mm);
         progress_.step();
@@ -209,9 +209,10 @@ Result<void> Job::make_collection(Scene const& scene)
     for (std::size_t i = 0; i < count; ++i) {
         auto const& grown = plant(i);
         if (i == 0)
-            TRY(write_picture("varied.png", pictures_->plant(make_mesh(grown), kPicture)));
-        tiles.push_back({ pictures_->plant(make_mesh(grown, kTileMesh), kTile, framing.camera()),
-                          plants.name(i) });
+            TRY(write_picture("varied.png", pictures_->plant(mesh::make_mesh(grown), kPicture)));
+        tiles.push_back(
+            { pictures_->plant(mesh::make_mesh(grown, kTileMesh), kTile, framing.camera()),
+              plants.name(i) });
         progress_.step();
     }
     SheetStyle style;
@@ -236,8 +237,8 @@ Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
                                   sequence.name(i)),
               .position_mm
               = spacing_mm * Vec3(static_cast<double>(i % row), -static_cast<double>(i / row), 0),
-              .mesh = std::function<Mesh()>([&sequence, &style = options_.mesh, i] {
-                  return make_mesh(sequence.grow(i), style);
+              .mesh = std::function<mesh::Mesh()>([&sequence, &style = options_.mesh, i] {
+                  return mesh::make_mesh(sequence.grow(i), style);
               }) });
     auto const path = options_.folder / "collection.glb";
     auto const write = [&](std::ostream& out) -> Result<void> {

@@ -26,7 +26,7 @@ struct JobOptions {
     double age = 1;           // Age of all plants; see Grower::grow().
     bool all_seasons = false; // Also the drawing itself in four seasons.
     GlbOptions glb {};        // Options of the collection's file, as the next one.
-    MeshOptions mesh {};
+    mesh::MeshOptions mesh {};
     std::filesystem::path session {}; // The new file that keeps what is drawn; empty: none.
 };
 

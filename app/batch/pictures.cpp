@@ -68,7 +68,7 @@ Result<PictureMaker> PictureMaker::create()
     return PictureMaker(std::move(context), std::move(renderer));
 }
 
-Image PictureMaker::plant(Mesh const& mesh, PictureSize const& size,
+Image PictureMaker::plant(mesh::Mesh const& mesh, PictureSize const& size,
                           std::optional<Camera> const& camera)
 {
     GpuMesh const gpu_mesh(mesh);
@@ -81,7 +81,7 @@ Image PictureMaker::plant(Mesh const& mesh, PictureSize const& size,
                              size.height_px);
 }
 
-std::vector<Image> PictureMaker::cutouts(Mesh const& mesh, std::span<Cutout const> views)
+std::vector<Image> PictureMaker::cutouts(mesh::Mesh const& mesh, std::span<Cutout const> views)
 {
     GpuMesh const gpu_mesh(mesh, GpuMesh::Sky::Open);
     Stage stage;

@@ -32,7 +32,7 @@ public:
 
     // A plant, lit, on the ground, all of it in the picture or as `camera` sees it: so plants of
     // one collection are shown alike.
-    Image plant(Mesh const& mesh, PictureSize const& size,
+    Image plant(mesh::Mesh const& mesh, PictureSize const& size,
                 std::optional<Camera> const& camera = {});
 
     // The strokes in the drawing volume with the base plant's skeleton: what a stroke shapes has
@@ -49,7 +49,7 @@ public:
         double azimuth_rad = 0; // As in ViewAngles.
         int side_px = 256;
     };
-    std::vector<Image> cutouts(Mesh const& mesh, std::span<Cutout const> views);
+    std::vector<Image> cutouts(mesh::Mesh const& mesh, std::span<Cutout const> views);
 
 private:
     PictureMaker(OffscreenContext context, Renderer renderer);

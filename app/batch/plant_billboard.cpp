@@ -35,7 +35,7 @@ static void fill_transparent(Image& picture)
 
 // Radius of everything in the mesh around the vertical line through `center_mm`: seen from any
 // side, the plant is not wider.
-static double radius_around(Vec3 const& center_mm, Mesh const& mesh)
+static double radius_around(Vec3 const& center_mm, mesh::Mesh const& mesh)
 {
     Vec2f const center = center_mm.head<2>().cast<float>();
     float radius_mm = 0;
@@ -55,9 +55,9 @@ static double radius_around(Vec3 const& center_mm, Mesh const& mesh)
     return radius_mm;
 }
 
-Result<Billboard> draw_billboard(PictureMaker& pictures, Mesh const& mesh)
+Result<Billboard> draw_billboard(PictureMaker& pictures, mesh::Mesh const& mesh)
 {
-    auto const box = bounds(mesh);
+    auto const box = mesh::bounds(mesh);
     Billboard billboard;
     if (!box.empty()) {
         Vec3 const size_mm = box.max_mm - box.min_mm;

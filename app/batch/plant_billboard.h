@@ -7,6 +7,6 @@
 namespace tractus {
 
 // Draws a plant from eight sides, each 256 pixels wide and high.
-Result<Billboard> draw_billboard(PictureMaker& pictures, Mesh const& mesh);
+Result<Billboard> draw_billboard(PictureMaker& pictures, mesh::Mesh const& mesh);
 
 } // namespace tractus

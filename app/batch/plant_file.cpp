@@ -54,10 +54,10 @@ Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& na
         }));
         return 0;
     }
-    return write_mesh_file(make_mesh(plant), name, path, options);
+    return write_mesh_file(mesh::make_mesh(plant), name, path, options);
 }
 
-Result<std::uint64_t> write_mesh_file(Mesh const& mesh, std::string const& name,
+Result<std::uint64_t> write_mesh_file(mesh::Mesh const& mesh, std::string const& name,
                                       std::filesystem::path const& path,
                                       PlantFileOptions const& options)
 {

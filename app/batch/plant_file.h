@@ -29,7 +29,7 @@ Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& na
 
 // Writes a plant that is meshed already, in any of these but as a graph. Fails like
 // write_plant_file().
-Result<std::uint64_t> write_mesh_file(Mesh const& mesh, std::string const& name,
+Result<std::uint64_t> write_mesh_file(mesh::Mesh const& mesh, std::string const& name,
                                       std::filesystem::path const& path,
                                       PlantFileOptions const& options = {});
 

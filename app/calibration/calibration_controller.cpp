@@ -45,22 +45,22 @@ bool takes_captures(CalibrationProcedure procedure)
         && procedure != CalibrationProcedure::Tilt;
 }
 
-Result<CalibrationController> CalibrationController::create(std::span<DeviceInfo const> devices,
-                                                            Options options)
+Result<CalibrationController>
+CalibrationController::create(std::span<drivers::DeviceInfo const> devices, Options options)
 {
     CalibrationController controller(std::move(options));
     for (std::size_t i = 0; i < devices.size(); ++i) {
         if (!controller.pen_decoder_)
-            if (auto pen = make_pen_decoder(devices[i])) {
+            if (auto pen = drivers::make_pen_decoder(devices[i])) {
                 controller.pen_decoder_ = *std::move(pen);
                 controller.pen_device_ = i;
                 continue;
             }
         if (!controller.height_decoder_)
-            if (auto height = make_height_decoder(devices[i])) {
+            if (auto height = drivers::make_height_decoder(devices[i])) {
                 controller.height_decoder_ = *std::move(height);
                 controller.height_device_ = i;
-                controller.sensor_ = identity_of(devices[i]);
+                controller.sensor_ = calib::identity_of(devices[i]);
             }
     }
     if (!controller.height_decoder_ && needs_height(controller.procedure()))
@@ -97,7 +97,7 @@ void CalibrationController::push(std::size_t device, Timestamp received,
     }
 }
 
-void CalibrationController::push_pen(PenSample const& sample)
+void CalibrationController::push_pen(drivers::PenSample const& sample)
 {
     bool const begins = sample.touching && !(pen_ && pen_->touching);
     pen_ = sample;
@@ -116,14 +116,14 @@ void CalibrationController::push_pen(PenSample const& sample)
     }
 }
 
-void CalibrationController::push_height(HeightSample const& sample)
+void CalibrationController::push_height(drivers::HeightSample const& sample)
 {
     recent_.add(sample);
     if (!takes_captures(procedure()))
         heights_.push_back(sample);
     if (!pending_ || sample.time < pending_->begin)
         return;
-    if (sample.time - pending_->begin < kCaptureTime)
+    if (sample.time - pending_->begin < calib::kCaptureTime)
         pending_->samples.push_back(sample);
     else
         close_capture();
@@ -132,7 +132,7 @@ void CalibrationController::push_height(HeightSample const& sample)
 void CalibrationController::close_capture()
 {
     auto const pending = *std::exchange(pending_, {});
-    auto const capture = capture_at_rest(pending.samples, pending.ruler_mm);
+    auto const capture = calib::capture_at_rest(pending.samples, pending.ruler_mm);
     if (!capture) {
         refusal_
             = fmt::format("the capture at {:g} mm: {}", pending.ruler_mm, capture.error().message);
@@ -141,7 +141,7 @@ void CalibrationController::close_capture()
     }
     refusal_.clear();
     captures_.push_back(*capture);
-    captures_.back().from = direction(last_ruler_mm_, capture->ruler_mm);
+    captures_.back().from = calib::direction(last_ruler_mm_, capture->ruler_mm);
     last_ruler_mm_ = capture->ruler_mm;
 }
 
@@ -189,12 +189,12 @@ Result<void> CalibrationController::drop(std::string_view number)
     return {};
 }
 
-std::optional<HeightFitDoubt> CalibrationController::doubt() const
+std::optional<calib::HeightFitDoubt> CalibrationController::doubt() const
 {
     if (procedure() != CalibrationProcedure::Height)
         return std::nullopt;
-    auto const fit = fit_height(captures_, options_.height);
-    return fit ? doubt_about(*fit, captures_, options_.height) : std::nullopt;
+    auto const fit = calib::fit_height(captures_, options_.height);
+    return fit ? calib::doubt_about(*fit, captures_, options_.height) : std::nullopt;
 }
 
 Result<void> CalibrationController::command(Timestamp time, std::string_view words)
@@ -223,7 +223,7 @@ Result<void> CalibrationController::command(Timestamp time, std::string_view wor
         return {};
     }
     if (procedure() == CalibrationProcedure::Zero && words.starts_with(kCause)) {
-        options_.zero_cause = parse_zero_cause(words.substr(kCause.size()));
+        options_.zero_cause = calib::parse_zero_cause(words.substr(kCause.size()));
         if (options_.zero_cause)
             return {};
     }
@@ -252,8 +252,8 @@ void CalibrationController::press()
         return;
     is_pressing_ = true;
     auto const of_touch = pens_.begin() + static_cast<std::ptrdiff_t>(pens_before_touch_);
-    touches_ -= static_cast<std::size_t>(
-        std::count_if(of_touch, pens_.end(), [](PenSample const& pen) { return pen.touching; }));
+    touches_ -= static_cast<std::size_t>(std::count_if(
+        of_touch, pens_.end(), [](drivers::PenSample const& pen) { return pen.touching; }));
     pens_.erase(of_touch, pens_.end());
 }
 
@@ -293,16 +293,16 @@ Result<CalibrationOutcome> CalibrationController::conclude(std::string const& da
 
 Result<CalibrationOutcome> CalibrationController::finish_height(std::string const& date) const
 {
-    auto fit = TRY(fit_height(captures_, options_.height));
-    auto const doubt = doubt_about(fit, captures_, options_.height);
+    auto fit = TRY(calib::fit_height(captures_, options_.height));
+    auto const doubt = calib::doubt_about(fit, captures_, options_.height);
     if (doubt && !options_.is_forced)
         return fail(Fault::User, doubt->reason + " (--force keeps the fit all the same)");
-    HeightCalibration const calibration { .fit = std::move(fit),
-                                          .captures = captures_,
-                                          .options = options_.height,
-                                          .full_scale_counts = height_decoder_->full_scale(),
-                                          .sensor = sensor_ };
-    CalibrationOutcome outcome { .rig = with_height(options_.rig, calibration, date),
+    calib::HeightCalibration const calibration { .fit = std::move(fit),
+                                                 .captures = captures_,
+                                                 .options = options_.height,
+                                                 .full_scale_counts = height_decoder_->full_scale(),
+                                                 .sensor = sensor_ };
+    CalibrationOutcome outcome { .rig = calib::with_height(options_.rig, calibration, date),
                                  .height_fit = calibration.fit };
     if (pen_decoder_ && !pen_decoder_->traits().is_size_assumed)
         outcome.rig.tablet_size_mm
@@ -315,33 +315,33 @@ Result<CalibrationOutcome> CalibrationController::finish_height(std::string cons
 
 Result<CalibrationOutcome> CalibrationController::finish_travel(std::string const& date) const
 {
-    auto const fit = TRY(fit_travel(pens_, heights_, options_.rig));
-    return CalibrationOutcome { .rig = with_travel(options_.rig, fit, date),
+    auto const fit = TRY(calib::fit_travel(pens_, heights_, options_.rig));
+    return CalibrationOutcome { .rig = calib::with_travel(options_.rig, fit, date),
                                 .report = describe(fit) };
 }
 
 Result<CalibrationOutcome> CalibrationController::finish_latency(std::string const& date) const
 {
-    auto const fit = TRY(fit_latency(pens_, heights_, options_.rig));
-    CalibrationOutcome outcome { .rig = with_latency(options_.rig, fit, date) };
+    auto const fit = TRY(calib::fit_latency(pens_, heights_, options_.rig));
+    CalibrationOutcome outcome { .rig = calib::with_latency(options_.rig, fit, date) };
     outcome.report = describe(fit, outcome.rig);
     return outcome;
 }
 
 Result<CalibrationOutcome> CalibrationController::finish_tilt(std::string const& date) const
 {
-    auto const fit = TRY(fit_tilt(pens_));
-    return CalibrationOutcome { .rig = with_tilt(options_.rig, fit, date),
+    auto const fit = TRY(calib::fit_tilt(pens_));
+    return CalibrationOutcome { .rig = calib::with_tilt(options_.rig, fit, date),
                                 .report = describe(fit) };
 }
 
-std::optional<Zeroing> CalibrationController::open_question() const
+std::optional<calib::Zeroing> CalibrationController::open_question() const
 {
     constexpr double kWorthAsking_mm = 0.2;
     if (procedure() != CalibrationProcedure::Zero)
         return std::nullopt;
-    auto const zeroing
-        = zeroed(options_.rig, captures_, height_decoder_->full_scale(), options_.zero_cause);
+    auto const zeroing = calib::zeroed(options_.rig, captures_, height_decoder_->full_scale(),
+                                       options_.zero_cause);
     if (!zeroing || zeroing->is_told || zeroing->at_stake_mm < kWorthAsking_mm)
         return std::nullopt;
     return *zeroing;
@@ -349,8 +349,8 @@ std::optional<Zeroing> CalibrationController::open_question() const
 
 Result<CalibrationOutcome> CalibrationController::finish_zero() const
 {
-    auto zeroing
-        = TRY(zeroed(options_.rig, captures_, height_decoder_->full_scale(), options_.zero_cause));
+    auto zeroing = TRY(
+        calib::zeroed(options_.rig, captures_, height_decoder_->full_scale(), options_.zero_cause));
     auto report = describe(zeroing, options_.rig, captures_);
     if (open_question())
         report += describe_question(zeroing);
@@ -359,8 +359,9 @@ Result<CalibrationOutcome> CalibrationController::finish_zero() const
 
 Result<CalibrationOutcome> CalibrationController::finish_check(std::string const& date) const
 {
-    auto const check = TRY(check_height(captures_, height_decoder_->full_scale(), options_.rig));
-    return CalibrationOutcome { .rig = with_check(options_.rig, check, date),
+    auto const check
+        = TRY(calib::check_height(captures_, height_decoder_->full_scale(), options_.rig));
+    return CalibrationOutcome { .rig = calib::with_check(options_.rig, check, date),
                                 .report = describe(check) };
 }
 

@@ -43,9 +43,9 @@ inline bool needs_height(CalibrationProcedure procedure)
 
 // Result of a procedure.
 struct CalibrationOutcome {
-    Rig rig {};                             // The rig with what was found out, and its record.
-    std::optional<HeightFit> height_fit {}; // After Height.
-    std::string report {};                  // Text for the person; lines that end in a line break.
+    calib::Rig rig {}; // The rig with what was found out, and its record.
+    std::optional<calib::HeightFit> height_fit {}; // After Height.
+    std::string report {}; // Text for the person; lines that end in a line break.
 };
 
 // A calibration under way: devices' reports and a person's commands in, a rig out. Live devices,
@@ -65,15 +65,16 @@ class CalibrationController {
 public:
     struct Options {
         CalibrationProcedure procedure = CalibrationProcedure::Height;
-        Rig rig {}; // The rig so far.
-        HeightFitOptions height {};
-        std::optional<ZeroCause> zero_cause {}; // No value: what the captures tell, or the usual.
+        calib::Rig rig {}; // The rig so far.
+        calib::HeightFitOptions height {};
+        std::optional<calib::ZeroCause>
+            zero_cause {};      // No value: what the captures tell, or the usual.
         bool is_forced = false; // Whether a height fit is kept in spite of a doubt about it.
     };
 
     // Takes the first pen and the first height sensor. Fails, as the user's fault, if one that the
     // procedure needs is not there, and for a tilt if the tablet tells none.
-    static Result<CalibrationController> create(std::span<DeviceInfo const> devices,
+    static Result<CalibrationController> create(std::span<drivers::DeviceInfo const> devices,
                                                 Options options);
 
     // One report of one of the devices, in the order of their times. Broken ones are left out.
@@ -88,22 +89,22 @@ public:
 
     // Why the heights captured so far had better not be kept; no value if they may be, if there is
     // no fit yet, and after other procedures than Height.
-    std::optional<HeightFitDoubt> doubt() const;
+    std::optional<calib::HeightFitDoubt> doubt() const;
 
     // Returns what the captures of Zero amount to, if it matters why heights are off and nothing
     // tells it yet; otherwise no value.
-    std::optional<Zeroing> open_question() const;
+    std::optional<calib::Zeroing> open_question() const;
 
     bool is_capturing() const { return pending_.has_value(); }
     bool is_moving() const { return is_moving_; } // True between begin and end.
 
     CalibrationProcedure procedure() const { return options_.procedure; }
-    Rig const& rig() const { return options_.rig; }
-    std::vector<HeightCapture> const& captures() const { return captures_; }
-    std::optional<HeightReading> reading() const { return recent_.reading(); }
-    SensorIdentity const& sensor() const { return sensor_; }     // The sensor of that reading.
-    std::optional<PenSample> const& pen() const { return pen_; } // The last one.
-    std::size_t touches() const { return touches_; }             // Touches of the movement, so far.
+    calib::Rig const& rig() const { return options_.rig; }
+    std::vector<calib::HeightCapture> const& captures() const { return captures_; }
+    std::optional<calib::HeightReading> reading() const { return recent_.reading(); }
+    calib::SensorIdentity const& sensor() const { return sensor_; } // The sensor of that reading.
+    std::optional<drivers::PenSample> const& pen() const { return pen_; } // The last one.
+    std::size_t touches() const { return touches_; } // Touches of the movement, so far.
 
     // True when the pen has touched for a while without moving, once for each touch: a person's
     // sign that the surface rests. The time is that of the data.
@@ -118,7 +119,7 @@ private:
     struct Pending {
         double ruler_mm = 0;
         Timestamp begin {};
-        std::vector<HeightSample> samples {};
+        std::vector<drivers::HeightSample> samples {};
     };
 
     explicit CalibrationController(Options options)
@@ -126,8 +127,8 @@ private:
     {
     }
 
-    void push_pen(PenSample const& sample);
-    void push_height(HeightSample const& sample);
+    void push_pen(drivers::PenSample const& sample);
+    void push_height(drivers::HeightSample const& sample);
     void close_capture();
     Result<void> capture(Timestamp time, std::string_view height);
     Result<void> drop(std::string_view number);
@@ -143,32 +144,32 @@ private:
     Result<CalibrationOutcome> finish_check(std::string const& date) const;
 
     Options options_;
-    std::unique_ptr<PenDecoder> pen_decoder_;
+    std::unique_ptr<drivers::PenDecoder> pen_decoder_;
     std::size_t pen_device_ = 0;
-    std::unique_ptr<HeightDecoder> height_decoder_;
+    std::unique_ptr<drivers::HeightDecoder> height_decoder_;
     std::size_t height_device_ = 0;
-    SensorIdentity sensor_;
+    calib::SensorIdentity sensor_;
 
-    RecentReadings recent_;
-    std::vector<HeightSample> new_heights_; // Kept for its memory.
-    std::vector<PenSample> new_pens_;       // Likewise.
+    calib::RecentReadings recent_;
+    std::vector<drivers::HeightSample> new_heights_; // Kept for its memory.
+    std::vector<drivers::PenSample> new_pens_;       // Likewise.
     std::optional<Pending> pending_;
-    std::vector<HeightCapture> captures_;
+    std::vector<calib::HeightCapture> captures_;
     std::optional<double> last_ruler_mm_; // Where the surface was last captured, dropped or not.
     std::string refusal_;
     std::vector<std::string> refusals_; // Kept for the report, all of them.
     std::optional<Timestamp> last_command_;
 
-    std::optional<PenSample> pen_;
-    std::optional<PenSample> touch_; // The present touch's first sample.
+    std::optional<drivers::PenSample> pen_;
+    std::optional<drivers::PenSample> touch_; // The present touch's first sample.
     bool is_rest_told_ = false;
     bool is_pressing_ = false; // The present touch is none of the calibration's.
 
     bool is_moving_ = true; // Always true in a log without begin and end.
     std::size_t touches_ = 0;
-    std::vector<PenSample> pens_;       // Pen samples of the movement.
-    std::size_t pens_before_touch_ = 0; // Number of pens_ before the present touch.
-    std::vector<HeightSample> heights_;
+    std::vector<drivers::PenSample> pens_; // Pen samples of the movement.
+    std::size_t pens_before_touch_ = 0;    // Number of pens_ before the present touch.
+    std::vector<drivers::HeightSample> heights_;
 };
 
 } // namespace tractus

@@ -9,19 +9,19 @@ namespace tractus {
 
 namespace {
 
-std::string describe_candidates(HeightFit const& fit)
+std::string describe_candidates(calib::HeightFit const& fit)
 {
     std::string text;
     for (auto const& candidate : fit.candidates)
         text += fmt::format(
-            "  {:8} {:2} parameters, residuals {:.3f} mm RMS{}{}\n", name_of(candidate.kind),
+            "  {:8} {:2} parameters, residuals {:.3f} mm RMS{}{}\n", calib::name_of(candidate.kind),
             candidate.parameters, candidate.rms_mm,
             candidate.slipped ? fmt::format(", {} left out", candidate.slipped) : "",
             candidate.p_value ? fmt::format(", p = {:.2g}", *candidate.p_value) : "");
     return text;
 }
 
-std::string describe_slips(HeightCalibration const& calibration)
+std::string describe_slips(calib::HeightCalibration const& calibration)
 {
     std::string text;
     for (auto const slipped : calibration.fit.slipped)
@@ -34,11 +34,11 @@ std::string describe_slips(HeightCalibration const& calibration)
 }
 
 // Whether something is left to be done, though the fit is made.
-std::string describe_doubts(HeightCalibration const& calibration)
+std::string describe_doubts(calib::HeightCalibration const& calibration)
 {
     auto const& fit = calibration.fit;
     auto const used = calibration.captures.size() - fit.slipped.size();
-    auto const parameters = static_cast<std::size_t>(parameters_of(fit.model).size());
+    auto const parameters = static_cast<std::size_t>(calib::parameters_of(fit.model).size());
     std::string text;
     if (used <= parameters)
         text += "  the captures are as few as the model's parameters, so nothing checks it: take "
@@ -62,7 +62,7 @@ std::string by_data_sheet(double linearity_percent)
 
 } // namespace
 
-std::string describe(HeightCalibration const& calibration, Rig const& rig)
+std::string describe(calib::HeightCalibration const& calibration, calib::Rig const& rig)
 {
     auto const& fit = calibration.fit;
     auto const& record = rig.calibration.height.value();
@@ -91,7 +91,7 @@ std::string describe(HeightCalibration const& calibration, Rig const& rig)
     return text + describe_doubts(calibration);
 }
 
-std::string describe(TravelFit const& fit)
+std::string describe(calib::TravelFit const& fit)
 {
     return fmt::format(
         "travel: per metre of rise the surface drifts {:+.2f} ± {:.2f} mm to the "
@@ -103,7 +103,7 @@ std::string describe(TravelFit const& fit)
         fit.rise_mm, fit.rms_mm);
 }
 
-std::string describe(LatencyFit const& fit, Rig const& rig)
+std::string describe(calib::LatencyFit const& fit, calib::Rig const& rig)
 {
     auto text = fmt::format(
         "latency: the pen arrives {:.2f} ± {:.2f} ms {} than the height\n"
@@ -118,7 +118,7 @@ std::string describe(LatencyFit const& fit, Rig const& rig)
     return text;
 }
 
-std::string describe(TiltFit const& fit)
+std::string describe(calib::TiltFit const& fit)
 {
     Vec2 const& height = fit.coil_height_mm;
     Vec2 const& error = fit.coil_height_error_mm;
@@ -142,9 +142,9 @@ std::string describe(TiltFit const& fit)
     return text;
 }
 
-std::string describe(HeightCheck const& check)
+std::string describe(calib::HeightCheck const& check)
 {
-    auto text = quote(check) + "\n";
+    auto text = calib::quote(check) + "\n";
     for (std::size_t i = 0; i < check.heights_mm.size(); ++i)
         text += fmt::format("  at {:g} mm: {:+.2f} mm\n", check.heights_mm[i], check.errors_mm[i]);
     if (!check.known_mm.empty())
@@ -157,22 +157,22 @@ std::string describe(HeightCheck const& check)
     return text;
 }
 
-std::string describe(Zeroing const& zeroing, Rig const& before,
-                     std::span<HeightCapture const> captures)
+std::string describe(calib::Zeroing const& zeroing, calib::Rig const& before,
+                     std::span<calib::HeightCapture const> captures)
 {
     std::string text;
     for (auto const& capture : captures)
         text += fmt::format("zero: what was {:.2f} mm is {:.2f} mm now, {:g} by the ruler\n",
-                            height_mm(before.height_model, capture.counts).value_or(0),
-                            height_mm(zeroing.rig.height_model, capture.counts).value_or(0),
+                            calib::height_mm(before.height_model, capture.counts).value_or(0),
+                            calib::height_mm(zeroing.rig.height_model, capture.counts).value_or(0),
                             capture.ruler_mm);
-    text += zeroing.cause == ZeroCause::Slipped
+    text += zeroing.cause == calib::ZeroCause::Slipped
         ? "  as after a slip of the string; the scale is as it was\n"
         : "  as after a move of the table; the scale is as it was\n";
     return text;
 }
 
-std::string describe_question(Zeroing const& zeroing)
+std::string describe_question(calib::Zeroing const& zeroing)
 {
     return fmt::format("  if the table, the spool's stand or the ruler moved instead, heights are "
                        "up to {:.1f} mm wrong now: capture a second height, far from the first, or "

@@ -11,18 +11,18 @@ namespace tractus {
 
 // Texts that a person reads after a calibration: lines that end in a line break.
 
-std::string describe(HeightCalibration const& calibration, Rig const& rig);
-std::string describe(TravelFit const& fit);
-std::string describe(LatencyFit const& fit, Rig const& rig);
-std::string describe(TiltFit const& fit);
-std::string describe(HeightCheck const& check);
+std::string describe(calib::HeightCalibration const& calibration, calib::Rig const& rig);
+std::string describe(calib::TravelFit const& fit);
+std::string describe(calib::LatencyFit const& fit, calib::Rig const& rig);
+std::string describe(calib::TiltFit const& fit);
+std::string describe(calib::HeightCheck const& check);
 
 // `before` is the rig that was zeroed.
-std::string describe(Zeroing const& zeroing, Rig const& before,
-                     std::span<HeightCapture const> captures);
+std::string describe(calib::Zeroing const& zeroing, calib::Rig const& before,
+                     std::span<calib::HeightCapture const> captures);
 
 // Says what is at stake where nobody has told why heights are off, and how to tell it.
-std::string describe_question(Zeroing const& zeroing);
+std::string describe_question(calib::Zeroing const& zeroing);
 
 // Heights in millimetres as "0.0 to 400.1 mm", in no line of its own.
 std::string describe_heights(double low_mm, double high_mm);

@@ -18,7 +18,7 @@ struct CalibrationView {
     bool may_capture = false; // The surface rests, and nothing is being captured.
     bool is_capturing = false;
     bool is_moving = false; // True between begin and end of a movement.
-    std::vector<HeightCapture> captures {};
+    std::vector<calib::HeightCapture> captures {};
     std::vector<double> residuals_mm {}; // One per capture, or empty before the first fit.
     std::vector<std::size_t> slipped {}; // Captures that the fit leaves out.
     double proposed_mm = 0;              // The height to go to next, and to capture there.

@@ -8,14 +8,14 @@ namespace tractus {
 
 namespace {
 
-using Captures = std::span<HeightCapture const>;
-using From = HeightCapture::From;
+using Captures = std::span<calib::HeightCapture const>;
+using From = calib::HeightCapture::From;
 using Kind = PlotSeries::Kind;
 
 constexpr int kCurvePoints = 120;
 constexpr double kBandDeviations = 2; // 95 % of what is normal.
 
-bool is_slipped(HeightFit const& fit, std::size_t capture)
+bool is_slipped(calib::HeightFit const& fit, std::size_t capture)
 {
     return std::binary_search(fit.slipped.begin(), fit.slipped.end(), capture);
 }
@@ -37,7 +37,7 @@ enum class Labels {
 
 // The captures, each at the place that `place` gives it; slipped ones as crosses.
 template<typename Place>
-void add_captures(Plot& plot, HeightFit const& fit, Captures captures, Labels labels,
+void add_captures(Plot& plot, calib::HeightFit const& fit, Captures captures, Labels labels,
                   Place const& place)
 {
     auto const first_new = plot.series.size();
@@ -58,16 +58,16 @@ void add_captures(Plot& plot, HeightFit const& fit, Captures captures, Labels la
         plot.series[i].label.clear();
 }
 
-Plot fit_plot(HeightFit const& fit, Captures captures)
+Plot fit_plot(calib::HeightFit const& fit, Captures captures)
 {
-    Plot plot { .title = fmt::format("Fit: {}", name_of(fit.model)),
+    Plot plot { .title = fmt::format("Fit: {}", calib::name_of(fit.model)),
                 .x_label = "reading, counts",
                 .y_label = "height, mm" };
     PlotSeries curve { .kind = Kind::Line, .tone = PlotTone::Model, .label = "model" };
     for (int i = 0; i <= kCurvePoints; ++i) {
         double const counts
             = fit.low_counts + (fit.high_counts - fit.low_counts) * i / kCurvePoints;
-        if (auto const height = height_mm(fit.model, counts))
+        if (auto const height = calib::height_mm(fit.model, counts))
             curve.points.emplace_back(counts, *height);
     }
     plot.series.push_back(std::move(curve));
@@ -78,7 +78,7 @@ Plot fit_plot(HeightFit const& fit, Captures captures)
 }
 
 // Adds bands of two deviations to either side: of a capture, and of the model itself.
-void add_bands(Plot& plot, HeightFit const& fit)
+void add_bands(Plot& plot, calib::HeightFit const& fit)
 {
     double const capture_mm = kBandDeviations * fit.capture_error_mm;
     plot.series.push_back({ .kind = Kind::Band,
@@ -92,17 +92,17 @@ void add_bands(Plot& plot, HeightFit const& fit)
     for (int i = 0; i <= kCurvePoints; ++i) {
         double const counts
             = fit.low_counts + (fit.high_counts - fit.low_counts) * i / kCurvePoints;
-        auto const height = height_mm(fit.model, counts);
+        auto const height = calib::height_mm(fit.model, counts);
         if (!height)
             continue;
-        double const error_mm = kBandDeviations * height_error_mm(fit, counts);
+        double const error_mm = kBandDeviations * calib::height_error_mm(fit, counts);
         model.points.emplace_back(*height, -error_mm);
         model.upper.emplace_back(*height, error_mm);
     }
     plot.series.push_back(std::move(model));
 }
 
-Plot residual_plot(HeightFit const& fit, Captures captures)
+Plot residual_plot(calib::HeightFit const& fit, Captures captures)
 {
     Plot plot { .title = fmt::format("Residuals: {:.2f} mm RMS, {:.2f} mm at most", fit.rms_mm,
                                      fit.max_mm),
@@ -124,7 +124,7 @@ Plot residual_plot(HeightFit const& fit, Captures captures)
 
 // Shows by how much the model's height is greater than the ruler's, going up and going down, in
 // order of height, with the mean of each.
-Plot hysteresis_plot(HeightFit const& fit, Captures captures)
+Plot hysteresis_plot(calib::HeightFit const& fit, Captures captures)
 {
     Plot plot { .title = "Up against down: too few captures to tell",
                 .x_label = "height, mm",
@@ -155,12 +155,12 @@ Plot hysteresis_plot(HeightFit const& fit, Captures captures)
     return plot;
 }
 
-Plot noise_plot(HeightFit const& fit, Captures captures, std::int32_t full_scale_counts)
+Plot noise_plot(calib::HeightFit const& fit, Captures captures, std::int32_t full_scale_counts)
 {
     Plot plot { .title = fmt::format("Noise at rest: {:.2f} counts", fit.noise_counts),
                 .x_label = "reading less its capture's mean, counts",
                 .y_label = "readings" };
-    double const width = noise_bin_counts(full_scale_counts);
+    double const width = calib::noise_bin_counts(full_scale_counts);
     std::size_t bins = 0;
     double readings = 0;
     for (auto const& capture : captures)
@@ -194,7 +194,7 @@ Plot noise_plot(HeightFit const& fit, Captures captures, std::int32_t full_scale
 
 } // namespace
 
-std::vector<Plot> height_plots(HeightFit const& fit, Captures captures,
+std::vector<Plot> height_plots(calib::HeightFit const& fit, Captures captures,
                                std::int32_t full_scale_counts)
 {
     return { fit_plot(fit, captures), residual_plot(fit, captures), hysteresis_plot(fit, captures),

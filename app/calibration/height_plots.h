@@ -11,7 +11,8 @@ namespace tractus {
 
 // Four diagrams of a height calibration: the fit with its captures, the residuals with the bands in
 // which they should lie, up against down, and how readings scatter at rest.
-std::vector<Plot> height_plots(HeightFit const& fit, std::span<HeightCapture const> captures,
+std::vector<Plot> height_plots(calib::HeightFit const& fit,
+                               std::span<calib::HeightCapture const> captures,
                                std::int32_t full_scale_counts);
 
 } // namespace tractus

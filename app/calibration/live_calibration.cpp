@@ -13,7 +13,7 @@ namespace tractus {
 namespace {
 
 constexpr Duration kShowEvery = std::chrono::milliseconds(100);
-constexpr Duration kCaptureEndsAfter = kCaptureTime + std::chrono::seconds(2); // Or never.
+constexpr Duration kCaptureEndsAfter = calib::kCaptureTime + std::chrono::seconds(2); // Or never.
 constexpr char kEndOfInput = '\4';
 constexpr char kBackspace = '\b';
 constexpr char kDelete = '\177';
@@ -395,7 +395,7 @@ std::string describe_reading(CalibrationController const& controller)
     auto const reading = controller.reading();
     if (!reading)
         return "no reading yet";
-    auto const volts = sensor_volts(controller.sensor().name, reading->counts);
+    auto const volts = drivers::sensor_volts(controller.sensor().name, reading->counts);
     auto text = fmt::format("{:.1f} counts ({}), noise {:.1f}", reading->counts,
                             volts ? fmt::format("{:.3f} V", *volts)
                                   : fmt::format("{:.1f} % of full scale",
@@ -406,7 +406,7 @@ std::string describe_reading(CalibrationController const& controller)
     else
         text += reading->is_at_rest ? ", at rest" : ", moving";
     if (controller.rig().calibration.height)
-        if (auto const height = height_mm(controller.rig().height_model, reading->counts))
+        if (auto const height = calib::height_mm(controller.rig().height_model, reading->counts))
             text += fmt::format(", {:.1f} mm so far", *height);
     if (!takes_captures(controller.procedure()))
         text += fmt::format(", {} touches", controller.touches());

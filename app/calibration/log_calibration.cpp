@@ -4,8 +4,8 @@
 
 namespace tractus {
 
-static Result<CalibrationOutcome> run(Log const& log, CalibrationController::Options options,
-                                      std::string const& date)
+static Result<CalibrationOutcome>
+run(drivers::Log const& log, CalibrationController::Options options, std::string const& date)
 {
     auto controller = TRY(CalibrationController::create(log.devices, std::move(options)));
     std::size_t next_tool = 0;
@@ -18,7 +18,7 @@ static Result<CalibrationOutcome> run(Log const& log, CalibrationController::Opt
         }
         return {};
     };
-    LogCursor cursor(log);
+    drivers::LogCursor cursor(log);
     TRY(give_commands_before(0));
     while (auto const* const report = TRY(cursor.next())) {
         controller.push(report->device, report->time, report->bytes);
@@ -27,8 +27,9 @@ static Result<CalibrationOutcome> run(Log const& log, CalibrationController::Opt
     return controller.finish(date);
 }
 
-Result<CalibrationOutcome>
-calibrate_from_log(Log const& log, CalibrationController::Options options, std::string const& date)
+Result<CalibrationOutcome> calibrate_from_log(drivers::Log const& log,
+                                              CalibrationController::Options options,
+                                              std::string const& date)
 {
     auto outcome = run(log, std::move(options), date);
     if (!outcome)

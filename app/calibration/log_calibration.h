@@ -14,7 +14,8 @@ constexpr std::string_view kCalibrateTool = "calibrate";
 
 // Does a recorded calibration again, as its commands in the log say. The same log and options give
 // the same outcome. Fails as the controller does; messages name the log.
-Result<CalibrationOutcome>
-calibrate_from_log(Log const& log, CalibrationController::Options options, std::string const& date);
+Result<CalibrationOutcome> calibrate_from_log(drivers::Log const& log,
+                                              CalibrationController::Options options,
+                                              std::string const& date);
 
 } // namespace tractus

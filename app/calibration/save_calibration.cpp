@@ -31,7 +31,7 @@ static Result<void> write_picture(CalibrationOutcome const& outcome,
 Result<std::string> save_calibration(CalibrationOutcome const& outcome,
                                      std::filesystem::path const& rig)
 {
-    TRY(save_rig(outcome.rig, rig));
+    TRY(calib::save_rig(outcome.rig, rig));
     auto text = fmt::format("{}: written\n", rig.string());
     if (outcome.height_fit) {
         auto const picture = std::filesystem::path(rig).replace_extension(".svg");

@@ -19,29 +19,30 @@ struct Command {
 
 // Actions of the person: what the hand draws, and how it is said.
 struct Performance {
-    std::vector<HandStroke> strokes;
+    std::vector<sim::HandStroke> strokes;
     std::vector<std::string> words; // One per stroke for captures.
 };
 
 // A line too short and slow to be one: a pen that is held still for two seconds.
-HandStroke hold_still(double height_mm)
+sim::HandStroke hold_still(double height_mm)
 {
-    return { .path = make_path(LineShape { { 20, -10, height_mm }, { 22, -10, height_mm } }),
+    return { .path
+             = sim::make_path(sim::LineShape { { 20, -10, height_mm }, { 22, -10, height_mm } }),
              .speed_mm_s = 1 };
 }
 
 // A line of a tenth of a millimetre, for a nib in a dent.
-HandStroke stay_in_dent(double height_mm, double seconds)
+sim::HandStroke stay_in_dent(double height_mm, double seconds)
 {
     constexpr double kDent_mm = 0.1;
-    return { .path
-             = make_path(LineShape { { 20, -10, height_mm }, { 20 + kDent_mm, -10, height_mm } }),
+    return { .path = sim::make_path(
+                 sim::LineShape { { 20, -10, height_mm }, { 20 + kDent_mm, -10, height_mm } }),
              .speed_mm_s = kDent_mm / seconds };
 }
 
-HandOptions hand_of(SimulatedCalibration const& calibration)
+sim::HandOptions hand_of(SimulatedCalibration const& calibration)
 {
-    HandOptions options { .seed = calibration.person.seed, .height_tremor_mm = 0.02 };
+    sim::HandOptions options { .seed = calibration.person.seed, .height_tremor_mm = 0.02 };
     if (calibration.procedure == CalibrationProcedure::Tilt) {
         options.plane_tremor_mm = 0.03; // The dent holds it.
         options.tilt_rad = Vec2::Zero();
@@ -56,7 +57,7 @@ Performance captures(SimulatedCalibration const& calibration)
         ? proposed_heights_mm(calibration.procedure)
         : calibration.heights_mm;
     Performance performance;
-    for (auto const& height : set_heights(aimed_mm, calibration.person)) {
+    for (auto const& height : sim::set_heights(aimed_mm, calibration.person)) {
         performance.strokes.push_back(hold_still(height.true_mm));
         performance.words.push_back(fmt::format("capture {}", height.said_mm));
     }
@@ -69,10 +70,10 @@ Performance follow_edge(Vec3 const& low_mm, Vec3 const& high_mm)
     constexpr double kSpeed_mm_s = 180;
     Performance performance;
     for (int i = 0; i < kTimes; ++i) {
-        performance.strokes.push_back(
-            { .path = make_path(LineShape { low_mm, high_mm }), .speed_mm_s = kSpeed_mm_s });
-        performance.strokes.push_back(
-            { .path = make_path(LineShape { high_mm, low_mm }), .speed_mm_s = kSpeed_mm_s });
+        performance.strokes.push_back({ .path = sim::make_path(sim::LineShape { low_mm, high_mm }),
+                                        .speed_mm_s = kSpeed_mm_s });
+        performance.strokes.push_back({ .path = sim::make_path(sim::LineShape { high_mm, low_mm }),
+                                        .speed_mm_s = kSpeed_mm_s });
     }
     return performance;
 }
@@ -93,7 +94,7 @@ Performance perform(SimulatedCalibration const& calibration)
     }
 }
 
-std::vector<Command> commands_of(Performance const& performance, Hand const& hand)
+std::vector<Command> commands_of(Performance const& performance, sim::Hand const& hand)
 {
     std::vector<Command> commands;
     for (std::size_t i = 0; i < performance.words.size(); ++i)
@@ -105,11 +106,11 @@ std::vector<Command> commands_of(Performance const& performance, Hand const& han
     return commands;
 }
 
-Result<void> check_heights(Performance const& performance, RigGeometry const& geometry)
+Result<void> check_heights(Performance const& performance, sim::RigGeometry const& geometry)
 {
     for (auto const& stroke : performance.strokes) {
         double const height_mm = stroke.path.points_mm().front().z();
-        double const counts = ideal_counts(geometry, height_mm);
+        double const counts = sim::ideal_counts(geometry, height_mm);
         if (height_mm < -geometry.string_base_mm || counts < 0
             || counts > geometry.full_scale_counts)
             return fail(Fault::User,
@@ -136,9 +137,9 @@ std::vector<double> proposed_heights_mm(CalibrationProcedure procedure)
     }
 }
 
-RigGeometry simulated_geometry(CalibrationProcedure procedure)
+sim::RigGeometry simulated_geometry(CalibrationProcedure procedure)
 {
-    RigGeometry geometry;
+    sim::RigGeometry geometry;
     geometry.travel_shear = { 0.012, -0.007 };
     if (procedure == CalibrationProcedure::Tilt)
         geometry.coil_height_mm = 9;
@@ -149,15 +150,15 @@ Result<void> write_simulated_calibration(std::ostream& out, SimulatedCalibration
 {
     auto const performance = perform(calibration);
     TRY(check_heights(performance, calibration.geometry));
-    Hand const hand(performance.strokes, hand_of(calibration));
-    SimulatedRigOptions options { .geometry = calibration.geometry,
-                                  .seed = calibration.person.seed };
+    sim::Hand const hand(performance.strokes, hand_of(calibration));
+    sim::SimulatedRigOptions options { .geometry = calibration.geometry,
+                                       .seed = calibration.person.seed };
     options.height.noise_counts = calibration.person.noise_counts;
     if (calibration.procedure == CalibrationProcedure::Tilt)
         options.tablet.tilt_noise_deg = 0.5;
-    auto const run = simulate_rig(hand, options);
+    auto const run = sim::simulate_rig(hand, options);
 
-    LogWriter log(out, { .devices = { run.tablet.info, run.height.info } });
+    drivers::LogWriter log(out, { .devices = { run.tablet.info, run.height.info } });
     auto const commands = commands_of(performance, hand);
     std::size_t next = 0;
     for (auto const& arrived : run.in_order_of_arrival()) {

@@ -19,13 +19,13 @@ std::vector<double> proposed_heights_mm(CalibrationProcedure procedure);
 struct SimulatedCalibration {
     CalibrationProcedure procedure = CalibrationProcedure::Height;
     std::vector<double> heights_mm {}; // Empty: the proposed ones.
-    PersonOptions person {};           // The devices have its seed, too.
-    RigGeometry geometry {};
+    sim::PersonOptions person {};      // The devices have its seed, too.
+    sim::RigGeometry geometry {};
 };
 
 // A rig whose surface moves a little aside, as real ones do. Of Tilt, one whose tablet sees the pen
 // nine millimetres above its nib; for the others it is seen where it is.
-RigGeometry simulated_geometry(CalibrationProcedure procedure = CalibrationProcedure::Height);
+sim::RigGeometry simulated_geometry(CalibrationProcedure procedure = CalibrationProcedure::Height);
 
 // Lets a simulated person calibrate the simulated rig, and writes the log that a recording of it
 // would have given, commands included. At each height the person holds the pen still on the tablet

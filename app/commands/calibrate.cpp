@@ -50,15 +50,15 @@ struct CalibrateArguments {
 };
 
 // The rig so far: its file, else the log's, else one that height makes from nothing.
-Result<Rig> load_start(CalibrateArguments const& arguments, std::string const& log_rig)
+Result<calib::Rig> load_start(CalibrateArguments const& arguments, std::string const& log_rig)
 {
     std::error_code error;
     if (fs::exists(arguments.rig, error))
-        return load_rig(arguments.rig);
+        return calib::load_rig(arguments.rig);
     if (!log_rig.empty())
-        return parse_rig(log_rig, arguments.log);
+        return calib::parse_rig(log_rig, arguments.log);
     if (arguments.procedure == CalibrationProcedure::Height)
-        return Rig { .sample_times = SampleTimes::Evened };
+        return calib::Rig { .sample_times = calib::SampleTimes::Evened };
     // A rig without heights of its own would draw with made-up ones, so only height makes one.
     bool const needs_heights = needs_height(arguments.procedure);
     return fail(
@@ -70,27 +70,27 @@ Result<Rig> load_start(CalibrateArguments const& arguments, std::string const& l
                     arguments.rig));
 }
 
-CalibrationController::Options desk_options(CalibrateArguments const& arguments, Rig rig)
+CalibrationController::Options desk_options(CalibrateArguments const& arguments, calib::Rig rig)
 {
     CalibrationController::Options options { .procedure = arguments.procedure,
                                              .rig = std::move(rig) };
     options.height.ruler_error_mm = arguments.ruler_error_mm;
     options.height.linearity_percent = arguments.linearity_percent;
-    options.zero_cause = parse_zero_cause(arguments.zero_cause);
+    options.zero_cause = calib::parse_zero_cause(arguments.zero_cause);
     options.is_forced = arguments.is_forced;
     if (!arguments.model.empty())
-        options.height.kind = parse_height_model_kind(arguments.model);
+        options.height.kind = calib::parse_height_model_kind(arguments.model);
     return options;
 }
 
 Result<CalibrationOutcome> from_log(CalibrateArguments const& arguments)
 {
-    auto const log = TRY(read_log(arguments.log));
+    auto const log = TRY(drivers::read_log(arguments.log));
     auto rig = TRY(load_start(arguments, log.rig_text));
     return calibrate_from_log(log, desk_options(arguments, std::move(rig)), today());
 }
 
-Result<Log> simulated_log(CalibrateArguments const& arguments)
+Result<drivers::Log> simulated_log(CalibrateArguments const& arguments)
 {
     SimulatedCalibration simulated { .procedure = arguments.procedure,
                                      .heights_mm = arguments.heights_mm,
@@ -100,7 +100,7 @@ Result<Log> simulated_log(CalibrateArguments const& arguments)
     TRY(write_simulated_calibration(text, simulated));
     if (!arguments.record.empty())
         TRY(write_file(arguments.record, text.str()));
-    return parse_log(text.str(), "simulated");
+    return drivers::parse_log(text.str(), "simulated");
 }
 
 Result<CalibrationOutcome> from_simulation(CalibrateArguments const& arguments)
@@ -142,9 +142,11 @@ Result<std::optional<CalibrationOutcome>> from_devices(CalibrateArguments const&
     std::unique_ptr<LiveRecorder> recorder;
     if (!arguments.record.empty()) {
         std::error_code error;
-        LogHeader const header { .devices = devices.infos(),
-                                 .rig_text = fs::exists(arguments.rig, error) ? print_rig(rig) : "",
-                                 .start = options.start };
+        drivers::LogHeader const header { .devices = devices.infos(),
+                                          .rig_text = fs::exists(arguments.rig, error)
+                                              ? calib::print_rig(rig)
+                                              : "",
+                                          .start = options.start };
         recorder
             = std::make_unique<LiveRecorder>(TRY(LiveRecorder::create(arguments.record, header)));
         options.recorder = recorder.get();
@@ -177,9 +179,9 @@ Result<LiveDevices> open_for_window(CalibrateArguments const& arguments)
     if (!arguments.simulate)
         return open_devices(arguments.devices, "to calibrate");
     // Shared by the sources of its devices.
-    auto const log = std::make_shared<Log const>(TRY(simulated_log(arguments)));
+    auto const log = std::make_shared<drivers::Log const>(TRY(simulated_log(arguments)));
     auto const pace = pace_from_now(Timestamp {});
-    std::vector<std::unique_ptr<ReportSource>> sources;
+    std::vector<std::unique_ptr<drivers::ReportSource>> sources;
     for (std::size_t i = 0; i < log->devices.size(); ++i)
         sources.push_back(open_paced(log, i, pace));
     return LiveDevices::start(std::move(sources));

@@ -74,10 +74,10 @@ CLI::Validator device_ids()
 
 // hid-recorder knows HID devices alone, and of them no more than name, path and ids. Where each of
 // the log's devices has gone; no value for those that stay behind.
-std::vector<std::optional<std::size_t>> keep_what_hid_recorder_knows(LogHeader& header)
+std::vector<std::optional<std::size_t>> keep_what_hid_recorder_knows(drivers::LogHeader& header)
 {
     std::vector<std::optional<std::size_t>> places;
-    std::vector<DeviceInfo> kept;
+    std::vector<drivers::DeviceInfo> kept;
     for (auto& info : header.devices) {
         if (info.report_descriptor.empty()) {
             places.push_back(std::nullopt);
@@ -94,33 +94,33 @@ std::vector<std::optional<std::size_t>> keep_what_hid_recorder_knows(LogHeader& 
     return places;
 }
 
-Result<void> write_hid_recorder(std::ostream& out, Log const& log)
+Result<void> write_hid_recorder(std::ostream& out, drivers::Log const& log)
 {
-    LogHeader header { .devices = log.devices };
+    drivers::LogHeader header { .devices = log.devices };
     auto const places = keep_what_hid_recorder_knows(header);
     if (header.devices.empty())
         return fail(Fault::User,
                     fmt::format("{} has no device with a report descriptor, which hid-recorder's "
                                 "format needs: convert it to a .tractus-log",
                                 log.name));
-    LogWriter writer(out, header);
-    LogCursor cursor(log);
+    drivers::LogWriter writer(out, header);
+    drivers::LogCursor cursor(log);
     while (auto const* const report = TRY(cursor.next()))
         if (auto const place = places[report->device]; place && !report->bytes.empty())
             writer.write_report(*place, report->time, report->bytes);
     return writer.flush();
 }
 
-Result<void> write_tractus_log(std::ostream& out, Log const& log)
+Result<void> write_tractus_log(std::ostream& out, drivers::Log const& log)
 {
-    LogWriter writer(out, { .devices = log.devices, .rig_text = log.rig_text });
+    drivers::LogWriter writer(out, { .devices = log.devices, .rig_text = log.rig_text });
     std::size_t tool = 0;
     auto const write_tools_until = [&](std::size_t position) {
         for (; tool < log.tools.size() && log.tools[tool].position <= position; ++tool)
             writer.write_tool(log.tools[tool].time, log.tools[tool].tool,
                               log.tools[tool].arguments);
     };
-    LogCursor cursor(log);
+    drivers::LogCursor cursor(log);
     write_tools_until(0);
     while (auto const* const report = TRY(cursor.next())) {
         writer.write_report(report->device, report->time, report->bytes);
@@ -140,13 +140,14 @@ bool is_drawing(ToolKind const& tool)
     return tool.previewer && tool.ink.look == InkStyle::Look::Line;
 }
 
-Result<std::vector<Stroke>> drawn_strokes(ConvertArguments const& arguments, Log const& log)
+Result<std::vector<Stroke>> drawn_strokes(ConvertArguments const& arguments,
+                                          drivers::Log const& log)
 {
     ReplayOptions options { .methods = arguments.methods };
     if (!arguments.rig.empty())
-        options.rig = TRY(load_rig(arguments.rig));
+        options.rig = TRY(calib::load_rig(arguments.rig));
     if (!arguments.height.empty())
-        options.height = TRY(parse_height_scenario(arguments.height));
+        options.height = TRY(calib::parse_height_scenario(arguments.height));
     auto replay = TRY(LogReplay::create(log, options));
     for (auto const& sentence : replay.left_out())
         print_warning(sentence);
@@ -192,13 +193,13 @@ Result<void> convert(ConvertArguments const& arguments)
     TRY(check_writable(arguments.output));
     if (is_stroke_file(arguments.input) && wants_strokes(arguments))
         return convert_to_strokes(arguments, TRY(load_strokes(arguments.input)));
-    auto log = TRY(read_any_log(arguments.input));
+    auto log = TRY(drivers::read_any_log(arguments.input));
     if (auto const ids = parse_ids(arguments.ids))
         for (auto& info : log.devices) {
             info.vendor_id = ids->first;
             info.product_id = ids->second;
         }
-    if (auto const warnings = summarize_warnings(log); !warnings.empty())
+    if (auto const warnings = drivers::summarize_warnings(log); !warnings.empty())
         print_warning(warnings);
     if (wants_strokes(arguments))
         return convert_to_strokes(arguments, TRY(drawn_strokes(arguments, log)));

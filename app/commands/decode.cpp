@@ -38,8 +38,8 @@ using Sink = std::function<Result<void>(std::string_view)>;
 constexpr std::size_t kMostIntervals = 50'000; // Typical ones are among the first, too.
 
 struct Device {
-    std::unique_ptr<PenDecoder> pen {}; // Null if it is none.
-    PenSilence silence {};
+    std::unique_ptr<drivers::PenDecoder> pen {}; // Null if it is none.
+    drivers::PenSilence silence {};
     std::size_t reports = 0;
     std::size_t samples = 0;
     std::size_t touching = 0;
@@ -83,8 +83,8 @@ void append_flag(std::string& text, bool is_known, bool value)
         text += value ? '1' : '0';
 }
 
-void append_row(std::string& text, std::size_t device, PenSample const& sample,
-                PenTraits const& traits, bool raw)
+void append_row(std::string& text, std::size_t device, drivers::PenSample const& sample,
+                drivers::PenTraits const& traits, bool raw)
 {
     append_fixed(text, to_seconds(sample.time), 6);
     text += ',';
@@ -119,7 +119,7 @@ void append_row(std::string& text, std::size_t device, PenSample const& sample,
     text += '\n';
 }
 
-void count(Device& device, PenSample const& sample)
+void count(Device& device, drivers::PenSample const& sample)
 {
     if (device.samples++ > 0 && device.intervals.size() < kMostIntervals)
         device.intervals.push_back(sample.time - device.last);
@@ -131,13 +131,14 @@ void count(Device& device, PenSample const& sample)
 
 // Feeds every report of a pen to its decoder, in the log's order. Gives the time from the earliest
 // report of all devices to the latest.
-Result<Duration> decode_all(Log const& log, std::vector<Device>& devices,
-                            std::function<Result<void>(std::size_t, PenSample const&)> const& use)
+Result<Duration>
+decode_all(drivers::Log const& log, std::vector<Device>& devices,
+           std::function<Result<void>(std::size_t, drivers::PenSample const&)> const& use)
 {
     auto earliest = log.begin();
     auto latest = log.begin();
-    std::vector<PenSample> samples;
-    LogCursor cursor(log);
+    std::vector<drivers::PenSample> samples;
+    drivers::LogCursor cursor(log);
     while (auto const* const report = TRY(cursor.next())) {
         earliest = std::min(earliest, report->time);
         latest = std::max(latest, report->time);
@@ -165,16 +166,16 @@ Result<Duration> decode_all(Log const& log, std::vector<Device>& devices,
 }
 
 // The log's pens. Names the devices that are none on standard error, and fails if all are.
-Result<std::vector<Device>> find_pens(Log const& log)
+Result<std::vector<Device>> find_pens(drivers::Log const& log)
 {
     std::vector<Device> devices;
     std::string reasons;
     for (auto const& info : log.devices) {
         auto& device = devices.emplace_back();
         auto const index = devices.size() - 1;
-        if (auto pen = make_pen_decoder(info))
+        if (auto pen = drivers::make_pen_decoder(info))
             device.pen = std::move(*pen);
-        else if (!make_height_decoder(info))
+        else if (!drivers::make_height_decoder(info))
             reasons += fmt::format("{}device {}: {}", reasons.empty() ? "" : "; ", index,
                                    pen.error().message);
     }
@@ -189,9 +190,9 @@ Result<std::vector<Device>> find_pens(Log const& log)
 }
 
 // Says once per device what could not be decoded; fails if that was everything.
-Result<void> report_problems(Log const& log, std::vector<Device> const& devices)
+Result<void> report_problems(drivers::Log const& log, std::vector<Device> const& devices)
 {
-    if (auto const warnings = summarize_warnings(log); !warnings.empty())
+    if (auto const warnings = drivers::summarize_warnings(log); !warnings.empty())
         print_warning(warnings);
     for (std::size_t i = 0; i < devices.size(); ++i) {
         auto const& device = devices[i];
@@ -209,13 +210,13 @@ Result<void> report_problems(Log const& log, std::vector<Device> const& devices)
     return {};
 }
 
-Result<void> write_csv(Log const& log, bool raw, Sink const& sink)
+Result<void> write_csv(drivers::Log const& log, bool raw, Sink const& sink)
 {
     auto devices = TRY(find_pens(log));
     std::string text
         = "time_s,device,x_mm,y_mm,pressure,tilt_x_deg,tilt_y_deg,in_range,tip,eraser,buttons";
     text += raw ? ",x_raw,y_raw,pressure_raw\n" : "\n";
-    auto const add_row = [&](std::size_t device, PenSample const& sample) -> Result<void> {
+    auto const add_row = [&](std::size_t device, drivers::PenSample const& sample) -> Result<void> {
         append_row(text, device, sample, devices[device].pen->traits(), raw);
         if (text.size() < kChunkBytes)
             return {};
@@ -240,11 +241,11 @@ std::string describe_rate(std::vector<Duration> intervals)
     return fmt::format(", typically {:.0f} per second", 1 / to_seconds(*middle));
 }
 
-Result<void> print_summary(Log const& log)
+Result<void> print_summary(drivers::Log const& log)
 {
     auto devices = TRY(find_pens(log));
-    auto const duration = TRY(
-        decode_all(log, devices, [&](std::size_t device, PenSample const& sample) -> Result<void> {
+    auto const duration = TRY(decode_all(
+        log, devices, [&](std::size_t device, drivers::PenSample const& sample) -> Result<void> {
             count(devices[device], sample);
             return {};
         }));
@@ -255,7 +256,7 @@ Result<void> print_summary(Log const& log)
         auto const& info = log.devices[i];
         text += fmt::format("device {}: {} ({:04x}:{:04x}), {} reports\n  {}\n", i, info.name,
                             info.vendor_id, info.product_id, device.reports,
-                            describe_device(info).text);
+                            drivers::describe_device(info).text);
         if (device.pen)
             text
                 += fmt::format("  {} samples{}, {} of them touching; strokes: {}\n", device.samples,
@@ -273,7 +274,7 @@ Result<void> run(Options const& options)
 {
     if (!options.output.empty())
         TRY(check_writable(options.output));
-    auto const log = TRY(read_log(options.log));
+    auto const log = TRY(drivers::read_log(options.log));
     if (!options.csv)
         return print_summary(log);
     if (options.output.empty())

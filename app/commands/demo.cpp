@@ -51,8 +51,8 @@ void add_demo_command(CLI::App& root, Action& action, Methods const& methods)
                 job.mesh = { .min_sides = 3,
                              .max_sides = 8,
                              .subdivision = 2,
-                             .ends = MeshOptions::Ends::Open,
-                             .sections = MeshOptions::Sections::SameArea };
+                             .ends = mesh::MeshOptions::Ends::Open,
+                             .sections = mesh::MeshOptions::Sections::SameArea };
                 job.glb.vertices = std::max(job.glb.vertices, GlbOptions::Vertices::Quantized);
             }
             job.drawing.log

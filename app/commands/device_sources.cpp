@@ -35,7 +35,7 @@ static Result<LiveDevices> open_named_or_found(std::vector<std::string> const& n
     return open_found(found);
 }
 
-Result<LiveDevices> open_found(std::vector<DeviceInfo> const& found)
+Result<LiveDevices> open_found(std::vector<drivers::DeviceInfo> const& found)
 {
     std::vector<RefusedDevice> refused;
     auto devices = LiveDevices::open_usable(found, refused);

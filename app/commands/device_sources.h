@@ -17,7 +17,7 @@ Result<LiveDevices> open_devices(std::vector<std::string> const& names, std::str
 
 // Opens the devices that can be opened; the others are named on standard error. Fails if none can,
 // as the first of them does.
-Result<LiveDevices> open_found(std::vector<DeviceInfo> const& found);
+Result<LiveDevices> open_found(std::vector<drivers::DeviceInfo> const& found);
 
 // Set by SIGINT and SIGTERM from now on, in place of ending the program.
 std::atomic<bool> const& stop_on_signals();

@@ -14,14 +14,14 @@ namespace tractus {
 
 namespace {
 
-char const* name_of(DeviceKind kind)
+char const* name_of(drivers::DeviceKind kind)
 {
     switch (kind) {
-    case DeviceKind::Pen:
+    case drivers::DeviceKind::Pen:
         return "pen";
-    case DeviceKind::Height:
+    case drivers::DeviceKind::Height:
         return "height";
-    case DeviceKind::Other:
+    case drivers::DeviceKind::Other:
         return "other";
     }
     return "other";
@@ -67,7 +67,7 @@ std::string as_text(std::vector<DeviceFacts> const& devices)
     bool has_pen = false;
     for (auto const& device : devices) {
         auto const& info = device.info;
-        has_pen |= device.description.kind == DeviceKind::Pen;
+        has_pen |= device.description.kind == drivers::DeviceKind::Pen;
         text += fmt::format("{}  {} ({:04x}:{:04x})\n    {}\n", info.location, info.name,
                             info.vendor_id, info.product_id, device.description.text);
         if (!device.tablet.empty())

@@ -56,7 +56,7 @@ Finding all_is_well(DeviceReading const& reading)
                       .what
                       = fmt::format("{}; {} reports, {:.0f} per second.", reading.description.text,
                                     reading.reports, reading.pace.rate_hz) };
-    auto const pen = make_pen_decoder(reading.info);
+    auto const pen = drivers::make_pen_decoder(reading.info);
     finding.lacks_size = pen && (*pen)->traits().is_size_assumed;
     if (finding.lacks_size)
         finding.remedy = {
@@ -69,9 +69,9 @@ Finding all_is_well(DeviceReading const& reading)
 // Whether it is some node of a tablet, for keys or fingers, of which another node carries the pen.
 bool is_beside_a_pen(DeviceReading const& reading, std::vector<DeviceReading> const& all)
 {
-    return reading.description.kind == DeviceKind::Other
+    return reading.description.kind == drivers::DeviceKind::Other
         && std::any_of(all.begin(), all.end(), [&](DeviceReading const& other) {
-               return other.description.kind == DeviceKind::Pen
+               return other.description.kind == drivers::DeviceKind::Pen
                    && other.info.vendor_id == reading.info.vendor_id
                    && other.info.product_id == reading.info.product_id;
            });
@@ -87,7 +87,7 @@ void judge(std::vector<DeviceMonitor> const& monitors, Duration listened,
         if (is_beside_a_pen(reading, readings))
             continue;
         auto found = diagnose_device(reading, listened);
-        if (found.empty() && reading.description.kind != DeviceKind::Other)
+        if (found.empty() && reading.description.kind != drivers::DeviceKind::Other)
             found.push_back(all_is_well(reading));
         append(findings, std::move(found));
     }
@@ -124,9 +124,9 @@ Result<void> examine_machine(DoctorArguments const& arguments, std::vector<Findi
 {
     auto const facts = gather_system_facts();
     append(findings, diagnose_system(facts));
-    std::vector<DeviceInfo> usable;
+    std::vector<drivers::DeviceInfo> usable;
     for (auto const& device : facts.devices)
-        if (device.description.kind != DeviceKind::Other && device.open_error == 0)
+        if (device.description.kind != drivers::DeviceKind::Other && device.open_error == 0)
             usable.push_back(device.info);
     if (usable.empty())
         return {};
@@ -142,12 +142,12 @@ Result<void> examine_machine(DoctorArguments const& arguments, std::vector<Findi
 
 Result<void> examine_log(std::string const& path, std::vector<Finding>& findings)
 {
-    auto const log = TRY(read_any_log(path));
+    auto const log = TRY(drivers::read_any_log(path));
     std::vector<DeviceMonitor> monitors;
     for (auto const& info : log.devices)
         monitors.emplace_back(info);
-    RawReport report;
-    LogCursor cursor(log);
+    drivers::RawReport report;
+    drivers::LogCursor cursor(log);
     while (auto const* const from = TRY(cursor.next())) {
         report.received = from->time;
         report.size = from->bytes.size();
@@ -185,21 +185,21 @@ std::optional<Vec2> parse_sides(std::string_view text)
         return std::nullopt;
     auto const [rest, y_error] = std::from_chars(x + 1, end, sides_mm.y());
     bool const is_whole = y_error == std::errc() && rest == end;
-    return is_whole && is_tablets_surface(sides_mm) ? std::optional(sides_mm) : std::nullopt;
+    return is_whole && calib::is_tablets_surface(sides_mm) ? std::optional(sides_mm) : std::nullopt;
 }
 
 std::string expected_sides()
 {
     return fmt::format("expected the two sides of the tablet's active area in millimetres, such as "
                        "254x158.8, each {} to {}",
-                       kMinSurfaceSide_mm, kMaxSurfaceSide_mm);
+                       calib::kMinSurfaceSide_mm, calib::kMaxSurfaceSide_mm);
 }
 
 // Writes the active area, as somebody measured it, into the rig.
-Result<void> write_sides(Rig rig, Vec2 const& sides_mm, std::string const& rig_file)
+Result<void> write_sides(calib::Rig rig, Vec2 const& sides_mm, std::string const& rig_file)
 {
     rig.tablet_size_mm = rig.surface_mm.emplace(sides_mm);
-    TRY(save_rig(rig, rig_file));
+    TRY(calib::save_rig(rig, rig_file));
     return print_out(fmt::format("{}: the tablet's surface is {:g} x {:g} mm\n", rig_file,
                                  sides_mm.x(), sides_mm.y()));
 }
@@ -210,7 +210,7 @@ Result<void> measure_surface(DoctorArguments const& arguments)
     if (!sides_mm)
         return fail(Fault::User,
                     fmt::format("--surface \"{}\": {}", arguments.surface, expected_sides()));
-    return write_sides(TRY(load_rig(arguments.rig_file)), *sides_mm, arguments.rig_file);
+    return write_sides(TRY(calib::load_rig(arguments.rig_file)), *sides_mm, arguments.rig_file);
 }
 
 // Asks whoever sits at the terminal for what a tablet does not tell, until the answer makes sense
@@ -220,7 +220,7 @@ Result<void> ask_for_sides(std::string const& tablet, std::string const& rig_fil
     std::error_code ignored;
     if (rig_file.empty() || !std::filesystem::exists(rig_file, ignored))
         return {};
-    auto const rig = TRY(load_rig(rig_file));
+    auto const rig = TRY(calib::load_rig(rig_file));
     if (rig.surface_mm)
         return {};
     TRY(print_out(

@@ -95,7 +95,7 @@ Result<void> write_sequence(GrowArguments const& arguments, Scene const& scene,
     auto file = arguments.file;
     if (arguments.output.extension() == ".png") {
         Framing framing({}, PictureSize().aspect());
-        framing.add(make_mesh(grower.grow(key)));
+        framing.add(mesh::make_mesh(grower.grow(key)));
         file.camera = framing.camera(); // One for all ages: it sees the whole plant.
     }
     for (std::size_t i = 1; i <= arguments.frames; ++i) {
@@ -122,7 +122,7 @@ Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
     Grower grower(plan);
     PlantKey const key { scene.growth.seed, 0 };
     Plant const whole = grower.grow(key);
-    AgedMesh const mesh(whole);
+    mesh::AgedMesh const mesh(whole);
     GrowthFilm film { .name = name, .mesh = &mesh, .seconds = arguments.seconds };
     for (std::size_t i = 1; i <= arguments.ages; ++i)
         film.ages.push_back(age_of(i, arguments.ages));

@@ -41,10 +41,12 @@ Result<void> record_devices(RecordArguments const& arguments)
     auto const options = live_recording_by_the_clock(arguments.seconds);
     auto const start = options.now();
     auto devices = TRY(open_devices(arguments.devices, "to record"));
-    LogHeader header { .devices = devices.infos(), .rig_text = devices.rig_text(), .start = start };
+    drivers::LogHeader header { .devices = devices.infos(),
+                                .rig_text = devices.rig_text(),
+                                .start = start };
     if (!arguments.rig.empty()) {
-        auto const rig = TRY(load_rig(arguments.rig));
-        header.rig_text = print_rig(rig);
+        auto const rig = TRY(calib::load_rig(arguments.rig));
+        header.rig_text = calib::print_rig(rig);
     }
     auto recorder = TRY(LiveRecorder::create(arguments.output, header));
     for (auto const& device : devices.infos())
@@ -60,7 +62,7 @@ Result<void> record_simulated(RecordArguments const& arguments, ToolKinds tools)
 {
     TRY(check_new_file(arguments.output));
     auto const text = TRY(read_text_file(arguments.script));
-    auto const script = TRY(parse_gesture_script(text, arguments.script));
+    auto const script = TRY(sim::parse_gesture_script(text, arguments.script));
     auto const model = TRY(find_model(arguments.model));
     auto const edit = TRY(load_plant_edit(model));
     auto const scene = TRY(apply_edit({}, edit, make_load_options()));

@@ -60,11 +60,11 @@ std::string check_size(std::string const& text)
                       text, kSmallest_px, kLargest_px);
 }
 
-Result<Mesh> load_mesh(std::string const& path, EditKinds kinds)
+Result<mesh::Mesh> load_mesh(std::string const& path, EditKinds kinds)
 {
     if (is_session_file(path)) {
         auto const scene = TRY(load_session_scene(path, kinds));
-        return make_mesh(TRY(shown_plants(scene)));
+        return mesh::make_mesh(TRY(shown_plants(scene)));
     }
     auto const bytes = TRY(read_file(path));
     auto mesh = read_glb(bytes);

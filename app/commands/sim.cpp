@@ -23,7 +23,8 @@ struct SimArguments {
 };
 
 // The devices that were named, or all.
-Result<std::vector<std::size_t>> choose_devices(Log const& log, SimArguments const& arguments)
+Result<std::vector<std::size_t>> choose_devices(drivers::Log const& log,
+                                                SimArguments const& arguments)
 {
     std::vector<std::size_t> chosen = arguments.devices;
     for (std::size_t i = 0; arguments.devices.empty() && i < log.devices.size(); ++i)
@@ -40,11 +41,11 @@ Result<void> play_through_uhid(SimArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments.play));
     auto const chosen = TRY(choose_devices(log, arguments));
-    std::vector<std::unique_ptr<KernelDevice>> devices;
+    std::vector<std::unique_ptr<sim::KernelDevice>> devices;
     std::vector<std::unique_ptr<DevicePart>> parts;
     DevicePlay play;
     for (auto const index : chosen) {
-        auto device = TRY(UhidDevice::create(log.devices[index], remember_features()));
+        auto device = TRY(sim::UhidDevice::create(log.devices[index], sim::remember_features()));
         print_error(fmt::format("playing {}\n", log.devices[index].name));
         parts.push_back(
             std::make_unique<ReportPart>(*device, reports_of(log, index, arguments.rate_hz)));

@@ -39,7 +39,7 @@ constexpr Duration kEncoderRest = std::chrono::seconds(2);
 // comes. It rests where the heights begin and end for a while, if it is to.
 class HeightPart final : public DevicePart {
 public:
-    explicit HeightPart(HeightCurve heights, Duration rest = Duration(0))
+    explicit HeightPart(sim::HeightCurve heights, Duration rest = Duration(0))
         : heights_(std::move(heights))
         , rest_(rest)
     {
@@ -53,7 +53,7 @@ public:
 
     double fraction_now()
     {
-        auto const now = monotonic_now();
+        auto const now = drivers::monotonic_now();
         begin_ = begin_.value_or(now);
         return heights_.fraction_at(Timestamp(now - *begin_ - rest_));
     }
@@ -78,14 +78,15 @@ public:
     }
 
 private:
-    HeightCurve heights_;
+    sim::HeightCurve heights_;
     Duration rest_;
     std::optional<Timestamp> begin_ {};
     std::optional<Duration> fail_after_ {};
     std::function<void()> fail_ {};
 };
 
-Result<void> play_part(KernelDevice& device, HeightPart& part, SimPlayArguments const& arguments)
+Result<void> play_part(sim::KernelDevice& device, HeightPart& part,
+                       SimPlayArguments const& arguments)
 {
     DevicePlay play;
     play.devices = { &device };
@@ -96,18 +97,18 @@ Result<void> play_part(KernelDevice& device, HeightPart& part, SimPlayArguments 
 Result<void> play_mcp2221a(SimPlayArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments));
-    HeightPart part(TRY(HeightCurve::read(log)));
-    auto const device = TRY(tractus::play_mcp2221a([&part] { return part.fraction_now(); }));
+    HeightPart part(TRY(sim::HeightCurve::read(log)));
+    auto const device = TRY(tractus::sim::play_mcp2221a([&part] { return part.fraction_now(); }));
     return play_part(*device, part, arguments);
 }
 
 Result<void> play_desk(SimPlayArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments));
-    HeightPart part(TRY(HeightCurve::read(log)));
+    HeightPart part(TRY(sim::HeightCurve::read(log)));
     bool was_told_to_move = false;
-    auto const device = TRY(
-        play_linak_desk([&part] { return part.fraction_now(); }, [&] { was_told_to_move = true; }));
+    auto const device = TRY(sim::play_linak_desk([&part] { return part.fraction_now(); },
+                                                 [&] { was_told_to_move = true; }));
     TRY(play_part(*device, part, arguments));
     if (was_told_to_move)
         return fail(Fault::Device, "some program told the desk to move, which none of ours does");
@@ -117,11 +118,11 @@ Result<void> play_desk(SimPlayArguments const& arguments)
 Result<void> play_encoder(SimEncoderArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments.play));
-    HeightPart part(TRY(HeightCurve::read(log)), kEncoderRest);
+    HeightPart part(TRY(sim::HeightCurve::read(log)), kEncoderRest);
     auto const target = [&] {
         return static_cast<std::int64_t>(std::floor(part.fraction_now() * arguments.counts));
     };
-    Cp2112WithEncoder bridge({ .a = arguments.lines[0], .b = arguments.lines[1] }, target);
+    sim::Cp2112WithEncoder bridge({ .a = arguments.lines[0], .b = arguments.lines[1] }, target);
     auto const device = TRY(bridge.play());
     return play_part(*device, part, arguments.play);
 }
@@ -129,13 +130,13 @@ Result<void> play_encoder(SimEncoderArguments const& arguments)
 Result<void> play_cp2112(SimConvertersArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments.play));
-    HeightPart part(TRY(HeightCurve::read(log)));
+    HeightPart part(TRY(sim::HeightCurve::read(log)));
     auto const input = [&](unsigned channel) {
         return channel == arguments.channel ? part.fraction_now() : (channel + 1) / 10.0;
     };
     auto const& lines = arguments.lines;
-    Cp2112WithMcp3208 bridge({ .clk = lines[0], .din = lines[1], .dout = lines[2], .cs = lines[3] },
-                             input);
+    sim::Cp2112WithMcp3208 bridge(
+        { .clk = lines[0], .din = lines[1], .dout = lines[2], .cs = lines[3] }, input);
     if (arguments.fail_after_s)
         part.fail_after(*arguments.fail_after_s, [&bridge] { bridge.fail_readings(); });
     auto const device = TRY(bridge.play());

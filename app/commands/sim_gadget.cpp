@@ -33,7 +33,7 @@ struct SimGadgetArguments {
 
 // Functions that are played on the gadget, which outlives them.
 struct Functions {
-    std::vector<std::unique_ptr<GadgetHid>> pens;
+    std::vector<std::unique_ptr<sim::GadgetHid>> pens;
     std::vector<std::unique_ptr<ReportPart>> pen_parts;
     std::unique_ptr<PlayedHeightSensor> sensor;
 
@@ -52,11 +52,12 @@ struct Functions {
     }
 };
 
-std::vector<std::size_t> pens_in(Log const& log)
+std::vector<std::size_t> pens_in(drivers::Log const& log)
 {
     std::vector<std::size_t> pens;
     for (std::size_t i = 0; i < log.devices.size(); ++i) {
-        bool const is_pen = describe_device(log.devices[i]).kind == DeviceKind::Pen;
+        bool const is_pen
+            = drivers::describe_device(log.devices[i]).kind == drivers::DeviceKind::Pen;
         bool const is_silent = std::none_of(log.records.begin(), log.records.end(),
                                             [&](auto const& record) { return record.device == i; });
         if (is_pen && !is_silent)
@@ -67,10 +68,10 @@ std::vector<std::size_t> pens_in(Log const& log)
 
 // A recorded tablet goes by its own ids, by which programs know how to read it; the simulated one,
 // and a sensor alone, by those for tests.
-UsbGadgetIdentity identity_of(Log const& log, std::vector<std::size_t> const& pens,
-                              std::string const& name)
+sim::UsbGadgetIdentity identity_of(drivers::Log const& log, std::vector<std::size_t> const& pens,
+                                   std::string const& name)
 {
-    UsbGadgetIdentity identity {
+    sim::UsbGadgetIdentity identity {
         .name = name,
         .vendor_id = kTestVendor,
         .product_id = pens.empty() ? kSensorProduct : kPenProduct,
@@ -85,12 +86,12 @@ UsbGadgetIdentity identity_of(Log const& log, std::vector<std::size_t> const& pe
     return identity;
 }
 
-Result<void> add_pens(Functions& functions, UsbGadget& gadget, Log const& log,
+Result<void> add_pens(Functions& functions, sim::UsbGadget& gadget, drivers::Log const& log,
                       std::vector<std::size_t> const& pens, std::optional<double> rate_hz)
 {
     for (auto const device : pens) {
-        auto pen
-            = TRY(GadgetHid::add_to(gadget, fmt::format("pen{}", device), log.devices[device]));
+        auto pen = TRY(
+            sim::GadgetHid::add_to(gadget, fmt::format("pen{}", device), log.devices[device]));
         functions.pen_parts.push_back(
             std::make_unique<ReportPart>(*pen, reports_of(log, device, rate_hz)));
         functions.pens.push_back(std::move(pen));
@@ -104,11 +105,11 @@ Result<void> play_gadget(SimGadgetArguments const& arguments)
     auto const pens = arguments.what == "sensor" ? std::vector<std::size_t>() : pens_in(log);
     if (arguments.what != "sensor" && pens.empty())
         return fail(Fault::User, fmt::format("there is no pen to play in {}", log.name));
-    auto const gadget = TRY(UsbGadget::create(identity_of(log, pens, arguments.name)));
+    auto const gadget = TRY(sim::UsbGadget::create(identity_of(log, pens, arguments.name)));
     Functions functions;
     TRY(add_pens(functions, *gadget, log, pens, arguments.rate_hz));
     if (arguments.what != "pen") {
-        auto heights = TRY(HeightCurve::read(log));
+        auto heights = TRY(sim::HeightCurve::read(log));
         functions.sensor = TRY(PlayedHeightSensor::add_to(*gadget, std::move(heights)));
     }
     TRY(gadget->plug_in(arguments.port));

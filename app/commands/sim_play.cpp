@@ -25,16 +25,16 @@ void ask_to_unplug(int)
     unplug_asked = true;
 }
 
-Result<Log> simulate(SimPlayArguments const& arguments)
+Result<drivers::Log> simulate(SimPlayArguments const& arguments)
 {
     auto const text = TRY(read_text_file(arguments.script));
-    auto const script = TRY(parse_gesture_script(text, arguments.script));
+    auto const script = TRY(sim::parse_gesture_script(text, arguments.script));
     auto const model = TRY(find_model(arguments.model));
     auto const edit = TRY(load_plant_edit(model));
     auto const scene = TRY(apply_edit({}, edit, make_load_options()));
     std::ostringstream recording;
     TRY(write_simulated_recording(recording, script, scene, {}));
-    return parse_log(recording.str(), arguments.script);
+    return drivers::parse_log(recording.str(), arguments.script);
 }
 
 DevicePlay::Then what_then(SimPlayArguments const& arguments)
@@ -68,25 +68,27 @@ void add_sim_play_options(CLI::App& command, SimPlayArguments& arguments)
         ->excludes(stay);
 }
 
-Result<Log> load_sim_play(SimPlayArguments const& arguments)
+Result<drivers::Log> load_sim_play(SimPlayArguments const& arguments)
 {
     if (arguments.log.empty() && arguments.script.empty())
         return fail(Fault::User,
                     "there is nothing to play: name a LOG, or a script with "
                     "--simulate SCRIPT");
-    auto log = arguments.script.empty() ? TRY(read_log(arguments.log)) : TRY(simulate(arguments));
+    auto log = arguments.script.empty() ? TRY(drivers::read_log(arguments.log))
+                                        : TRY(simulate(arguments));
     if (log.empty())
         return fail(Fault::User, fmt::format("there are no reports to play in {}", log.name));
     return log;
 }
 
-std::function<NextReport()> reports_of(Log const& log, std::size_t device,
+std::function<NextReport()> reports_of(drivers::Log const& log, std::size_t device,
                                        std::optional<double> rate_hz)
 {
     return [&log, device, rate_hz]() -> NextReport {
         // Shared, since functions are copied.
-        auto const source = std::make_shared<LogSource>(log, device);
-        return [&log, source, rate_hz, count = 0]() mutable -> Result<std::optional<RawReport>> {
+        auto const source = std::make_shared<drivers::LogSource>(log, device);
+        return [&log, source, rate_hz,
+                count = 0]() mutable -> Result<std::optional<drivers::RawReport>> {
             auto report = TRY(source->read(Duration(0)));
             if (report)
                 report->received = rate_hz ? Timestamp(from_seconds(count++ / *rate_hz))

@@ -25,11 +25,11 @@ void add_sim_play_options(CLI::App& command, SimPlayArguments& arguments);
 
 // The recording to play: what was named, or what "tractus record --simulate" would make of the
 // script. Fails, as the user's fault, if there are no reports in it.
-Result<Log> load_sim_play(SimPlayArguments const& arguments);
+Result<drivers::Log> load_sim_play(SimPlayArguments const& arguments);
 
 // The reports of one of the log's devices, their times since the log's first report; or in even
 // steps, so many per second. The log must outlive them.
-std::function<NextReport()> reports_of(Log const& log, std::size_t device,
+std::function<NextReport()> reports_of(drivers::Log const& log, std::size_t device,
                                        std::optional<double> rate_hz);
 
 // Plays until it is over or a signal asks to stop, and says on standard error when it begins and

@@ -54,20 +54,20 @@ void warn_of_losses(Station const& station)
     if (counts.broken_reports > 0)
         print_warning(fmt::format("{} reports could not be decoded, the first: {}",
                                   counts.broken_reports, counts.first_broken));
-    for (auto const& sentence : describe_faults(station.height_monitor(), {}))
+    for (auto const& sentence : calib::describe_faults(station.height_monitor(), {}))
         print_warning(sentence);
 }
 
 Result<void> stream_recording(StreamArguments const& arguments)
 {
-    auto const log = TRY(read_log(arguments.log));
-    if (auto const warnings = summarize_warnings(log); !warnings.empty())
+    auto const log = TRY(drivers::read_log(arguments.log));
+    if (auto const warnings = drivers::summarize_warnings(log); !warnings.empty())
         print_warning(warnings);
     ReplayOptions options { .methods = arguments.methods };
     if (!arguments.rig.empty())
-        options.rig = TRY(load_rig(arguments.rig));
+        options.rig = TRY(calib::load_rig(arguments.rig));
     if (!arguments.height.empty())
-        options.height = TRY(parse_height_scenario(arguments.height));
+        options.height = TRY(calib::parse_height_scenario(arguments.height));
     auto replay = TRY(LogReplay::create(log, options));
     for (auto const& sentence : replay.left_out())
         print_warning(sentence);
@@ -82,30 +82,31 @@ Result<void> stream_recording(StreamArguments const& arguments)
 bool has_sensor_of_height(LiveDevices const& devices)
 {
     auto const& infos = devices.infos();
-    return std::any_of(infos.begin(), infos.end(),
-                       [](auto const& info) { return make_height_decoder(info).has_value(); });
+    return std::any_of(infos.begin(), infos.end(), [](auto const& info) {
+        return drivers::make_height_decoder(info).has_value();
+    });
 }
 
 // The one that was named, the played log's, or else the user's own.
-Result<std::optional<Rig>> find_stream_rig(StreamArguments const& arguments,
-                                           LiveDevices const& devices)
+Result<std::optional<calib::Rig>> find_stream_rig(StreamArguments const& arguments,
+                                                  LiveDevices const& devices)
 {
     if (!arguments.rig.empty())
-        return TRY(load_rig(arguments.rig));
+        return TRY(calib::load_rig(arguments.rig));
     if (!devices.rig_text().empty())
-        return TRY(parse_rig(devices.rig_text(), "the log's rig"));
+        return TRY(calib::parse_rig(devices.rig_text(), "the log's rig"));
     std::error_code ignored;
     if (auto const own = user_rig_path(); std::filesystem::exists(own, ignored))
-        return TRY(load_rig(own));
-    return std::optional<Rig>();
+        return TRY(calib::load_rig(own));
+    return std::optional<calib::Rig>();
 }
 
 // The size of the first tablet, where no rig tells it.
-Rig rig_of_first_tablet(LiveDevices const& devices)
+calib::Rig rig_of_first_tablet(LiveDevices const& devices)
 {
-    Rig rig;
+    calib::Rig rig;
     for (auto const& info : devices.infos())
-        if (auto const decoder = make_pen_decoder(info)) {
+        if (auto const decoder = drivers::make_pen_decoder(info)) {
             rig.tablet_size_mm = (*decoder)->traits().size_mm;
             break;
         }
@@ -126,13 +127,13 @@ Result<StationOptions> live_station_options(StreamArguments const& arguments,
     options.tools = arguments.methods.tools;
     if (has_sensor && arguments.height.empty())
         return options;
-    HeightScenario scenario;
+    calib::HeightScenario scenario;
     if (!arguments.height.empty())
         scenario.constant_mm = TRY(constant_height_mm(arguments.height));
     else
         print_warning("there is no height sensor: all is drawn at height 0");
     options.scripted_height
-        = ScriptedHeight { .scenario = scenario, .first_pen = {}, .last_pen = {} };
+        = calib::ScriptedHeight { .scenario = scenario, .first_pen = {}, .last_pen = {} };
     return options;
 }
 

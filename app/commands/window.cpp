@@ -116,7 +116,7 @@ WindowOptions window_options(WindowArguments const& arguments, std::string title
         };
     options.scale = arguments.scale;
     options.frames = arguments.frames;
-    options.should_close = ClosingSignals::have_come;
+    options.should_close = drivers::ClosingSignals::have_come;
     options.screenshot = arguments.screenshot;
     options.film = arguments.film;
     options.film_rate = arguments.film_rate;
@@ -129,10 +129,10 @@ Result<void> show_replay(WindowArguments const& arguments)
     ReplayOptions options { .methods = arguments.methods };
     auto scene = TRY(scene_of_plant(model, arguments.methods.edits));
     if (!arguments.rig.empty())
-        options.rig = TRY(load_rig(arguments.rig));
+        options.rig = TRY(calib::load_rig(arguments.rig));
     if (!arguments.height.empty())
-        options.height = TRY(parse_height_scenario(arguments.height));
-    auto const log = TRY(read_log(arguments.log));
+        options.height = TRY(calib::parse_height_scenario(arguments.height));
+    auto const log = TRY(drivers::read_log(arguments.log));
     std::optional<Session> session;
     if (!arguments.session.empty()) {
         std::string trouble;
@@ -141,7 +141,7 @@ Result<void> show_replay(WindowArguments const& arguments)
         if (!trouble.empty())
             print_warning(trouble);
     }
-    ClosingSignals const signals; // Held until the window is closed and all is kept.
+    drivers::ClosingSignals const signals; // Held until the window is closed and all is kept.
     auto window = TRY(ReplayWindow::create(log, options, std::move(scene),
                                            std::filesystem::current_path(), std::move(session)));
     auto const name = std::filesystem::path(log.name).filename().string();
@@ -189,7 +189,7 @@ Result<void> draw_in_window(LiveDevices devices, LiveWindowOptions options,
                             WindowOptions const& how)
 {
     // Held until the window is closed and all is kept.
-    ClosingSignals const signals;
+    drivers::ClosingSignals const signals;
     auto window = TRY(LiveWindow::create(std::move(devices), std::move(options)));
     return run_window(window, how);
 }
@@ -202,7 +202,7 @@ struct Clock {
 Clock clock_for(WindowArguments const& arguments)
 {
     if (arguments.played.empty() || arguments.frames == 0)
-        return { monotonic_now };
+        return { drivers::monotonic_now };
     auto const counted = std::make_shared<Timestamp>();
     return { [counted] { return *counted; }, counted };
 }
@@ -216,7 +216,7 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
     if (!arguments.rig.empty()
         || (arguments.played.empty() && devices.rig_text().empty()
             && std::filesystem::exists(options.rig_file, ignored)))
-        options.rig = TRY(load_rig(options.rig_file));
+        options.rig = TRY(calib::load_rig(options.rig_file));
     if (!arguments.height.empty())
         options.height_mm = TRY(constant_height_mm(arguments.height));
     // Last, since it may begin a file.

@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 2> kColors { "dark", "light" };
 constexpr std::array<std::string_view, 2> kHands { "right", "left" };
 
 // Whether a key has the second of two words.
-Result<bool> is_second(TomlTable& table, std::string_view key,
+Result<bool> is_second(calib::TomlTable& table, std::string_view key,
                        std::array<std::string_view, 2> const& words)
 {
     if (!table.has(key))
@@ -39,7 +39,7 @@ Result<WindowLook> load_look(fs::path const& path)
     if (path.empty() || !fs::exists(path, ignored))
         return WindowLook();
     auto const text = TRY(read_file(path));
-    auto table = TRY(TomlTable::parse(text, path.string()));
+    auto table = TRY(calib::TomlTable::parse(text, path.string()));
     WindowLook look;
     look.is_light = TRY(is_second(table, "colors", kColors));
     look.is_left_handed = TRY(is_second(table, "hand", kHands));

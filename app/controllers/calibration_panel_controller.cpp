@@ -10,7 +10,7 @@
 namespace tractus {
 
 Result<CalibrationPanelController>
-CalibrationPanelController::create(std::vector<DeviceInfo> devices,
+CalibrationPanelController::create(std::vector<drivers::DeviceInfo> devices,
                                    CalibrationPanelControllerOptions options)
 {
     auto controller = TRY(CalibrationController::create(devices, options.controller));
@@ -18,7 +18,7 @@ CalibrationPanelController::create(std::vector<DeviceInfo> devices,
                                       std::move(controller));
 }
 
-CalibrationPanelController::CalibrationPanelController(std::vector<DeviceInfo> devices,
+CalibrationPanelController::CalibrationPanelController(std::vector<drivers::DeviceInfo> devices,
                                                        CalibrationPanelControllerOptions options,
                                                        CalibrationController controller)
     : devices_(std::move(devices))

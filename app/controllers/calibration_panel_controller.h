@@ -31,7 +31,7 @@ struct CalibrationPanelControllerOptions {
 class CalibrationPanelController final : public CalibrationModel {
 public:
     // Fails as CalibrationController::create does.
-    static Result<CalibrationPanelController> create(std::vector<DeviceInfo> devices,
+    static Result<CalibrationPanelController> create(std::vector<drivers::DeviceInfo> devices,
                                                      CalibrationPanelControllerOptions options);
 
     // Takes what a device has sent; advance() draws conclusions from all that has come.
@@ -42,10 +42,10 @@ public:
     void perform(CalibrationCommand const& command) override;
 
     // The rig that was kept since the last call.
-    std::optional<Rig> take_kept_rig() { return std::exchange(kept_, std::nullopt); }
+    std::optional<calib::Rig> take_kept_rig() { return std::exchange(kept_, std::nullopt); }
 
 private:
-    CalibrationPanelController(std::vector<DeviceInfo> devices,
+    CalibrationPanelController(std::vector<drivers::DeviceInfo> devices,
                                CalibrationPanelControllerOptions options,
                                CalibrationController controller);
 
@@ -66,11 +66,11 @@ private:
     void show_reading();
     void refuse(std::string const& why);
 
-    std::vector<DeviceInfo> devices_;
+    std::vector<drivers::DeviceInfo> devices_;
     CalibrationPanelControllerOptions options_;
     CalibrationController controller_;
     std::optional<CalibrationOutcome> outcome_; // Outcome of everything so far.
-    std::optional<Rig> kept_;
+    std::optional<calib::Rig> kept_;
     bool was_capturing_ = false;
     bool is_moving_ = false;
     CalibrationView view_;

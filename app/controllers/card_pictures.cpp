@@ -162,7 +162,7 @@ std::optional<Image> CardPictures::draw(fs::path const& file, std::stop_token co
     auto const plant = shown_plants(*scene);
     if (!plant || plant->segment_count() == 0 || stop.stop_requested())
         return std::nullopt;
-    auto const mesh = make_mesh(*plant, {}, stop);
+    auto const mesh = mesh::make_mesh(*plant, {}, stop);
     if (stop.stop_requested())
         return std::nullopt;
     if (!drawing_) {

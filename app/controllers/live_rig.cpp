@@ -12,15 +12,16 @@ namespace tractus {
 
 static bool has_pen(LiveDevices const& devices)
 {
-    return std::any_of(devices.infos().begin(), devices.infos().end(),
-                       [](auto const& info) { return make_pen_decoder(info).has_value(); });
+    return std::any_of(devices.infos().begin(), devices.infos().end(), [](auto const& info) {
+        return drivers::make_pen_decoder(info).has_value();
+    });
 }
 
 // Traits that the first tablet tells.
-static std::optional<PenTraits> first_tablet(LiveDevices const& devices)
+static std::optional<drivers::PenTraits> first_tablet(LiveDevices const& devices)
 {
     for (auto const& info : devices.infos())
-        if (auto const decoder = make_pen_decoder(info))
+        if (auto const decoder = drivers::make_pen_decoder(info))
             return (*decoder)->traits();
     return std::nullopt;
 }
@@ -28,7 +29,7 @@ static std::optional<PenTraits> first_tablet(LiveDevices const& devices)
 bool has_height_sensor(LiveDevices const& devices)
 {
     return std::any_of(devices.infos().begin(), devices.infos().end(), [](auto const& info) {
-        return !make_pen_decoder(info) && make_height_decoder(info);
+        return !drivers::make_pen_decoder(info) && drivers::make_height_decoder(info);
     });
 }
 
@@ -54,32 +55,32 @@ bool lacks_calibration(LiveDevices const& devices, LiveWindowOptions const& opti
         && has_height_sensor(devices);
 }
 
-Result<Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& options,
-                       MouseParts const& mouse)
+Result<calib::Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& options,
+                              MouseParts const& mouse)
 {
     if (mouse.pen && mouse.height)
         return MouseRig::rig();
     if (mouse.height) {
-        auto rig
-            = options.rig.value_or(Rig { .tablet_size_mm = first_tablet(devices).value().size_mm });
+        auto rig = options.rig.value_or(
+            calib::Rig { .tablet_size_mm = first_tablet(devices).value().size_mm });
         MouseRig::set_height_sensor_in(rig);
         return rig;
     }
     if (options.rig)
         return *options.rig;
     if (!devices.rig_text().empty())
-        return parse_rig(devices.rig_text(), "the log's rig");
+        return calib::parse_rig(devices.rig_text(), "the log's rig");
     if (lacks_calibration(devices, options) && options.rig_file.empty())
         return fail(Fault::User,
                     "there is a height sensor but no calibration of it: give one with --rig, or "
                     "the surface's height with --height");
-    Rig rig;
+    calib::Rig rig;
     if (auto const tablet = first_tablet(devices))
         rig.tablet_size_mm = tablet->size_mm;
     return rig;
 }
 
-std::optional<std::string> size_note(LiveDevices const& devices, Rig const& rig)
+std::optional<std::string> size_note(LiveDevices const& devices, calib::Rig const& rig)
 {
     auto const tablet = first_tablet(devices);
     if (rig.surface_mm || !tablet || !tablet->is_size_assumed)

@@ -31,10 +31,10 @@ bool lacks_calibration(LiveDevices const& devices, LiveWindowOptions const& opti
 // The rig of the options, else of a log among the devices, else one of the first tablet's size;
 // with the mouse's height sensor where it stands in for that. Fails, as the user's fault, for a rig
 // that cannot be read, and where there is a height sensor whose calibration could not be kept.
-Result<Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& options,
-                       MouseParts const& mouse);
+Result<calib::Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& options,
+                              MouseParts const& mouse);
 
 // Says what to do about a tablet whose sides nobody knows: drawings may be squashed.
-std::optional<std::string> size_note(LiveDevices const& devices, Rig const& rig);
+std::optional<std::string> size_note(LiveDevices const& devices, calib::Rig const& rig);
 
 } // namespace tractus

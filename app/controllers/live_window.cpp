@@ -29,8 +29,8 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
     auto const mouse = TRY(add_mouse(devices, options));
     station_options.rig = TRY(choose_rig(devices, options, mouse));
     if (!mouse.height && (options.height_mm || !has_sensor || lacks_calibration))
-        station_options.scripted_height = ScriptedHeight {
-            .scenario = { .kind = HeightScenario::Kind::Constant,
+        station_options.scripted_height = calib::ScriptedHeight {
+            .scenario = { .kind = calib::HeightScenario::Kind::Constant,
                           .constant_mm = options.height_mm.value_or(0) },
             .first_pen = {},
             .last_pen = {},
@@ -260,7 +260,7 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
     auto const now = options_.now();
     recorder_ = TRY(LiveRecorder::create(path,
                                          { .devices = devices_.infos(),
-                                           .rig_text = print_rig(station_options_.rig),
+                                           .rig_text = calib::print_rig(station_options_.rig),
                                            .start = now }));
     (void)controller_->finish(station_, now);
     (void)controller_->take_done(); // Steps from before are not of the recording.
@@ -381,7 +381,7 @@ void LiveWindow::perform_kind(MoveMousePen const& command)
     if (!options_.mouse)
         return;
     Vec2 const middle_mm = station_options_.rig.tablet_size_mm / 2;
-    std::vector<TabletPen> pens;
+    std::vector<sim::TabletPen> pens;
     for (auto const& pen : command.path)
         pens.push_back({ .place_mm = pen.place_mm + middle_mm,
                          .in_range = pen.in_range,
@@ -455,7 +455,7 @@ void LiveWindow::calibrate()
 }
 
 // The pen draws by it from now on.
-void LiveWindow::use_rig(Rig const& rig)
+void LiveWindow::use_rig(calib::Rig const& rig)
 {
     auto options = station_options_;
     options.rig = rig;

@@ -31,8 +31,9 @@
 namespace tractus {
 
 struct LiveWindowOptions {
-    Methods methods {};        // Methods that can be used.
-    std::optional<Rig> rig {}; // No value: that of a log among the devices, else see create().
+    Methods methods {}; // Methods that can be used.
+    std::optional<calib::Rig>
+        rig {}; // No value: that of a log among the devices, else see create().
     // Where calibrating keeps the rig; empty: nowhere, and there is no calibrating.
     std::filesystem::path rig_file {};
     // The surface's height in place of a height sensor, above the controller.
@@ -147,7 +148,7 @@ private:
     void tell_programs();
     void show_devices();
     void calibrate();
-    void use_rig(Rig const& rig);
+    void use_rig(calib::Rig const& rig);
     void go_on_with(Station station);
     void record_tool_changes();
     void record_steps();

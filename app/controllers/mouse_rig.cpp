@@ -33,28 +33,28 @@ struct MouseRig::Shared {
 
     std::mutex mutex;
     std::condition_variable has_moved;
-    std::deque<RawReport> reports; // Reports of the pen that are not read yet.
+    std::deque<drivers::RawReport> reports; // Reports of the pen that are not read yet.
 };
 
 namespace {
 
-class MouseTablet final : public ReportSource {
+class MouseTablet final : public drivers::ReportSource {
 public:
     explicit MouseTablet(std::shared_ptr<MouseRig::Shared> shared)
         : shared_(std::move(shared))
-        , info_(simulated_tablet_info(MouseRig::rig().tablet_size_mm))
+        , info_(sim::simulated_tablet_info(MouseRig::rig().tablet_size_mm))
     {
         info_.name = "Mouse as a pen";
         info_.location = "mouse";
     }
 
-    DeviceInfo const& info() const override { return info_; }
+    drivers::DeviceInfo const& info() const override { return info_; }
 
-    Result<std::optional<RawReport>> read(Duration timeout) override
+    Result<std::optional<drivers::RawReport>> read(Duration timeout) override
     {
         std::unique_lock lock(shared_->mutex);
         if (!shared_->has_moved.wait_for(lock, timeout, [&] { return !shared_->reports.empty(); }))
-            return std::optional<RawReport>();
+            return std::optional<drivers::RawReport>();
         auto const report = shared_->reports.front();
         shared_->reports.pop_front();
         return report;
@@ -62,36 +62,36 @@ public:
 
 private:
     std::shared_ptr<MouseRig::Shared> shared_;
-    DeviceInfo info_;
+    drivers::DeviceInfo info_;
 };
 
 // Sends the present height again and again, with a little noise, as a sensor does.
-class MouseSurface final : public ReportSource {
+class MouseSurface final : public drivers::ReportSource {
 public:
     explicit MouseSurface(std::shared_ptr<MouseRig::Shared> shared)
         : shared_(std::move(shared))
-        , info_(simulated_slider_info(kSurfaceFullScale))
+        , info_(sim::simulated_slider_info(kSurfaceFullScale))
     {
         info_.name = "Surface moved by mouse or keys";
         info_.location = "mouse";
     }
 
-    DeviceInfo const& info() const override { return info_; }
+    drivers::DeviceInfo const& info() const override { return info_; }
 
-    Result<std::optional<RawReport>> read(Duration timeout) override
+    Result<std::optional<drivers::RawReport>> read(Duration timeout) override
     {
         auto const now = shared_->now();
         if (next_ > now && next_ - now > timeout) {
             std::this_thread::sleep_for(timeout);
-            return std::optional<RawReport>();
+            return std::optional<drivers::RawReport>();
         }
         if (next_ > now)
             std::this_thread::sleep_for(next_ - now);
         auto const received = shared_->now();
         next_ = received + MouseRig::kHeightPeriod;
         auto const counts = std::lround(glide_to(received) * kCountsPerSurfaceMm);
-        return simulated_slider_report(with_noise(kSurfaceLow + static_cast<std::int32_t>(counts)),
-                                       received);
+        return sim::simulated_slider_report(
+            with_noise(kSurfaceLow + static_cast<std::int32_t>(counts)), received);
     }
 
 private:
@@ -117,7 +117,7 @@ private:
     }
 
     std::shared_ptr<MouseRig::Shared> shared_;
-    DeviceInfo info_;
+    drivers::DeviceInfo info_;
     Timestamp next_ {};
     std::optional<Timestamp> last_; // When the height was last sent.
     bool flickers_ = false;
@@ -133,34 +133,34 @@ MouseRig::MouseRig(std::function<Timestamp()> now)
     last_move_ = shared_->now();
 }
 
-Rig MouseRig::rig()
+calib::Rig MouseRig::rig()
 {
-    Rig rig;
+    calib::Rig rig;
     set_height_sensor_in(rig);
     return rig;
 }
 
-void MouseRig::set_height_sensor_in(Rig& rig)
+void MouseRig::set_height_sensor_in(calib::Rig& rig)
 {
-    rig.height_model
-        = LinearHeight { .mm_per_count = 1 / kCountsPerSurfaceMm, .zero_counts = kSurfaceLow };
+    rig.height_model = calib::LinearHeight { .mm_per_count = 1 / kCountsPerSurfaceMm,
+                                             .zero_counts = kSurfaceLow };
     rig.full_scale_counts = kSurfaceFullScale;
     rig.calibrated_min_counts = kSurfaceLow;
     rig.calibrated_max_counts = kSurfaceHigh;
     rig.height_latency = {};
 }
 
-std::unique_ptr<ReportSource> MouseRig::open_tablet() const
+std::unique_ptr<drivers::ReportSource> MouseRig::open_tablet() const
 {
     return std::make_unique<MouseTablet>(shared_);
 }
 
-std::unique_ptr<ReportSource> MouseRig::open_height() const
+std::unique_ptr<drivers::ReportSource> MouseRig::open_height() const
 {
     return std::make_unique<MouseSurface>(shared_);
 }
 
-void MouseRig::move_pen(std::span<TabletPen const> pens)
+void MouseRig::move_pen(std::span<sim::TabletPen const> pens)
 {
     auto const now = shared_->now();
     // After a rest it has only just begun to move.
@@ -172,7 +172,7 @@ void MouseRig::move_pen(std::span<TabletPen const> pens)
         for (std::size_t i = 0; i < pens.size() && shared_->reports.size() < kMostWaiting; ++i) {
             auto const left = static_cast<std::int64_t>(pens.size() - 1 - i);
             auto const received = now - since * left / static_cast<std::int64_t>(pens.size());
-            shared_->reports.push_back(simulated_tablet_report(pens[i], size_mm, received));
+            shared_->reports.push_back(sim::simulated_tablet_report(pens[i], size_mm, received));
         }
     }
     shared_->has_moved.notify_all();

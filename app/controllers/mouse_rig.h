@@ -27,17 +27,17 @@ public:
     explicit MouseRig(std::function<Timestamp()> now);
 
     // Returns what a calibration of both would find.
-    static Rig rig();
+    static calib::Rig rig();
     // The height sensor's part of it, for a tablet that is there.
-    static void set_height_sensor_in(Rig& rig);
+    static void set_height_sensor_in(calib::Rig& rig);
 
-    std::unique_ptr<ReportSource> open_tablet() const;
-    std::unique_ptr<ReportSource> open_height() const;
+    std::unique_ptr<drivers::ReportSource> open_tablet() const;
+    std::unique_ptr<drivers::ReportSource> open_height() const;
 
     // Where the pen was since the last call, the last one being where it is now. Their times are
     // spread evenly over the time since then, or the last tenth of a second of it. Places are on
     // the tablet of rig().
-    void move_pen(std::span<TabletPen const> pens);
+    void move_pen(std::span<sim::TabletPen const> pens);
 
     // Where the surface shall be, clamped to its way: it glides there, as a surface does that hands
     // move; or it is there at once.

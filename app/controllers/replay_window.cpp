@@ -5,8 +5,8 @@
 
 namespace tractus {
 
-Result<ReplayWindow> ReplayWindow::create(Log const& log, ReplayOptions options, Scene scene,
-                                          std::filesystem::path pictures,
+Result<ReplayWindow> ReplayWindow::create(drivers::Log const& log, ReplayOptions options,
+                                          Scene scene, std::filesystem::path pictures,
                                           std::optional<Session> session)
 {
     auto replay = TRY(LogReplay::create(log, options));
@@ -15,7 +15,7 @@ Result<ReplayWindow> ReplayWindow::create(Log const& log, ReplayOptions options,
     return ReplayWindow(log, std::move(options), std::move(replay), std::move(controller));
 }
 
-ReplayWindow::ReplayWindow(Log const& log, ReplayOptions options, LogReplay replay,
+ReplayWindow::ReplayWindow(drivers::Log const& log, ReplayOptions options, LogReplay replay,
                            StationController controller)
     : log_(&log)
     , options_(std::move(options))

@@ -18,7 +18,7 @@ public:
     // The log must outlive the window. `pictures` is the folder in which saved pictures appear. A
     // session keeps what is drawn, on its scene in place of `scene`. Fails like
     // LogReplay::create.
-    static Result<ReplayWindow> create(Log const& log, ReplayOptions options, Scene scene,
+    static Result<ReplayWindow> create(drivers::Log const& log, ReplayOptions options, Scene scene,
                                        std::filesystem::path pictures,
                                        std::optional<Session> session = {});
 
@@ -35,7 +35,7 @@ public:
 
 private:
     Result<void> finish();
-    ReplayWindow(Log const& log, ReplayOptions options, LogReplay replay,
+    ReplayWindow(drivers::Log const& log, ReplayOptions options, LogReplay replay,
                  StationController controller);
 
     void perform_kind(SetPlaying const& command);
@@ -70,8 +70,8 @@ private:
 
     StationView& view() { return controller_.view(); }
 
-    Log const* log_;        // Not owned.
-    ReplayOptions options_; // To begin again.
+    drivers::Log const* log_; // Not owned.
+    ReplayOptions options_;   // To begin again.
     LogReplay replay_;
     Timestamp now_; // Time of the log.
     StationController controller_;

@@ -22,15 +22,16 @@ std::string_view device_name_help()
            "simulated";
 }
 
-std::vector<DeviceInfo> find_pens_and_height_sensors()
+std::vector<drivers::DeviceInfo> find_pens_and_height_sensors()
 {
-    auto devices = list_devices();
-    std::erase_if(devices,
-                  [](auto const& info) { return describe_device(info).kind == DeviceKind::Other; });
+    auto devices = drivers::list_devices();
+    std::erase_if(devices, [](auto const& info) {
+        return drivers::describe_device(info).kind == drivers::DeviceKind::Other;
+    });
     return devices;
 }
 
-Result<LiveDevices> LiveDevices::start(std::vector<std::unique_ptr<ReportSource>> sources)
+Result<LiveDevices> LiveDevices::start(std::vector<std::unique_ptr<drivers::ReportSource>> sources)
 {
     LiveDevices devices;
     for (auto& source : sources)
@@ -38,11 +39,11 @@ Result<LiveDevices> LiveDevices::start(std::vector<std::unique_ptr<ReportSource>
     return devices;
 }
 
-LiveDevices LiveDevices::open_usable(std::vector<DeviceInfo> const& infos,
+LiveDevices LiveDevices::open_usable(std::vector<drivers::DeviceInfo> const& infos,
                                      std::vector<RefusedDevice>& refused)
 {
     LiveDevices devices;
-    auto const reconnection = system_reconnection();
+    auto const reconnection = drivers::system_reconnection();
     for (auto const& info : infos)
         if (auto const added = devices.add_real(info, reconnection); !added)
             refused.push_back({ info, added.error() });
@@ -52,12 +53,12 @@ LiveDevices LiveDevices::open_usable(std::vector<DeviceInfo> const& infos,
 Result<LiveDevices> LiveDevices::open_named(std::span<std::string const> names)
 {
     LiveDevices devices;
-    auto const reconnection = system_reconnection();
+    auto const reconnection = drivers::system_reconnection();
     for (auto const& name : names) {
         std::error_code ignored;
         if (name == kSimulated || std::filesystem::is_regular_file(name, ignored))
             TRY(devices.add_log(name));
-        else if (auto info = find_device(name))
+        else if (auto info = drivers::find_device(name))
             TRY(devices.add_real(*std::move(info), reconnection));
         else
             return tl::unexpected(std::move(info).error());
@@ -65,19 +66,20 @@ Result<LiveDevices> LiveDevices::open_named(std::span<std::string const> names)
     return devices;
 }
 
-Result<void> LiveDevices::add(std::unique_ptr<ReportSource> source,
-                              ReconnectingSource const* reconnecting)
+Result<void> LiveDevices::add(std::unique_ptr<drivers::ReportSource> source,
+                              drivers::ReconnectingSource const* reconnecting)
 {
-    auto threaded = TRY(ThreadedSource::start(std::move(source)));
+    auto threaded = TRY(drivers::ThreadedSource::start(std::move(source)));
     auto const* const observed = threaded.get();
     infos_.push_back(threaded->info());
     devices_.push_back({ std::move(threaded), observed, reconnecting });
     return {};
 }
 
-Result<void> LiveDevices::add_real(DeviceInfo info, Reconnection const& reconnection)
+Result<void> LiveDevices::add_real(drivers::DeviceInfo info,
+                                   drivers::Reconnection const& reconnection)
 {
-    auto source = TRY(ReconnectingSource::open(std::move(info), reconnection));
+    auto source = TRY(drivers::ReconnectingSource::open(std::move(info), reconnection));
     auto const* const observed = source.get();
     return add(std::move(source), observed);
 }
@@ -88,8 +90,8 @@ Result<void> LiveDevices::add_log(std::string const& name)
     auto const demo = find_resource("demo/broadleaf.tractus-log");
     if (name == kSimulated && !demo)
         return tl::unexpected(demo.error());
-    auto read = TRY(read_log(name == kSimulated ? *demo : std::filesystem::path(name)));
-    auto const log = std::make_shared<Log const>(std::move(read));
+    auto read = TRY(drivers::read_log(name == kSimulated ? *demo : std::filesystem::path(name)));
+    auto const log = std::make_shared<drivers::Log const>(std::move(read));
     if (rig_text_.empty())
         rig_text_ = log->rig_text;
     auto const pace = pace_from_now(log->begin());
@@ -101,8 +103,8 @@ Result<void> LiveDevices::add_log(std::string const& name)
 Result<LiveDevices> LiveDevices::play_log(std::string const& name,
                                           std::function<Timestamp()> const& now)
 {
-    auto read = TRY(read_log(name));
-    auto const log = std::make_shared<Log const>(std::move(read));
+    auto read = TRY(drivers::read_log(name));
+    auto const log = std::make_shared<drivers::Log const>(std::move(read));
     LiveDevices devices;
     devices.rig_text_ = log->rig_text;
     Pace const pace {

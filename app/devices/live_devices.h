@@ -24,13 +24,13 @@ constexpr Duration kPollRest = std::chrono::milliseconds(2);
 
 // A report of one of several devices.
 struct LiveReport {
-    std::size_t device = 0; // Index in LiveDevices::infos().
-    RawReport report {};    // Empty: the device went away.
+    std::size_t device = 0;       // Index in LiveDevices::infos().
+    drivers::RawReport report {}; // Empty: the device went away.
 };
 
 // A device that could not be opened.
 struct RefusedDevice {
-    DeviceInfo info {};
+    drivers::DeviceInfo info {};
     Error error {};
 };
 
@@ -46,10 +46,10 @@ public:
     };
 
     // Sources at hand. Fails, as the station's fault, if the system gives no threads.
-    static Result<LiveDevices> start(std::vector<std::unique_ptr<ReportSource>> sources);
+    static Result<LiveDevices> start(std::vector<std::unique_ptr<drivers::ReportSource>> sources);
 
     // Opens the real devices that can be opened; the others, and why, go into `refused`.
-    static LiveDevices open_usable(std::vector<DeviceInfo> const& devices,
+    static LiveDevices open_usable(std::vector<drivers::DeviceInfo> const& devices,
                                    std::vector<RefusedDevice>& refused);
 
     // Opens the devices and logs that people name: see device_name_help(). Fails, as the user's
@@ -57,12 +57,12 @@ public:
     static Result<LiveDevices> open_named(std::span<std::string const> names);
 
     // One more, to be read like the others. Fails like start().
-    Result<void> add_source(std::unique_ptr<ReportSource> source)
+    Result<void> add_source(std::unique_ptr<drivers::ReportSource> source)
     {
         return add(std::move(source), nullptr);
     }
 
-    std::vector<DeviceInfo> const& infos() const { return infos_; }
+    std::vector<drivers::DeviceInfo> const& infos() const { return infos_; }
     State state(std::size_t device) const;
     bool any_left() const; // False if all have ended.
 
@@ -87,16 +87,17 @@ public:
 
 private:
     struct Device {
-        std::unique_ptr<ReportSource> source;             // Null when it has ended.
-        ThreadedSource const* threaded = nullptr;         // Null, too, if no thread reads it.
-        ReconnectingSource const* reconnecting = nullptr; // Within source; null for a log.
+        std::unique_ptr<drivers::ReportSource> source;     // Null when it has ended.
+        drivers::ThreadedSource const* threaded = nullptr; // Null, too, if no thread reads it.
+        drivers::ReconnectingSource const* reconnecting = nullptr; // Within source; null for a log.
     };
 
-    Result<void> add(std::unique_ptr<ReportSource> source, ReconnectingSource const* reconnecting);
-    Result<void> add_real(DeviceInfo info, Reconnection const& reconnection);
+    Result<void> add(std::unique_ptr<drivers::ReportSource> source,
+                     drivers::ReconnectingSource const* reconnecting);
+    Result<void> add_real(drivers::DeviceInfo info, drivers::Reconnection const& reconnection);
     Result<void> add_log(std::string const& name);
 
-    std::vector<DeviceInfo> infos_;
+    std::vector<drivers::DeviceInfo> infos_;
     std::vector<Device> devices_;
     std::uint64_t lost_by_ended_ = 0;
     std::string rig_text_;
@@ -106,6 +107,6 @@ private:
 std::string_view device_name_help();
 
 // The devices that are of use by themselves: every pen tablet and height sensor that can be found.
-std::vector<DeviceInfo> find_pens_and_height_sensors();
+std::vector<drivers::DeviceInfo> find_pens_and_height_sensors();
 
 } // namespace tractus

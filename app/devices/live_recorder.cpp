@@ -22,7 +22,7 @@ Result<void> check_new_file(std::filesystem::path const& path)
 }
 
 Result<LiveRecorder> LiveRecorder::create(std::filesystem::path const& path,
-                                          LogHeader const& header)
+                                          drivers::LogHeader const& header)
 {
     TRY(check_new_file(path));
     if (path.has_parent_path())
@@ -37,13 +37,13 @@ Result<LiveRecorder> LiveRecorder::create(std::filesystem::path const& path,
     return recorder;
 }
 
-LiveRecorder::LiveRecorder(std::unique_ptr<std::ostream> out, LogHeader const& header)
+LiveRecorder::LiveRecorder(std::unique_ptr<std::ostream> out, drivers::LogHeader const& header)
     : out_(std::move(out))
-    , log_(std::make_unique<LogWriter>(*out_, header))
+    , log_(std::make_unique<drivers::LogWriter>(*out_, header))
     , next_flush_(header.start + kFlushEvery)
 {
     for (auto const& info : header.devices) {
-        auto decoder = make_pen_decoder(info);
+        auto decoder = drivers::make_pen_decoder(info);
         pens_.push_back({ .decoder = decoder ? *std::move(decoder) : nullptr });
     }
 }

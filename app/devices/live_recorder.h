@@ -27,10 +27,11 @@ public:
     static constexpr Duration kFlushEvery = std::chrono::milliseconds(250);
 
     // Begins a new file. Fails like check_new_file, or if it cannot be written.
-    static Result<LiveRecorder> create(std::filesystem::path const& path, LogHeader const& header);
+    static Result<LiveRecorder> create(std::filesystem::path const& path,
+                                       drivers::LogHeader const& header);
 
     // Begins a log in a stream.
-    LiveRecorder(std::unique_ptr<std::ostream> out, LogHeader const& header);
+    LiveRecorder(std::unique_ptr<std::ostream> out, drivers::LogHeader const& header);
 
     void write(LiveReport const& report);
     void write_tool(Timestamp time, std::string_view tool, std::string_view arguments);
@@ -47,14 +48,14 @@ private:
     bool ends_stroke(LiveReport const& report);
 
     struct Pen {
-        std::unique_ptr<PenDecoder> decoder; // Null for what is no pen.
+        std::unique_ptr<drivers::PenDecoder> decoder; // Null for what is no pen.
         bool touching = false;
     };
 
     std::unique_ptr<std::ostream> out_; // On the heap, since log_ refers to it when this moves.
-    std::unique_ptr<LogWriter> log_;
-    std::vector<Pen> pens_;          // One per device.
-    std::vector<PenSample> samples_; // Kept for its memory.
+    std::unique_ptr<drivers::LogWriter> log_;
+    std::vector<Pen> pens_;                   // One per device.
+    std::vector<drivers::PenSample> samples_; // Kept for its memory.
     bool stroke_ended_ = false;
     Timestamp next_flush_ {};
     std::size_t report_count_ = 0;

@@ -14,7 +14,7 @@ LiveRecordingOptions live_recording_by_the_clock(std::optional<double> seconds)
 {
     return {
         .seconds = seconds,
-        .now = monotonic_now,
+        .now = drivers::monotonic_now,
         .rest = [](Duration duration) { std::this_thread::sleep_for(duration); },
     };
 }

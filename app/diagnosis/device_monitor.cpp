@@ -15,22 +15,22 @@ using namespace std::chrono_literals;
 static constexpr Duration kWindow = 1s;
 static constexpr Duration kPause = 100ms; // Longer intervals are no rhythm: the pen was away.
 
-DeviceMonitor::DeviceMonitor(DeviceInfo const& info)
+DeviceMonitor::DeviceMonitor(drivers::DeviceInfo const& info)
 {
     reading_.info = info;
-    reading_.description = describe_device(info);
-    if (auto pen = make_pen_decoder(info))
+    reading_.description = drivers::describe_device(info);
+    if (auto pen = drivers::make_pen_decoder(info))
         pen_ = *std::move(pen);
-    else if (auto height = make_height_decoder(info))
+    else if (auto height = drivers::make_height_decoder(info))
         height_ = *std::move(height);
     if (height_) {
-        Rig rig; // A rig without a calibration: jumps cannot be told, the other faults can.
+        calib::Rig rig; // A rig without a calibration: jumps cannot be told, the other faults can.
         rig.full_scale_counts = height_->full_scale();
         height_monitor_.emplace(rig);
     }
 }
 
-void DeviceMonitor::push(RawReport const& report)
+void DeviceMonitor::push(drivers::RawReport const& report)
 {
     if (report.size == 0) {
         ++reading_.departures;
@@ -52,7 +52,7 @@ void DeviceMonitor::push(RawReport const& report)
         push_height(report);
 }
 
-void DeviceMonitor::push_pen(RawReport const& report)
+void DeviceMonitor::push_pen(drivers::RawReport const& report)
 {
     pens_.clear();
     if (auto const decoded = pen_->decode(report, pens_); !decoded)
@@ -62,7 +62,7 @@ void DeviceMonitor::push_pen(RawReport const& report)
         show(sample);
 }
 
-void DeviceMonitor::push_height(RawReport const& report)
+void DeviceMonitor::push_height(drivers::RawReport const& report)
 {
     heights_.clear();
     if (auto const decoded = height_->decode(report, heights_); !decoded)
@@ -107,7 +107,7 @@ static std::string yes(bool value)
     return value ? "yes" : "no";
 }
 
-void DeviceMonitor::show(PenSample const& sample)
+void DeviceMonitor::show(drivers::PenSample const& sample)
 {
     auto& fields = reading_.fields;
     fields = { { "x", fmt::format("{:.2f} mm", sample.position_mm.x()) },
@@ -126,7 +126,7 @@ void DeviceMonitor::show(PenSample const& sample)
                         fmt::format("{} {} {}", sample.raw_x, sample.raw_y, sample.raw_pressure));
 }
 
-void DeviceMonitor::show(HeightSample const& sample)
+void DeviceMonitor::show(drivers::HeightSample const& sample)
 {
     reading_.fields
         = { { "height", fmt::format("{} of {} counts", sample.counts, sample.full_scale) },
@@ -158,7 +158,8 @@ DeviceReading DeviceMonitor::reading() const
     auto reading = reading_;
     reading.pace = pace_of(recent_);
     if (height_monitor_)
-        reading.height_faults = describe_faults(*height_monitor_, begin_.value_or(Timestamp {}));
+        reading.height_faults
+            = calib::describe_faults(*height_monitor_, begin_.value_or(Timestamp {}));
     return reading;
 }
 

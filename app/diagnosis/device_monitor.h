@@ -29,8 +29,8 @@ struct ReportPace {
 
 // Facts about what one device has sent so far, and what became of it.
 struct DeviceReading {
-    DeviceInfo info {};
-    DeviceDescription description {};
+    drivers::DeviceInfo info {};
+    drivers::DeviceDescription description {};
     bool is_away = false; // It went away and has not sent since.
 
     std::size_t reports = 0;
@@ -43,7 +43,7 @@ struct DeviceReading {
     std::map<std::uint8_t, std::size_t> first_bytes {};
     ReportPace pace {};
 
-    std::optional<RawReport> last {};
+    std::optional<drivers::RawReport> last {};
     // The newest sample as names and values: ("x", "101.25 mm").
     std::vector<std::pair<std::string, std::string>> fields {};
 
@@ -55,9 +55,9 @@ struct DeviceReading {
 // the live device gave.
 class DeviceMonitor {
 public:
-    explicit DeviceMonitor(DeviceInfo const& info);
+    explicit DeviceMonitor(drivers::DeviceInfo const& info);
 
-    void push(RawReport const& report);
+    void push(drivers::RawReport const& report);
 
     // Time has passed without a report.
     void pass_time(Timestamp now);
@@ -65,21 +65,21 @@ public:
     DeviceReading reading() const;
 
 private:
-    void push_pen(RawReport const& report);
-    void push_height(RawReport const& report);
-    void show(PenSample const& sample);
-    void show(HeightSample const& sample);
+    void push_pen(drivers::RawReport const& report);
+    void push_height(drivers::RawReport const& report);
+    void show(drivers::PenSample const& sample);
+    void show(drivers::HeightSample const& sample);
     void count_broken(Error const& error);
     void watch_pace(Timestamp time);
 
     DeviceReading reading_;
-    std::unique_ptr<PenDecoder> pen_;       // Null if it is none.
-    std::unique_ptr<HeightDecoder> height_; // Null if it is none.
-    std::optional<HeightMonitor> height_monitor_;
+    std::unique_ptr<drivers::PenDecoder> pen_;       // Null if it is none.
+    std::unique_ptr<drivers::HeightDecoder> height_; // Null if it is none.
+    std::optional<calib::HeightMonitor> height_monitor_;
     std::optional<Timestamp> begin_;
-    std::vector<HeightSample> heights_; // Kept for its memory.
-    std::vector<PenSample> pens_;       // Likewise.
-    std::deque<Timestamp> recent_;      // Times of the last second's reports.
+    std::vector<drivers::HeightSample> heights_; // Kept for its memory.
+    std::vector<drivers::PenSample> pens_;       // Likewise.
+    std::deque<Timestamp> recent_;               // Times of the last second's reports.
 };
 
 } // namespace tractus

@@ -21,11 +21,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kHidClass = 3;               // USB: human interface devices.
-constexpr HidUsage kMouse = 0x0001'0002;   // HID Usage Tables, Generic Desktop, Mouse.
-constexpr std::size_t kEnoughReports = 20; // To judge what a device sends.
+constexpr int kHidClass = 3;                      // USB: human interface devices.
+constexpr drivers::HidUsage kMouse = 0x0001'0002; // HID Usage Tables, Generic Desktop, Mouse.
+constexpr std::size_t kEnoughReports = 20;        // To judge what a device sends.
 
-std::string who(DeviceInfo const& info)
+std::string who(drivers::DeviceInfo const& info)
 {
     return fmt::format("{} ({:04x}:{:04x}) at {}", info.name.empty() ? "a device" : info.name,
                        info.vendor_id, info.product_id, info.location);
@@ -37,7 +37,7 @@ bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
 {
     static std::set<std::uint16_t> const makers = [] {
         std::set<std::uint16_t> ids;
-        for (auto const& tablet : known_tablets())
+        for (auto const& tablet : drivers::known_tablets())
             for (auto const& identifier : tablet.identifiers)
                 ids.insert(identifier.vendor_id);
         constexpr std::uint16_t kStMicroelectronics = 0x0483;
@@ -47,11 +47,11 @@ bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
         return ids;
     }();
     return makers.contains(vendor_id)
-        || find_tablet({ .vendor_id = vendor_id, .product_id = product_id }).has_value();
+        || drivers::find_tablet({ .vendor_id = vendor_id, .product_id = product_id }).has_value();
 }
 
 // Says first what works for this device: the rules that we bring, if they name it or its usage.
-std::vector<std::string> how_to_permit(DeviceInfo const& info)
+std::vector<std::string> how_to_permit(drivers::DeviceInfo const& info)
 {
     constexpr auto kReload = "sudo udevadm control --reload-rules && sudo udevadm trigger";
     auto const own_rule = udev_rule_for(info);
@@ -79,10 +79,10 @@ Finding not_permitted(DeviceFacts const& device)
 }
 
 // Says what a tablet that nobody knows should be asked for.
-std::vector<std::string> how_to_describe_it(DeviceInfo const& info)
+std::vector<std::string> how_to_describe_it(drivers::DeviceInfo const& info)
 {
     // A recording's device has no address.
-    auto const address = parse_device_address(info.location) ? info.location : "DEVICE";
+    auto const address = drivers::parse_device_address(info.location) ? info.location : "DEVICE";
     return {
         "A pen's report has to hold: x and y (16 or 24 bits each), pressure (8 to 16 bits), and",
         "bits for \"in range\", \"tip\" and each button; often tilt (two signed bytes) as well.",
@@ -97,8 +97,9 @@ std::vector<std::string> how_to_describe_it(DeviceInfo const& info)
 // The only driver of the kernel that keeps a device of ours for itself.
 void diagnose_hidden(HiddenHidFacts const& device, std::vector<Finding>& findings)
 {
-    DeviceInfo const ids { .vendor_id = device.vendor_id, .product_id = device.product_id };
-    if (!is_mcp2221a(ids) || device.driver.empty())
+    drivers::DeviceInfo const ids { .vendor_id = device.vendor_id,
+                                    .product_id = device.product_id };
+    if (!drivers::is_mcp2221a(ids) || device.driver.empty())
         return;
     findings.push_back(
         { .kind = FindingKind::DriverInTheWay,
@@ -115,7 +116,7 @@ void diagnose_hidden(HiddenHidFacts const& device, std::vector<Finding>& finding
 void diagnose_found(DeviceFacts const& device, std::vector<Finding>& findings)
 {
     bool const known = is_tablet(device.info.vendor_id, device.info.product_id);
-    bool const concerns_us = known || device.description.kind != DeviceKind::Other;
+    bool const concerns_us = known || device.description.kind != drivers::DeviceKind::Other;
     if (concerns_us && device.open_error != 0)
         findings.push_back(not_permitted(device));
 }
@@ -125,7 +126,7 @@ void diagnose_unknown(SystemFacts const& facts, std::vector<Finding>& findings)
 {
     std::set<std::pair<std::uint16_t, std::uint16_t>> with_pen;
     for (auto const& device : facts.devices)
-        if (device.description.kind == DeviceKind::Pen)
+        if (device.description.kind == drivers::DeviceKind::Pen)
             with_pen.insert({ device.info.vendor_id, device.info.product_id });
     for (auto const& device : facts.devices) {
         auto const& info = device.info;
@@ -170,7 +171,8 @@ void diagnose_usb(UsbDeviceFacts const& device, std::vector<Finding>& findings)
     }
 }
 
-bool is_in_mouse_collection(HidReportDescriptor const& descriptor, HidField const& field)
+bool is_in_mouse_collection(drivers::HidReportDescriptor const& descriptor,
+                            drivers::HidField const& field)
 {
     for (auto collection = field.collection; collection;
          collection = descriptor.collections[*collection].parent)
@@ -182,12 +184,13 @@ bool is_in_mouse_collection(HidReportDescriptor const& descriptor, HidField cons
 // Whether all that came are reports of a mouse.
 bool sends_mouse_reports(DeviceReading const& reading)
 {
-    auto const descriptor = parse_report_descriptor(reading.info.report_descriptor);
+    auto const descriptor = drivers::parse_report_descriptor(reading.info.report_descriptor);
     if (!descriptor)
         return false;
     std::set<std::uint8_t> mouse_ids;
     for (auto const& field : descriptor->fields)
-        if (field.kind == HidReportKind::Input && is_in_mouse_collection(*descriptor, field))
+        if (field.kind == drivers::HidReportKind::Input
+            && is_in_mouse_collection(*descriptor, field))
             mouse_ids.insert(field.report_id);
     return !mouse_ids.empty()
         && std::all_of(reading.first_bytes.begin(), reading.first_bytes.end(),
@@ -228,11 +231,11 @@ void diagnose_pen(DeviceReading const& reading, std::vector<Finding>& findings)
 {
     bool const known = is_tablet(reading.info.vendor_id, reading.info.product_id);
     if (reading.samples > 0 || reading.reports < kEnoughReports
-        || (reading.description.kind != DeviceKind::Pen && !known))
+        || (reading.description.kind != drivers::DeviceKind::Pen && !known))
         return;
     if (sends_mouse_reports(reading))
         findings.push_back(mouse_mode(reading));
-    else if (reading.description.kind == DeviceKind::Pen)
+    else if (reading.description.kind == drivers::DeviceKind::Pen)
         findings.push_back(pen_is_silent(reading));
     else
         findings.push_back({ .kind = FindingKind::UnknownTablet,
@@ -261,7 +264,7 @@ std::vector<Finding> diagnose_system(SystemFacts const& facts)
     for (auto const& device : facts.hidden)
         diagnose_hidden(device, findings);
     for (auto const& library : facts.libraries)
-        if (is_older_version(library.version, library.needed))
+        if (drivers::is_older_version(library.version, library.needed))
             findings.push_back(
                 { .kind = FindingKind::OldLibrary,
                   .subject = library.name,
@@ -270,7 +273,7 @@ std::vector<Finding> diagnose_system(SystemFacts const& facts)
                   .remedy = { "Debian 12 and later have it: sudo apt install --upgrade" } });
     bool const any_tablet
         = std::any_of(facts.devices.begin(), facts.devices.end(), [](auto const& device) {
-              return device.description.kind == DeviceKind::Pen;
+              return device.description.kind == drivers::DeviceKind::Pen;
           });
     if (!any_tablet && findings.empty())
         findings.push_back({ .kind = FindingKind::NoTablet,
@@ -286,7 +289,7 @@ std::vector<Finding> diagnose_system(SystemFacts const& facts)
 }
 
 // The cable answers, and the desk behind it does not, or has lost its place.
-static Finding desk_refusal(DeviceInfo const& info, Error const& error)
+static Finding desk_refusal(drivers::DeviceInfo const& info, Error const& error)
 {
     return { .kind = FindingKind::HeightFault,
              .subject = who(info),
@@ -297,9 +300,9 @@ static Finding desk_refusal(DeviceInfo const& info, Error const& error)
                          "Close other programs that use the cable." } };
 }
 
-Finding diagnose_refusal(DeviceInfo const& info, Error const& error)
+Finding diagnose_refusal(drivers::DeviceInfo const& info, Error const& error)
 {
-    if (is_linak_desk(info))
+    if (drivers::is_linak_desk(info))
         return desk_refusal(info, error);
     return { .kind = FindingKind::DriverInTheWay,
              .subject = who(info),
@@ -309,9 +312,9 @@ Finding diagnose_refusal(DeviceInfo const& info, Error const& error)
                          "Then unplug it and plug it in again." } };
 }
 
-static std::vector<std::string> broken_report_remedy(DeviceInfo const& info)
+static std::vector<std::string> broken_report_remedy(drivers::DeviceInfo const& info)
 {
-    if (is_gpio_encoder(info))
+    if (drivers::is_gpio_encoder(info))
         return {
             "Set the surface to where it was at the beginning, and run tractus calibrate zero.",
             "Where it happens again: shorter and screened wires, 1 nF from each line to "
@@ -346,7 +349,7 @@ std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration list
                                                  reading.backward_times, reading.reports),
                              .remedy = { "Record again with tractus record, which stamps with the "
                                          "monotonic clock." } });
-    bool const should_send = reading.description.kind == DeviceKind::Height;
+    bool const should_send = reading.description.kind == drivers::DeviceKind::Height;
     if (should_send && reading.reports == 0 && reading.height_faults.empty()
         && listened >= std::chrono::seconds(1))
         findings.push_back(

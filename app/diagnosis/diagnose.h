@@ -15,7 +15,7 @@ namespace tractus {
 std::vector<Finding> diagnose_system(SystemFacts const& facts);
 
 // A device that the system permits, but that could not be opened.
-Finding diagnose_refusal(DeviceInfo const& info, Error const& error);
+Finding diagnose_refusal(drivers::DeviceInfo const& info, Error const& error);
 
 // Returns what a device's reports show: a tablet in mouse mode or with unknown reports, broken
 // reports, a sensor's faults, times that go backwards. `listened` is how long it was listened to.

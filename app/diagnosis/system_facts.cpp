@@ -45,17 +45,20 @@ UsbDeviceFacts describe_usb(fs::path const& folder)
 {
     UsbDeviceFacts device {
         .port = folder.filename().string(),
-        .vendor_id = static_cast<std::uint16_t>(read_sysfs_number(folder / "idVendor", 16)),
-        .product_id = static_cast<std::uint16_t>(read_sysfs_number(folder / "idProduct", 16)),
-        .name = read_sysfs_line(folder / "product"),
+        .vendor_id
+        = static_cast<std::uint16_t>(drivers::read_sysfs_number(folder / "idVendor", 16)),
+        .product_id
+        = static_cast<std::uint16_t>(drivers::read_sysfs_number(folder / "idProduct", 16)),
+        .name = drivers::read_sysfs_line(folder / "product"),
     };
     for (auto const& entry : entries_of(folder)) {
         if (!entry.filename().string().starts_with(device.port + ":"))
             continue;
-        device.interfaces.push_back({ .number = read_sysfs_number(entry / "bInterfaceNumber", 16),
-                                      .usb_class = read_sysfs_number(entry / "bInterfaceClass", 16),
-                                      .driver = read_sysfs_link(entry / "driver"),
-                                      .has_node = has_node(entry) });
+        device.interfaces.push_back(
+            { .number = drivers::read_sysfs_number(entry / "bInterfaceNumber", 16),
+              .usb_class = drivers::read_sysfs_number(entry / "bInterfaceClass", 16),
+              .driver = drivers::read_sysfs_link(entry / "driver"),
+              .has_node = has_node(entry) });
     }
     return device;
 }
@@ -76,7 +79,7 @@ std::vector<UsbDeviceFacts> gather_usb(fs::path const& root)
 HiddenHidFacts describe_hidden(fs::path const& folder)
 {
     HiddenHidFacts device { .name = folder.filename().string(),
-                            .driver = read_sysfs_link(folder / "driver") };
+                            .driver = drivers::read_sysfs_link(folder / "driver") };
     auto const id_at = [&](std::size_t at) {
         std::uint16_t id = 0;
         if (device.name.size() >= at + 4)
@@ -104,7 +107,7 @@ std::optional<double> poll_rate_hz(fs::path const& interface)
     for (auto const& entry : entries_of(interface)) {
         if (!entry.filename().string().starts_with("ep_8"))
             continue;
-        auto const text = read_sysfs_line(entry / "interval");
+        auto const text = drivers::read_sysfs_line(entry / "interval");
         double value = 0;
         auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         auto const unit
@@ -116,20 +119,20 @@ std::optional<double> poll_rate_hz(fs::path const& interface)
     return std::nullopt;
 }
 
-DeviceFacts describe(DeviceInfo const& info, fs::path const& root)
+DeviceFacts describe(drivers::DeviceInfo const& info, fs::path const& root)
 {
     DeviceFacts facts { .info = info,
-                        .description = describe_device(info),
+                        .description = drivers::describe_device(info),
                         .open_error = opening_error(info, root),
                         .poll_hz = {} };
-    if (auto const match = find_tablet(info)) {
-        facts.tablet = tablet_name(*match);
+    if (auto const match = drivers::find_tablet(info)) {
+        facts.tablet = drivers::tablet_name(*match);
         facts.family = match->identifier->family;
     }
     auto const node = fs::path(info.location).filename();
     if (info.location.starts_with("/dev/hidraw")) {
         auto const device = root / "sys/class/hidraw" / node / "device";
-        facts.driver = read_sysfs_link(device / "driver");
+        facts.driver = drivers::read_sysfs_link(device / "driver");
         std::error_code ignored;
         auto const interface = fs::canonical(device, ignored).parent_path();
         facts.poll_hz = poll_rate_hz(interface);
@@ -154,36 +157,37 @@ int access_error(fs::path const& path)
 
 } // namespace
 
-int opening_error(DeviceInfo const& info, fs::path const& root)
+int opening_error(drivers::DeviceInfo const& info, fs::path const& root)
 {
-    auto const address = parse_device_address(info.location);
+    auto const address = drivers::parse_device_address(info.location);
     if (!address)
         return 0;
-    if (auto const* const hidraw = std::get_if<HidrawAddress>(&*address))
+    if (auto const* const hidraw = std::get_if<drivers::HidrawAddress>(&*address))
         return access_error(root / fs::path(hidraw->node).relative_path());
     auto const chip_error = [&](std::string const& chip) {
         return chip.starts_with("gpiochip") ? access_error(root / "dev" / chip) : 0;
     };
-    if (auto const* const gpio = std::get_if<GpioAddress>(&*address))
+    if (auto const* const gpio = std::get_if<drivers::GpioAddress>(&*address))
         return chip_error(gpio->chip);
-    if (auto const* const encoder = std::get_if<GpioEncoderAddress>(&*address))
+    if (auto const* const encoder = std::get_if<drivers::GpioEncoderAddress>(&*address))
         return chip_error(encoder->chip);
-    auto const* const usb = std::get_if<UsbAddress>(&*address);
-    auto const& port = usb ? usb->port : std::get<LibusbAddress>(*address).port;
-    auto const folder = root / "sys/bus/usb/devices" / print_usb_port(port);
+    auto const* const usb = std::get_if<drivers::UsbAddress>(&*address);
+    auto const& port = usb ? usb->port : std::get<drivers::LibusbAddress>(*address).port;
+    auto const folder = root / "sys/bus/usb/devices" / drivers::print_usb_port(port);
     return access_error(root
                         / fmt::format("dev/bus/usb/{:03}/{:03}",
-                                      read_sysfs_number(folder / "busnum", 10),
-                                      read_sysfs_number(folder / "devnum", 10)));
+                                      drivers::read_sysfs_number(folder / "busnum", 10),
+                                      drivers::read_sysfs_number(folder / "devnum", 10)));
 }
 
 SystemFacts gather_system_facts(fs::path const& root)
 {
     SystemFacts facts { .usb = gather_usb(root), .hidden = gather_hidden(root) };
-    auto const devices = root == "/" ? list_devices() : enumerate_hid(root / "sys/class/hidraw");
+    auto const devices
+        = root == "/" ? drivers::list_devices() : drivers::enumerate_hid(root / "sys/class/hidraw");
     for (auto const& info : devices)
         facts.devices.push_back(describe(info, root));
-    for (auto const& library : library_versions())
+    for (auto const& library : drivers::library_versions())
         facts.libraries.push_back({ library.name, library.version, library.needed });
     std::error_code ignored;
     facts.has_hidraw = fs::exists(root / "sys/class/hidraw", ignored);

@@ -13,8 +13,8 @@ namespace tractus {
 
 // A device that list_devices() has found, and what the system says of it.
 struct DeviceFacts {
-    DeviceInfo info {};
-    DeviceDescription description {};
+    drivers::DeviceInfo info {};
+    drivers::DeviceDescription description {};
     std::string tablet {}; // Its model, if it is known: "Huion HS610"; else empty.
     std::string family {}; // The format of that model's reports (drivers/pens/families.h).
     std::string driver {}; // The kernel's, bound to it: "wacom", "hid-generic"; may be empty.
@@ -68,6 +68,6 @@ struct SystemFacts {
 SystemFacts gather_system_facts(std::filesystem::path const& root = "/");
 
 // Whether a device may be opened: 0, or an errno.
-int opening_error(DeviceInfo const& info, std::filesystem::path const& root = "/");
+int opening_error(drivers::DeviceInfo const& info, std::filesystem::path const& root = "/");
 
 } // namespace tractus

@@ -41,7 +41,7 @@ static bool names_id(std::string_view alternatives, std::uint16_t id)
     return fmt::format("|{}|", alternatives).find(fmt::format("|{:04x}|", id)) != std::string::npos;
 }
 
-static bool does_line_permit(std::string_view line, DeviceInfo const& info)
+static bool does_line_permit(std::string_view line, drivers::DeviceInfo const& info)
 {
     bool const is_for_nodes = !line.starts_with('#') && !line.starts_with("SUBSYSTEM")
         && line.find("TAG+=\"uaccess\"") != std::string_view::npos;
@@ -56,10 +56,10 @@ static bool does_line_permit(std::string_view line, DeviceInfo const& info)
         && (products.empty() || names_id(products, info.product_id));
 }
 
-bool do_rules_permit(DeviceInfo const& info)
+bool do_rules_permit(drivers::DeviceInfo const& info)
 {
-    auto const address = parse_device_address(info.location);
-    if (!address || !std::holds_alternative<HidrawAddress>(*address))
+    auto const address = drivers::parse_device_address(info.location);
+    if (!address || !std::holds_alternative<drivers::HidrawAddress>(*address))
         return true; // The rules for USB go by classes that are not known here.
     for (auto text = udev_rules_text(); !text.empty();) {
         auto const line = text.substr(0, text.find('\n'));
@@ -85,12 +85,12 @@ std::string udev_rules(RuleHolder holder)
     return text;
 }
 
-std::string udev_rule_for(DeviceInfo const& info)
+std::string udev_rule_for(drivers::DeviceInfo const& info)
 {
-    auto const address = parse_device_address(info.location);
-    if (address && is_on_gpio(*address))
+    auto const address = drivers::parse_device_address(info.location);
+    if (address && drivers::is_on_gpio(*address))
         return "SUBSYSTEM==\"gpio\", KERNEL==\"gpiochip*\", TAG+=\"uaccess\"";
-    if (address && !std::holds_alternative<HidrawAddress>(*address))
+    if (address && !std::holds_alternative<drivers::HidrawAddress>(*address))
         return fmt::format("SUBSYSTEM==\"usb\", ATTR{{idVendor}}==\"{:04x}\", "
                            "ATTR{{idProduct}}==\"{:04x}\", TAG+=\"uaccess\"",
                            info.vendor_id, info.product_id);

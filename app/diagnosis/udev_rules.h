@@ -20,9 +20,9 @@ enum class RuleHolder {
 std::string udev_rules(RuleHolder holder);
 
 // Whether the rules permit this device, if they are installed.
-bool do_rules_permit(DeviceInfo const& info);
+bool do_rules_permit(drivers::DeviceInfo const& info);
 
 // The one rule, in one line, that permits this device and no other model.
-std::string udev_rule_for(DeviceInfo const& info);
+std::string udev_rule_for(drivers::DeviceInfo const& info);
 
 } // namespace tractus

@@ -160,7 +160,7 @@ CLI::Validator picture_name()
 CLI::Validator height_scenario()
 {
     return offering({ "rise", "fall", "arch", "sway" }, check([](std::string const& text) {
-                        auto const scenario = parse_height_scenario(text);
+                        auto const scenario = calib::parse_height_scenario(text);
                         return scenario ? std::string() : scenario.error().message;
                     }));
 }

@@ -40,8 +40,8 @@ CLI::Option* add_height_option(CLI::App& command, std::string& height)
 
 Result<double> constant_height_mm(std::string const& height)
 {
-    auto const scenario = TRY(parse_height_scenario(height));
-    if (scenario.kind != HeightScenario::Kind::Constant)
+    auto const scenario = TRY(calib::parse_height_scenario(height));
+    if (scenario.kind != calib::HeightScenario::Kind::Constant)
         return fail(Fault::User,
                     fmt::format("--height {}: a made-up movement needs a recording; while devices "
                                 "are read, give millimetres",

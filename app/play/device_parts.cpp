@@ -27,7 +27,7 @@ constexpr Duration kFarewell = std::chrono::milliseconds(100);
 constexpr Duration kLongestFarewell = std::chrono::seconds(2);
 
 // Sleeps until a device's file is ready, at most `timeout`, and serves the devices.
-Result<void> serve_devices(std::vector<KernelDevice*> const& devices, Duration timeout)
+Result<void> serve_devices(std::vector<sim::KernelDevice*> const& devices, Duration timeout)
 {
     std::vector<pollfd> files;
     for (auto const* const device : devices)
@@ -47,32 +47,32 @@ Result<void> take_step(DevicePlay const& play)
 {
     auto next_due = Timestamp::max();
     for (auto* const part : play.parts) {
-        if (auto const now = monotonic_now(); part->due() <= now)
+        if (auto const now = drivers::monotonic_now(); part->due() <= now)
             TRY(part->play(now));
         next_due = std::min(next_due, part->due());
     }
     bool const is_never = next_due == Timestamp::max();
-    return serve_devices(play.devices, is_never ? kLongestSleep : next_due - monotonic_now());
+    return serve_devices(play.devices,
+                         is_never ? kLongestSleep : next_due - drivers::monotonic_now());
 }
 
 bool are_read(DevicePlay const& play)
 {
     return std::all_of(play.devices.begin(), play.devices.end(),
-                       [](KernelDevice const* device) { return device->is_read(); });
+                       [](sim::KernelDevice const* device) { return device->is_read(); });
 }
 
 Duration greeting(DevicePlay const& play)
 {
-    bool const is_usb
-        = std::any_of(play.devices.begin(), play.devices.end(), [](KernelDevice const* device) {
-              return device->tells_readers_by_reports();
-          });
+    bool const is_usb = std::any_of(
+        play.devices.begin(), play.devices.end(),
+        [](sim::KernelDevice const* device) { return device->tells_readers_by_reports(); });
     return is_usb ? kUsbGreeting : kGreeting;
 }
 
 bool are_over(DevicePlay const& play)
 {
-    auto const now = monotonic_now();
+    auto const now = drivers::monotonic_now();
     return std::all_of(play.parts.begin(), play.parts.end(),
                        [&](DevicePart const* part) { return part->is_over(now); });
 }
@@ -80,19 +80,19 @@ bool are_over(DevicePlay const& play)
 bool are_waiting(DevicePlay const& play)
 {
     return std::any_of(play.devices.begin(), play.devices.end(),
-                       [](KernelDevice const* device) { return device->waiting_count() > 0; });
+                       [](sim::KernelDevice const* device) { return device->waiting_count() > 0; });
 }
 
 void begin(DevicePlay const& play)
 {
     for (auto* const part : play.parts)
-        part->begin(monotonic_now());
+        part->begin(drivers::monotonic_now());
 }
 
 Result<void> go_on_for(Duration duration, DevicePlay const& play, std::atomic<bool> const& stop)
 {
-    auto const end = monotonic_now() + duration;
-    while (!stop && monotonic_now() < end)
+    auto const end = drivers::monotonic_now() + duration;
+    while (!stop && drivers::monotonic_now() < end)
         TRY(take_step(play));
     return {};
 }
@@ -100,15 +100,15 @@ Result<void> go_on_for(Duration duration, DevicePlay const& play, std::atomic<bo
 // Gives readers time to take what waits, and then what the kernel still holds for them.
 Result<void> say_farewell(DevicePlay const& play, std::atomic<bool> const& stop)
 {
-    auto const latest = monotonic_now() + kLongestFarewell;
-    while (!stop && are_waiting(play) && monotonic_now() < latest)
+    auto const latest = drivers::monotonic_now() + kLongestFarewell;
+    while (!stop && are_waiting(play) && drivers::monotonic_now() < latest)
         TRY(take_step(play));
     return go_on_for(kFarewell, play, stop);
 }
 
 } // namespace
 
-ReportPart::ReportPart(KernelDevice& device, std::function<NextReport()> reports)
+ReportPart::ReportPart(sim::KernelDevice& device, std::function<NextReport()> reports)
     : device_(device)
     , reports_(std::move(reports))
 {

@@ -35,14 +35,14 @@ public:
 
 // Gives reports one after another, and no value after the last one. Fails where they are read from
 // a file that cannot be read.
-using NextReport = std::function<Result<std::optional<RawReport>>()>;
+using NextReport = std::function<Result<std::optional<drivers::RawReport>>()>;
 
 // Sends reports when their times have come.
 class ReportPart final : public DevicePart {
 public:
     // `reports` begins to give them, from the first one; it is called at each begin. Their times
     // count from there. The device must outlive the part.
-    ReportPart(KernelDevice& device, std::function<NextReport()> reports);
+    ReportPart(sim::KernelDevice& device, std::function<NextReport()> reports);
 
     void begin(Timestamp now) override;
     Timestamp due() const override;
@@ -54,10 +54,10 @@ private:
     void rewind();
     void read_next();
 
-    KernelDevice& device_;
+    sim::KernelDevice& device_;
     std::function<NextReport()> reports_;
     NextReport next_report_;
-    std::optional<RawReport> next_;
+    std::optional<drivers::RawReport> next_;
     Result<void> read_ {}; // Outcome of reading the next one.
     std::optional<Timestamp> begin_ {};
     Timestamp next_knock_ {};
@@ -65,7 +65,7 @@ private:
 
 // Everything that is played at once.
 struct DevicePlay {
-    std::vector<KernelDevice*> devices {}; // Devices that are served, all of them.
+    std::vector<sim::KernelDevice*> devices {}; // Devices that are served, all of them.
     std::vector<DevicePart*> parts {};
 
     // Called when all devices are read for the first time; may be empty.

@@ -13,18 +13,18 @@ namespace tractus {
 
 namespace {
 
-class PacedSource final : public ReportSource {
+class PacedSource final : public drivers::ReportSource {
 public:
-    PacedSource(std::shared_ptr<Log const> log, std::size_t device, Pace pace)
+    PacedSource(std::shared_ptr<drivers::Log const> log, std::size_t device, Pace pace)
         : log_(std::move(log))
         , source_(*log_, device)
         , pace_(std::move(pace))
     {
     }
 
-    DeviceInfo const& info() const override { return source_.info(); }
+    drivers::DeviceInfo const& info() const override { return source_.info(); }
 
-    Result<std::optional<RawReport>> read(Duration timeout) override
+    Result<std::optional<drivers::RawReport>> read(Duration timeout) override
     {
         if (!next_)
             next_ = TRY(source_.read(Duration::zero()));
@@ -35,17 +35,17 @@ public:
         if (left > Duration::zero())
             pace_.wait(std::min(left, timeout));
         if (left > timeout)
-            return std::optional<RawReport>();
+            return std::optional<drivers::RawReport>();
         auto report = std::exchange(next_, std::nullopt);
         report->received = due;
         return report;
     }
 
 private:
-    std::shared_ptr<Log const> log_;
-    LogSource source_; // Source of log_.
+    std::shared_ptr<drivers::Log const> log_;
+    drivers::LogSource source_; // Source of log_.
     Pace pace_;
-    std::optional<RawReport> next_; // Read, but its time has not come.
+    std::optional<drivers::RawReport> next_; // Read, but its time has not come.
 };
 
 } // namespace
@@ -63,14 +63,14 @@ Timestamp Pace::data_time(Timestamp real) const
 Pace pace_from_now(Timestamp data_begin, double speed)
 {
     return { .data_begin = data_begin,
-             .real_begin = monotonic_now(),
+             .real_begin = drivers::monotonic_now(),
              .speed = speed,
-             .now = monotonic_now,
+             .now = drivers::monotonic_now,
              .wait = [](Duration duration) { std::this_thread::sleep_for(duration); } };
 }
 
-std::unique_ptr<ReportSource> open_paced(std::shared_ptr<Log const> log, std::size_t device,
-                                         Pace pace)
+std::unique_ptr<drivers::ReportSource> open_paced(std::shared_ptr<drivers::Log const> log,
+                                                  std::size_t device, Pace pace)
 {
     CHECK(pace.speed > 0 && pace.now && pace.wait);
     return std::make_unique<PacedSource>(std::move(log), device, std::move(pace));

@@ -32,7 +32,7 @@ Pace pace_from_now(Timestamp data_begin, double speed = 1);
 // One device of a log as a source that sends its reports when their time has come, stamped with
 // that time, as if the device were there. When the log is over, reading fails and says so.
 // `log` is shared by the sources of its devices, each on a thread of its own; none changes it.
-std::unique_ptr<ReportSource> open_paced(std::shared_ptr<Log const> log, std::size_t device,
-                                         Pace pace);
+std::unique_ptr<drivers::ReportSource> open_paced(std::shared_ptr<drivers::Log const> log,
+                                                  std::size_t device, Pace pace);
 
 } // namespace tractus

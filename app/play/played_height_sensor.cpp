@@ -19,47 +19,48 @@ std::uint32_t device_us(Timestamp time)
     return static_cast<std::uint32_t>(since.count());
 }
 
-HeightSensorModel make_model(HeightCurve const& heights)
+sim::HeightSensorModel make_model(sim::HeightCurve const& heights)
 {
-    HeightSensorModel::Options options;
+    sim::HeightSensorModel::Options options;
     options.full_scale = static_cast<std::uint16_t>(heights.full_scale());
-    return HeightSensorModel(options);
+    return sim::HeightSensorModel(options);
 }
 
 } // namespace
 
-PlayedHeightSensor::PlayedHeightSensor(HeightCurve heights)
+PlayedHeightSensor::PlayedHeightSensor(sim::HeightCurve heights)
     : heights_(std::move(heights))
     , model_(make_model(heights_))
 {
 }
 
-Result<std::unique_ptr<PlayedHeightSensor>> PlayedHeightSensor::add_to(UsbGadget& gadget,
-                                                                       HeightCurve heights)
+Result<std::unique_ptr<PlayedHeightSensor>> PlayedHeightSensor::add_to(sim::UsbGadget& gadget,
+                                                                       sim::HeightCurve heights)
 {
     std::unique_ptr<PlayedHeightSensor> sensor(new PlayedHeightSensor(std::move(heights)));
     auto const& model = sensor->model_;
-    UsbFunctionDescriptors const descriptors {
-        .full_speed = model.interface_descriptors(UsbSpeed::Full, 1),
-        .high_speed = model.interface_descriptors(UsbSpeed::High, 1),
+    sim::UsbFunctionDescriptors const descriptors {
+        .full_speed = model.interface_descriptors(sim::UsbSpeed::Full, 1),
+        .high_speed = model.interface_descriptors(sim::UsbSpeed::High, 1),
         .name = model.interface_string(),
     };
-    sensor->device_ = TRY(FunctionFsDevice::add_to(gadget, descriptors, sensor->answers()));
+    sensor->device_ = TRY(sim::FunctionFsDevice::add_to(gadget, descriptors, sensor->answers()));
     return sensor;
 }
 
-UsbControlAnswers PlayedHeightSensor::answers()
+sim::UsbControlAnswers PlayedHeightSensor::answers()
 {
     return {
-        .get
-        = [this](
-              UsbSetup const& setup) { return model_.answer(setup, device_us(monotonic_now())); },
+        .get =
+            [this](sim::UsbSetup const& setup) {
+                return model_.answer(setup, device_us(drivers::monotonic_now()));
+            },
         .set =
-            [this](UsbSetup const& setup, std::span<std::byte const> data) {
+            [this](sim::UsbSetup const& setup, std::span<std::byte const> data) {
                 bool const was_streaming = model_.is_streaming();
                 bool const is_accepted = model_.accept(setup, data);
                 if (!was_streaming && model_.is_streaming())
-                    next_reading_ = monotonic_now();
+                    next_reading_ = drivers::monotonic_now();
                 return is_accepted;
             },
         .reset = [this] { model_ = make_model(heights_); },

@@ -18,10 +18,10 @@ class PlayedHeightSensor final : public DevicePart {
 public:
     // Adds it to `gadget`, which must not be plugged in yet and must outlive it. Fails like
     // FunctionFsDevice::add_to().
-    static Result<std::unique_ptr<PlayedHeightSensor>> add_to(UsbGadget& gadget,
-                                                              HeightCurve heights);
+    static Result<std::unique_ptr<PlayedHeightSensor>> add_to(sim::UsbGadget& gadget,
+                                                              sim::HeightCurve heights);
 
-    KernelDevice& device() { return *device_; }
+    sim::KernelDevice& device() { return *device_; }
 
     void begin(Timestamp now) override { begin_ = now; }
     Timestamp due() const override;
@@ -29,14 +29,14 @@ public:
     bool is_over(Timestamp now) const override;
 
 private:
-    explicit PlayedHeightSensor(HeightCurve heights);
+    explicit PlayedHeightSensor(sim::HeightCurve heights);
 
-    UsbControlAnswers answers();
+    sim::UsbControlAnswers answers();
     Result<void> measure();
 
-    HeightCurve heights_;
-    HeightSensorModel model_;
-    std::unique_ptr<FunctionFsDevice> device_;
+    sim::HeightCurve heights_;
+    sim::HeightSensorModel model_;
+    std::unique_ptr<sim::FunctionFsDevice> device_;
     std::optional<Timestamp> begin_ {};
     Timestamp next_reading_ {}; // While the host wants frames.
 };

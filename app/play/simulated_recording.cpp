@@ -42,8 +42,8 @@ Result<std::vector<Vec2>> shown_axis(Plant const& plant, Vec2 const& tablet_size
     return points;
 }
 
-void write_reports(LogWriter& log, SimulatedRun const& run, Hand const& hand,
-                   GestureScript const& script)
+void write_reports(drivers::LogWriter& log, sim::SimulatedRun const& run, sim::Hand const& hand,
+                   sim::GestureScript const& script)
 {
     auto gesture = script.gestures.begin();
     std::size_t stroke = 0;
@@ -51,7 +51,7 @@ void write_reports(LogWriter& log, SimulatedRun const& run, Hand const& hand,
     auto const write_tools_until = [&](Timestamp time) {
         for (; stroke < hand.strokes().size() && hand.strokes()[stroke].chosen <= time; ++stroke)
             for (bool draws = false; !draws; ++gesture) {
-                draws = !std::holds_alternative<AtOnce>(gesture->path);
+                draws = !std::holds_alternative<sim::AtOnce>(gesture->path);
                 log.write_tool(hand.strokes()[stroke].chosen, gesture->tool, gesture->words);
             }
     };
@@ -65,7 +65,7 @@ void write_reports(LogWriter& log, SimulatedRun const& run, Hand const& hand,
         log.write_tool(last, gesture->tool, gesture->words);
 }
 
-Result<void> check_tools(GestureScript const& script, ToolKinds tools)
+Result<void> check_tools(sim::GestureScript const& script, ToolKinds tools)
 {
     if (tools.empty())
         return {};
@@ -78,33 +78,33 @@ Result<void> check_tools(GestureScript const& script, ToolKinds tools)
 
 } // namespace
 
-Result<Hand> simulated_hand(GestureScript const& script, Scene const& scene)
+Result<sim::Hand> simulated_hand(sim::GestureScript const& script, Scene const& scene)
 {
-    auto const geometry = SimulatedRigOptions().geometry;
+    auto const geometry = sim::SimulatedRigOptions().geometry;
     auto const tracer
         = [&](std::size_t rank) { return shown_axis(*scene.base, geometry.tablet_size_mm, rank); };
-    HandOptions options;
+    sim::HandOptions options;
     options.seed = script.seed;
     if (script.lean_deg)
         options.tilt_rad = *script.lean_deg * (kPi / 180);
     options.leaned_around_rad = script.leaned_around_deg * (kPi / 180);
-    return Hand(TRY(strokes_of(script, geometry, tracer)), options);
+    return sim::Hand(TRY(sim::strokes_of(script, geometry, tracer)), options);
 }
 
-Result<void> write_simulated_recording(std::ostream& out, GestureScript const& script,
+Result<void> write_simulated_recording(std::ostream& out, sim::GestureScript const& script,
                                        Scene const& scene, ToolKinds tools)
 {
     TRY(check_tools(script, tools));
-    SimulatedRigOptions options;
+    sim::SimulatedRigOptions options;
     options.seed = script.seed;
     options.geometry.coil_height_mm = script.coil_height_mm;
     auto const hand = TRY(simulated_hand(script, scene));
-    auto const run = simulate_rig(hand, options);
+    auto const run = sim::simulate_rig(hand, options);
 
-    LogHeader header;
+    drivers::LogHeader header;
     header.devices = { run.tablet.info, run.height.info };
-    header.rig_text = print_rig(run.rig);
-    LogWriter log(out, header);
+    header.rig_text = calib::print_rig(run.rig);
+    drivers::LogWriter log(out, header);
     write_reports(log, run, hand, script);
     return log.flush();
 }

@@ -148,15 +148,15 @@ Framing::Framing(ViewAngles const& angles, double aspect)
     reach_.fill(-std::numeric_limits<double>::infinity());
 }
 
-void Framing::add(Mesh const& mesh)
+void Framing::add(mesh::Mesh const& mesh)
 {
-    auto const box = bounds(mesh);
+    auto const box = mesh::bounds(mesh);
     if (box.empty())
         return;
     box_.add(box.min_mm);
     box_.add(box.max_mm);
     for (std::size_t i = 0; i < directions_.size(); ++i)
-        reach_[i] = std::max(reach_[i], reach(mesh, directions_[i]));
+        reach_[i] = std::max(reach_[i], mesh::reach(mesh, directions_[i]));
 }
 
 Camera Framing::camera() const

@@ -49,7 +49,7 @@ class Framing {
 public:
     Framing(ViewAngles const& angles, double aspect);
 
-    void add(Mesh const& mesh);
+    void add(mesh::Mesh const& mesh);
 
     // Sees all that was added, with some air around it. Nothing counts as 100 mm on the origin.
     Camera camera() const;

@@ -44,7 +44,7 @@ void add_vertex_values(GpuMesh::Part& part, GLuint index, Values const& values)
 
 // Uploads triangles as a vertex array, which stays bound; the part keeps the buffers.
 void add_triangles(GpuMesh::Part& part, gl::VertexArray const& vertex_array,
-                   TriangleMesh const& triangles)
+                   mesh::TriangleMesh const& triangles)
 {
     CHECK(triangles.normals.size() == triangles.positions_mm.size());
     glBindVertexArray(vertex_array.name());
@@ -56,7 +56,7 @@ void add_triangles(GpuMesh::Part& part, gl::VertexArray const& vertex_array,
                std::span<std::uint32_t const>(triangles.indices));
 }
 
-bool is_flat(TriangleMesh const& mesh, std::size_t first_index)
+bool is_flat(mesh::TriangleMesh const& mesh, std::size_t first_index)
 {
     auto const& normal = mesh.normals[mesh.indices[first_index]];
     return mesh.normals[mesh.indices[first_index + 1]] == normal
@@ -65,7 +65,7 @@ bool is_flat(TriangleMesh const& mesh, std::size_t first_index)
 
 // How many of a surface's indices are tubes, whose inner sides nobody sees: make_mesh() puts
 // polygons, which are flat and have two sides, behind them. Surfaces of unknown origin have none.
-GLsizei tube_index_count(Material const& material, TriangleMesh const& surface)
+GLsizei tube_index_count(Material const& material, mesh::TriangleMesh const& surface)
 {
     if (material.kind != Material::Kind::Bark && material.kind != Material::Kind::Stem)
         return 0;
@@ -92,7 +92,8 @@ void use_instances(gl::VertexArray const& vertex_array, GLuint instances)
 
 // Returns instances in an order that has nothing to do with the plant's, so that the first ones
 // stand for all.
-std::vector<InstanceVertex> shuffled_instances(InstancedMesh const& organ, SkyVisibility const& sky)
+std::vector<InstanceVertex> shuffled_instances(mesh::InstancedMesh const& organ,
+                                               SkyVisibility const& sky)
 {
     std::vector<InstanceVertex> instances;
     instances.reserve(organ.instances.size());
@@ -188,7 +189,7 @@ void set_pictures(GpuMesh::Part const& part, Shader const& shader, Picture how)
 }
 
 // A mesh's own mistake, not a file's: readers check their indices.
-Material const& material_of(Mesh const& mesh, TriangleMesh const& triangles)
+Material const& material_of(mesh::Mesh const& mesh, mesh::TriangleMesh const& triangles)
 {
     CHECK(triangles.material < mesh.materials.size());
     return mesh.materials[triangles.material];
@@ -196,8 +197,8 @@ Material const& material_of(Mesh const& mesh, TriangleMesh const& triangles)
 
 } // namespace
 
-GpuMesh::GpuMesh(Mesh const& mesh, Sky how)
-    : bounds_(tractus::bounds(mesh))
+GpuMesh::GpuMesh(mesh::Mesh const& mesh, Sky how)
+    : bounds_(tractus::mesh::bounds(mesh))
 {
     auto const sky = how == Sky::Traced ? SkyVisibility(mesh) : SkyVisibility();
     for (auto const& surface : mesh.surfaces)
@@ -209,7 +210,7 @@ GpuMesh::GpuMesh(Mesh const& mesh, Sky how)
     make_ground_texture(sky);
 }
 
-GpuMesh::Part GpuMesh::make_part(Material const& material, TriangleMesh const& triangles)
+GpuMesh::Part GpuMesh::make_part(Material const& material, mesh::TriangleMesh const& triangles)
 {
     Part part;
     part.material = material;
@@ -225,7 +226,7 @@ GpuMesh::Part GpuMesh::make_part(Material const& material, TriangleMesh const& t
     return part;
 }
 
-void GpuMesh::add_surface(Material const& material, TriangleMesh const& surface,
+void GpuMesh::add_surface(Material const& material, mesh::TriangleMesh const& surface,
                           SkyVisibility const& sky)
 {
     auto part = make_part(material, surface);
@@ -240,7 +241,7 @@ void GpuMesh::add_surface(Material const& material, TriangleMesh const& surface,
     parts_.push_back(std::move(part));
 }
 
-void GpuMesh::add_organ(Material const& material, InstancedMesh const& organ,
+void GpuMesh::add_organ(Material const& material, mesh::InstancedMesh const& organ,
                         SkyVisibility const& sky)
 {
     auto part = make_part(material, organ.prototype);
@@ -252,7 +253,7 @@ void GpuMesh::add_organ(Material const& material, InstancedMesh const& organ,
     use_instances(part.vertex_array, instance_buffer);
     bool const thin
         = material.kind == Material::Kind::Leaf || material.kind == Material::Kind::Petal;
-    if (auto const triangles = thin ? organ_card(organ.prototype) : std::nullopt) {
+    if (auto const triangles = thin ? mesh::organ_card(organ.prototype) : std::nullopt) {
         auto const& corners = triangles->positions_mm;
         Vec3f const scale = mean_scale(instances).cwiseAbs();
         auto& rhombus = part.rhombus.emplace(Part::Rhombus {});

@@ -17,7 +17,7 @@ class GpuMesh {
 public:
     // How much sky a place sees takes time to find; without light it does not matter.
     enum class Sky { Traced, Open };
-    explicit GpuMesh(Mesh const& mesh, Sky sky = Sky::Traced);
+    explicit GpuMesh(mesh::Mesh const& mesh, Sky sky = Sky::Traced);
 
     // The box around all that is drawn, plant frame. Empty for an empty mesh.
     Bounds const& bounds() const { return bounds_; }
@@ -65,10 +65,11 @@ public:
     Vec2f const& ground_size_mm() const { return ground_size_mm_; }
 
 private:
-    Part make_part(Material const& material, TriangleMesh const& triangles);
-    void add_surface(Material const& material, TriangleMesh const& surface,
+    Part make_part(Material const& material, mesh::TriangleMesh const& triangles);
+    void add_surface(Material const& material, mesh::TriangleMesh const& surface,
                      SkyVisibility const& sky);
-    void add_organ(Material const& material, InstancedMesh const& organ, SkyVisibility const& sky);
+    void add_organ(Material const& material, mesh::InstancedMesh const& organ,
+                   SkyVisibility const& sky);
     void make_ground_texture(SkyVisibility const& sky);
 
     Bounds bounds_;

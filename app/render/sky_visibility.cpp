@@ -24,7 +24,7 @@ struct Patch {
 };
 
 // The triangles of a prototype; all of them as one where it is smaller than a cell.
-std::vector<Patch> surface_patches(TriangleMesh const& prototype, float cell_mm)
+std::vector<Patch> surface_patches(mesh::TriangleMesh const& prototype, float cell_mm)
 {
     std::vector<Patch> patches;
     Patch whole;
@@ -32,11 +32,12 @@ std::vector<Patch> surface_patches(TriangleMesh const& prototype, float cell_mm)
         auto const& a = prototype.positions_mm[prototype.indices[i]];
         auto const& b = prototype.positions_mm[prototype.indices[i + 1]];
         auto const& c = prototype.positions_mm[prototype.indices[i + 2]];
-        auto const& patch = patches.emplace_back(Patch { (a + b + c) / 3, triangle_area(a, b, c) });
+        auto const& patch
+            = patches.emplace_back(Patch { (a + b + c) / 3, mesh::triangle_area(a, b, c) });
         whole.middle_mm += patch.middle_mm * patch.area_mm2;
         whole.area_mm2 += patch.area_mm2;
     }
-    auto const box = bounds(prototype);
+    auto const box = mesh::bounds(prototype);
     if (whole.area_mm2 <= 0 || (box.max_mm - box.min_mm).maxCoeff() > static_cast<double>(cell_mm))
         return patches;
     whole.middle_mm /= whole.area_mm2;
@@ -59,9 +60,9 @@ std::array<Vec3f, 9> sky_directions()
 
 } // namespace
 
-SkyVisibility::SkyVisibility(Mesh const& mesh)
+SkyVisibility::SkyVisibility(mesh::Mesh const& mesh)
 {
-    auto box = bounds(mesh);
+    auto box = mesh::bounds(mesh);
     if (box.empty())
         return;
     box.add(Vec3((box.min_mm.x() + box.max_mm.x()) / 2, (box.min_mm.y() + box.max_mm.y()) / 2, 0));
@@ -100,7 +101,7 @@ void SkyVisibility::add_area(Vec3f const& position_mm, float area_mm2)
     }
 }
 
-void SkyVisibility::deposit(Mesh const& mesh)
+void SkyVisibility::deposit(mesh::Mesh const& mesh)
 {
     for (auto const& surface : mesh.surfaces)
         for (std::size_t i = 0; i + 2 < surface.indices.size(); i += 3) {
@@ -108,13 +109,13 @@ void SkyVisibility::deposit(Mesh const& mesh)
             auto const& b = surface.positions_mm[surface.indices[i + 1]];
             auto const& c = surface.positions_mm[surface.indices[i + 2]];
             add_area((a + b + c) / 3,
-                     triangle_area(a, b, c) / 2); // Half: the other side is the same branch.
+                     mesh::triangle_area(a, b, c) / 2); // Half: the other side is the same branch.
         }
     for (auto const& organ : mesh.organs) {
         auto const patches = surface_patches(organ.prototype, cell_mm_);
         for (auto const& instance : organ.instances)
             for (auto const& patch : patches)
-                add_area(placed(instance, patch.middle_mm),
+                add_area(mesh::placed(instance, patch.middle_mm),
                          patch.area_mm2 * std::abs(instance.scale.x() * instance.scale.y()));
     }
 }

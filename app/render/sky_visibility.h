@@ -16,7 +16,7 @@ namespace tractus {
 class SkyVisibility {
 public:
     SkyVisibility() = default; // Open sky everywhere.
-    explicit SkyVisibility(Mesh const& mesh);
+    explicit SkyVisibility(mesh::Mesh const& mesh);
 
     // 0 dark to 1 open sky. Plant frame; beyond the grid, which has a margin, as at its border.
     float at(Vec3f const& position_mm) const;
@@ -32,7 +32,7 @@ public:
 
 private:
     std::size_t index(Eigen::Vector3i const& cell) const;
-    void deposit(Mesh const& mesh);
+    void deposit(mesh::Mesh const& mesh);
     void add_area(Vec3f const& position_mm, float area_mm2);
     void trace();
     float transmitted(Vec3f from, Vec3f const& direction) const;

@@ -17,50 +17,51 @@ namespace {
 // The first device of the log that is a pen, and its decoder; no decoder if there is none.
 struct LogPen {
     std::size_t device = 0;
-    std::unique_ptr<PenDecoder> decoder;
+    std::unique_ptr<drivers::PenDecoder> decoder;
 };
 
-LogPen find_pen(Log const& log)
+LogPen find_pen(drivers::Log const& log)
 {
     for (std::size_t i = 0; i < log.devices.size(); ++i)
-        if (auto decoder = make_pen_decoder(log.devices[i]))
+        if (auto decoder = drivers::make_pen_decoder(log.devices[i]))
             return { i, *std::move(decoder) };
     return {};
 }
 
-bool has_height_sensor(Log const& log)
+bool has_height_sensor(drivers::Log const& log)
 {
     for (auto const& device : log.devices)
-        if (make_height_decoder(device))
+        if (drivers::make_height_decoder(device))
             return true;
     return false;
 }
 
-Result<Rig> choose_rig(Log const& log, LogPen const& pen, ReplayOptions const& options)
+Result<calib::Rig> choose_rig(drivers::Log const& log, LogPen const& pen,
+                              ReplayOptions const& options)
 {
     if (options.rig)
         return *options.rig;
     if (!log.rig_text.empty())
-        return parse_rig(log.rig_text, log.name);
+        return calib::parse_rig(log.rig_text, log.name);
     if (!options.height && has_height_sensor(log))
         return fail(Fault::User,
                     fmt::format("{} has a height sensor but no calibration: give one "
                                 "with --rig, or heights with --height",
                                 log.name));
-    Rig rig;
+    calib::Rig rig;
     if (pen.decoder)
         rig.tablet_size_mm = pen.decoder->traits().size_mm;
     return rig;
 }
 
 // Where the scenario's clock begins and ends: at the log's first and last pen sample.
-Result<ScriptedHeight> script_height(Log const& log, LogPen const& pen,
-                                     HeightScenario const& scenario)
+Result<calib::ScriptedHeight> script_height(drivers::Log const& log, LogPen const& pen,
+                                            calib::HeightScenario const& scenario)
 {
-    ScriptedHeight scripted { .scenario = scenario };
+    calib::ScriptedHeight scripted { .scenario = scenario };
     bool is_first = true;
-    std::vector<PenSample> samples;
-    LogCursor cursor(log);
+    std::vector<drivers::PenSample> samples;
+    drivers::LogCursor cursor(log);
     while (auto const* const report = TRY(cursor.next())) {
         if (!pen.decoder || report->device != pen.device)
             continue;
@@ -77,7 +78,7 @@ Result<ScriptedHeight> script_height(Log const& log, LogPen const& pen,
 
 } // namespace
 
-Result<LogReplay> LogReplay::create(Log const& log, ReplayOptions const& options)
+Result<LogReplay> LogReplay::create(drivers::Log const& log, ReplayOptions const& options)
 {
     auto const pen = find_pen(log);
     StationOptions station_options;
@@ -97,7 +98,8 @@ Result<LogReplay> LogReplay::create(Log const& log, ReplayOptions const& options
 }
 
 // What no tool or step of this program is called was written by another one, with more of them.
-Result<std::vector<LogReplay::Line>> LogReplay::read_lines(Log const& log, Methods const& methods,
+Result<std::vector<LogReplay::Line>> LogReplay::read_lines(drivers::Log const& log,
+                                                           Methods const& methods,
                                                            std::vector<std::string>& left_out)
 {
     std::vector<Line> lines;
@@ -122,7 +124,7 @@ Result<std::vector<LogReplay::Line>> LogReplay::read_lines(Log const& log, Metho
     return lines;
 }
 
-LogReplay::LogReplay(Log const& log, Station station, std::vector<Line> lines,
+LogReplay::LogReplay(drivers::Log const& log, Station station, std::vector<Line> lines,
                      std::vector<std::string> left_out)
     : log_(&log)
     , station_(std::move(station))

@@ -18,9 +18,9 @@
 namespace tractus {
 
 struct ReplayOptions {
-    Methods methods {};        // What the log may name.
-    std::optional<Rig> rig {}; // No value: the log's own, else one of the tablet's size.
-    std::optional<HeightScenario> height {}; // In place of the log's height sensor.
+    Methods methods {};               // What the log may name.
+    std::optional<calib::Rig> rig {}; // No value: the log's own, else one of the tablet's size.
+    std::optional<calib::HeightScenario> height {}; // In place of the log's height sensor.
 };
 
 // Feeds a log to a station of its own, in the file's order, as fast as it is asked to: the same log
@@ -29,7 +29,7 @@ class LogReplay {
 public:
     // Fails, as the user's fault, if the log has no pen, neither a height sensor nor a scenario, a
     // height sensor without a calibration, or a tool that does not exist.
-    static Result<LogReplay> create(Log const& log, ReplayOptions const& options);
+    static Result<LogReplay> create(drivers::Log const& log, ReplayOptions const& options);
 
     // Gives what has been drawn, and what was done beside drawing, since the last call to a
     // document, in the order in which it was done when the log was made.
@@ -74,18 +74,18 @@ private:
         std::variant<Tool, LoggedStep> what;
     };
 
-    LogReplay(Log const& log, Station station, std::vector<Line> lines,
+    LogReplay(drivers::Log const& log, Station station, std::vector<Line> lines,
               std::vector<std::string> left_out);
 
-    static Result<std::vector<Line>> read_lines(Log const& log, Methods const& methods,
+    static Result<std::vector<Line>> read_lines(drivers::Log const& log, Methods const& methods,
                                                 std::vector<std::string>& left_out);
     void push_lines();
 
-    Log const* log_; // Not owned.
+    drivers::Log const* log_; // Not owned.
     Station station_;
     std::vector<Line> lines_;
     std::vector<std::string> left_out_;
-    LogCursor cursor_;
+    drivers::LogCursor cursor_;
     std::size_t next_line_ = 0; // Not reached yet.
     std::size_t next_step_ = 0; // The next line that may be a step to be handed over.
     std::size_t handed_strokes_ = 0;

@@ -11,12 +11,12 @@ namespace tractus {
 static Bounds volume_of(StationOptions const& options)
 {
     Bounds volume_mm;
-    auto const T_world_tablet = tractus::T_world_tablet(options.rig);
+    auto const T_world_tablet = tractus::calib::T_world_tablet(options.rig);
     auto const& size_mm = options.rig.tablet_size_mm;
     for (double const x : { 0.0, size_mm.x() })
         for (double const y : { 0.0, size_mm.y() })
             volume_mm.add(T_world_tablet * Vec3(x, y, 0));
-    auto const heights = calibrated_heights(options.rig);
+    auto const heights = calib::calibrated_heights(options.rig);
     bool const is_known = heights && !options.scripted_height;
     volume_mm.min_mm.z() = is_known ? heights->low_mm : 0;
     volume_mm.max_mm.z() = is_known ? heights->high_mm : DrawingVolume().height_mm;
@@ -64,14 +64,15 @@ Station::Station(StationOptions const& options)
 {
 }
 
-Result<Station> Station::create(std::span<DeviceInfo const> devices, StationOptions const& options)
+Result<Station> Station::create(std::span<drivers::DeviceInfo const> devices,
+                                StationOptions const& options)
 {
     Station station(options);
     TRY(station.add_pens(devices, options));
     for (std::size_t i = 0; i < devices.size() && !station.height_decoder_; ++i) {
         if (station.find_pen(i))
             continue;
-        if (auto decoder = make_height_decoder(devices[i])) {
+        if (auto decoder = drivers::make_height_decoder(devices[i])) {
             station.height_decoder_ = *std::move(decoder);
             station.height_device_ = i;
         }
@@ -83,11 +84,12 @@ Result<Station> Station::create(std::span<DeviceInfo const> devices, StationOpti
     return station;
 }
 
-Result<void> Station::add_pens(std::span<DeviceInfo const> devices, StationOptions const& options)
+Result<void> Station::add_pens(std::span<drivers::DeviceInfo const> devices,
+                               StationOptions const& options)
 {
     std::string reasons;
     for (std::size_t i = 0; i < devices.size(); ++i) {
-        auto decoder = make_pen_decoder(devices[i]);
+        auto decoder = drivers::make_pen_decoder(devices[i]);
         if (!decoder) {
             reasons += fmt::format("{}{}", reasons.empty() ? "" : "; ", decoder.error().message);
             continue;
@@ -103,8 +105,9 @@ Result<void> Station::add_pens(std::span<DeviceInfo const> devices, StationOptio
                           .decoder = *std::move(decoder),
                           .silence = {},
                           .scale = scale,
-                          .fuser = options.scripted_height ? Fuser(rig, *options.scripted_height)
-                                                           : Fuser(rig) });
+                          .fuser = options.scripted_height
+                              ? calib::Fuser(rig, *options.scripted_height)
+                              : calib::Fuser(rig) });
     }
     if (!pens_.empty())
         return {};
@@ -157,7 +160,7 @@ void Station::pass_time(Timestamp now)
             use_pen(pen, *gone);
 }
 
-void Station::use_pen(Pen& pen, PenSample const& decoded)
+void Station::use_pen(Pen& pen, drivers::PenSample const& decoded)
 {
     auto sample = decoded;
     sample.position_mm = sample.position_mm.cwiseProduct(pen.scale);
@@ -178,7 +181,7 @@ void Station::use_pen(Pen& pen, PenSample const& decoded)
 // keeps microseconds, so where times are computed the instant has to lie well before the tip's.
 Timestamp Station::change_before(TipSample const& tip, std::optional<Timestamp> last_tip) const
 {
-    bool const is_exact = sample_times_ == SampleTimes::AsArrived || !last_tip;
+    bool const is_exact = sample_times_ == calib::SampleTimes::AsArrived || !last_tip;
     return (is_exact ? tip.time : *last_tip + (tip.time - *last_tip) / 2) + tablet_latency_;
 }
 
@@ -208,7 +211,7 @@ void Station::press_instead()
             change_tool(*pen.touches_since, pressing());
 }
 
-void Station::keep_moment(Pen const& pen, PenSample const& sample, TipSample const& tip)
+void Station::keep_moment(Pen const& pen, drivers::PenSample const& sample, TipSample const& tip)
 {
     if (moments_.size() == kMostMoments) // Nobody takes them, or not in time.
         moments_.erase(moments_.begin(), moments_.begin() + kMostMoments / 2);
@@ -238,7 +241,7 @@ void Station::push_height(Timestamp received, std::span<std::byte const> report)
             height_monitor_.push(height);
             if (height_monitor_.is_on_rail(height))
                 continue;
-            if (auto const height_mm = tractus::height_mm(height_model_, height.counts)) {
+            if (auto const height_mm = tractus::calib::height_mm(height_model_, height.counts)) {
                 read_height_mm_ = height_mm;
                 read_height_time_ = height.time;
             }
@@ -303,7 +306,7 @@ bool Station::pen_rests() const
     return read_height_mm_ && newest_tip_ && read_height_time_ - newest_tip_->time > kHandAtRest;
 }
 
-FuserCounts Station::fuser_counts() const
+calib::FuserCounts Station::fuser_counts() const
 {
     auto sum = pens_.front().fuser.counts(); // All have seen the same heights.
     for (std::size_t i = 1; i < pens_.size(); ++i) {

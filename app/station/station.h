@@ -25,10 +25,10 @@
 namespace tractus {
 
 struct StationOptions {
-    Rig rig;
-    std::optional<ScriptedHeight> scripted_height; // In place of a height sensor.
-    ToolKinds tools {};                            // That there are.
-    Layers layers {};                              // Likewise.
+    calib::Rig rig;
+    std::optional<calib::ScriptedHeight> scripted_height; // In place of a height sensor.
+    ToolKinds tools {};                                   // That there are.
+    Layers layers {};                                     // Likewise.
     // What the pen means until a tool line says otherwise; no value: the first of them.
     std::optional<Tool> tool {};
 };
@@ -69,7 +69,7 @@ class Station {
 public:
     // Takes all devices that decode as pens, and the first that decodes as a height sensor. Fails,
     // as the user's fault, if there is no pen, or neither height sensor nor scripted height.
-    static Result<Station> create(std::span<DeviceInfo const> devices,
+    static Result<Station> create(std::span<drivers::DeviceInfo const> devices,
                                   StationOptions const& options);
 
     // One report of one of the devices. A report that its decoder refuses is counted and forgotten.
@@ -119,10 +119,10 @@ public:
     std::vector<ToolStroke> const& new_strokes() const { return strokes_; }
 
     StationCounts const& counts() const { return counts_; }
-    FuserCounts fuser_counts() const; // Of all pens.
+    calib::FuserCounts fuser_counts() const; // Of all pens.
 
     // What is, and was, wrong with the height sensor; nothing if the height is scripted.
-    HeightMonitor const& height_monitor() const { return height_monitor_; }
+    calib::HeightMonitor const& height_monitor() const { return height_monitor_; }
 
     // How the pens' ink looks.
     Nib nib() const { return nib_; }
@@ -157,10 +157,10 @@ private:
     // One tablet's pen, from its reports to its strokes.
     struct Pen {
         std::size_t device = 0;
-        std::unique_ptr<PenDecoder> decoder;
-        PenSilence silence;
+        std::unique_ptr<drivers::PenDecoder> decoder;
+        drivers::PenSilence silence;
         Vec2 scale; // From the decoder's millimetres to those of the surface as it was measured.
-        Fuser fuser;
+        calib::Fuser fuser;
         StrokeBuilder builder {};
         std::optional<Timestamp> last_tip {};      // Live.
         std::optional<Timestamp> touches_since {}; // Latency included; no value: does not touch.
@@ -168,12 +168,13 @@ private:
 
     explicit Station(StationOptions const& options); // Without devices.
 
-    Result<void> add_pens(std::span<DeviceInfo const> devices, StationOptions const& options);
+    Result<void> add_pens(std::span<drivers::DeviceInfo const> devices,
+                          StationOptions const& options);
     Pen* find_pen(std::size_t device);
-    void use_pen(Pen& pen, PenSample const& decoded);
+    void use_pen(Pen& pen, drivers::PenSample const& decoded);
     Timestamp change_before(TipSample const& tip, std::optional<Timestamp> last_tip) const;
     void follow_touch(Pen& pen, TipSample const& tip);
-    void keep_moment(Pen const& pen, PenSample const& sample, TipSample const& tip);
+    void keep_moment(Pen const& pen, drivers::PenSample const& sample, TipSample const& tip);
     void change_tool(Timestamp time, Tool const& tool);
     void forget(Tool const& tool);
     void push_pen(Pen& pen, Timestamp received, std::span<std::byte const> report);
@@ -187,23 +188,23 @@ private:
     Tool other_end_of(Tool const& tool, ToolChanges::const_iterator before) const;
     void count_broken(Error const& error);
 
-    HeightMonitor height_monitor_;
+    calib::HeightMonitor height_monitor_;
     Bounds volume_mm_;
-    HeightModel height_model_;
+    calib::HeightModel height_model_;
     std::optional<double> read_height_mm_;
     Timestamp read_height_time_ {};
     bool is_height_measured_;     // Not scripted.
     bool is_height_there_ = true; // The sensor that measures it has not gone away.
     Duration tablet_latency_;
-    SampleTimes sample_times_;
+    calib::SampleTimes sample_times_;
     Nib nib_;
-    std::vector<Pen> pens_;           // In the order of their devices.
-    std::vector<PenSample> new_pens_; // Kept for its memory.
-    std::unique_ptr<HeightDecoder> height_decoder_;
+    std::vector<Pen> pens_;                    // In the order of their devices.
+    std::vector<drivers::PenSample> new_pens_; // Kept for its memory.
+    std::unique_ptr<drivers::HeightDecoder> height_decoder_;
     std::size_t height_device_ = 0;
-    std::vector<HeightSample> heights_; // Of one report; kept for its memory.
-    ToolChanges tool_changes_;          // In time order; the first is from the beginning.
-    ToolChanges new_tool_changes_;      // Not taken yet.
+    std::vector<drivers::HeightSample> heights_; // Of one report; kept for its memory.
+    ToolChanges tool_changes_;                   // In time order; the first is from the beginning.
+    ToolChanges new_tool_changes_;               // Not taken yet.
     // Kinds that an other end of the pen is, with the options that they were chosen with last; and
     // as they were before the first of tool_changes_.
     std::vector<ToolKind const*> remembered_kinds_;

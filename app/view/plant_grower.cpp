@@ -12,29 +12,29 @@ namespace tractus {
 namespace {
 
 // What it gives after `stop` has asked it to end is dropped.
-Result<Mesh> grow_mesh(BuiltPlant const& built, SetGrowth const& growth, SceneShaper& shaper,
-                       MeshOptions const& options, std::stop_token const& stop)
+Result<mesh::Mesh> grow_mesh(BuiltPlant const& built, SetGrowth const& growth, SceneShaper& shaper,
+                             mesh::MeshOptions const& options, std::stop_token const& stop)
 {
     auto wanted = built;
     wanted.growth = growth;
     auto const plan = TRY(plan_growth(wanted, shaper, stop));
     if (stop.stop_requested())
-        return Mesh {};
+        return mesh::Mesh {};
     Grower grower(plan);
     auto const& plant = grower.grow({ growth.seed, 0 }, growth.age, stop);
     if (stop.stop_requested())
-        return Mesh {};
-    return make_mesh(plant, options, stop);
+        return mesh::Mesh {};
+    return mesh::make_mesh(plant, options, stop);
 }
 
 // Grows the plants of scenes that follow each other: only those that have changed are grown anew.
 class SceneGrower {
 public:
-    Result<Mesh> grow(WantedPlant const& wanted, std::stop_token const& stop)
+    Result<mesh::Mesh> grow(WantedPlant const& wanted, std::stop_token const& stop)
     {
         auto const& scene = *wanted.scene;
         bool const is_hidden = scene.drawn->is_hidden && !scene.plants.empty();
-        auto mesh = is_hidden ? Result<Mesh>(Mesh {})
+        auto mesh = is_hidden ? Result<mesh::Mesh>(mesh::Mesh {})
                               : grow_mesh(scene, wanted.growth, active_, {}, stop);
         if (!mesh)
             return mesh;
@@ -49,7 +49,7 @@ public:
                 break;
             Vec3 const moved_mm
                 = scene.placement.plant_of_world(plant->placement.world_of_plant(Vec3::Zero()));
-            append_mesh(*mesh, other.mesh, moved_mm.cast<float>());
+            mesh::append_mesh(*mesh, other.mesh, moved_mm.cast<float>());
         }
         if (!stop.stop_requested()) // Else what was given up counts for nothing.
             others_ = std::move(still_there);
@@ -61,7 +61,7 @@ public:
 private:
     struct Other {
         std::shared_ptr<BuiltPlant const> plant; // Shared with the scenes that have it.
-        Mesh mesh;
+        mesh::Mesh mesh;
     };
 
     SceneShaper active_;
@@ -72,15 +72,15 @@ private:
 } // namespace
 
 // What a picture of a few hundred pixels shows.
-static MeshOptions coarse()
+static mesh::MeshOptions coarse()
 {
     return { .min_sides = 3,
              .max_sides = 6,
              .subdivision = 1,
              .collar = 0,
-             .ends = MeshOptions::Ends::Open,
-             .sections = MeshOptions::Sections::SameArea,
-             .organs = MeshOptions::Organs::Cards };
+             .ends = mesh::MeshOptions::Ends::Open,
+             .sections = mesh::MeshOptions::Sections::SameArea,
+             .organs = mesh::MeshOptions::Organs::Cards };
 }
 
 PlantGrower::PlantGrower()
@@ -90,7 +90,7 @@ PlantGrower::PlantGrower()
                  std::stop_token const& stop) { return grower->grow(wanted, stop); },
              Urgency::Later)
     , variation_(make_variation, Urgency::Later)
-    , worn_out_([](std::unique_ptr<Mesh const> const&) { return true; }, Urgency::Later)
+    , worn_out_([](std::unique_ptr<mesh::Mesh const> const&) { return true; }, Urgency::Later)
 {
 }
 

@@ -30,7 +30,7 @@ struct WantedVariations {
 
 struct Variation {
     std::uint64_t seed = 0;
-    Mesh mesh; // Coarse, to be seen small.
+    mesh::Mesh mesh; // Coarse, to be seen small.
 };
 
 // Grows plants in the background, for a window that goes on meanwhile: see NewestJob. One that is
@@ -49,11 +49,11 @@ public:
 
     // All plants that are not hidden, in the active one's frame, if they have been finished since
     // the last call. Fails like plan_growth().
-    std::optional<Result<Mesh>> take() { return plant_.take(); }
+    std::optional<Result<mesh::Mesh>> take() { return plant_.take(); }
 
     // A plant that nobody looks at any more. A large one takes so long to go that a window would
     // miss a frame: it goes on a thread.
-    void drop(std::unique_ptr<Mesh const> plant) { worn_out_.want(std::move(plant)); }
+    void drop(std::unique_ptr<mesh::Mesh const> plant) { worn_out_.want(std::move(plant)); }
 
     // Those that have been finished since the last call, in the order of their seeds. Fails like
     // plan_growth(); then none follow.
@@ -77,9 +77,9 @@ private:
     void want_next();
     void take_variation();
 
-    NewestJob<WantedPlant, Result<Mesh>> plant_;
+    NewestJob<WantedPlant, Result<mesh::Mesh>> plant_;
     NewestJob<WantedVariation, MadeVariation> variation_;
-    NewestJob<std::unique_ptr<Mesh const>, bool> worn_out_;
+    NewestJob<std::unique_ptr<mesh::Mesh const>, bool> worn_out_;
     WantedVariations variations_; // The next ones, and that which is being made.
     std::uint64_t wish_ = 0;      // Which of the wishes for variations counts.
     Result<std::vector<Variation>> varied_;

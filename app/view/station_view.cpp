@@ -170,7 +170,7 @@ void StationView::show_live(Station const& station, Document const& document)
     if (std::exchange(aims_at_, state_.hand.kind().aims_at) != state_.hand.kind().aims_at)
         show_skeleton();
     auto const fault = station.height_monitor().present();
-    state_.trouble = fault ? describe_fault(*fault) : "";
+    state_.trouble = fault ? calib::describe_fault(*fault) : "";
     show_ink(station, document.waiting());
     show_selecting(station);
     show_surface(station);
@@ -478,7 +478,7 @@ void StationView::show_variations()
         return;
     }
     for (auto& [seed, mesh] : *varied)
-        state_.collection.push_back({ seed, std::make_shared<Mesh const>(std::move(mesh)) });
+        state_.collection.push_back({ seed, std::make_shared<mesh::Mesh const>(std::move(mesh)) });
     state_.collection_revision += !varied->empty();
 }
 
@@ -508,7 +508,7 @@ void StationView::show_grown()
     }
     if (plant_)
         grower_->drop(std::move(plant_));
-    plant_ = std::make_unique<Mesh const>(**std::move(grown));
+    plant_ = std::make_unique<mesh::Mesh const>(**std::move(grown));
     state_.plant = plant_.get();
     ++state_.plant_revision;
 }

@@ -162,7 +162,7 @@ private:
     bool is_drawing_ = false;
     std::size_t shown_waiting_ = 0; // Strokes as ink.
     // On the heap, since the state points to it when this moves.
-    std::unique_ptr<Mesh const> plant_;
+    std::unique_ptr<mesh::Mesh const> plant_;
     WindowState state_;
 };
 

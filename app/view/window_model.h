@@ -95,7 +95,8 @@ struct GrowthView {
 // Another plant that the scene may become. Others may show it, too.
 struct VariationView {
     std::uint64_t seed = 0;
-    std::shared_ptr<Mesh const> mesh; // Coarse. Shared by the copies of this; nobody changes it.
+    std::shared_ptr<mesh::Mesh const>
+        mesh; // Coarse. Shared by the copies of this; nobody changes it.
 };
 
 // The log into which what the devices send is written.
@@ -145,7 +146,7 @@ struct WindowState {
 
     std::uint64_t plant_revision = 0;
     // The newest one; null before the first. Lives until the next advance() or settle().
-    Mesh const* plant = nullptr;
+    mesh::Mesh const* plant = nullptr;
     // A newer plant is being grown in the background; meanwhile the last one stays.
     bool is_growing = false;
     GrowthView growth;               // Of the newest one that was asked for.

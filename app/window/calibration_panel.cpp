@@ -150,14 +150,14 @@ private:
     ImVec2 high_; // … and lower right corner of the frame.
 };
 
-char const* word_for(HeightCapture::From from)
+char const* word_for(calib::HeightCapture::From from)
 {
     switch (from) {
-    case HeightCapture::From::Below:
+    case calib::HeightCapture::From::Below:
         return "up";
-    case HeightCapture::From::Above:
+    case calib::HeightCapture::From::Above:
         return "down";
-    case HeightCapture::From::Nowhere:
+    case calib::HeightCapture::From::Nowhere:
         return "-";
     }
     return "-";

@@ -20,7 +20,7 @@ public:
 
 private:
     struct Picture {
-        Mesh const* mesh = nullptr; // That it shows: the model holds it.
+        mesh::Mesh const* mesh = nullptr; // That it shows: the model holds it.
         ViewCanvas canvas;
     };
 

@@ -10,7 +10,7 @@ namespace tractus {
 
 namespace {
 
-std::string hex(RawReport const& report)
+std::string hex(drivers::RawReport const& report)
 {
     std::string text;
     for (auto const byte : report.bytes())

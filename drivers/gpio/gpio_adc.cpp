@@ -13,7 +13,7 @@
 #include <utility>
 #include <variant>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -249,4 +249,4 @@ std::unique_ptr<HeightDecoder> make_gpio_adc_decoder(DeviceInfo const& info)
     return std::make_unique<GpioAdcDecoder>(*converter);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

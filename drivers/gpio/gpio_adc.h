@@ -10,7 +10,7 @@
 #include <functional>
 #include <memory>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // An MCP3008 or MCP3208 on GPIO lines as a height sensor. It cannot be found, only named: its
 // address, "gpio:CHIP:CLK,DIN,DOUT,CS:mcp3208:CHANNEL" in DeviceInfo::location, says where it is
@@ -57,4 +57,4 @@ bool is_gpio_adc(DeviceInfo const& info);
 // for a report of another length, a reading beyond full scale, and when nothing answered.
 std::unique_ptr<HeightDecoder> make_gpio_adc_decoder(DeviceInfo const& info);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -17,7 +17,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -204,4 +204,4 @@ Result<std::unique_ptr<GpioEdges>> open_gpio_edges(std::string const& chip, unsi
     return edges;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

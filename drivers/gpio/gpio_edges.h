@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The edges of two input lines of a GPIO chip, as the kernel has stamped and numbered them, held
 // for us alone. Called from one thread only. After an error the lines are dead.
@@ -60,4 +60,4 @@ constexpr unsigned kGpioEdgesKept = 4096;
 Result<std::unique_ptr<GpioEdges>> open_gpio_edges(std::string const& chip, unsigned a_line,
                                                    unsigned b_line);
 
-} // namespace tractus
+} // namespace tractus::drivers

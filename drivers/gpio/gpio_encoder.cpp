@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -181,4 +181,4 @@ std::unique_ptr<HeightDecoder> make_gpio_encoder_decoder()
     return std::make_unique<GpioEncoderDecoder>();
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

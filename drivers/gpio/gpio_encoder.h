@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A draw-wire encoder in quadrature on two GPIO lines as a height sensor. It cannot be found, only
 // named: its address, "gpio:CHIP:A,B:quadrature" in DeviceInfo::location, says where it is. How to
@@ -54,4 +54,4 @@ bool is_gpio_encoder(DeviceInfo const& info);
 // where the lost ones have left them.
 std::unique_ptr<HeightDecoder> make_gpio_encoder_decoder();
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::drivers {
 
 tl::unexpected<Error> cannot_open_gpio_chip(std::string const& chip, int error_number)
 {
@@ -49,4 +49,4 @@ tl::unexpected<Error> lost_gpio_lines(std::string const& chip, int error_number)
                             std::strerror(error_number)));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Messages for what both versions of libgpiod say in errno.
 
@@ -20,4 +20,4 @@ tl::unexpected<Error> cannot_take_gpio_lines(std::string const& chip,
 // Why lines that we hold do not answer any more.
 tl::unexpected<Error> lost_gpio_lines(std::string const& chip, int error_number);
 
-} // namespace tractus
+} // namespace tractus::drivers

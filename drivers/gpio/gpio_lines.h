@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // One line of a GPIO chip, as whoever drives it wants it.
 struct GpioLine {
@@ -50,4 +50,4 @@ Result<std::unique_ptr<GpioLines>> open_gpio_lines(std::string const& chip,
 // "1.6.3": the library's own word, for diagnosis.
 std::string gpio_library_version();
 
-} // namespace tractus
+} // namespace tractus::drivers

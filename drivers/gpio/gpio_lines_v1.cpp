@@ -10,7 +10,7 @@
 #include <gpiod.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -119,4 +119,4 @@ std::string gpio_library_version()
     return gpiod_version_string();
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

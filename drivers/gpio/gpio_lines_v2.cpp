@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace fs = std::filesystem;
 
@@ -177,4 +177,4 @@ std::string gpio_library_version()
     return gpiod_api_version();
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -1,6 +1,6 @@
 #include "drivers/gpio/mcp3208.h"
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -68,4 +68,4 @@ Result<Mcp3208Reading> convert_mcp3208(GpioLines& lines, Mcp3208Channel const& c
     return reading;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

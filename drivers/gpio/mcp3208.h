@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The MCP3008 (10 bits) and the MCP3208 (12 bits), converters of eight channels, on four GPIO
 // lines: SPI mode 0,0 by hand, as Microchip's DS21295 and DS21298 draw it in section 5.
@@ -51,4 +51,4 @@ constexpr Duration kMcp3208HoldLimit = std::chrono::microseconds(1200);
 Result<Mcp3208Reading> convert_mcp3208(GpioLines& lines, Mcp3208Channel const& channel,
                                        std::function<Timestamp()> const& now);
 
-} // namespace tractus
+} // namespace tractus::drivers

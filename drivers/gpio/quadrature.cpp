@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Before the edge A and B are equal or they are not; that, and whose edge it is, tells the
 // direction: A's while they are equal, and B's while they are not, are those of A ahead.
@@ -24,4 +24,4 @@ void Quadrature::push(QuadratureEdge const& edge)
     is_high = edge.is_rising;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A change of one of an encoder's two lines, A and B, which are a quarter of a period apart.
 struct QuadratureEdge {
@@ -50,4 +50,4 @@ private:
     std::uint32_t lost_count_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

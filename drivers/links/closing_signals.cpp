@@ -4,7 +4,7 @@
 #include <atomic>
 #include <csignal>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -49,4 +49,4 @@ bool ClosingSignals::have_come()
     return signal_has_come;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

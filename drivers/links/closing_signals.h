@@ -1,6 +1,6 @@
 #pragma once
 
-namespace tractus {
+namespace tractus::drivers {
 
 // While one of these is there, a signal that asks the program to end (Ctrl-C, SIGTERM, SIGHUP) does
 // not end it, but is remembered, so that somebody who draws can finish and keep what is under way.
@@ -17,4 +17,4 @@ public:
     static bool have_come();
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 #include <poll.h>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -74,4 +74,4 @@ std::unique_ptr<DeviceEvents> listen_to_udev()
     return std::make_unique<UdevEvents>(std::move(monitor));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

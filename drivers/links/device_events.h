@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Tells that devices have come or changed, so that nobody who waits for one has to look again and
 // again. What came, and whether it is the one that is wanted, is for list_devices() to say.
@@ -22,4 +22,4 @@ public:
 // systems, or the kernel gives no socket. Converters on GPIO lines send no events.
 std::unique_ptr<DeviceEvents> listen_to_udev();
 
-} // namespace tractus
+} // namespace tractus::drivers

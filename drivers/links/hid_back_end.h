@@ -9,7 +9,7 @@
 
 struct hid_device_;
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The calls of one of hidapi's two libraries. Both have the same names, so that only one can be
 // linked under them; see drivers/tablets/hidapi_libusb.h.
@@ -30,4 +30,4 @@ std::unique_ptr<PacketLink> make_hid_link(HidBackEnd const& back_end, HidHandle 
 // A link as a source.
 std::unique_ptr<ReportSource> make_hid_source(DeviceInfo info, std::unique_ptr<PacketLink> link);
 
-} // namespace tractus
+} // namespace tractus::drivers

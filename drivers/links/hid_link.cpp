@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -193,4 +193,4 @@ std::unique_ptr<PacketLink> make_hid_link(HidBackEnd const& back_end, HidHandle 
     return std::make_unique<HidLink>(back_end, std::move(handle), std::move(info));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The reports of the hidraw device at `info.location`, both ways, through hidapi. Output reports
 // are those of a device without report ids. Other readers, the kernel's own driver among them, go
@@ -27,4 +27,4 @@ Result<std::unique_ptr<PacketLink>> open_hid_feature_link(DeviceInfo info);
 // `error` is what open() has left in errno.
 std::string cannot_open_hidraw(DeviceInfo const& info, int error);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace fs = std::filesystem;
 
@@ -117,4 +117,4 @@ std::unique_ptr<ReportSource> make_hid_source(DeviceInfo info, std::unique_ptr<P
     return std::make_unique<HidSource>(std::move(info), std::move(link));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

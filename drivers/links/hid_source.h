@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Every hidraw device that the kernel has, whether it can be opened or not, in the order of their
 // nodes; `location` is the node. Reads sysfs alone, for which no permission is needed: a device
@@ -26,4 +26,4 @@ std::vector<DeviceInfo> enumerate_hid(std::filesystem::path const& class_folder
 // unplugged.
 Result<std::unique_ptr<ReportSource>> open_hid(DeviceInfo info);
 
-} // namespace tractus
+} // namespace tractus::drivers

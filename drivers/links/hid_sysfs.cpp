@@ -2,7 +2,7 @@
 
 #include "drivers/links/sysfs.h"
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace fs = std::filesystem;
 
@@ -32,4 +32,4 @@ std::string bound_driver(fs::path const& hidraw_folder)
     return error ? std::string() : driver.filename().string();
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Where a HID device hangs on USB.
 struct UsbParent {
@@ -22,4 +22,4 @@ std::optional<UsbParent> find_usb_parent(std::filesystem::path const& hidraw_fol
 // The kernel's driver for the node: "hid-generic", "wacom", "uclogic"; empty if there is none.
 std::string bound_driver(std::filesystem::path const& hidraw_folder);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::optional<Vec2> size_known_to_udev(fs::path const& hidraw_folder)
     return std::nullopt;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

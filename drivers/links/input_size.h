@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A tablet's active area in millimetres, X then Y, as the kernel's driver for it knows it and udev
 // tells (ID_INPUT_WIDTH_MM and ID_INPUT_HEIGHT_MM of the pen's input device), to whole millimetres.
@@ -14,4 +14,4 @@ namespace tractus {
 // node's in sysfs, "/sys/class/hidraw/hidraw3".
 std::optional<Vec2> size_known_to_udev(std::filesystem::path const& hidraw_folder);
 
-} // namespace tractus
+} // namespace tractus::drivers

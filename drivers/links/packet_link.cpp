@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace tractus {
+namespace tractus::drivers {
 
 Timestamp RealPacketLink::now()
 {
@@ -16,4 +16,4 @@ void RealPacketLink::sleep(Duration duration)
     std::this_thread::sleep_for(duration);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

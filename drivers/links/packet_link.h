@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The way of whole packets to and from a device that answers commands, and the clock beside it. The
 // drivers of such devices know nothing else of the world, so they run against a simulated device,
@@ -39,4 +39,4 @@ public:
     void sleep(Duration duration) override;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace fs = std::filesystem;
 
@@ -30,4 +30,4 @@ std::string read_sysfs_link(fs::path const& link)
     return fs::read_symlink(link, ignored).filename().string();
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The kernel's small files in /sys, one value each. What cannot be read has none: a device's files
 // go with it.
@@ -17,4 +17,4 @@ int read_sysfs_number(std::filesystem::path const& file, int base, int otherwise
 // The name of what a link points to, such as a device's driver; empty if there is none.
 std::string read_sysfs_link(std::filesystem::path const& link);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <thread>
 
-namespace tractus {
+namespace tractus::drivers {
 
 using namespace std::chrono_literals;
 
@@ -102,4 +102,4 @@ std::uint64_t ThreadedSource::lost_count() const
         + shared_->too_long.load(std::memory_order_relaxed);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

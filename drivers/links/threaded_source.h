@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Reads a source on a thread of its own, so that a report's time is when it came and not when
 // somebody had time for it. Reports wait in a ring of kRingReports until they are read.
@@ -39,4 +39,4 @@ private:
     std::unique_ptr<Shared> shared_;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

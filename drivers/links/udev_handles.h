@@ -3,7 +3,7 @@
 #include <libudev.h>
 #include <memory>
 
-namespace tractus {
+namespace tractus::drivers {
 
 /// Gives back what libudev handed out: `std::unique_ptr<udev_device, UdevUnreference>`.
 struct UdevUnreference {
@@ -12,4 +12,4 @@ struct UdevUnreference {
     void operator()(udev_device* device) const { udev_device_unref(device); }
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

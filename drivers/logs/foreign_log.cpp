@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 
 LogFormat guess_log_format(std::string_view text)
 {
@@ -56,4 +56,4 @@ Result<Log> read_any_log(std::filesystem::path const& path)
     return parse_foreign_log(format, in, path.string());
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

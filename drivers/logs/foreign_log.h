@@ -7,7 +7,7 @@
 #include <istream>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Recordings by other programs, as logs. Their times are rebased to the first report. What does not
 // fit is skipped with a warning, as by parse_log; `name` is what messages call the text. Of the
@@ -45,4 +45,4 @@ LogFormat guess_log_format(std::string_view text);
 // A recording in any of the formats. Fails like the reader of its format.
 Result<Log> read_any_log(std::filesystem::path const& path);
 
-} // namespace tractus
+} // namespace tractus::drivers

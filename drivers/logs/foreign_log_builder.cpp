@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 void ForeignLogBuilder::warn(std::size_t line, std::string message)
 {
@@ -60,4 +60,4 @@ Log ForeignLogBuilder::take()
     return std::move(log_);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

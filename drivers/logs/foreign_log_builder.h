@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Puts what another program has recorded together as a log.
 class ForeignLogBuilder {
@@ -34,4 +34,4 @@ private:
     Log log_;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

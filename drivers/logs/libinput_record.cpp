@@ -11,7 +11,7 @@
 #include <vector>
 #include <yaml.h>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -273,4 +273,4 @@ Result<Log> parse_libinput_record(std::istream& in, std::string_view name)
     return log;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

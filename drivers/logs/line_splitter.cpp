@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 LineSplitter::LineSplitter(std::string name,
                            std::function<Result<void>(std::string_view line)> take)
@@ -45,4 +45,4 @@ Result<void> LineSplitter::end()
     return take_(std::exchange(begun_, {}));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

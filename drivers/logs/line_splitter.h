@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Cuts a text that comes in pieces into its lines. What grows longer than kMaxLineBytes without a
 // line break is no text, and is refused before it fills the memory.
@@ -32,4 +32,4 @@ private:
     std::size_t lines_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

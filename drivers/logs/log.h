@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A device log as values: what was plugged in, every report with its time, and what the station
 // added. The format, line by line, where the first letter decides and unknown letters are skipped:
@@ -150,4 +150,4 @@ constexpr std::size_t kMostPipedLogBytes = std::size_t { 32 } << 20;
 // The warnings in one line for a person: "FILE: 2 odd lines, the first is line 7: …", or empty.
 std::string summarize_warnings(Log const&);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Reads the reports that are not in memory, a piece of the file at a time.
 class LogCursor::Rest {
@@ -100,4 +100,4 @@ Result<LogReport const*> LogCursor::next()
     return report;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

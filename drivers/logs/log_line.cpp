@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::string LogLine::unescaped_rest()
     return text;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

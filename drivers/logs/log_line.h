@@ -9,7 +9,7 @@
 #include <system_error>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Reads one line of a device log from left to right. Each reader skips blanks first and says
 // whether it found what it was asked for.
@@ -59,4 +59,4 @@ private:
     char const* end_;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

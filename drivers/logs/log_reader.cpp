@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::drivers {
 
 Result<Log> parse_log(std::string_view text, std::string_view name)
 {
@@ -81,4 +81,4 @@ std::string summarize_warnings(Log const& log)
                        first.line, first.message);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

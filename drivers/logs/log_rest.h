@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The part of a log that is not in memory: its file, and where that part begins.
 struct LogRest {
@@ -25,4 +25,4 @@ struct LogRest {
     LogTotals totals {}; // Totals of the whole log.
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

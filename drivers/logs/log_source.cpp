@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::drivers {
 
 LogSource::LogSource(Log const& log, std::size_t device)
     : log_(log)
@@ -26,4 +26,4 @@ Result<std::optional<RawReport>> LogSource::read(Duration)
     return std::optional<RawReport>();
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // One device of a log as a source: its reports with the log's times, as fast as they are read.
 // It never waits, and gives no value from the log's end on. The log must outlive it.
@@ -25,4 +25,4 @@ private:
     LogCursor cursor_;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -365,4 +365,4 @@ void LogText::read_tool(std::string_view content)
         log_.tools.push_back(std::move(tool));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

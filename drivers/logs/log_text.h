@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Facts about a device number of a log.
 struct LogDeviceNumber {
@@ -102,4 +102,4 @@ private:
     bool is_whole_ = true;            // Does the line end with a line break?
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A line break in a name would begin a line of its own.
 static std::string one_line(std::string_view text)
@@ -124,4 +124,4 @@ Result<void> LogWriter::flush()
                             errno ? std::strerror(errno) : "the stream takes no more"));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Contents of the top of a log.
 struct LogHeader {
@@ -52,4 +52,4 @@ private:
     std::string line_;               // The line that write_line() sends next; kept for its memory.
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -177,4 +177,4 @@ Result<Log> parse_usbhid_dump(std::istream& in, std::string_view name)
     return reader.take_log();
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -10,7 +10,7 @@
 #include <fmt/core.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -235,4 +235,4 @@ Result<std::unique_ptr<PenDecoder>> make_descriptor_decoder(DeviceInfo const& in
     return std::make_unique<HidPenDecoder>(*descriptor, layouts, habits);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

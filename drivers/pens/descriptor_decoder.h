@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Decodes what the device's report descriptor describes (PenLayout). `size_mm` is the active area
 // as our table knows it; it, or else the size that the kernel knows, is believed where the
@@ -21,4 +21,4 @@ Result<std::unique_ptr<PenDecoder>>
 make_descriptor_decoder(DeviceInfo const& info, std::optional<Vec2> const& size_mm = std::nullopt,
                         std::optional<double> width_to_height = std::nullopt);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 std::span<PenFamily const> pen_families()
 {
@@ -31,4 +31,4 @@ PenFamily const* find_pen_family(std::string_view name)
     return found == families.end() ? nullptr : &*found;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

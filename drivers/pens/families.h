@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // State that a format's reports leave to be remembered from one to the next. Each device has its
 // own.
@@ -57,4 +57,4 @@ std::span<PenFamily const> pen_families();
 // Null if there is none of that name.
 PenFamily const* find_pen_family(std::string_view name);
 
-} // namespace tractus
+} // namespace tractus::drivers

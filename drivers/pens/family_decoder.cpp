@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -106,4 +106,4 @@ std::unique_ptr<PenDecoder> make_family_decoder(PenFamily const& family, TabletS
     return std::make_unique<FamilyDecoder>(family, shape);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Facts about one model of a tablet, since its reports do not tell them.
 struct TabletShape {
@@ -21,4 +21,4 @@ struct TabletShape {
 // Decodes one format of a maker's own, for one model.
 std::unique_ptr<PenDecoder> make_family_decoder(PenFamily const& family, TabletShape const& shape);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -1,6 +1,6 @@
 #include "drivers/pens/known_habits.h"
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -54,4 +54,4 @@ PenHabits known_habits(std::uint16_t vendor_id, std::uint16_t product_id, PenBut
     return habits;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

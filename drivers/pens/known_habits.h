@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Buttons and ends of a pen, as a report descriptor says.
 struct PenButtons {
@@ -25,4 +25,4 @@ struct PenButtons {
 PenHabits known_habits(std::uint16_t vendor_id, std::uint16_t product_id,
                        PenButtons const& buttons);
 
-} // namespace tractus
+} // namespace tractus::drivers

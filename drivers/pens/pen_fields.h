@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Content of one report of a pen, as the device counts. Where a report does not say, the member has
 // no value, and PenState knows what to make of that.
@@ -31,4 +31,4 @@ struct PenFields {
     std::uint32_t tool_type = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 std::optional<Duration> PenState::silence_limit() const
 {
@@ -134,4 +134,4 @@ std::optional<PenSample> PenState::push(Timestamp received, PenFields fields, Pe
     return sample;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

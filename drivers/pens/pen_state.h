@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Scale that turns the counts of a report into units: the ranges that the device declares, and the
 // size of one count.
@@ -83,4 +83,4 @@ private:
     std::optional<Timestamp> maybe_left_; // When the device said that the pen is gone.
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

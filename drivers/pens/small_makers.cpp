@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -130,4 +130,4 @@ std::span<PenFamily const> small_makers_families()
     return kSmallMakersFamilies;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,10 +4,10 @@
 
 #include <span>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The formats of which few tablets are known: "genius" and "waltop" (Genius, Trust and Waltop),
 // "lifetec", "robotpen", "woodpad" (ViewSonic), "floogoo".
 std::span<PenFamily const> small_makers_families();
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::span<PenFamily const> uclogic_families()
     return kUclogicFamilies;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The formats of UC-Logic's controllers and their kin, which tablets of Huion, Gaomon, Artisul,
 // Monoprice and many others send after they were switched: "uclogic-…" and "huion-giano". Offsets
@@ -15,4 +15,4 @@ namespace tractus {
 // apart.
 std::span<PenFamily const> uclogic_families();
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::span<PenFamily const> veikk_families()
     return kVeikkFamilies;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

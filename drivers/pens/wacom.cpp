@@ -2,7 +2,7 @@
 
 #include "drivers/reports/report_bytes.h"
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -474,4 +474,4 @@ std::span<PenFamily const> wacom_families()
     return kWacomFamilies;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -2,7 +2,7 @@
 
 #include "drivers/pens/families.h"
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Wacom's formats, from the PenPartner of 1998 to the Intuos Pro of 2025. A tablet sends them when
 // its mode is set, which Linux's driver does.
@@ -11,4 +11,4 @@ namespace tractus {
 // before each report.
 std::span<PenFamily const> wacom_families();
 
-} // namespace tractus
+} // namespace tractus::drivers

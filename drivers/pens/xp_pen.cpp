@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -121,4 +121,4 @@ std::span<PenFamily const> xp_pen_families()
     return kXpPenFamilies;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

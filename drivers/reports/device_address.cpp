@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 #include <optional>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -194,4 +194,4 @@ std::string print_usb_port(UsbPort const& port)
     return fmt::format("{}-{}", port.bus, fmt::join(port.ports, "."));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Where a device is to be found, as it stands in DeviceInfo::location and as the command line takes
 // it.
@@ -86,4 +86,4 @@ Result<DeviceAddress> parse_device_address(std::string_view text);
 std::string print_device_address(DeviceAddress const& address);
 std::string print_usb_port(UsbPort const& port); // "1-2.3"
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Facts about a device that are known before its first report, in the words of a hid-recorder file.
 struct DeviceInfo {
@@ -52,4 +52,4 @@ struct DeviceInfo {
     std::vector<std::string> warnings {};
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

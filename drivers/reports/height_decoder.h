@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Counts of what came in a sensor's stream besides its samples, since the decoder was made. All 0
 // for sensors that send no frames of their own.
@@ -51,4 +51,4 @@ public:
     virtual HeightStreamCounts stream_counts() const { return {}; }
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

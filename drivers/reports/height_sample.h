@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // One reading of the height sensor, as its converter gave it; calib knows what it means.
 struct HeightSample {
@@ -13,4 +13,4 @@ struct HeightSample {
     std::int32_t full_scale = 0; // The converter's greatest reading: 4095 for 12 bits.
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -1,6 +1,6 @@
 #include "drivers/reports/pen_decoder.h"
 
-namespace tractus {
+namespace tractus::drivers {
 
 std::optional<PenSample> PenSilence::leave_if_over(PenDecoder& pen, Timestamp now) const
 {
@@ -10,4 +10,4 @@ std::optional<PenSample> PenSilence::leave_if_over(PenDecoder& pen, Timestamp no
     return pen.leave(last_ + *limit);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

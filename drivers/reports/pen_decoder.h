@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Abilities of a pen device, known before its first report.
 struct PenTraits {
@@ -91,4 +91,4 @@ private:
     Timestamp last_ {};
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

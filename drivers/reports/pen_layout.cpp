@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -354,4 +354,4 @@ std::vector<PenLayout> find_pen_layouts(HidReportDescriptor const& descriptor)
     return layouts;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Where a pen report keeps what, found in a report descriptor. One per report id that carries a
 // pen.
@@ -74,4 +74,4 @@ struct PenLayout {
 // of a degree, as devices mean them; beyond, the range spans 180 degrees.
 std::vector<PenLayout> find_pen_layouts(HidReportDescriptor const&);
 
-} // namespace tractus
+} // namespace tractus::drivers

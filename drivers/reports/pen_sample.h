@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // One state of a pen over a tablet.
 //
@@ -34,4 +34,4 @@ struct PenSample {
     std::int32_t raw_pressure = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Numbers in a report, by the offset of their first byte; the caller has checked the report's size.
 // Numbers of a pen are wide enough to shift and add, and fit std::int32_t.
@@ -62,4 +62,4 @@ inline bool has_bit(std::span<std::byte const> report, std::size_t at, unsigned 
     return (u8(report, at) >> bit & 1) != 0;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -9,7 +9,7 @@
 #include <endian.h>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::drivers {
 
 static constexpr std::size_t kMaxDescriptorBytes = std::size_t { 64 } << 10;
 static constexpr std::uint64_t kMaxReportBits = std::uint64_t { 16 } << 13;
@@ -489,4 +489,4 @@ std::optional<double> radians_per_count(HidField const& field)
     return *span * per_unit / static_cast<double>(field.logical_maximum - field.logical_minimum);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

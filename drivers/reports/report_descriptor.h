@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A HID usage: the page in the upper half, the usage's own number in the lower one (HID Usage
 // Tables 1.4). 0 stands for a field or collection that names none.
@@ -92,4 +92,4 @@ std::optional<double> physical_span_mm(HidField const&);
 // or an empty range.
 std::optional<double> radians_per_count(HidField const&);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // One report, exactly as it came off the wire, its report id first if the device uses ids. A source
 // refuses a longer one.
@@ -42,4 +42,4 @@ public:
     virtual std::uint64_t too_long_count() const { return 0; }
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

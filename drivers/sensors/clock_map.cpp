@@ -7,7 +7,7 @@
 #include <limits>
 #include <span>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -133,4 +133,4 @@ void ClockMap::fit()
         offset_ns_ = std::min(offset_ns_, double(point.delay_ns) - slope_ * double(point.sent_us));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Tells the host's time of what a device stamped with its own 32-bit microsecond clock, from the
 // times at which the device's messages arrived.
@@ -72,4 +72,4 @@ private:
     double offset_ns_ = 0; // Height of the line at the first message.
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

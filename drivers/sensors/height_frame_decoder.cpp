@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -153,4 +153,4 @@ Result<std::unique_ptr<HeightDecoder>> make_height_frame_decoder(DeviceInfo cons
     return std::make_unique<HeightFrameDecoder>(full_scale);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

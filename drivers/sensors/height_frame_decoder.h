@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Whether the device is the station's own height sensor: one of its strings says so.
 bool is_height_frame_device(DeviceInfo const&);
@@ -22,4 +22,4 @@ bool is_height_frame_device(DeviceInfo const&);
 // the next frame.
 Result<std::unique_ptr<HeightDecoder>> make_height_frame_decoder(DeviceInfo const&);
 
-} // namespace tractus
+} // namespace tractus::drivers

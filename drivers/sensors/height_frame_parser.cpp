@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::size_t HeightFrameParser::parse(Bytes bytes, std::vector<HeightFrame>& out)
     return at;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Finds the frames of the station's own height sensor in whatever comes over the wire: pieces of
 // any length, with anything between the frames. A frame whose CRC is wrong is left out, and the
@@ -29,4 +29,4 @@ private:
     std::uint64_t garbage_bytes_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -1,6 +1,6 @@
 #include "drivers/sensors/height_sensor_protocol.h"
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -45,4 +45,4 @@ std::uint16_t height_frame_crc(std::span<std::byte const> bytes)
     return static_cast<std::uint16_t>(crc);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

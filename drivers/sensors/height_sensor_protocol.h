@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The numbers of the station's own height sensor. firmware-notes/height-sensor-protocol.md is the
 // protocol itself, to the byte; numbers of several bytes have their lowest byte first.
@@ -71,4 +71,4 @@ struct HeightFrame {
 // "123456789" it is 0x29B1.
 std::uint16_t height_frame_crc(std::span<std::byte const> bytes);
 
-} // namespace tractus
+} // namespace tractus::drivers

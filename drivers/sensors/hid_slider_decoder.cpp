@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -98,4 +98,4 @@ Result<std::unique_ptr<HeightDecoder>> make_hid_slider_decoder(DeviceInfo const&
                     who));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

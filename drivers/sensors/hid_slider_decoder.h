@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Makes a decoder for a HID device with one absolute Generic Desktop "Slider" (HID Usage Tables,
 // page 0x01, usage 0x36) whose logical range is 0 to the converter's full scale. See
@@ -19,4 +19,4 @@ namespace tractus {
 // to full scale.
 Result<std::unique_ptr<HeightDecoder>> make_hid_slider_decoder(DeviceInfo const&);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -61,4 +61,4 @@ LabJackDefect check_labjack_packet(std::span<std::byte const> packet)
     return is_sum ? LabJackDefect::None : LabJackDefect::DataChecksum;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The U3's extended packets (U3 user's guide, section 5.2): a checksum of the header, F8, the
 // number of 16-bit words of data, the command, a checksum of the data, the data.
@@ -31,4 +31,4 @@ enum class LabJackDefect {
 };
 LabJackDefect check_labjack_packet(std::span<std::byte const> packet);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -228,4 +228,4 @@ Result<std::unique_ptr<HeightDecoder>> make_labjack_u3_decoder(DeviceInfo const&
     return std::make_unique<LabJackU3Decoder>();
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

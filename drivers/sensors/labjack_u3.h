@@ -9,7 +9,7 @@
 #include <memory>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // LabJack's U3, a finished USB device with a converter of 12 bits, as a height sensor (U3 user's
 // guide, section 5).
@@ -43,4 +43,4 @@ open_labjack_u3(DeviceInfo info, std::unique_ptr<PacketLink> link, LabJackU3Opti
 // answers that are cut off, that a checksum refutes, or that report an error.
 Result<std::unique_ptr<HeightDecoder>> make_labjack_u3_decoder(DeviceInfo const&);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 using namespace std::chrono_literals;
 
@@ -159,4 +159,4 @@ std::unique_ptr<HeightDecoder> make_linak_desk_decoder()
     return std::make_unique<LinakDeskDecoder>();
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

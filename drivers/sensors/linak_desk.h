@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A motorised standing desk with LINAK's actuators, through their cable USB2LIN06: the desk itself
 // tells how high it is, in tenths of a millimetre. Nothing here ever moves it. What the cable says
@@ -41,4 +41,4 @@ Result<std::unique_ptr<ReportSource>> open_linak_desk(DeviceInfo info,
 // off, that does not know the height, or that tells an impossible one.
 std::unique_ptr<HeightDecoder> make_linak_desk_decoder();
 
-} // namespace tractus
+} // namespace tractus::drivers

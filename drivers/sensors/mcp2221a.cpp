@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -195,4 +195,4 @@ Result<std::unique_ptr<HeightDecoder>> make_mcp2221a_decoder(DeviceInfo const& i
     return std::make_unique<Mcp2221aDecoder>(pin);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

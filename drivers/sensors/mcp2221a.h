@@ -9,7 +9,7 @@
 #include <memory>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Microchip's MCP2221A, a finished USB chip with a converter of 10 bits: a string potentiometer's
 // wiper on one of its pins is a height sensor (datasheet DS20005565).
@@ -53,4 +53,4 @@ open_mcp2221a(DeviceInfo info, std::unique_ptr<PacketLink> link, Mcp2221aOptions
 // it was told, or if an answer is cut off.
 Result<std::unique_ptr<HeightDecoder>> make_mcp2221a_decoder(DeviceInfo const&);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 using namespace std::chrono_literals;
 
@@ -133,4 +133,4 @@ Result<std::unique_ptr<ReportSource>> open_polled(DeviceInfo info, std::unique_p
     return std::make_unique<PolledSource>(std::move(info), std::move(link), std::move(polling));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 using PacketTest = std::function<bool(std::span<std::byte const> packet)>;
 
@@ -40,4 +40,4 @@ struct Polling {
 Result<std::unique_ptr<ReportSource>> open_polled(DeviceInfo info, std::unique_ptr<PacketLink> link,
                                                   Polling polling);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::drivers {
 
 static constexpr std::string_view kPerCount = " V per count from ";
 
@@ -30,4 +30,4 @@ std::optional<double> sensor_volts(std::string_view name, double counts)
     return slope && offset ? std::optional(*slope * counts + *offset) : std::nullopt;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Meaning of a reading in volts, for converters whose reference is a voltage. It stands in the name
 // of the device (DeviceInfo::name), so that a log tells it, too.
@@ -16,4 +16,4 @@ std::string print_volts_per_count(double volts_per_count, double volts_at_zero);
 // share of its own supply there is.
 std::optional<double> sensor_volts(std::string_view name, double counts);
 
-} // namespace tractus
+} // namespace tractus::drivers

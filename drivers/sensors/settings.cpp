@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-namespace tractus {
+namespace tractus::drivers {
 
 std::vector<std::string_view> split_settings(std::string_view settings)
 {
@@ -30,4 +30,4 @@ std::optional<int> number_between(std::string_view prefix, std::string_view word
     return value;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The words of DeviceInfo::settings, which stand between commas; none of an empty text.
 std::vector<std::string_view> split_settings(std::string_view settings);
@@ -14,4 +14,4 @@ std::vector<std::string_view> split_settings(std::string_view settings);
 std::optional<int> number_between(std::string_view prefix, std::string_view word,
                                   std::string_view suffix);
 
-} // namespace tractus
+} // namespace tractus::drivers

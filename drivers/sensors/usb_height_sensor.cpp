@@ -11,7 +11,7 @@
 #include <libusb.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 using namespace std::chrono_literals;
 
@@ -262,4 +262,4 @@ Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info,
     return std::make_unique<UsbHeightSensor>(std::move(info), std::move(link));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Wishes for the station's own height sensor; what has no value stays as the sensor has it.
 struct UsbHeightSensorOptions {
@@ -56,4 +56,4 @@ Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info,
                                                              std::unique_ptr<HeightSensorLink> link,
                                                              UsbHeightSensorOptions const& options);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace fs = std::filesystem;
 
@@ -61,4 +61,4 @@ std::vector<DeviceInfo> list_usb_height_sensors(fs::path const& folder)
     return sensors;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

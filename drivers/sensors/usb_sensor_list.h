@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Every height sensor on USB that is no HID device, in the order of their ports: the station's own
 // kind, known by its interface's class, and LabJack's U3, known by its ids. Whether they can be
@@ -13,4 +13,4 @@ namespace tractus {
 std::vector<DeviceInfo> list_usb_height_sensors(std::filesystem::path const& folder
                                                 = "/sys/bus/usb/devices");
 
-} // namespace tractus
+} // namespace tractus::drivers

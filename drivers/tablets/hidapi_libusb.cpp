@@ -21,7 +21,7 @@ int tractus_libusb_hid_send_feature_report(hid_device*, unsigned char const*, st
 wchar_t const* tractus_libusb_hid_error(hid_device*);
 }
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -132,4 +132,4 @@ std::unique_ptr<ReportSource> LibusbHid::into_source(DeviceInfo info) &&
     return make_hid_source(std::move(info), std::move(link));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

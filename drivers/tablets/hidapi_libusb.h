@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Hidapi's libusb back end beside its hidraw one. The two libraries have the same names for
 // everything, and call each other's functions if both are in a process: so this one is linked from
@@ -44,4 +44,4 @@ private:
     HidHandle handle_;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -15,7 +15,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace fs = std::filesystem;
 
@@ -139,4 +139,4 @@ Result<std::string> HidrawPort::read_string(int index)
     return strings_.read(index);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

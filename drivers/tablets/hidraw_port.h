@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Returns which of a tablet's interfaces takes a report: `own` if its descriptor has the report or
 // none of the others has, else the other one.
@@ -42,4 +42,4 @@ private:
     UsbStrings strings_;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

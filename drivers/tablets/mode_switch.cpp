@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -54,4 +54,4 @@ void switch_to_full_mode(DeviceInfo& info, TabletPort& port, SwitchedBy switched
     warn(send_all(port, &TabletPort::send_output, setup.output_reports));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -3,7 +3,7 @@
 #include "drivers/reports/device_info.h"
 #include "drivers/tablets/tablet_port.h"
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Whether Linux's own driver for the tablet has switched it already; the reports that switch are
 // left out then, and nothing is warned of, since the driver's descriptor says all that matters.
@@ -21,4 +21,4 @@ enum class SwitchedBy { Nobody, Kernel };
 // stays in the mode it is in, and its decoder will be the one for that mode.
 void switch_to_full_mode(DeviceInfo& info, TabletPort& port, SwitchedBy switched_by);
 
-} // namespace tractus
+} // namespace tractus::drivers

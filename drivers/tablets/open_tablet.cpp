@@ -10,7 +10,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -71,4 +71,4 @@ Result<std::unique_ptr<ReportSource>> open_tablet(DeviceInfo info)
     return open_through_libusb(std::move(info));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Opens a HID device: at "/dev/hidraw3" through hidraw, at "libusb:1-2.3:0" through hidapi's libusb
 // back end (see drivers/tablets/hidapi_libusb.h). If the table knows it as a tablet, it is switched
@@ -20,4 +20,4 @@ namespace tractus {
 // Fails as open_hid does.
 Result<std::unique_ptr<ReportSource>> open_tablet(DeviceInfo info);
 
-} // namespace tractus
+} // namespace tractus::drivers

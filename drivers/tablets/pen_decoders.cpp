@@ -3,7 +3,7 @@
 #include "drivers/pens/descriptor_decoder.h"
 #include "drivers/tablets/tablet_decoder.h"
 
-namespace tractus {
+namespace tractus::drivers {
 
 Result<std::unique_ptr<PenDecoder>> make_pen_decoder(DeviceInfo const& info)
 {
@@ -12,4 +12,4 @@ Result<std::unique_ptr<PenDecoder>> make_pen_decoder(DeviceInfo const& info)
     return make_descriptor_decoder(info);
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -9,7 +9,7 @@
 #include <bitset>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -185,4 +185,4 @@ Result<std::unique_ptr<PenDecoder>> make_tablet_decoder(DeviceInfo const& info,
     });
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -8,7 +8,7 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The size and ranges of a tablet: what it told itself in string 200 or 100, else the table's. The
 // size counts as assumed where the table doubts it or where other tablets would fit as well.
@@ -31,4 +31,4 @@ TabletShape tablet_shape(DeviceInfo const& info, TabletMatch const& match);
 Result<std::unique_ptr<PenDecoder>> make_tablet_decoder(DeviceInfo const& info,
                                                         TabletMatch const& match);
 
-} // namespace tractus
+} // namespace tractus::drivers

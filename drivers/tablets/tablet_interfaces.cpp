@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Key of a tablet: all interfaces of a USB device have the same path but for the interface's
 // number.
@@ -35,4 +35,4 @@ std::vector<std::vector<DeviceInfo>> group_by_tablet(std::vector<DeviceInfo> con
     return groups;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Whether the device sends a pen's reports, of which we know what they say.
 bool carries_pen(DeviceInfo const& info);
@@ -14,4 +14,4 @@ bool carries_pen(DeviceInfo const& info);
 // them carry a pen, and when, depends on its mode, so all that may are to be opened.
 std::vector<std::vector<DeviceInfo>> group_by_tablet(std::vector<DeviceInfo> const& devices);
 
-} // namespace tractus
+} // namespace tractus::drivers

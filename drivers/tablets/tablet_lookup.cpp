@@ -12,7 +12,7 @@
 #include <set>
 #include <tuple>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -254,4 +254,4 @@ std::vector<int> identifying_strings(std::uint16_t vendor_id, std::uint16_t prod
     return { indices.begin(), indices.end() };
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

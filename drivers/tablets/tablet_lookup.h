@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A tablet that a device is. The pointers are never null; both live as long as the program.
 struct TabletMatch {
@@ -43,4 +43,4 @@ std::string tablet_name(TabletMatch const& match);
 // The USB string descriptors that tell apart the models with these ids, in ascending order.
 std::vector<int> identifying_strings(std::uint16_t vendor_id, std::uint16_t product_id);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -2,7 +2,7 @@
 
 #include "drivers/usb/string_descriptor.h"
 
-namespace tractus {
+namespace tractus::drivers {
 
 Vec2 TabletParameters::size_mm() const
 {
@@ -34,4 +34,4 @@ std::optional<TabletParameters> parse_parameters(int index, std::string_view tex
     return result;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

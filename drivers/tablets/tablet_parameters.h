@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A tablet's description of itself in a string descriptor.
 struct TabletParameters {
@@ -25,4 +25,4 @@ struct TabletParameters {
 // outside 20 to 800 mm, less than 500 or more than 10,500 counts per inch, or no pressure.
 std::optional<TabletParameters> parse_parameters(int index, std::string_view text);
 
-} // namespace tractus
+} // namespace tractus::drivers

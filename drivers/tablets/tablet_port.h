@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // How one speaks to a tablet: through hidraw, through libusb, or to one that a test plays.
 class TabletPort {
@@ -22,4 +22,4 @@ public:
     virtual Result<std::string> read_string(int index) = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

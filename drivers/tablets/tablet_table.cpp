@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -165,4 +165,4 @@ std::span<Tablet const> known_tablets()
     return tablets;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

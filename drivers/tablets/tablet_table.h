@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Steps that the host takes, in this order, so that a tablet leaves the mode in which it powers up,
 // which is often that of a mouse.
@@ -76,4 +76,4 @@ std::span<Tablet const> known_tablets();
 // line's number.
 Result<std::vector<Tablet>> parse_tablets(std::string_view text);
 
-} // namespace tractus
+} // namespace tractus::drivers

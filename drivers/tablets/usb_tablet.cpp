@@ -10,7 +10,7 @@
 #include <libusb.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace fs = std::filesystem;
 
@@ -82,4 +82,4 @@ Result<DeviceInfo> describe_usb_tablet(DeviceInfo info)
     return described;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The string descriptors of a USB device, asked for while its interfaces are in use by others: a
 // control transfer to the device needs none of them. Opens the device at the first one.
@@ -40,4 +40,4 @@ std::vector<DeviceInfo> list_usb_tablets(std::filesystem::path const& devices_fo
 // device or it may not be opened.
 Result<DeviceInfo> describe_usb_tablet(DeviceInfo info);
 
-} // namespace tractus
+} // namespace tractus::drivers

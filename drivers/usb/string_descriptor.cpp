@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::vector<std::byte> string_descriptor_bytes(std::string_view text)
     return bytes;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 void CloseUsbContext::operator()(libusb_context* context) const
 {
@@ -185,4 +185,4 @@ Result<UsbDevice> open_usb_device(DeviceInfo const& info)
     return UsbDevice::open(print_usb_port(usb->port));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -14,7 +14,7 @@ struct libusb_context;
 struct libusb_device;
 struct libusb_device_handle;
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Libusb's handles with owners. A context sees the devices that were there when it was made: where
 // no udev tells of arrivals, an old context never learns of a new one. So every opening makes a
@@ -76,4 +76,4 @@ private:
 // user's fault, for another kind of address.
 Result<UsbDevice> open_usb_device(DeviceInfo const& info);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace fs = std::filesystem;
 
@@ -57,4 +57,4 @@ std::vector<UsbInterface> list_usb_interfaces(fs::path const& folder)
     return interfaces;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // One interface of a USB device that is plugged in.
 struct UsbInterface {
@@ -30,4 +30,4 @@ struct UsbInterface {
 std::vector<UsbInterface> list_usb_interfaces(std::filesystem::path const& folder
                                               = "/sys/bus/usb/devices");
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -8,7 +8,7 @@
 #include <libusb.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 namespace {
 
@@ -85,4 +85,4 @@ Result<std::unique_ptr<PacketLink>> open_usb_link(DeviceInfo const& info, UsbPip
     return std::make_unique<UsbLink>(std::move(device), pipes, std::move(who));
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Two bulk endpoints of one interface.
 struct UsbPipes {
@@ -22,4 +22,4 @@ struct UsbPipes {
 // Fails, as the user's fault, if the device is not there, may not be opened, or is in use.
 Result<std::unique_ptr<PacketLink>> open_usb_link(DeviceInfo const& info, UsbPipes const& pipes);
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -12,7 +12,7 @@
 #include <libusb.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 using namespace std::chrono_literals;
 
@@ -169,4 +169,4 @@ Result<std::unique_ptr<UsbReader>> UsbReader::start(UsbDevice const& device, std
     return reader;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Reads a bulk IN endpoint with several transfers under way at once, so that the device can always
 // send, and stamps each transfer when it ends. Called from one thread only; nothing runs between
@@ -27,4 +27,4 @@ public:
     virtual Result<std::optional<RawReport>> read(Duration timeout) = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,9 +4,9 @@
 
 namespace tractus {
 
-Mesh billboard_mesh(Billboard const& billboard)
+mesh::Mesh billboard_mesh(Billboard const& billboard)
 {
-    Mesh mesh;
+    mesh::Mesh mesh;
     mesh.materials = { { .name = "billboard", .kind = Material::Kind::Solid } };
     auto& squares = mesh.surfaces.emplace_back();
     constexpr int kRows = kBillboardViews / kBillboardColumns;

@@ -21,6 +21,6 @@ struct Billboard {
 
 // A square for each view, all through the centre's vertical line: two on each of four planes, each
 // seen from its own side only. So it needs no shader of its own.
-Mesh billboard_mesh(Billboard const& billboard);
+mesh::Mesh billboard_mesh(Billboard const& billboard);
 
 } // namespace tractus

@@ -36,7 +36,7 @@ std::uint64_t rounded_up(std::uint64_t bytes)
     return (bytes + 3) / 4 * 4;
 }
 
-std::uint64_t triangle_bytes(MeshExtent const& extent, SurfaceFormat const& format)
+std::uint64_t triangle_bytes(mesh::MeshExtent const& extent, SurfaceFormat const& format)
 {
     auto const vertex_bytes = format.positions().element_bytes + format.normals().element_bytes
         + format.texture_coordinates().element_bytes
@@ -46,12 +46,12 @@ std::uint64_t triangle_bytes(MeshExtent const& extent, SurfaceFormat const& form
 }
 
 // Bytes that trees and collections of plants have taken, on average.
-std::uint64_t compressed_triangle_bytes(MeshExtent const& extent, SurfaceFormat const& format)
+std::uint64_t compressed_triangle_bytes(mesh::MeshExtent const& extent, SurfaceFormat const& format)
 {
     return extent.vertices * (format.tangents ? 11 : 9) + extent.indices;
 }
 
-MeshExtent extent_of(TriangleMesh const& mesh)
+mesh::MeshExtent extent_of(mesh::TriangleMesh const& mesh)
 {
     return { mesh.positions_mm.size(), mesh.indices.size() };
 }
@@ -184,8 +184,8 @@ GlbColumn GlbFile::open(NumberFormat const& format, std::size_t count, std::size
     return open_compressed_column(stream_, json_, format, count, piece.streams[stream].size());
 }
 
-GlbFile::Columns GlbFile::open_triangles(MeshExtent const& extent, SurfaceFormat const& format,
-                                         EncodedPiece const& piece)
+GlbFile::Columns GlbFile::open_triangles(mesh::MeshExtent const& extent,
+                                         SurfaceFormat const& format, EncodedPiece const& piece)
 {
     Columns columns;
     columns[0] = open(format.positions(), extent.vertices, 0, piece);
@@ -282,7 +282,7 @@ Result<void> GlbFile::check() const
 // Organs.
 
 // Equal prototypes with equal materials are written once.
-Result<std::size_t> GlbFile::prototype_index(TriangleMesh const& prototype)
+Result<std::size_t> GlbFile::prototype_index(mesh::TriangleMesh const& prototype)
 {
     auto const& material = plant_->material(prototype.material);
     auto const material_index = materials_.index_of(material);
@@ -356,8 +356,8 @@ void GlbFile::add_instanced_node(Columns const& columns)
     add_child(node);
 }
 
-void GlbFile::add_organ_nodes(std::size_t mesh, std::span<InstanceTransform const> instances,
-                              std::span<WindVertex const> wind)
+void GlbFile::add_organ_nodes(std::size_t mesh, std::span<mesh::InstanceTransform const> instances,
+                              std::span<mesh::WindVertex const> wind)
 {
     Json node; // One after another, so that its members are allocated once.
     node["mesh"] = mesh;

@@ -69,7 +69,7 @@ private:
     // Of a stream of `piece`, which is all of the column if it is compressed.
     GlbColumn open(NumberFormat const& format, std::size_t count, std::size_t stream,
                    EncodedPiece const& piece);
-    Columns open_triangles(MeshExtent const& extent, SurfaceFormat const& format,
+    Columns open_triangles(mesh::MeshExtent const& extent, SurfaceFormat const& format,
                            EncodedPiece const& piece);
     Columns open_instances(std::size_t count, EncodedPiece const& piece);
     void open_wind(Columns& columns, std::span<WindStream const> streams, std::size_t count,
@@ -78,9 +78,9 @@ private:
                   int target);
     void write(Columns& columns, EncodedPiece const& piece);
     Json add_primitive(Columns const& columns, EncodedPiece const& limits, std::size_t material);
-    Result<std::size_t> prototype_index(TriangleMesh const& prototype);
-    void add_organ_nodes(std::size_t mesh, std::span<InstanceTransform const> instances,
-                         std::span<WindVertex const> wind);
+    Result<std::size_t> prototype_index(mesh::TriangleMesh const& prototype);
+    void add_organ_nodes(std::size_t mesh, std::span<mesh::InstanceTransform const> instances,
+                         std::span<mesh::WindVertex const> wind);
     void add_instanced_node(Columns const& columns);
     void add_surfaces(Json& node);
     Result<void> check() const;

@@ -68,8 +68,8 @@ public:
     std::uint64_t json_bytes() const { return json_bytes_; }
 
 private:
-    std::vector<TriangleMesh> const& surfaces() const { return film_.mesh->whole().surfaces; }
-    Result<void> add_surface(TriangleMesh const& surface);
+    std::vector<mesh::TriangleMesh> const& surfaces() const { return film_.mesh->whole().surfaces; }
+    Result<void> add_surface(mesh::TriangleMesh const& surface);
     Result<std::size_t> add_steps(Steps const& steps, Json const& more);
     Result<void> add_age(double age);
     GlbColumn add_numbers(std::span<float const> values);
@@ -86,7 +86,7 @@ private:
     std::uint64_t json_bytes_ = 0;
 
     // Kept from age to age.
-    std::vector<AgedMesh::Vertices> vertices_;
+    std::vector<mesh::AgedMesh::Vertices> vertices_;
     Steps positions_;
     Steps normals_;
 };
@@ -120,7 +120,7 @@ Result<void> FilmWriter::write()
     return stream_.check();
 }
 
-Result<void> FilmWriter::add_surface(TriangleMesh const& surface)
+Result<void> FilmWriter::add_surface(mesh::TriangleMesh const& surface)
 {
     auto const& material = film_.mesh->whole().materials[surface.material];
     SurfaceFormat const format {

@@ -12,7 +12,7 @@ namespace tractus {
 // A plant as it grows.
 struct GrowthFilm {
     std::string name = "plant"; // UTF-8; what is not becomes a replacement character.
-    AgedMesh const* mesh = nullptr;
+    mesh::AgedMesh const* mesh = nullptr;
     std::vector<double> ages {}; // Ascending, and the last is that of mesh->whole().
     double seconds = 10;         // Time from the first age to the last; above 0.
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kMostVertices = std::size_t { 1 } << 26; // After expanding.
 
-void compute_normals(TriangleMesh& mesh)
+void compute_normals(mesh::TriangleMesh& mesh)
 {
     mesh.normals.assign(mesh.positions_mm.size(), Vec3f::Zero());
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -45,16 +45,16 @@ void normalize(std::span<Vec3f> normals)
 }
 
 // The triangles of a primitive, in our frame. No value for points and lines.
-Result<std::optional<TriangleMesh>> read_primitive(tinygltf::Model const& model,
-                                                   tinygltf::Primitive const& primitive)
+Result<std::optional<mesh::TriangleMesh>> read_primitive(tinygltf::Model const& model,
+                                                         tinygltf::Primitive const& primitive)
 {
     if (primitive.mode != -1 && primitive.mode != TINYGLTF_MODE_TRIANGLES) {
         if (primitive.mode > TINYGLTF_MODE_TRIANGLES)
             return fail_reading("it has triangle strips or fans, which are not supported");
-        return std::optional<TriangleMesh>();
+        return std::optional<mesh::TriangleMesh>();
     }
     auto const accessor = [&](char const* name) { return accessor_of(primitive, name); };
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     for (auto const& position : TRY(read_accessor<3>(model, accessor("POSITION"))))
         mesh.positions_mm.push_back(from_gltf(Vec3f(position.data())));
     if (!std::all_of(mesh.positions_mm.begin(), mesh.positions_mm.end(),
@@ -97,7 +97,7 @@ Result<std::optional<TriangleMesh>> read_primitive(tinygltf::Model const& model,
 }
 
 // A transform as scale, rotation and translation. No value if it shears, flattens or is too large.
-std::optional<InstanceTransform> instance_of(Affine const& place)
+std::optional<mesh::InstanceTransform> instance_of(Affine const& place)
 {
     Eigen::Matrix3d axes = place.linear();
     Vec3 scale = axes.colwise().norm();
@@ -109,9 +109,9 @@ std::optional<InstanceTransform> instance_of(Affine const& place)
         axes.col(i) /= scale[i];
     if (!(axes.transpose() * axes).isApprox(Eigen::Matrix3d::Identity(), 1e-4))
         return std::nullopt;
-    auto const instance = from_gltf(InstanceTransform { place.translation().cast<float>(),
-                                                        Quat(axes).normalized().cast<float>(),
-                                                        scale.cast<float>() });
+    auto const instance = from_gltf(mesh::InstanceTransform { place.translation().cast<float>(),
+                                                              Quat(axes).normalized().cast<float>(),
+                                                              scale.cast<float>() });
     if (!instance.translation_mm.allFinite() || !instance.scale.allFinite())
         return std::nullopt;
     return instance;
@@ -126,7 +126,7 @@ public:
         mesh_.materials = read_materials(model);
     }
 
-    Result<Mesh> build(std::vector<std::vector<Affine>> const& places)
+    Result<mesh::Mesh> build(std::vector<std::vector<Affine>> const& places)
     {
         if (mesh_.materials.size() >= std::numeric_limits<MaterialId>::max())
             return fail_reading("it has too many materials");
@@ -183,9 +183,9 @@ private:
         return static_cast<MaterialId>(model_.materials.size());
     }
 
-    bool add_instances(TriangleMesh& prototype, std::vector<Affine> const& places)
+    bool add_instances(mesh::TriangleMesh& prototype, std::vector<Affine> const& places)
     {
-        InstancedMesh organ;
+        mesh::InstancedMesh organ;
         organ.instances.reserve(places.size());
         for (auto const& place : places) {
             auto const instance = instance_of(place);
@@ -198,7 +198,7 @@ private:
         return true;
     }
 
-    void append(TriangleMesh const& part, Affine const& place)
+    void append(mesh::TriangleMesh const& part, Affine const& place)
     {
         auto& surface = surfaces_[part.material];
         surface.material = part.material;
@@ -228,14 +228,14 @@ private:
     }
 
     tinygltf::Model const& model_;
-    Mesh mesh_;
-    std::map<MaterialId, TriangleMesh> surfaces_;
+    mesh::Mesh mesh_;
+    std::map<MaterialId, mesh::TriangleMesh> surfaces_;
     std::size_t vertices_ = 0;
 };
 
 } // namespace
 
-Result<Mesh> read_glb(std::string_view bytes)
+Result<mesh::Mesh> read_glb(std::string_view bytes)
 {
     auto const model = TRY(parse_glb(bytes));
     return Builder(model).build(TRY(find_places(model)));

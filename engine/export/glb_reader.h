@@ -16,6 +16,6 @@ namespace tractus {
 // Fails, as the user's fault, on what is no such file, is truncated or contradicts itself, needs an
 // extension that changes geometry in a way not known here, or expands to more than 67 million
 // vertices. Any bytes are safe to give.
-Result<Mesh> read_glb(std::string_view bytes);
+Result<mesh::Mesh> read_glb(std::string_view bytes);
 
 } // namespace tractus

@@ -51,7 +51,7 @@ struct Unit {
 
     // Kept from unit to unit, so that they are allocated once.
     MeshPieces::Buffer buffer {};
-    std::vector<WindVertex> wind {};
+    std::vector<mesh::WindVertex> wind {};
     EncodedPiece encoded {};
 
     bool is_last() const { return piece + 1 == piece_count; }
@@ -163,7 +163,8 @@ void encode(Unit& unit, GlbOptions const& options)
         if (compressed)
             compress_triangles(format, wind_streams(options.wind), unit.encoded);
     } else if (unit.kind == Unit::Kind::Organ) {
-        std::span<InstanceTransform const> const all = plant.pieces->organs()[unit.index].instances;
+        std::span<mesh::InstanceTransform const> const all
+            = plant.pieces->organs()[unit.index].instances;
         auto const first = all.size() * unit.piece / unit.piece_count;
         auto const end = all.size() * (unit.piece + 1) / unit.piece_count;
         encode_instances(all.subspan(first, end - first), plant.format.instances, unit.encoded);
@@ -285,7 +286,7 @@ Result<void> check_size(std::span<PlacedMesh const> plants, FirstPlant const& fi
     double certain = 0;
     double likely = 0;
     for (auto const& placed : plants)
-        if (std::holds_alternative<Mesh const*>(placed.mesh)
+        if (std::holds_alternative<mesh::Mesh const*>(placed.mesh)
             && options.vertices != GlbOptions::Vertices::Compressed)
             certain += static_cast<double>(glb_bytes(*pieces_for(placed.mesh, options), options));
         else
@@ -299,7 +300,7 @@ Result<void> check_size(std::span<PlacedMesh const> plants, FirstPlant const& fi
 
 } // namespace
 
-std::uint64_t glb_bytes(Mesh const& mesh, GlbOptions const& options)
+std::uint64_t glb_bytes(mesh::Mesh const& mesh, GlbOptions const& options)
 {
     return glb_bytes(*pieces_for(&mesh, options), options);
 }

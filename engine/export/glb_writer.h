@@ -89,6 +89,6 @@ Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plan
 
 // Bytes that a mesh will take in such a file, JSON and textures not counted; about as many if it is
 // compressed.
-std::uint64_t glb_bytes(Mesh const& mesh, GlbOptions const& options = {});
+std::uint64_t glb_bytes(mesh::Mesh const& mesh, GlbOptions const& options = {});
 
 } // namespace tractus

@@ -33,7 +33,7 @@ Eigen::Matrix<Scalar, 3, 1> from_gltf(Eigen::Matrix<Scalar, 3, 1> const& positio
 
 // Converts an instance of a prototype that was taken to glTF's frame, too. The result's translation
 // is in metres.
-inline InstanceTransform to_gltf(InstanceTransform const& instance)
+inline mesh::InstanceTransform to_gltf(mesh::InstanceTransform const& instance)
 {
     auto const& r = instance.rotation;
     auto const& s = instance.scale;
@@ -43,7 +43,7 @@ inline InstanceTransform to_gltf(InstanceTransform const& instance)
 }
 
 // The inverse of the function above.
-inline InstanceTransform from_gltf(InstanceTransform const& instance)
+inline mesh::InstanceTransform from_gltf(mesh::InstanceTransform const& instance)
 {
     auto const& r = instance.rotation;
     auto const& s = instance.scale;

@@ -27,7 +27,7 @@ Copies copies_in(std::size_t count, std::size_t piece, std::size_t piece_count)
 // Takes an organ's directions to the plant's.
 struct NormalTurn {
     // Uses the scale's cofactors, which unlike its inverse exist when a scale is zero.
-    explicit NormalTurn(InstanceTransform const& instance)
+    explicit NormalTurn(mesh::InstanceTransform const& instance)
         : rotation(instance.rotation.toRotationMatrix())
         , is_mirrored(instance.scale.prod() < 0)
     {
@@ -48,8 +48,8 @@ struct NormalTurn {
     Vec3f factors;
 };
 
-void append_copy(TriangleMesh const& prototype, InstanceTransform const& instance,
-                 TrianglePlace& to)
+void append_copy(mesh::TriangleMesh const& prototype, mesh::InstanceTransform const& instance,
+                 mesh::TrianglePlace& to)
 {
     NormalTurn const turn(instance);
     auto const count = prototype.positions_mm.size();
@@ -69,7 +69,7 @@ void append_copy(TriangleMesh const& prototype, InstanceTransform const& instanc
 }
 
 // A box around copies of an organ: of the corners of the organ's own box.
-void add_copies(InstancedMesh const& organ, Bounds& bounds)
+void add_copies(mesh::InstancedMesh const& organ, Bounds& bounds)
 {
     Eigen::AlignedBox3f box;
     for (auto const& position : organ.prototype.positions_mm)
@@ -87,7 +87,7 @@ void add_copies(InstancedMesh const& organ, Bounds& bounds)
 
 } // namespace
 
-TriangleView view_of(TriangleMesh const& mesh, std::uint32_t first_vertex)
+TriangleView view_of(mesh::TriangleMesh const& mesh, std::uint32_t first_vertex)
 {
     return { .positions_mm = mesh.positions_mm,
              .normals = mesh.normals,
@@ -132,7 +132,7 @@ std::span<Eigen::Vector4f const> MeshPieces::tangents_of_mesh(std::size_t surfac
     return mesh_tangents_[surface];
 }
 
-void MeshPieces::use_mesh(Mesh const& mesh)
+void MeshPieces::use_mesh(mesh::Mesh const& mesh)
 {
     mesh_ = &mesh;
     for (auto const& surface : mesh.surfaces)
@@ -144,12 +144,12 @@ void MeshPieces::use_plant(Plant const& plant, PlantToMesh const& source)
 {
     plant_ = &plant;
     plan_.emplace(plant, source.options);
-    organs_ = make_organs(plant, source.options);
+    organs_ = mesh::make_organs(plant, source.options);
     wind_ = source.wind;
     organ_wind_.resize(plant.organ_shapes.size());
     if (wind_)
         for (auto const& organ : plant.organs)
-            organ_wind_[organ.shape].push_back(wind_at(plant, organ.segment, *wind_));
+            organ_wind_[organ.shape].push_back(mesh::wind_at(plant, organ.segment, *wind_));
     for (auto const& surface : plan_->surfaces())
         add_surface(surface.material, surface.extent,
                     has_own_meshes_
@@ -167,7 +167,8 @@ std::size_t MeshPieces::planned_piece(std::size_t piece, std::size_t planned_pie
     return std::min(has_own_meshes_ ? kPiecesOfOwnMesh * piece : piece, planned_pieces);
 }
 
-void MeshPieces::add_surface(MaterialId material, MeshExtent const& extent, std::size_t piece_count)
+void MeshPieces::add_surface(MaterialId material, mesh::MeshExtent const& extent,
+                             std::size_t piece_count)
 {
     runs_.push_back({ { Run::Of::Surface, surfaces_.size(), 0, piece_count, {} } });
     surfaces_.push_back({ material, extent, piece_count });
@@ -191,8 +192,8 @@ void MeshPieces::merge_organs()
             runs_.emplace_back();
         }
         auto& [material, extent, piece_count] = surfaces_[at];
-        MeshExtent const added { prototype.positions_mm.size() * instances.size(),
-                                 prototype.indices.size() * instances.size() };
+        mesh::MeshExtent const added { prototype.positions_mm.size() * instances.size(),
+                                       prototype.indices.size() * instances.size() };
         auto const pieces = std::min((added.vertices + piece_vertices() - 1) / piece_vertices(),
                                      instances.size());
         runs_[at].push_back({ Run::Of::Organ, i, piece_count, pieces, extent });
@@ -202,9 +203,9 @@ void MeshPieces::merge_organs()
     }
 }
 
-std::span<InstancedMesh const> MeshPieces::organs() const
+std::span<mesh::InstancedMesh const> MeshPieces::organs() const
 {
-    return is_merged_ ? std::span<InstancedMesh const>() : all_organs();
+    return is_merged_ ? std::span<mesh::InstancedMesh const>() : all_organs();
 }
 
 // The last one that begins there or before: a run may be empty.
@@ -254,7 +255,8 @@ Bounds MeshPieces::bounds_mm() const
     return bounds;
 }
 
-void MeshPieces::wind(std::size_t surface, std::size_t piece, std::vector<WindVertex>& buffer) const
+void MeshPieces::wind(std::size_t surface, std::size_t piece,
+                      std::vector<mesh::WindVertex>& buffer) const
 {
     buffer.clear();
     if (!wind_)
@@ -274,7 +276,7 @@ void MeshPieces::wind(std::size_t surface, std::size_t piece, std::vector<WindVe
 }
 
 void MeshPieces::organ_piece_wind(Run const& run, std::size_t piece,
-                                  std::vector<WindVertex>& buffer) const
+                                  std::vector<mesh::WindVertex>& buffer) const
 {
     auto const& organ = organs_[run.index];
     auto const copies = copies_in(organ.instances.size(), piece, run.piece_count);
@@ -283,7 +285,7 @@ void MeshPieces::organ_piece_wind(Run const& run, std::size_t piece,
                       organ_wind_[organ.shape][i]);
 }
 
-std::span<WindVertex const> MeshPieces::organ_wind(std::size_t organ) const
+std::span<mesh::WindVertex const> MeshPieces::organ_wind(std::size_t organ) const
 {
     if (!wind_)
         return {};
@@ -326,7 +328,7 @@ TriangleView MeshPieces::mesh_piece(Run const& run, std::size_t piece) const
              .tangents = tangents.empty() ? tangents : tangents.subspan(vertex, vertices) };
 }
 
-static void resize(TriangleMesh& mesh, MeshExtent const& extent)
+static void resize(mesh::TriangleMesh& mesh, mesh::MeshExtent const& extent)
 {
     mesh.positions_mm.resize(extent.vertices);
     mesh.normals.resize(extent.vertices);
@@ -363,7 +365,8 @@ TriangleView MeshPieces::own_mesh_piece(Run const& run, std::size_t piece, Buffe
     return view;
 }
 
-TriangleView MeshPieces::plan_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const
+TriangleView MeshPieces::plan_piece(Run const& run, std::size_t piece,
+                                    mesh::TriangleMesh& buffer) const
 {
     auto const& planned = plan_->surfaces()[run.index];
     auto const first = planned_piece(piece, planned.piece_count());
@@ -374,21 +377,23 @@ TriangleView MeshPieces::plan_piece(Run const& run, std::size_t piece, TriangleM
     auto const first_vertex = has_own_meshes_ ? 0 : static_cast<std::uint32_t>(start.vertices);
     for (auto i = first; i < end; ++i) {
         auto const at = planned.start_of(i);
-        auto place = place_in(buffer, { at.vertices - start.vertices, at.indices - start.indices });
+        auto place
+            = mesh::place_in(buffer, { at.vertices - start.vertices, at.indices - start.indices });
         place.vertex += first_vertex;
         plan_->make_piece(planned, i, place);
     }
     return view_of(buffer, first_vertex);
 }
 
-TriangleView MeshPieces::organ_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const
+TriangleView MeshPieces::organ_piece(Run const& run, std::size_t piece,
+                                     mesh::TriangleMesh& buffer) const
 {
     auto const& [prototype, instances, shape] = all_organs()[run.index];
     auto const copies = copies_in(instances.size(), piece, run.piece_count);
     auto const vertices = prototype.positions_mm.size();
     auto const count = copies.end - copies.first;
     resize(buffer, { vertices * count, prototype.indices.size() * count });
-    auto place = place_in(buffer, {});
+    auto place = mesh::place_in(buffer, {});
     auto const first_vertex = has_own_meshes_
         ? 0
         : static_cast<std::uint32_t>(run.start.vertices + copies.first * vertices);

@@ -23,7 +23,7 @@ struct TriangleView {
         tangents {}; // From find_tangents(); empty for what needs none.
 };
 
-TriangleView view_of(TriangleMesh const& mesh, std::uint32_t first_vertex = 0);
+TriangleView view_of(mesh::TriangleMesh const& mesh, std::uint32_t first_vertex = 0);
 
 // The triangles of one plant in pieces of about a megabyte, whether they are in memory or
 // are made as they are asked for. Pieces may be asked for on any threads.
@@ -47,18 +47,18 @@ public:
 
     struct Surface {
         MaterialId material = 0;
-        MeshExtent extent {};
+        mesh::MeshExtent extent {};
         std::size_t piece_count = 0;
     };
     std::span<Surface const> surfaces() const { return surfaces_; }
-    std::span<InstancedMesh const> organs() const; // Empty if they are merged.
+    std::span<mesh::InstancedMesh const> organs() const; // Empty if they are merged.
     Material const& material(MaterialId id) const;
     std::uint64_t triangle_count() const; // Triangles as drawn: every instance counted.
     // Writes what a piece's vertices need for the wind into `buffer`; nothing if it has no wind.
     bool has_wind() const { return wind_.has_value(); }
-    void wind(std::size_t surface, std::size_t piece, std::vector<WindVertex>& buffer) const;
+    void wind(std::size_t surface, std::size_t piece, std::vector<mesh::WindVertex>& buffer) const;
     // Returns the same for the instances of an organ.
-    std::span<WindVertex const> organ_wind(std::size_t organ) const;
+    std::span<mesh::WindVertex const> organ_wind(std::size_t organ) const;
 
     // A billboard's picture, in PNG, on all of its surfaces; empty for what is none.
     std::string const& picture_png() const { return picture_png_; }
@@ -71,7 +71,7 @@ public:
     // Memory for what has to be made of a piece; kept from piece to piece, so that it is allocated
     // once.
     struct Buffer {
-        TriangleMesh triangles {};
+        mesh::TriangleMesh triangles {};
         BulkVector<Eigen::Vector4f> tangents {};
     };
 
@@ -86,15 +86,18 @@ private:
         std::size_t index = 0; // Index of the plan's or mesh's surface, or of the organ.
         std::size_t first_piece = 0;
         std::size_t piece_count = 0;
-        MeshExtent start {}; // Extent of what lies before it in the surface.
+        mesh::MeshExtent start {}; // Extent of what lies before it in the surface.
     };
 
-    void use_mesh(Mesh const& mesh);
+    void use_mesh(mesh::Mesh const& mesh);
     void use_plant(Plant const& plant, PlantToMesh const& source);
-    void add_surface(MaterialId material, MeshExtent const& extent, std::size_t piece_count);
+    void add_surface(MaterialId material, mesh::MeshExtent const& extent, std::size_t piece_count);
     void merge_organs();
     std::span<Eigen::Vector4f const> tangents_of_mesh(std::size_t surface) const;
-    std::span<InstancedMesh const> all_organs() const { return mesh_ ? mesh_->organs : organs_; }
+    std::span<mesh::InstancedMesh const> all_organs() const
+    {
+        return mesh_ ? mesh_->organs : organs_;
+    }
     Run const& run_of(std::size_t surface, std::size_t piece) const;
     TriangleView triangles_of(Run const& run, std::size_t piece, Buffer& buffer) const;
     // The first of a plan's pieces that are one piece here; and the end of the last.
@@ -102,19 +105,20 @@ private:
     std::size_t piece_vertices() const;
     TriangleView mesh_piece(Run const& run, std::size_t piece) const;
     TriangleView own_mesh_piece(Run const& run, std::size_t piece, Buffer& buffer) const;
-    TriangleView plan_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const;
-    TriangleView organ_piece(Run const& run, std::size_t piece, TriangleMesh& buffer) const;
-    void organ_piece_wind(Run const& run, std::size_t piece, std::vector<WindVertex>& buffer) const;
+    TriangleView plan_piece(Run const& run, std::size_t piece, mesh::TriangleMesh& buffer) const;
+    TriangleView organ_piece(Run const& run, std::size_t piece, mesh::TriangleMesh& buffer) const;
+    void organ_piece_wind(Run const& run, std::size_t piece,
+                          std::vector<mesh::WindVertex>& buffer) const;
 
-    std::optional<Mesh> made_;
+    std::optional<mesh::Mesh> made_;
     std::string picture_png_;
     std::optional<Plant> grown_;
-    Mesh const* mesh_ = nullptr;   // Either this one or
-    Plant const* plant_ = nullptr; // this one, with its plan and organs.
-    std::optional<MeshPlan> plan_;
-    std::vector<InstancedMesh> organs_;
-    std::optional<WindKey> wind_;
-    std::vector<std::vector<WindVertex>> organ_wind_; // Per organ shape of the plant.
+    mesh::Mesh const* mesh_ = nullptr; // Either this one or
+    Plant const* plant_ = nullptr;     // this one, with its plan and organs.
+    std::optional<mesh::MeshPlan> plan_;
+    std::vector<mesh::InstancedMesh> organs_;
+    std::optional<mesh::WindKey> wind_;
+    std::vector<std::vector<mesh::WindVertex>> organ_wind_; // Per organ shape of the plant.
     std::vector<Surface> surfaces_;
     std::vector<std::vector<Run>> runs_; // Per surface, in order.
     mutable std::once_flag mesh_tangents_found_;

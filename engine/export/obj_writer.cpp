@@ -66,7 +66,7 @@ public:
     {
     }
 
-    void add(PlacedMesh const& placed, Mesh const& mesh)
+    void add(PlacedMesh const& placed, mesh::Mesh const& mesh)
     {
         out_ << "o " << name_word(placed.name) << '\n';
         place_ = Eigen::Translation3d(placed.position_mm)
@@ -91,7 +91,7 @@ private:
         used_ = name;
     }
 
-    void add_triangles(TriangleMesh const& mesh, InstanceTransform const& instance)
+    void add_triangles(mesh::TriangleMesh const& mesh, mesh::InstanceTransform const& instance)
     {
         Quat const turn = instance.rotation.cast<double>();
         Vec3 const scale = instance.scale.cast<double>();
@@ -147,7 +147,7 @@ Result<void> write_obj(std::ostream& out, std::span<PlacedMesh const> plants,
         out << "mtllib " << library << '\n';
     ObjText text(out);
     for (auto const& placed : plants) {
-        std::optional<Mesh> made;
+        std::optional<mesh::Mesh> made;
         text.add(placed, mesh_of(placed.mesh, made));
         TRY(check(out));
     }
@@ -220,10 +220,10 @@ Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMes
     MtlText text(out, stem);
     out << "# tractus\n";
     for (auto const& placed : plants) {
-        std::optional<Mesh> made;
+        std::optional<mesh::Mesh> made;
         auto const& mesh = mesh_of(placed.mesh, made);
         // Adds the materials that are used, in write_obj()'s order, so that names agree.
-        auto const add = [&](TriangleMesh const& part) {
+        auto const add = [&](mesh::TriangleMesh const& part) {
             auto const& material = mesh.materials[part.material];
             if (auto const [name, is_new] = names.name_of(material); is_new)
                 text.add(name, material);

@@ -265,8 +265,8 @@ NumberFormat InstanceFormat::scales()
     return {};
 }
 
-void encode_instances(std::span<InstanceTransform const> instances, InstanceFormat const& format,
-                      EncodedPiece& piece)
+void encode_instances(std::span<mesh::InstanceTransform const> instances,
+                      InstanceFormat const& format, EncodedPiece& piece)
 {
     auto* translation = room_for<float>(piece, 0, 3 * instances.size());
     auto* const rotation = room_for<float>(piece, 1, format.quantized ? 0 : 4 * instances.size());

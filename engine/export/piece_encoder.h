@@ -65,7 +65,7 @@ struct EncodedPiece {
     std::array<std::span<std::byte const>, kMostStreams> streams {};
     bool is_finite = true;
     // Vertices and indices of triangles; instances are vertices.
-    MeshExtent extent {};
+    mesh::MeshExtent extent {};
     // Limits of the positions, as they are written; low above high if there are none.
     Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity());
     Vec3f high = -low;
@@ -90,7 +90,7 @@ struct InstanceFormat {
 };
 
 // Streams: translations, rotations, scales.
-void encode_instances(std::span<InstanceTransform const> instances, InstanceFormat const& format,
-                      EncodedPiece& piece);
+void encode_instances(std::span<mesh::InstanceTransform const> instances,
+                      InstanceFormat const& format, EncodedPiece& piece);
 
 } // namespace tractus

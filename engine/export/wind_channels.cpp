@@ -29,10 +29,10 @@ constexpr std::array<WindStream, 1> kColours { { { "COLOR_0", kColour } } };
 
 // One stream: what `values` gives for each vertex, an Eigen vector.
 template<typename Values>
-void fill_stream(std::span<WindVertex const> wind, std::size_t stream, EncodedPiece& piece,
+void fill_stream(std::span<mesh::WindVertex const> wind, std::size_t stream, EncodedPiece& piece,
                  Values const& values)
 {
-    using Value = decltype(values(WindVertex()));
+    using Value = decltype(values(mesh::WindVertex()));
     using Scalar = typename Value::Scalar;
     auto& storage = piece.storage[kFirstWindStream + stream];
     storage.resize(wind.size() * sizeof(Scalar) * Value::SizeAtCompileTime);
@@ -47,34 +47,36 @@ void fill_stream(std::span<WindVertex const> wind, std::size_t stream, EncodedPi
 using Vec1f = Eigen::Matrix<float, 1, 1>;
 using Bytes4 = Eigen::Matrix<std::uint8_t, 4, 1>;
 
-void encode_attributes(std::span<WindVertex const> wind, EncodedPiece& piece)
-{
-    fill_stream(wind, 0, piece, [](WindVertex const& v) -> Vec3f { return to_gltf(v.pivot_mm); });
-    fill_stream(wind, 1, piece, [](WindVertex const& v) -> Vec3f { return turn_to_gltf(v.axis); });
-    fill_stream(wind, 2, piece, [](WindVertex const& v) { return Vec1f(v.level); });
-    fill_stream(wind, 3, piece, [](WindVertex const& v) { return Vec1f(v.phase); });
-    fill_stream(wind, 4, piece, [](WindVertex const& v) { return Vec1f(v.bend); });
-}
-
-void encode_texture_coordinates(std::span<WindVertex const> wind, EncodedPiece& piece)
+void encode_attributes(std::span<mesh::WindVertex const> wind, EncodedPiece& piece)
 {
     fill_stream(wind, 0, piece,
-                [](WindVertex const& v) -> Vec2f { return to_gltf(v.pivot_mm).head<2>(); });
+                [](mesh::WindVertex const& v) -> Vec3f { return to_gltf(v.pivot_mm); });
     fill_stream(wind, 1, piece,
-                [](WindVertex const& v) { return Vec2f(to_gltf(v.pivot_mm).z(), v.bend); });
+                [](mesh::WindVertex const& v) -> Vec3f { return turn_to_gltf(v.axis); });
+    fill_stream(wind, 2, piece, [](mesh::WindVertex const& v) { return Vec1f(v.level); });
+    fill_stream(wind, 3, piece, [](mesh::WindVertex const& v) { return Vec1f(v.phase); });
+    fill_stream(wind, 4, piece, [](mesh::WindVertex const& v) { return Vec1f(v.bend); });
+}
+
+void encode_texture_coordinates(std::span<mesh::WindVertex const> wind, EncodedPiece& piece)
+{
+    fill_stream(wind, 0, piece,
+                [](mesh::WindVertex const& v) -> Vec2f { return to_gltf(v.pivot_mm).head<2>(); });
+    fill_stream(wind, 1, piece,
+                [](mesh::WindVertex const& v) { return Vec2f(to_gltf(v.pivot_mm).z(), v.bend); });
     fill_stream(wind, 2, piece,
-                [](WindVertex const& v) -> Vec2f { return turn_to_gltf(v.axis).head<2>(); });
-    fill_stream(wind, 3, piece, [](WindVertex const& v) {
+                [](mesh::WindVertex const& v) -> Vec2f { return turn_to_gltf(v.axis).head<2>(); });
+    fill_stream(wind, 3, piece, [](mesh::WindVertex const& v) {
         return Vec2f(turn_to_gltf(v.axis).z(), v.level + v.phase);
     });
 }
 
-void encode_colours(std::span<WindVertex const> wind, EncodedPiece& piece)
+void encode_colours(std::span<mesh::WindVertex const> wind, EncodedPiece& piece)
 {
     auto const byte = [](float share) {
         return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0f, 1.0f)));
     };
-    fill_stream(wind, 0, piece, [&](WindVertex const& v) {
+    fill_stream(wind, 0, piece, [&](mesh::WindVertex const& v) {
         return Bytes4(byte(v.phase), byte(v.bend), byte(v.level / kMostLevels), 255);
     });
 }
@@ -94,7 +96,8 @@ std::span<WindStream const> wind_streams(GlbOptions::Wind channels)
     return kAttributes;
 }
 
-void encode_wind(std::span<WindVertex const> wind, GlbOptions::Wind channels, EncodedPiece& piece)
+void encode_wind(std::span<mesh::WindVertex const> wind, GlbOptions::Wind channels,
+                 EncodedPiece& piece)
 {
     for (std::size_t i = kFirstWindStream; i < kMostStreams; ++i)
         piece.streams[i] = {};
@@ -110,7 +113,7 @@ void encode_wind(std::span<WindVertex const> wind, GlbOptions::Wind channels, En
     }
 }
 
-Json wind_extras(WindVertex const& wind)
+Json wind_extras(mesh::WindVertex const& wind)
 {
     return { { "_PIVOT", json_numbers(to_gltf(wind.pivot_mm)) },
              { "_AXIS", json_numbers(turn_to_gltf(wind.axis)) },

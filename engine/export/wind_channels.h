@@ -24,9 +24,10 @@ struct WindStream {
 std::span<WindStream const> wind_streams(GlbOptions::Wind channels);
 
 // Fills those streams of `piece`; leaves them empty where there is no wind.
-void encode_wind(std::span<WindVertex const> wind, GlbOptions::Wind channels, EncodedPiece& piece);
+void encode_wind(std::span<mesh::WindVertex const> wind, GlbOptions::Wind channels,
+                 EncodedPiece& piece);
 
 // Returns what Attributes says, as the extras of a node.
-Json wind_extras(WindVertex const& wind);
+Json wind_extras(mesh::WindVertex const& wind);
 
 } // namespace tractus

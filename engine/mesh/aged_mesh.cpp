@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace tractus {
+namespace tractus::mesh {
 
 namespace {
 
@@ -242,4 +242,4 @@ void AgedMesh::at(Plant const& young, std::vector<Vertices>& surfaces) const
     }
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // The triangles of a plant that are the same at all of its ages, so that one shape flows into the
 // next vertex by vertex, as morph targets do.
@@ -64,4 +64,4 @@ private:
     std::vector<Parts> parts_;             // Per surface of whole_.
 };
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 constexpr std::uint32_t kMaxExtrudedSides = 256;
@@ -241,4 +241,4 @@ void write_extrusion(Plant const& plant, Extrusion const& extrusion, TubePart co
                  [&](std::vector<Vec3> const& outline) { write_polygon(outline, place); });
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

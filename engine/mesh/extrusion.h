@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // An axis whose cross-sections are not round (NodeSection), made ready for its triangles.
 //
@@ -40,4 +40,4 @@ MeshExtent extrusion_extent(Plant const& plant, Extrusion const& extrusion, Tube
 void write_extrusion(Plant const& plant, Extrusion const& extrusion, TubePart const& part,
                      TrianglePlace& place);
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::mesh {
 
 namespace {
 
@@ -42,4 +42,4 @@ void append_mesh(Mesh& mesh, Mesh const& other, Vec3f const& moved_mm)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

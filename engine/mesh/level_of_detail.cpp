@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace tractus {
+namespace tractus::mesh {
 
 namespace {
 
@@ -403,4 +403,4 @@ Plant coarser_plant(Plant const& plant, MeshOptions const& options, double share
     return std::move(coarse.plant);
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -3,7 +3,7 @@
 #include "engine/mesh/make_mesh.h"
 #include "engine/plant/plant.h"
 
-namespace tractus {
+namespace tractus::mesh {
 
 // A plant for being seen from afar, with a share of its triangles. Nothing moves: what is left
 // stands where it stood, and from one level to the next only less is left.
@@ -24,4 +24,4 @@ MeshOptions coarser_options(MeshOptions const& options, double share);
 // most 1. `plant` as for make_mesh(). The same arguments give the same plant.
 Plant coarser_plant(Plant const& plant, MeshOptions const& options, double share);
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::mesh {
 
 InstanceTransform transform_of(Organ const& organ)
 {
@@ -69,4 +69,4 @@ std::vector<InstancedMesh> make_organs(Plant const& plant, MeshOptions const& op
     return organs;
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -5,7 +5,7 @@
 
 #include <stop_token>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // How fine a plant's triangles are.
 struct MeshOptions {
@@ -66,4 +66,4 @@ TriangleMesh make_prototype(Plant const& plant, OrganShapeId shape,
 // The organs alone: one prototype for each shape that has triangles and is used, and its copies.
 std::vector<InstancedMesh> make_organs(Plant const& plant, MeshOptions const& options = {});
 
-} // namespace tractus
+} // namespace tractus::mesh

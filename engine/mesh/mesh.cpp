@@ -1,6 +1,6 @@
 #include "engine/mesh/mesh.h"
 
-namespace tractus {
+namespace tractus::mesh {
 
 std::size_t Mesh::triangle_count() const
 {
@@ -12,4 +12,4 @@ std::size_t Mesh::triangle_count() const
     return count;
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tractus {
+namespace tractus::mesh {
 
 constexpr double kSameNode_mm = 1e-4; // Nodes closer than this are one.
 
@@ -51,4 +51,4 @@ struct Mesh {
     std::size_t triangle_count() const;
 };
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace tractus {
+namespace tractus::mesh {
 
 namespace {
 
@@ -88,4 +88,4 @@ double reach(Mesh const& mesh, Vec3 const& direction)
     return most;
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -3,7 +3,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
 
-namespace tractus {
+namespace tractus::mesh {
 
 float triangle_area(Vec3f const& a, Vec3f const& b, Vec3f const& c);
 
@@ -27,4 +27,4 @@ Bounds bounds(Mesh const& mesh);
 // greatest product of a point with it. Minus infinity where nothing is drawn.
 double reach(Mesh const& mesh, Vec3 const& direction);
 
-} // namespace tractus
+} // namespace tractus::mesh

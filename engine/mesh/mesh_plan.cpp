@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 constexpr std::size_t kAxesPerBlock = 1024;
@@ -342,4 +342,4 @@ std::vector<TriangleMesh> make_surfaces(MeshPlan const& plan, std::stop_token co
     return made;
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // The triangles of a plant's surfaces before they are made: how many there are, and where each axis
 // and each polygon has its own. A surface is cut into pieces that are made in any order, on any
@@ -94,4 +94,4 @@ private:
 // Makes all pieces of all surfaces at once, on all threads. `stop` as for make_mesh().
 std::vector<TriangleMesh> make_surfaces(MeshPlan const& plan, std::stop_token const& stop = {});
 
-} // namespace tractus
+} // namespace tractus::mesh

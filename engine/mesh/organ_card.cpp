@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::mesh {
 
 static void add_rhombus(TriangleMesh& mesh, Vec3f const& base, Vec3f const& tip,
                         Vec3f const& half_width)
@@ -40,4 +40,4 @@ std::optional<TriangleMesh> organ_card(TriangleMesh const& prototype)
     return rhombus;
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

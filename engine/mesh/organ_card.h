@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // A thin organ's prototype as it looks from afar: a rhombus from its base to its tip, across its x,
 // as large as the prototype. For a closed prototype (a needle) two that cross, each as large as
@@ -15,4 +15,4 @@ namespace tractus {
 // (organ_shape.h), as others' may not.
 std::optional<TriangleMesh> organ_card(TriangleMesh const& prototype);
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -8,7 +8,7 @@
 #include <initializer_list>
 #include <span>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 std::uint32_t add_vertex(TriangleMesh& mesh, Vec3 const& position, Vec3 const& normal,
@@ -318,4 +318,4 @@ TriangleMesh organ_mesh(OrganShape const& shape, int subdivision)
     return mesh;
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

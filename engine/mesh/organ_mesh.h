@@ -3,7 +3,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/plant/organ_shape.h"
 
-namespace tractus {
+namespace tractus::mesh {
 
 // The triangles of an organ at scale 1, in the organ frame (engine/plant/organ_shape.h).
 //
@@ -21,4 +21,4 @@ namespace tractus {
 // Lengths below 0 count as 0; an organ without length or width has no triangles.
 TriangleMesh organ_mesh(OrganShape const& shape, int subdivision = 4);
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 Vec3 newell_normal(std::span<Vec3 const> vertices)
@@ -126,4 +126,4 @@ void write_polygon(std::span<Vec3 const> vertices_mm, TrianglePlace& place)
     place.vertex += static_cast<std::uint32_t>(points.size());
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

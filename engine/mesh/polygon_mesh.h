@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // A filled polygon: one flat normal by Newell's method, so that counter-clockwise is the front;
 // triangles by ear clipping, so that it may be concave. Texture coordinates are the unit square
@@ -16,4 +16,4 @@ MeshExtent polygon_extent(std::span<Vec3 const> vertices_mm);
 
 void write_polygon(std::span<Vec3 const> vertices_mm, TrianglePlace& place);
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // Tells to which section the vertices of a tube or an extrusion belong: calls use(station, count)
 // for one run of vertices after the other, in the order of write_tube() or write_extrusion().
@@ -49,4 +49,4 @@ void for_each_ring(Extrusion const& extrusion, TubePart const& part, std::size_t
         use(part.last, vertices - base);
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 constexpr double kLeastRadius_mm = 1e-3;   // A tube's, so that its sections keep a direction.
@@ -298,4 +298,4 @@ Spine trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& optio
     return spine;
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

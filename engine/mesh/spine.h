@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // One cross-section of a tube before it has a frame.
 struct SpineStation {
@@ -45,4 +45,4 @@ struct SpineRoom {
 Spine trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& options,
                   double thickest_mm, SpineRoom& room);
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 constexpr int kMaxStrips = 24;
@@ -219,4 +219,4 @@ TriangleMesh surface_mesh(OrganShape const& shape, int subdivision)
     return mesh;
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

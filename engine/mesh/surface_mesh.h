@@ -3,7 +3,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/plant/organ_shape.h"
 
-namespace tractus {
+namespace tractus::mesh {
 
 // The triangles of an organ of Bézier patches (OrganShape::Kind::Surface), in the organ frame.
 //
@@ -13,4 +13,4 @@ namespace tractus {
 // on the surface's box: u across it, v along the organ.
 TriangleMesh surface_mesh(OrganShape const& shape, int subdivision);
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // How many vertices and indices something has, or how many lie before it.
 struct MeshExtent {
@@ -38,4 +38,4 @@ inline TrianglePlace place_in(TriangleMesh& mesh, MeshExtent const& at)
              static_cast<std::uint32_t>(at.vertices) };
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 constexpr int kMaxSides = 64;
@@ -310,4 +310,4 @@ void write_tube(Spine const& spine, std::span<Section const> sections, TubePart 
         write_dome(writer, sections[part.last], dome_rings(spine.sides));
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // A stretch of one tube's sections, first and last included, that have one material.
 struct TubePart {
@@ -36,4 +36,4 @@ MeshExtent tube_extent(Spine const& spine, TubePart const& part);
 void write_tube(Spine const& spine, std::span<Section const> sections, TubePart const& part,
                 TrianglePlace& place);
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -5,7 +5,7 @@
 
 #include <bit>
 
-namespace tractus {
+namespace tractus::mesh {
 
 namespace {
 
@@ -78,4 +78,4 @@ void bend_extrusion(Extrusion const& extrusion, TubePart const& part, std::span<
     bend(extrusion, part, to);
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

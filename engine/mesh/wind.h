@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // Data to bend a plant in the wind, for one vertex or one organ: every axis turns about its base.
 // Engines differ in what they want of it and where; this is what all of them can be given (Unreal's
@@ -41,4 +41,4 @@ WindVertex wind_at(Plant const& plant, SegmentId segment, WindKey const& key);
 void bend_tube(Spine const& spine, TubePart const& part, std::span<WindVertex> to);
 void bend_extrusion(Extrusion const& extrusion, TubePart const& part, std::span<WindVertex> to);
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -16,7 +16,8 @@ struct Replayed {
     std::vector<DrawnStroke> strokes;
 };
 
-inline Replayed replayed(Log const& log, ReplayOptions options = {}, Scene scene = small_scene())
+inline Replayed replayed(drivers::Log const& log, ReplayOptions options = {},
+                         Scene scene = small_scene())
 {
     options.methods = all_methods();
     auto replay = LogReplay::create(log, options).value();

@@ -11,9 +11,9 @@ namespace tractus {
 constexpr std::size_t kPen = 0;    // Index of the device in simple_rig().
 constexpr std::size_t kHeight = 1; // Likewise.
 
-inline std::vector<DeviceInfo> simple_rig()
+inline std::vector<drivers::DeviceInfo> simple_rig()
 {
-    return { simple_pen(), simple_height_sensor() };
+    return { drivers::simple_pen(), drivers::simple_height_sensor() };
 }
 
 inline Timestamp at_ms(std::int64_t milliseconds)
@@ -50,14 +50,14 @@ inline std::vector<std::byte> height_report(int counts)
 inline Station flat_station(ToolKinds tools, std::optional<Tool> const& tool)
 {
     StationOptions options;
-    options.scripted_height = ScriptedHeight {
-        .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
+    options.scripted_height = calib::ScriptedHeight {
+        .scenario = { .kind = calib::HeightScenario::Kind::Constant, .constant_mm = 100 },
         .first_pen = {},
         .last_pen = {},
     };
     options.tools = tools;
     options.tool = tool;
-    return Station::create(std::vector { simple_pen() }, options).value();
+    return Station::create(std::vector { drivers::simple_pen() }, options).value();
 }
 
 // A stroke of the simple pen across the middle of the tablet: twenty samples, 5 ms apart, from

@@ -35,15 +35,15 @@ to_mm = [30, 0, 110]
 // A script's recording on the small model, as text.
 inline Result<std::string> recorded(std::string_view script_text)
 {
-    auto const script = TRY(parse_gesture_script(script_text, "script"));
+    auto const script = TRY(sim::parse_gesture_script(script_text, "script"));
     std::ostringstream out;
     TRY(write_simulated_recording(out, script, small_scene(), all_methods().tools));
     return out.str();
 }
 
-inline Log recorded_log(std::string_view script_text = kTrunkAndWind)
+inline drivers::Log recorded_log(std::string_view script_text = kTrunkAndWind)
 {
-    return parse_log(recorded(script_text).value(), "hand").value();
+    return drivers::parse_log(recorded(script_text).value(), "hand").value();
 }
 
 } // namespace tractus

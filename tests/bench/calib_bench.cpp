@@ -11,15 +11,15 @@ using namespace std::chrono_literals;
 
 // A minute of a pen at 200 Hz and heights at 500 Hz, interleaved as they arrive.
 struct Samples {
-    std::vector<PenSample> pens;
-    std::vector<HeightSample> heights;
+    std::vector<drivers::PenSample> pens;
+    std::vector<drivers::HeightSample> heights;
 };
 
 Samples one_minute()
 {
     Samples samples;
     for (auto time = Timestamp {}; time < Timestamp(60s); time += 5ms) {
-        PenSample pen;
+        drivers::PenSample pen;
         pen.time = time;
         pen.position_mm = { 100 + 50 * std::sin(to_seconds(time)), 80 };
         pen.pressure = 0.5;
@@ -37,9 +37,9 @@ Samples one_minute()
 void fuse_pen_and_height(benchmark::State& state)
 {
     auto const samples = one_minute();
-    Rig const rig = true_rig({});
+    calib::Rig const rig = sim::true_rig({});
     for (auto _ : state) {
-        Fuser fuser(rig);
+        calib::Fuser fuser(rig);
         auto height = samples.heights.begin();
         for (auto const& pen : samples.pens) {
             for (; height != samples.heights.end() && height->time <= pen.time; ++height)
@@ -54,27 +54,27 @@ void fuse_pen_and_height(benchmark::State& state)
     report(state,
            { .items = pens,
              .item = "pen samples",
-             .bytes
-             = pens * (sizeof(PenSample) + sizeof(TipSample)) + heights * sizeof(HeightSample) });
+             .bytes = pens * (sizeof(drivers::PenSample) + sizeof(TipSample))
+                 + heights * sizeof(drivers::HeightSample) });
 }
 BENCHMARK(fuse_pen_and_height);
 
 void simulate_a_stroke(benchmark::State& state)
 {
-    HelixShape const helix {
+    sim::HelixShape const helix {
         .foot_mm = { 0, 0, 20 }, .radius_mm = 40, .end_radius_mm = 40, .turns = 3, .rise_mm = 300
     };
-    Hand const hand({ { .path = make_path(helix) } }, {});
+    sim::Hand const hand({ { .path = sim::make_path(helix) } }, {});
     double reports = 0;
     for (auto _ : state) {
-        auto const run = simulate_rig(hand, {});
+        auto const run = sim::simulate_rig(hand, {});
         reports = static_cast<double>(run.tablet.reports.size() + run.height.reports.size());
         benchmark::DoNotOptimize(run.truth.data());
     }
     report(state,
            { .items = reports,
              .item = "reports",
-             .bytes = reports * sizeof(RawReport),
+             .bytes = reports * sizeof(drivers::RawReport),
              .limit = Limit::Fill });
 }
 BENCHMARK(simulate_a_stroke);

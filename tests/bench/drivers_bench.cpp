@@ -43,7 +43,7 @@ std::string const& log_text()
 {
     static auto const text = [] {
         std::ostringstream out;
-        LogWriter writer(out, { .devices = { simple_pen() } });
+        drivers::LogWriter writer(out, { .devices = { drivers::simple_pen() } });
         for (std::size_t i = 0; i < kReports; ++i)
             writer.write_report(0, timestamp_ns(static_cast<std::int64_t>(i) * 5'000'000),
                                 std::span(reports()).subspan(i * kReportBytes, kReportBytes));
@@ -54,8 +54,8 @@ std::string const& log_text()
 
 void decode_pen_reports(benchmark::State& state)
 {
-    auto decoder = *make_pen_decoder(simple_pen());
-    std::vector<PenSample> samples;
+    auto decoder = *drivers::make_pen_decoder(drivers::simple_pen());
+    std::vector<drivers::PenSample> samples;
     for (auto _ : state)
         for (std::size_t i = 0; i < kReports; ++i) {
             samples.clear();
@@ -67,7 +67,7 @@ void decode_pen_reports(benchmark::State& state)
     report(state,
            { .items = kReports,
              .item = "reports",
-             .bytes = kReports * (kReportBytes + sizeof(PenSample)) });
+             .bytes = kReports * (kReportBytes + sizeof(drivers::PenSample)) });
 }
 BENCHMARK(decode_pen_reports);
 
@@ -75,12 +75,12 @@ BENCHMARK(decode_pen_reports);
 void decode_family_reports(benchmark::State& state, char const* family, char const* text,
                            std::size_t x)
 {
-    auto const decoder = make_family_decoder(*find_pen_family(family),
-                                             { .size_mm = { 254, 158.75 },
-                                               .x_maximum = 65'535,
-                                               .y_maximum = 65'535,
-                                               .pressure_maximum = 8191 });
-    auto const report = bytes(text);
+    auto const decoder = drivers::make_family_decoder(*drivers::find_pen_family(family),
+                                                      { .size_mm = { 254, 158.75 },
+                                                        .x_maximum = 65'535,
+                                                        .y_maximum = 65'535,
+                                                        .pressure_maximum = 8191 });
+    auto const report = drivers::bytes(text);
     std::vector<std::byte> all;
     all.reserve(kReports * report.size());
     for (std::size_t i = 0; i < kReports; ++i) {
@@ -89,7 +89,7 @@ void decode_family_reports(benchmark::State& state, char const* family, char con
         place[0] = static_cast<std::byte>(i & 255);
         place[1] = static_cast<std::byte>((i >> 8) & 255);
     }
-    std::vector<PenSample> samples;
+    std::vector<drivers::PenSample> samples;
     for (auto _ : state)
         for (std::size_t i = 0; i < kReports; ++i) {
             samples.clear();
@@ -102,7 +102,7 @@ void decode_family_reports(benchmark::State& state, char const* family, char con
         state,
         { .items = kReports,
           .item = "reports",
-          .bytes = static_cast<double>(kReports * (report.size() + sizeof(PenSample))) });
+          .bytes = static_cast<double>(kReports * (report.size() + sizeof(drivers::PenSample))) });
 }
 BENCHMARK_CAPTURE(decode_family_reports, graphire, "wacom-graphire", "02 91 00 00 c4 09 ff 00", 2);
 BENCHMARK_CAPTURE(decode_family_reports, intuos, "wacom-intuos", "02 f1 00 00 c4 09 ff 03 05", 2);
@@ -121,10 +121,10 @@ BENCHMARK_CAPTURE(decode_family_reports, veikk, "veikk-tilt",
 void parse_log_text(benchmark::State& state)
 {
     for (auto _ : state) {
-        auto log = parse_log(log_text(), "bench");
+        auto log = drivers::parse_log(log_text(), "bench");
         benchmark::DoNotOptimize(log);
     }
-    auto const bytes = log_text().size() + kReports * (kReportBytes + sizeof(LogRecord));
+    auto const bytes = log_text().size() + kReports * (kReportBytes + sizeof(drivers::LogRecord));
     report(state, { .items = kReports, .item = "reports", .bytes = static_cast<double>(bytes) });
 }
 BENCHMARK(parse_log_text);
@@ -135,11 +135,12 @@ void read_log_file(benchmark::State& state)
         / ("tractus_bench_" + std::to_string(::getpid()) + ".tractus-log");
     CHECK(write_file(path, log_text()));
     for (auto _ : state) {
-        auto log = read_log(path);
+        auto log = drivers::read_log(path);
         benchmark::DoNotOptimize(log);
     }
     std::filesystem::remove(path);
-    auto const bytes = 2 * log_text().size() + kReports * (kReportBytes + sizeof(LogRecord));
+    auto const bytes
+        = 2 * log_text().size() + kReports * (kReportBytes + sizeof(drivers::LogRecord));
     report(state, { .items = kReports, .item = "reports", .bytes = static_cast<double>(bytes) });
 }
 BENCHMARK(read_log_file);
@@ -148,7 +149,7 @@ void write_log(benchmark::State& state)
 {
     for (auto _ : state) {
         std::ostringstream out;
-        LogWriter writer(out, { .devices = { simple_pen() } });
+        drivers::LogWriter writer(out, { .devices = { drivers::simple_pen() } });
         for (std::size_t i = 0; i < kReports; ++i)
             writer.write_report(0, timestamp_ns(static_cast<std::int64_t>(i) * 5'000'000),
                                 std::span(reports()).subspan(i * kReportBytes, kReportBytes));

@@ -37,9 +37,11 @@ Plant const& plant()
 }
 
 // Sixteen triangles a segment and nothing else, as other programs' figures are counted.
-constexpr MeshOptions kBareTubes {
-    .min_sides = 8, .max_sides = 8, .subdivision = 0, .collar = 0, .ends = MeshOptions::Ends::Open
-};
+constexpr mesh::MeshOptions kBareTubes { .min_sides = 8,
+                                         .max_sides = 8,
+                                         .subdivision = 0,
+                                         .collar = 0,
+                                         .ends = mesh::MeshOptions::Ends::Open };
 
 // Allows as many threads as the benchmark's argument says.
 class Threads {
@@ -66,24 +68,24 @@ Plant collected_plant()
     Plant plant;
     plant.materials = { {}, { .name = "leaf", .kind = Material::Kind::Leaf } };
     plant.organ_shapes = { { .material = 1 } };
-    append_axis(plant, { .segment_count = 8, .radius_mm = 90, .bend_rad = 0.1 }, random);
+    mesh::append_axis(plant, { .segment_count = 8, .radius_mm = 90, .bend_rad = 0.1 }, random);
     for (AxisId id = 0; plant.segment_count() < kCollectionSegments; ++id) {
         auto const parent = plant.axes[id];
         for (std::uint32_t i = 0; i < 8 && plant.segment_count() < kCollectionSegments; ++i) {
             NodeId const node = parent.first_node + i + 1;
             double const radius_mm = 0.7 * static_cast<double>(plant.node_radius_mm[node]);
-            append_axis(plant,
-                        { .base_mm = plant.node_position_mm[node],
-                          .direction = { random.normal(), random.normal(), random.normal() },
-                          .segment_mm = 150.0 / (2 + parent.order),
-                          .segment_count = 8,
-                          .radius_mm = radius_mm,
-                          .tip_radius_mm = 0.4 * radius_mm,
-                          .bend_rad = 0.1,
-                          .parent_segment = parent.first_segment + i,
-                          .parent_axis = id,
-                          .order = parent.order + 1 },
-                        random);
+            mesh::append_axis(plant,
+                              { .base_mm = plant.node_position_mm[node],
+                                .direction = { random.normal(), random.normal(), random.normal() },
+                                .segment_mm = 150.0 / (2 + parent.order),
+                                .segment_count = 8,
+                                .radius_mm = radius_mm,
+                                .tip_radius_mm = 0.4 * radius_mm,
+                                .bend_rad = 0.1,
+                                .parent_segment = parent.first_segment + i,
+                                .parent_axis = id,
+                                .order = parent.order + 1 },
+                              random);
         }
     }
     for (std::size_t i = 0; i < kCollectionLeaves; ++i) {
@@ -96,7 +98,7 @@ Plant collected_plant()
     return plant;
 }
 
-template<typename Use> void for_each_array(Mesh& mesh, Use const& use)
+template<typename Use> void for_each_array(mesh::Mesh& mesh, Use const& use)
 {
     for (auto& surface : mesh.surfaces) {
         use(surface.positions_mm);
@@ -106,7 +108,7 @@ template<typename Use> void for_each_array(Mesh& mesh, Use const& use)
     }
 }
 
-double bytes_of(Mesh& mesh)
+double bytes_of(mesh::Mesh& mesh)
 {
     double bytes = 0;
     for_each_array(mesh, [&](auto const& array) {
@@ -115,13 +117,13 @@ double bytes_of(Mesh& mesh)
     return bytes;
 }
 
-void make_mesh_bench(benchmark::State& state, MeshOptions const& options)
+void make_mesh_bench(benchmark::State& state, mesh::MeshOptions const& options)
 {
     Threads const threads(state);
-    Mesh mesh;
+    mesh::Mesh mesh;
     for (auto _ : state) {
         mesh = {}; // Every run pays for its memory, as the first one does.
-        mesh = make_mesh(plant(), options);
+        mesh = mesh::make_mesh(plant(), options);
     }
     report(state,
            { .items = static_cast<double>(mesh.triangle_count()),
@@ -133,8 +135,8 @@ void make_mesh_bench(benchmark::State& state, MeshOptions const& options)
 // Fills the same arrays, also new in every run, by memset.
 void fill_arrays_of_bare_tubes(benchmark::State& state)
 {
-    Mesh const mesh = make_mesh(plant(), kBareTubes);
-    Mesh filled;
+    mesh::Mesh const mesh = mesh::make_mesh(plant(), kBareTubes);
+    mesh::Mesh filled;
     for (auto _ : state) {
         filled = {};
         for (auto const& surface : mesh.surfaces) {
@@ -198,7 +200,7 @@ void make_mesh_for_pictures(benchmark::State& state)
 }
 void write_glb_of_a_mesh(benchmark::State& state)
 {
-    Mesh const mesh = make_mesh(plant(), kBareTubes);
+    mesh::Mesh const mesh = mesh::make_mesh(plant(), kBareTubes);
     PlacedMesh const placed { .mesh = &mesh };
     write_glb_bench(state, std::span(&placed, 1));
 }

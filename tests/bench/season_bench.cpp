@@ -25,7 +25,7 @@ double month_of(std::size_t step)
     return 4.5 + 0.5 * static_cast<double>(step % 12);
 }
 
-Mesh grown(PlantGrower& grower, Scene scene)
+mesh::Mesh grown(PlantGrower& grower, Scene scene)
 {
     auto const shared = std::make_shared<Scene const>(std::move(scene));
     grower.grow({ shared, shared->growth });

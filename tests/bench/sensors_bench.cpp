@@ -22,7 +22,7 @@ std::vector<Frame> const& frames()
     static auto const all = [] {
         std::vector<Frame> made;
         made.reserve(kFrames);
-        HeightFrame frame { .period_us = kPeriodUs, .count = kSamplesPerFrame };
+        drivers::HeightFrame frame { .period_us = kPeriodUs, .count = kSamplesPerFrame };
         for (std::size_t i = 0; i < kFrames; ++i) {
             for (std::size_t k = 0; k < kSamplesPerFrame; ++k)
                 frame.counts[k] = static_cast<std::uint16_t>((i * kSamplesPerFrame + k) % 4096);
@@ -30,7 +30,8 @@ std::vector<Frame> const& frames()
             frame.device_us = static_cast<std::uint32_t>(i * kSamplesPerFrame * kPeriodUs);
             auto const late_us = static_cast<std::int64_t>(i * 7919 % 400);
             auto const sent_ns = static_cast<std::int64_t>(i * kSamplesPerFrame) * 1'000'200;
-            made.push_back({ encode_height_frame(frame), timestamp_ns(sent_ns + late_us * 1000) });
+            made.push_back(
+                { sim::encode_height_frame(frame), timestamp_ns(sent_ns + late_us * 1000) });
         }
         return made;
     }();
@@ -39,10 +40,10 @@ std::vector<Frame> const& frames()
 
 void decode_height_frames(benchmark::State& state)
 {
-    auto const info = HeightSensorModel().info();
-    std::vector<HeightSample> samples;
+    auto const info = sim::HeightSensorModel().info();
+    std::vector<drivers::HeightSample> samples;
     for (auto _ : state) {
-        auto const decoder = *make_height_decoder(info);
+        auto const decoder = *drivers::make_height_decoder(info);
         for (auto const& frame : frames()) {
             samples.clear();
             auto const decoded = decoder->decode(frame.arrival, frame.bytes, samples);
@@ -55,7 +56,7 @@ void decode_height_frames(benchmark::State& state)
            { .items = kSamples,
              .item = "samples",
              .bytes = static_cast<double>(kFrames * frames()[0].bytes.size()
-                                          + kSamples * sizeof(HeightSample)) });
+                                          + kSamples * sizeof(drivers::HeightSample)) });
 }
 BENCHMARK(decode_height_frames);
 

@@ -76,7 +76,7 @@ void make_large_tree(benchmark::State& state)
     for (auto _ : state) {
         auto const tree = make_tree(*skeleton, options);
         elements = static_cast<double>(tree.element_count());
-        benchmark::DoNotOptimize(make_organs(tree.plant).size());
+        benchmark::DoNotOptimize(mesh::make_organs(tree.plant).size());
     }
     report(state, { .items = elements, .item = "elements" });
 }

@@ -158,7 +158,7 @@ void sketch_mesh(benchmark::State& state)
     std::size_t triangles = 0;
     for (auto _ : state) {
         grower.grow({ scene, scene->growth });
-        std::optional<Result<Mesh>> mesh;
+        std::optional<Result<mesh::Mesh>> mesh;
         while (!(mesh = grower.take()))
             std::this_thread::sleep_for(std::chrono::microseconds(200));
         triangles = (*mesh)->triangle_count();

@@ -38,10 +38,10 @@ Plant big_plant(std::size_t segments)
     Random random({ .seed = 1 });
     Plant plant;
     plant.materials = { {} };
-    AxisSketch sketch {
+    mesh::AxisSketch sketch {
         .segment_mm = 20, .segment_count = kAxis, .radius_mm = 60, .bend_rad = 0.05
     };
-    append_axis(plant, sketch, random);
+    mesh::append_axis(plant, sketch, random);
     for (AxisId parent = 0; plant.segment_count() < segments; ++parent) {
         auto const axis = plant.axes[parent];
         for (std::uint32_t i = 10; i < kAxis && plant.segment_count() < segments; i += 4) {
@@ -53,7 +53,7 @@ Plant big_plant(std::size_t segments)
             sketch.parent_segment = axis.first_segment + i;
             sketch.parent_axis = parent;
             sketch.order = axis.order + 1;
-            append_axis(plant, sketch, random);
+            mesh::append_axis(plant, sketch, random);
         }
     }
     return plant;

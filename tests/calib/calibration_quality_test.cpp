@@ -16,7 +16,7 @@
 // Promises of calibration, against the truth, a hundred times each. The distributions are in the
 // tests' properties and in their failures.
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 constexpr std::uint64_t kSeeds = 100;
@@ -73,14 +73,14 @@ HeightErrors errors_of(HeightFit const& fit, HeightModel const& truth)
 
 TEST(CalibrationQuality, HeightsAreRightOverTheCalibratedRange)
 {
-    RigGeometry const geometry;
-    auto const truth = true_rig(geometry).height_model;
+    sim::RigGeometry const geometry;
+    auto const truth = sim::true_rig(geometry).height_model;
     Distribution rms;
     Distribution greatest;
     Distribution worst_parameter;
     int strings = 0;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-        auto const captures = simulate_captures(geometry, kHeights, { .seed = seed });
+        auto const captures = sim::simulate_captures(geometry, kHeights, { .seed = seed });
         auto const fit = fit_height(captures).value();
         auto const errors = errors_of(fit, truth);
         rms.add(errors.rms_mm);
@@ -108,19 +108,19 @@ TEST(CalibrationQuality, HeightsAreRightOverTheCalibratedRange)
 
 TEST(CalibrationQuality, OneSlippedCaptureIsNamedAndDoesNoHarm)
 {
-    RigGeometry const geometry;
-    auto const truth = true_rig(geometry).height_model;
+    sim::RigGeometry const geometry;
+    auto const truth = sim::true_rig(geometry).height_model;
     int found = 0;
     Distribution clean;
     Distribution slipped;
     std::string missed;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         Random random({ .seed = seed, .stream = 1 });
-        Slip const slip { .capture = random.next_u32() % std::size(kHeights),
-                          .wrong_by_mm = random.uniform() < 0.5 ? -20.0 : 20.0 };
-        auto const good = fit_height(simulate_captures(geometry, kHeights, { .seed = seed }));
-        auto const bad
-            = fit_height(simulate_captures(geometry, kHeights, { .seed = seed, .slip = slip }));
+        sim::Slip const slip { .capture = random.next_u32() % std::size(kHeights),
+                               .wrong_by_mm = random.uniform() < 0.5 ? -20.0 : 20.0 };
+        auto const good = fit_height(sim::simulate_captures(geometry, kHeights, { .seed = seed }));
+        auto const bad = fit_height(
+            sim::simulate_captures(geometry, kHeights, { .seed = seed, .slip = slip }));
         ASSERT_TRUE(good && bad);
         bool const is_found = bad->slipped == std::vector<std::size_t> { slip.capture };
         found += is_found;
@@ -142,15 +142,15 @@ TEST(CalibrationQuality, OneSlippedCaptureIsNamedAndDoesNoHarm)
 
 // Pen and heights of a simulated run as samples.
 struct Samples {
-    std::vector<PenSample> pens;
-    std::vector<HeightSample> heights;
+    std::vector<drivers::PenSample> pens;
+    std::vector<drivers::HeightSample> heights;
 };
 
-Samples decode(SimulatedRun const& run)
+Samples decode(sim::SimulatedRun const& run)
 {
     Samples samples;
-    auto const pen = make_pen_decoder(run.tablet.info).value();
-    auto const height = make_height_decoder(run.height.info).value();
+    auto const pen = drivers::make_pen_decoder(run.tablet.info).value();
+    auto const height = drivers::make_height_decoder(run.height.info).value();
     for (auto const& report : run.tablet.reports)
         EXPECT_TRUE(pen->decode(report, samples.pens));
     for (auto const& report : run.height.reports)
@@ -159,14 +159,16 @@ Samples decode(SimulatedRun const& run)
 }
 
 // Moves up and down along a straight edge, `times` each, as fast as a hand moves the carriage.
-Hand follow_edge(Vec3 const& low_mm, Vec3 const& high_mm, int times, std::uint64_t seed)
+sim::Hand follow_edge(Vec3 const& low_mm, Vec3 const& high_mm, int times, std::uint64_t seed)
 {
-    std::vector<HandStroke> strokes;
+    std::vector<sim::HandStroke> strokes;
     for (int i = 0; i < times; ++i) {
-        strokes.push_back({ .path = make_path(LineShape { low_mm, high_mm }), .speed_mm_s = 220 });
-        strokes.push_back({ .path = make_path(LineShape { high_mm, low_mm }), .speed_mm_s = 220 });
+        strokes.push_back(
+            { .path = sim::make_path(sim::LineShape { low_mm, high_mm }), .speed_mm_s = 220 });
+        strokes.push_back(
+            { .path = sim::make_path(sim::LineShape { high_mm, low_mm }), .speed_mm_s = 220 });
     }
-    return Hand(std::move(strokes), { .seed = seed });
+    return sim::Hand(std::move(strokes), { .seed = seed });
 }
 
 TEST(CalibrationQuality, ShearIsFoundToTwoMillimetresPerMetre)
@@ -175,12 +177,12 @@ TEST(CalibrationQuality, ShearIsFoundToTwoMillimetresPerMetre)
     Distribution in_standard_errors;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         Random random({ .seed = seed, .stream = 2 });
-        SimulatedRigOptions options { .seed = seed };
+        sim::SimulatedRigOptions options { .seed = seed };
         options.geometry.travel_shear
             = { random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05) };
         options.geometry.rotation_deg = random.uniform(-3, 3);
         auto const hand = follow_edge({ 10, 5, 20 }, { 10, 5, 380 }, 2, seed);
-        auto const run = simulate_rig(hand, options);
+        auto const run = sim::simulate_rig(hand, options);
         auto const samples = decode(run);
         auto rig = run.rig;
         rig.travel_shear = Vec2::Zero();
@@ -201,11 +203,11 @@ TEST(CalibrationQuality, TheDelayIsFoundToHalfAMillisecond)
     Distribution in_standard_errors;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
         Random random({ .seed = seed, .stream = 3 });
-        SimulatedRigOptions options { .seed = seed };
+        sim::SimulatedRigOptions options { .seed = seed };
         options.tablet.timing.latency = from_seconds(random.uniform(0.001, 0.030));
         options.height.timing.latency = from_seconds(random.uniform(0.001, 0.020));
         auto const hand = follow_edge({ -80, -30, 60 }, { 80, 30, 300 }, 3, seed);
-        auto const run = simulate_rig(hand, options);
+        auto const run = sim::simulate_rig(hand, options);
         auto const samples = decode(run);
         auto rig = run.rig;
         rig.tablet_latency = rig.height_latency = Duration {};
@@ -222,4 +224,4 @@ TEST(CalibrationQuality, TheDelayIsFoundToHalfAMillisecond)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

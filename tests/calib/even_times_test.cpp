@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 Timestamp at(double seconds)
@@ -247,4 +247,4 @@ TEST(EvenTimes, KnowsHowOftenBurstsCome)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

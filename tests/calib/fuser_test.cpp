@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 using namespace std::chrono_literals;
@@ -23,14 +23,14 @@ Timestamp at(Duration time)
     return Timestamp(time);
 }
 
-HeightSample height(Duration time, int counts)
+drivers::HeightSample height(Duration time, int counts)
 {
     return { .time = at(time), .counts = counts, .full_scale = 4095 };
 }
 
-PenSample pen(Duration time, Vec2 position_mm = { 0, 0 })
+drivers::PenSample pen(Duration time, Vec2 position_mm = { 0, 0 })
 {
-    PenSample sample;
+    drivers::PenSample sample;
     sample.time = at(time);
     sample.position_mm = position_mm;
     sample.in_range = sample.touching = true;
@@ -375,4 +375,4 @@ TEST(Fuser, PutsBurstsOfBothSensorsOneAfterTheOther)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

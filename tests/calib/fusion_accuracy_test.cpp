@@ -8,7 +8,7 @@
 // The whole way from reports to tips, against the truth: sensors' noise, rounding, jitter and
 // latencies on, hand at 300 mm/s in the plane and 200 mm/s in height.
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 constexpr std::uint64_t kRigs = 24;
@@ -19,11 +19,11 @@ TEST(FusionAccuracy, SettledTipsLieWithinAMillimetreOfTheTruth)
     double worst_max_mm = 0;
     std::string distribution;
     for (std::uint64_t seed = 1; seed <= kRigs; ++seed) {
-        auto const hand = fast_hand(seed);
-        auto const run = simulate_rig(hand, { .seed = seed });
-        auto const fused = fuse(run, run.rig);
+        auto const hand = sim::fast_hand(seed);
+        auto const run = sim::simulate_rig(hand, { .seed = seed });
+        auto const fused = sim::fuse(run, run.rig);
         EXPECT_EQ(fused.settled.size(), run.truth.size());
-        auto const errors = errors_of(fused.settled, hand);
+        auto const errors = sim::errors_of(fused.settled, hand);
         worst_rms_mm = std::max(worst_rms_mm, errors.rms_mm);
         worst_max_mm = std::max(worst_max_mm, errors.max_mm);
         distribution += fmt::format("{:.3f}/{:.3f} ", errors.rms_mm, errors.max_mm);
@@ -37,10 +37,11 @@ TEST(FusionAccuracy, SettledTipsLieWithinAMillimetreOfTheTruth)
 TEST(FusionAccuracy, TheConvertersStepsDoNotShowInASlowStroke)
 {
     // Near the bottom, where a count is 0.15 mm of height, and a sample 0.05 mm of way.
-    LineShape const slow { .from_mm = { 0, 0, 20 }, .to_mm = { 0, 0, 70 } };
-    Hand const hand({ { .path = make_path(slow), .speed_mm_s = 10 } }, { .height_tremor_mm = 0 });
-    auto const run = simulate_rig(hand, {});
-    auto const fused = fuse(run, run.rig);
+    sim::LineShape const slow { .from_mm = { 0, 0, 20 }, .to_mm = { 0, 0, 70 } };
+    sim::Hand const hand({ { .path = sim::make_path(slow), .speed_mm_s = 10 } },
+                         { .height_tremor_mm = 0 });
+    auto const run = sim::simulate_rig(hand, {});
+    auto const fused = sim::fuse(run, run.rig);
     double greatest_step_mm = 0;
     for (std::size_t i = 1; i < fused.settled.size(); ++i)
         if (fused.settled[i].touching && fused.settled[i - 1].touching)
@@ -48,7 +49,7 @@ TEST(FusionAccuracy, TheConvertersStepsDoNotShowInASlowStroke)
                 greatest_step_mm,
                 std::abs(fused.settled[i].position_mm.z() - fused.settled[i - 1].position_mm.z()));
     EXPECT_LT(greatest_step_mm, 0.15);
-    EXPECT_LT(errors_of(fused.settled, hand).rms_mm, 0.06);
+    EXPECT_LT(sim::errors_of(fused.settled, hand).rms_mm, 0.06);
 }
 
 TEST(FusionAccuracy, LiveTipsLieWithinWhatTheFusersHeaderSays)
@@ -56,9 +57,9 @@ TEST(FusionAccuracy, LiveTipsLieWithinWhatTheFusersHeaderSays)
     double worst_max_mm = 0;
     double worst_rms_mm = 0;
     for (std::uint64_t seed = 1; seed <= kRigs; ++seed) {
-        auto const hand = fast_hand(seed);
-        auto const run = simulate_rig(hand, { .seed = seed });
-        auto const errors = errors_of(fuse(run, run.rig).live, hand);
+        auto const hand = sim::fast_hand(seed);
+        auto const run = sim::simulate_rig(hand, { .seed = seed });
+        auto const errors = sim::errors_of(sim::fuse(run, run.rig).live, hand);
         worst_rms_mm = std::max(worst_rms_mm, errors.rms_mm);
         worst_max_mm = std::max(worst_max_mm, errors.max_mm);
     }
@@ -69,4 +70,4 @@ TEST(FusionAccuracy, LiveTipsLieWithinWhatTheFusersHeaderSays)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

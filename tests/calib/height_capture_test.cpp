@@ -6,14 +6,14 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 // A second of readings 2 ms apart; `counts` gives the i-th, to be rounded.
 template<typename Counts>
-std::vector<HeightSample> a_second_of(Counts const& counts, std::int32_t full_scale = 4095)
+std::vector<drivers::HeightSample> a_second_of(Counts const& counts, std::int32_t full_scale = 4095)
 {
-    std::vector<HeightSample> samples;
+    std::vector<drivers::HeightSample> samples;
     for (int i = 0; i < 500; ++i)
         samples.push_back({ .time = timestamp_ns(i * 2'000'000),
                             .counts = static_cast<std::int32_t>(
@@ -22,13 +22,13 @@ std::vector<HeightSample> a_second_of(Counts const& counts, std::int32_t full_sc
     return samples;
 }
 
-std::vector<HeightSample> noise_about(double counts, double deviation = 1)
+std::vector<drivers::HeightSample> noise_about(double counts, double deviation = 1)
 {
     Random random({ .seed = 3 });
     return a_second_of([&](int) { return counts + deviation * random.normal(); });
 }
 
-std::string capture_refusal(std::vector<HeightSample> const& samples)
+std::string capture_refusal(std::vector<drivers::HeightSample> const& samples)
 {
     auto const capture = capture_at_rest(samples, 100);
     return capture ? "captured" : capture.error().message;
@@ -131,4 +131,4 @@ TEST(RecentReadings, ForgetWhatIsOlderThanASecond)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

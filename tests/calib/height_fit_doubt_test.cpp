@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 // The captures of an exact person, of a string that runs aslant, at told heights.
@@ -101,4 +101,4 @@ TEST(HeightFitDoubt, BlamesNoCaptureWhereNoneStandsOut)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

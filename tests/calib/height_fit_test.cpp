@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 HeightCapture capture(double ruler_mm, double counts)
@@ -369,4 +369,4 @@ TEST(HeightFit, TakesNoBendForASlip)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

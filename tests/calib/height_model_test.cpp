@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 LinearHeight const kLinear { .mm_per_count = 0.1, .zero_counts = 200 };
@@ -185,4 +185,4 @@ TEST(HeightModel, TakesItsParametersBack)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

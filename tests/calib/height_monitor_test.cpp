@@ -7,7 +7,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 using enum HeightFaultKind;
@@ -225,7 +225,7 @@ TEST(HeightMonitor, AddsUpWhatHappenedSeveralTimes)
 }
 
 // Shows a monitor the simulated height sensor's bytes, counts at places 1 and 2.
-HeightMonitor watch(SimulatedRun const& run)
+HeightMonitor watch(sim::SimulatedRun const& run)
 {
     HeightMonitor monitor(run.rig);
     for (auto const& report : run.height.reports) {
@@ -240,13 +240,13 @@ HeightMonitor watch(SimulatedRun const& run)
 TEST(HeightMonitor, FindsNoFaultWhileASimulatedHandDraws)
 {
     for (std::uint64_t seed = 1; seed <= 8; ++seed)
-        expect_no_fault(watch(simulate_rig(fast_hand(seed), { .seed = seed })));
+        expect_no_fault(watch(sim::simulate_rig(sim::fast_hand(seed), { .seed = seed })));
 }
 
 TEST(HeightMonitor, FindsExactlyTheFaultsThatWereSimulated)
 {
-    auto const hand = fast_hand(1);
-    SimulatedHeightFault const faults[] {
+    auto const hand = sim::fast_hand(1);
+    sim::SimulatedHeightFault const faults[] {
         { .kind = Silence, .begin = moment(seconds(1)), .end = moment(milliseconds(1600)) },
         { .kind = Rail,
           .begin = moment(seconds(1)),
@@ -263,9 +263,9 @@ TEST(HeightMonitor, FindsExactlyTheFaultsThatWereSimulated)
         { .kind = Stuck, .begin = moment(seconds(1)), .end = moment(milliseconds(6500)) },
     };
     for (auto const& fault : faults) {
-        SimulatedRigOptions options;
+        sim::SimulatedRigOptions options;
         options.height.faults = { fault };
-        auto const monitor = watch(simulate_rig(hand, options));
+        auto const monitor = watch(sim::simulate_rig(hand, options));
         ASSERT_GT(hand.end(), fault.end);
         auto const found = monitor.total(fault.kind);
         EXPECT_EQ(found.count, 1U) << describe_fault({ .kind = fault.kind });
@@ -283,4 +283,4 @@ TEST(HeightMonitor, FindsExactlyTheFaultsThatWereSimulated)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 using namespace std::chrono_literals;
@@ -60,4 +60,4 @@ TEST(HeightScenario, SaysWhichHeightsThereAre)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

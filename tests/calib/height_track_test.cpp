@@ -7,7 +7,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 using namespace std::chrono_literals;
@@ -200,4 +200,4 @@ TEST(HeightTrack, ForgetsWhatIsOlderThanItsMemory)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 using namespace std::chrono_literals;
@@ -94,4 +94,4 @@ TEST(LowestStop, IsNoneOfPlacesThatDiffer)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 TEST(PressureResponse, IsTheDevicesOwnByDefault)
@@ -37,7 +37,7 @@ std::vector<TipSample> tips(PressureResponse const& response, std::vector<double
     Fuser fuser({ .pressure = response }, ScriptedHeight {});
     for (double const pressure : pressures)
         (void)fuser.push(
-            PenSample { .pressure = pressure, .in_range = true, .touching = touching });
+            drivers::PenSample { .pressure = pressure, .in_range = true, .touching = touching });
     return fuser.take_settled();
 }
 
@@ -70,11 +70,11 @@ TEST(PressureResponse, DrawsNothingWhileThePenHovers)
 TEST(PressureResponse, LeavesPensWithoutPressureAlone)
 {
     Fuser fuser({ .pressure = { .threshold = 0.5 } }, ScriptedHeight {});
-    auto const tip = fuser.push(PenSample { .in_range = true, .touching = true });
+    auto const tip = fuser.push(drivers::PenSample { .in_range = true, .touching = true });
     ASSERT_TRUE(tip);
     EXPECT_TRUE(tip->touching);
     EXPECT_EQ(tip->pressure, 1);
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 using namespace std::chrono_literals;
@@ -526,4 +526,4 @@ TEST(RigFile, SurvivesChangedBytes)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 void expect_near(Vec3 const& actual, Vec3 const& expected)
@@ -34,4 +34,4 @@ TEST(Rig, CarriageDriftsAsItRises)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 using namespace std::chrono_literals;
@@ -25,10 +25,11 @@ TEST(LeanOf, IsWhatAMillimetreUpThePenIsAside)
 }
 
 // Keeps the nib at (60, 40) while the pen is leaned by so many degrees to all sides.
-std::vector<PenSample> leaned_around(double coil_mm, double farthest_deg, double for_s = 20)
+std::vector<drivers::PenSample> leaned_around(double coil_mm, double farthest_deg,
+                                              double for_s = 20)
 {
     Random random({ .seed = 5, .stream = 1 });
-    std::vector<PenSample> pens;
+    std::vector<drivers::PenSample> pens;
     for (double t = 0; t < for_s; t += 0.005) {
         Vec2 const tilt_deg(farthest_deg * std::sin(1.3 * t), farthest_deg * std::cos(1.1 * t));
         Vec2 const slope(std::tan(radians(tilt_deg.x())), std::tan(radians(tilt_deg.y())));
@@ -45,7 +46,7 @@ std::vector<PenSample> leaned_around(double coil_mm, double farthest_deg, double
     return pens;
 }
 
-std::string refusal_of(std::vector<PenSample> const& pens)
+std::string refusal_of(std::vector<drivers::PenSample> const& pens)
 {
     auto const fit = fit_tilt(pens);
     return fit ? "no error" : fit.error().message;
@@ -111,7 +112,7 @@ TEST(TiltFit, SaysWhatIsMissing)
 // A pen that leans by 30 degrees to the right, with a coil ten millimetres up: five aside.
 struct Leaning {
     Rig rig;
-    std::vector<PenSample> pens;
+    std::vector<drivers::PenSample> pens;
 
     Leaning()
     {
@@ -131,7 +132,8 @@ struct Leaning {
         Fuser fuser(rig);
         std::optional<TipSample> tip;
         for (auto const& pen : pens) {
-            fuser.push(HeightSample { .time = pen.time, .counts = 100, .full_scale = 4095 });
+            fuser.push(
+                drivers::HeightSample { .time = pen.time, .counts = 100, .full_scale = 4095 });
             tip = fuser.push(pen);
         }
         fuser.flush();
@@ -192,4 +194,4 @@ TEST(LeanTrack, KnowsNothingOfSamplesWithoutATilt)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

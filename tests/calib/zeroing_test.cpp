@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::calib {
 namespace {
 
 Rig aslant_rig()
@@ -85,4 +85,4 @@ TEST(Zeroing, RefusesWhatItCannotZero)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calib

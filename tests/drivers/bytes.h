@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Bytes as people write them: "05 0d 09 02".
 inline std::vector<std::byte> bytes(std::string_view text)
@@ -25,4 +25,4 @@ inline std::vector<std::byte> bytes(std::string_view text)
     return result;
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -249,4 +249,4 @@ TEST(Corpus, ReadsTheWholeSurfaceOfAnHs610)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // The sample of a report that has room for one; no value if it says nothing of a pen.
 inline Result<std::optional<PenSample>> decode_one(PenDecoder& decoder, Timestamp received,
@@ -19,4 +19,4 @@ inline Result<std::optional<PenSample>> decode_one(PenDecoder& decoder, Timestam
     return samples.empty() ? std::nullopt : std::optional(samples.back());
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

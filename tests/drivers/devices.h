@@ -3,7 +3,7 @@
 #include "drivers/reports/device_info.h"
 #include "tests/drivers/bytes.h"
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A pen tablet that the tests know by heart: 200 x 100 mm, 100 counts per millimetre. Its report:
 //   02  id
@@ -39,4 +39,4 @@ inline DeviceInfo simple_height_sensor()
              = bytes("05 01 09 08 a1 01 85 01 09 36 15 00 26 ff 0f 75 10 95 01 81 02 c0") };
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // Decodes one report alone.
 inline Result<std::vector<HeightSample>> decode_heights(HeightDecoder& decoder, Timestamp received,
@@ -21,4 +21,4 @@ inline Result<std::vector<HeightSample>> decode_heights(HeightDecoder& decoder,
     return decode_heights(decoder, report.received, report.bytes());
 }
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 constexpr int kCases = 10'000;
@@ -108,4 +108,4 @@ TEST(HostileInput, MutatedLogsGiveALogOrAnError)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -15,7 +15,7 @@
 #include <string>
 #include <tuple>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 // x, y, tip.
@@ -90,4 +90,4 @@ TEST(KernelAgreement, SeesTheSameStatesOfAnNtrigPen)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

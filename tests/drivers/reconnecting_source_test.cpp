@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 // A socket on a bus that is not there: what is plugged in, and what has come of it.
@@ -366,4 +366,4 @@ TEST(FindAgain, TellsEqualTabletsApartByTheirPlaceAndSerialNumber)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

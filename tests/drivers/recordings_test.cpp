@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 // Facts known of a recording, by the beginning of its file's name.
@@ -292,9 +292,9 @@ TEST(Recordings, HaveBothButtonsWhereSomebodyPressedThem)
 }
 
 // The settled tips of a pen that draws at height 0, cut into strokes.
-std::vector<std::vector<TipSample>> strokes_of(DecodedPen const& pen, Rig const& rig)
+std::vector<std::vector<TipSample>> strokes_of(DecodedPen const& pen, calib::Rig const& rig)
 {
-    Fuser fuser(rig, ScriptedHeight {});
+    calib::Fuser fuser(rig, calib::ScriptedHeight {});
     for (auto const& sample : pen.samples)
         (void)fuser.push(sample);
     fuser.flush();
@@ -350,4 +350,4 @@ TEST(Recordings, MakeNoMoreStrokesWithAThreshold)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

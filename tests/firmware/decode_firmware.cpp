@@ -14,16 +14,16 @@ namespace {
 
 constexpr std::size_t kHalf = 32; // Conversions from reading to reading.
 
-Log firmware_log()
+drivers::Log firmware_log()
 {
-    return read_log(TRACTUS_FIRMWARE "/slider.tractus-log").value();
+    return drivers::read_log(TRACTUS_FIRMWARE "/slider.tractus-log").value();
 }
 
-std::vector<std::int32_t> decoded(Log const& log)
+std::vector<std::int32_t> decoded(drivers::Log const& log)
 {
-    auto const decoder = make_height_decoder(log.devices.at(0)).value();
-    std::vector<HeightSample> samples;
-    LogCursor cursor(log);
+    auto const decoder = drivers::make_height_decoder(log.devices.at(0)).value();
+    std::vector<drivers::HeightSample> samples;
+    drivers::LogCursor cursor(log);
     while (auto const* const report = cursor.next().value()) {
         auto const done = decoder->decode(report->time, report->bytes, samples);
         EXPECT_TRUE(done) << done.error().message;
@@ -53,8 +53,8 @@ TEST(Firmware, DescribesItselfAsThePageSays)
 {
     auto const log = firmware_log();
     EXPECT_EQ(log.devices.at(0).report_descriptor,
-              bytes("05 01 09 08 a1 01 85 01 09 36 15 00 26 f8 1f 75 10 95 01 81 02 c0"));
-    EXPECT_EQ(make_height_decoder(log.devices.at(0)).value()->full_scale(), 8184);
+              drivers::bytes("05 01 09 08 a1 01 85 01 09 36 15 00 26 f8 1f 75 10 95 01 81 02 c0"));
+    EXPECT_EQ(drivers::make_height_decoder(log.devices.at(0)).value()->full_scale(), 8184);
 }
 
 TEST(Firmware, SendsEachReadingToTheBit)

@@ -12,15 +12,15 @@
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     using namespace tractus;
-    auto const log = parse_log({ reinterpret_cast<char const*>(data), size }, "fuzz");
+    auto const log = drivers::parse_log({ reinterpret_cast<char const*>(data), size }, "fuzz");
     if (!log)
         return 0;
 
     std::ostringstream text;
-    LogWriter writer(text, { .devices = log->devices, .rig_text = log->rig_text });
+    drivers::LogWriter writer(text, { .devices = log->devices, .rig_text = log->rig_text });
     for (auto const& record : log->records)
         writer.write_report(record.device, record.time, log->report(record));
-    auto const again = parse_log(text.str(), "again");
+    auto const again = drivers::parse_log(text.str(), "again");
     CHECK(again);
     CHECK(again->records.size() == log->records.size());
     CHECK(again->bytes == log->bytes);

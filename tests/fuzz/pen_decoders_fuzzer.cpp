@@ -16,7 +16,7 @@ using namespace tractus;
 
 class Watch {
 public:
-    void see(PenSample const& sample)
+    void see(drivers::PenSample const& sample)
     {
         CHECK(sample.position_mm.allFinite());
         CHECK(sample.in_range || (!sample.touching && sample.buttons == 0));
@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    PenSample last_;
+    drivers::PenSample last_;
 };
 
 } // namespace
@@ -38,15 +38,15 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
 {
     if (size == 0)
         return 0;
-    auto const families = pen_families();
-    auto const decoder = make_family_decoder(families[data[0] % families.size()],
-                                             { .size_mm = { 254, 158.75 },
-                                               .x_maximum = 50'800,
-                                               .y_maximum = 31'750,
-                                               .pressure_maximum = 8191 });
+    auto const families = drivers::pen_families();
+    auto const decoder = drivers::make_family_decoder(families[data[0] % families.size()],
+                                                      { .size_mm = { 254, 158.75 },
+                                                        .x_maximum = 50'800,
+                                                        .y_maximum = 31'750,
+                                                        .pressure_maximum = 8191 });
     auto rest = std::as_bytes(std::span(data, size)).subspan(1);
     Watch watch;
-    PenSilence silence;
+    drivers::PenSilence silence;
     Timestamp time { std::chrono::seconds(1) }; // A report's first states are older than it.
     while (!rest.empty()) {
         auto const header = std::to_integer<unsigned>(rest[0]);
@@ -54,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         time += std::chrono::milliseconds(header & 0x80 ? 150 : 5);
         if (auto const gone = silence.leave_if_over(*decoder, time))
             watch.see(*gone);
-        std::vector<PenSample> samples;
+        std::vector<drivers::PenSample> samples;
         (void)decoder->decode(time, rest.subspan(1, length), samples);
         for (auto const& sample : samples) {
             watch.see(sample);

@@ -21,14 +21,15 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     auto const descriptor = input.first(input.size() - report_size);
     auto const report = input.last(report_size);
 
-    DeviceInfo const info { .report_descriptor = { descriptor.begin(), descriptor.end() } };
-    if (auto pen = make_pen_decoder(info))
+    drivers::DeviceInfo const info { .report_descriptor
+                                     = { descriptor.begin(), descriptor.end() } };
+    if (auto pen = drivers::make_pen_decoder(info))
         for (int i = 0; i < 2; ++i) { // Twice, since the decoder remembers.
-            std::vector<PenSample> samples;
+            std::vector<drivers::PenSample> samples;
             (void)(*pen)->decode({}, report, samples);
         }
-    if (auto const height = make_height_decoder(info)) {
-        std::vector<HeightSample> samples;
+    if (auto const height = drivers::make_height_decoder(info)) {
+        std::vector<drivers::HeightSample> samples;
         (void)(*height)->decode({}, report, samples);
     }
     return 0;

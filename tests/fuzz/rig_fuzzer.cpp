@@ -11,13 +11,13 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     using namespace tractus;
     FuzzInput const input(data, size);
     std::string const text(input.text());
-    is_read(parse_gesture_script(text, "fuzz"));
-    auto const rig = parse_rig(text, "fuzz");
+    is_read(sim::parse_gesture_script(text, "fuzz"));
+    auto const rig = calib::parse_rig(text, "fuzz");
     if (!is_read(rig))
         return 0;
-    auto const written = print_rig(*rig);
-    auto const again = parse_rig(written, "again");
+    auto const written = calib::print_rig(*rig);
+    auto const again = calib::parse_rig(written, "again");
     CHECK(again);
-    CHECK(print_rig(*again) == written);
+    CHECK(calib::print_rig(*again) == written);
     return 0;
 }

@@ -19,24 +19,27 @@ namespace {
 
 using namespace tractus;
 
-std::array<DeviceInfo, 4> const& sensors()
+std::array<drivers::DeviceInfo, 4> const& sensors()
 {
-    static std::array<DeviceInfo, 4> const all {
-        DeviceInfo { .name = "Height sensor",
-                     .strings = { { 4, std::string(kHeightSensorTitle) + "4095" } } },
-        DeviceInfo { .name = "MCP2221, GP2", .vendor_id = 0x04D8, .product_id = 0x00DD },
-        DeviceInfo { .name = "LabJack U3", .vendor_id = 0x0CD5, .product_id = 0x0003 },
-        DeviceInfo { .name = "Height sensor",
-                     .strings = { { 4, std::string(kHeightSensorTitle) + "65535" } } },
+    static std::array<drivers::DeviceInfo, 4> const all {
+        drivers::DeviceInfo { .name = "Height sensor",
+                              .strings
+                              = { { 4, std::string(drivers::kHeightSensorTitle) + "4095" } } },
+        drivers::DeviceInfo { .name = "MCP2221, GP2", .vendor_id = 0x04D8, .product_id = 0x00DD },
+        drivers::DeviceInfo { .name = "LabJack U3", .vendor_id = 0x0CD5, .product_id = 0x0003 },
+        drivers::DeviceInfo { .name = "Height sensor",
+                              .strings
+                              = { { 4, std::string(drivers::kHeightSensorTitle) + "65535" } } },
     };
     return all;
 }
 
 void end_with_crc(std::span<std::byte> report)
 {
-    if (report.size() < kHeightFrameCrcBytes)
+    if (report.size() < drivers::kHeightFrameCrcBytes)
         return;
-    auto const crc = height_frame_crc(report.first(report.size() - kHeightFrameCrcBytes));
+    auto const crc
+        = drivers::height_frame_crc(report.first(report.size() - drivers::kHeightFrameCrcBytes));
     report[report.size() - 2] = static_cast<std::byte>(crc & 0xFF);
     report[report.size() - 1] = static_cast<std::byte>(crc >> 8);
 }
@@ -52,8 +55,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     bool const is_mended = (data[0] & 0x80) != 0;
     input = input.subspan(1);
 
-    auto const decoder = make_height_decoder(info).value();
-    std::vector<HeightSample> samples;
+    auto const decoder = drivers::make_height_decoder(info).value();
+    std::vector<drivers::HeightSample> samples;
     Timestamp received { std::chrono::seconds(1) };
     while (!input.empty()) {
         auto const length = std::min(std::to_integer<std::size_t>(input[0]), input.size() - 1);

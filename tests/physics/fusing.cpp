@@ -185,7 +185,7 @@ bool check_bursts(Looked const& looked, Bursts const& bursts, double speed_mm_pe
         sampling.burst_s = bursts.burst_s;
         sampling.most_burst_s = bursts.most_burst_s;
         as_arrived.push_back(off_mm());
-        sampling.sample_times = SampleTimes::Evened;
+        sampling.sample_times = calib::SampleTimes::Evened;
         return off_mm();
     });
     char name[80];

@@ -182,7 +182,8 @@ Trial try_rig(Scenario const& scenario, unsigned seed)
                     .ruler_error_mm = scenario.ruler_error_mm };
     if (scenario.mistake == Mistake::Centimetres)
         person.ruler_error_mm /= 10;
-    auto const log = parse_log(capture_log(sensor, geometry.full_scale, person, dice), "physics");
+    auto const log
+        = drivers::parse_log(capture_log(sensor, geometry.full_scale, person, dice), "physics");
     if (!log) {
         std::fprintf(stderr, "seed %u: %s\n", seed, log.error().message.c_str());
         std::exit(2);
@@ -200,10 +201,11 @@ Trial try_rig(Scenario const& scenario, unsigned seed)
     int count = 0;
     for (double height = 0; height <= 400; height += 5, ++count) {
         double const counts = sensor.counts(height);
-        double const error = height_mm(outcome->rig.height_model, counts).value_or(1e3) - height;
+        double const error
+            = calib::height_mm(outcome->rig.height_model, counts).value_or(1e3) - height;
         squares += error * error;
-        trial.deviations.push_back(error
-                                   / std::max(1e-9, height_error_mm(*outcome->height_fit, counts)));
+        trial.deviations.push_back(
+            error / std::max(1e-9, calib::height_error_mm(*outcome->height_fit, counts)));
     }
     trial.rms_mm = std::sqrt(squares / count);
     return trial;

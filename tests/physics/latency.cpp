@@ -65,8 +65,8 @@ Timestamp at(double seconds)
 }
 
 struct Recording {
-    std::vector<PenSample> pens {};
-    std::vector<HeightSample> heights {};
+    std::vector<drivers::PenSample> pens {};
+    std::vector<drivers::HeightSample> heights {};
 };
 
 // Twenty seconds along an edge that leans, the pen so much later than the height.
@@ -117,9 +117,9 @@ bool run_row(Scenario const& scenario, Run const& run)
         Dice dice(seed);
         double const delay_s = uniform(dice, -0.01, 0.03);
         auto const recording = record(scenario, delay_s, dice);
-        Rig rig;
-        rig.height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = 0 };
-        auto const fit = fit_latency(recording.pens, recording.heights, rig);
+        calib::Rig rig;
+        rig.height_model = calib::LinearHeight { .mm_per_count = 0.1, .zero_counts = 0 };
+        auto const fit = calib::fit_latency(recording.pens, recording.heights, rig);
         double const error = fit ? fit->delay_ms - 1000 * delay_s : 1e3;
         errors.push_back(std::abs(error));
         bool const is_good = std::abs(error) <= scenario.most_ms;

@@ -39,7 +39,7 @@ struct Tablet {
 
 // What the tablet sends while the nib goes its way, and the nib's true places beside it.
 struct PenRecording {
-    std::vector<PenSample> samples {};
+    std::vector<drivers::PenSample> samples {};
     std::vector<Vec2> nibs_mm {};
 };
 PenRecording record_pen(NibWay const& way, Holding const& holding, double seconds,

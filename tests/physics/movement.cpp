@@ -42,10 +42,12 @@ bool is_lost(Sampling const& sampling, Dice& dice)
     return sampling.lost_part > 0 && uniform(dice, 0, 1) < sampling.lost_part;
 }
 
-std::vector<HeightSample> height_samples(Movement const& movement, Sampling const& sampling,
-                                         std::vector<double> const& deliveries_s, Dice& dice)
+std::vector<drivers::HeightSample> height_samples(Movement const& movement,
+                                                  Sampling const& sampling,
+                                                  std::vector<double> const& deliveries_s,
+                                                  Dice& dice)
 {
-    std::vector<HeightSample> samples;
+    std::vector<drivers::HeightSample> samples;
     double const phase_s = uniform(dice, 0, 1 / sampling.height_hz);
     for (double t = phase_s; t < sampling.seconds; t += 1 / sampling.height_hz) {
         if ((t >= sampling.gap_from_s && t < sampling.gap_to_s) || is_lost(sampling, dice))
@@ -60,10 +62,10 @@ std::vector<HeightSample> height_samples(Movement const& movement, Sampling cons
     return samples;
 }
 
-std::vector<PenSample> pen_samples(Sampling const& sampling,
-                                   std::vector<double> const& deliveries_s, Dice& dice)
+std::vector<drivers::PenSample> pen_samples(Sampling const& sampling,
+                                            std::vector<double> const& deliveries_s, Dice& dice)
 {
-    std::vector<PenSample> samples;
+    std::vector<drivers::PenSample> samples;
     double const phase_s = uniform(dice, 0, 1 / sampling.pen_hz);
     for (double t = phase_s; t < sampling.seconds; t += 1 / sampling.pen_hz)
         if (!is_lost(sampling, dice))
@@ -75,7 +77,7 @@ std::vector<PenSample> pen_samples(Sampling const& sampling,
     return samples;
 }
 
-Tip tip_of(TipSample const& tip, Movement const& movement, Rig const& rig)
+Tip tip_of(TipSample const& tip, Movement const& movement, calib::Rig const& rig)
 {
     double const seconds = tip.position_mm.x() + rig.tablet_size_mm.x() / 2;
     return { .seconds = seconds,
@@ -87,10 +89,10 @@ Tip tip_of(TipSample const& tip, Movement const& movement, Rig const& rig)
 
 Tips fuse(Movement const& movement, Sampling const& sampling, Dice& dice)
 {
-    Rig rig;
-    rig.height_model = LinearHeight { .mm_per_count = 1 / kCountsPerMm, .zero_counts = 0 };
+    calib::Rig rig;
+    rig.height_model = calib::LinearHeight { .mm_per_count = 1 / kCountsPerMm, .zero_counts = 0 };
     rig.sample_times = sampling.sample_times;
-    Fuser fuser(rig);
+    calib::Fuser fuser(rig);
     auto const deliveries_s = delivery_times_s(sampling, dice);
     auto const heights = height_samples(movement, sampling, deliveries_s, dice);
     Tips tips;
@@ -100,7 +102,7 @@ Tips fuse(Movement const& movement, Sampling const& sampling, Dice& dice)
     };
     std::size_t next = 0;
     for (auto const& pen : pen_samples(sampling, deliveries_s, dice)) {
-        auto const came_before = [&](HeightSample const& height) {
+        auto const came_before = [&](drivers::HeightSample const& height) {
             return height.time < pen.time || (height.time == pen.time && !sampling.pens_come_first);
         };
         for (; next < heights.size() && came_before(heights[next]); ++next)

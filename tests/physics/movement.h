@@ -26,7 +26,7 @@ struct Sampling {
     double most_burst_s = 0; // Greater: each burst at random from burst_s to this.
     double lost_part = 0;    // Share of the readings and pen samples that are lost.
     bool pens_come_first = false; // Of what comes together, before the readings.
-    SampleTimes sample_times = SampleTimes::AsArrived;
+    calib::SampleTimes sample_times = calib::SampleTimes::AsArrived;
 };
 
 // Result of the program for a pen sample.

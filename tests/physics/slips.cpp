@@ -76,11 +76,11 @@ struct Slip {
 };
 
 // What the monitor makes of a hand whose string slips halfway.
-HeightMonitor watch(Slip const& slip, Hand hand, double seconds, Dice& dice)
+calib::HeightMonitor watch(Slip const& slip, Hand hand, double seconds, Dice& dice)
 {
-    Rig rig;
-    rig.height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = 0 };
-    HeightMonitor monitor(rig);
+    calib::Rig rig;
+    rig.height_model = calib::LinearHeight { .mm_per_count = 0.1, .zero_counts = 0 };
+    calib::HeightMonitor monitor(rig);
     for (double t = 0; t < seconds; t += 0.002) {
         double const part = (t - seconds / 2) / std::max(slip.lasts_s, 1e-9);
         double const slipped_mm = slip.mm * std::clamp(part, 0.0, 1.0);
@@ -94,14 +94,14 @@ HeightMonitor watch(Slip const& slip, Hand hand, double seconds, Dice& dice)
 
 std::size_t jumps(Slip const& slip, Dice& dice)
 {
-    return watch(slip, Hand(dice), kSeconds, dice).total(HeightFaultKind::Jump).count;
+    return watch(slip, Hand(dice), kSeconds, dice).total(calib::HeightFaultKind::Jump).count;
 }
 
 // How often a surface that is set down every now and then is said to have another stop.
 std::size_t moved_stops(Slip const& slip, double sets_down_part, double seconds, Dice& dice)
 {
     return watch(slip, Hand(dice, sets_down_part), seconds, dice)
-        .total(HeightFaultKind::Stop)
+        .total(calib::HeightFaultKind::Stop)
         .count;
 }
 

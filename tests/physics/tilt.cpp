@@ -73,11 +73,11 @@ double rms(std::vector<Vec2> const& tips, std::vector<Vec2> const& truth)
 // Tips of a recording, over a table that stands still.
 TipErrors fuse(PenRecording const& recording, Vec2 const& coil_height_mm)
 {
-    Rig rig;
-    rig.height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = 0 };
+    calib::Rig rig;
+    rig.height_model = calib::LinearHeight { .mm_per_count = 0.1, .zero_counts = 0 };
     rig.coil_height_mm = coil_height_mm;
     Vec2 const centre_mm = rig.tablet_size_mm / 2;
-    Fuser fuser(rig);
+    calib::Fuser fuser(rig);
     std::vector<Vec2> live;
     std::vector<Vec2> settled;
     auto const settle = [&] {
@@ -87,7 +87,8 @@ TipErrors fuse(PenRecording const& recording, Vec2 const& coil_height_mm)
     Timestamp next_height {};
     for (auto const& pen : recording.samples) {
         for (; next_height <= pen.time; next_height += std::chrono::milliseconds(2))
-            fuser.push(HeightSample { .time = next_height, .counts = 1000, .full_scale = 4095 });
+            fuser.push(
+                drivers::HeightSample { .time = next_height, .counts = 1000, .full_scale = 4095 });
         if (auto const tip = fuser.push(pen))
             live.push_back(tip->position_mm.head<2>() + centre_mm);
         settle();
@@ -124,7 +125,7 @@ bool run_row(Scenario const& scenario, Run const& run)
                          tablet.is_y_turned_round ? -tablet.coil_mm : tablet.coil_mm);
         auto const around = leaned_around(uniform(dice, 35, 50), dice);
         auto const fit
-            = fit_tilt(record_pen(dent(0, around, dice), around, 20, tablet, dice).samples);
+            = calib::fit_tilt(record_pen(dent(0, around, dice), around, 20, tablet, dice).samples);
         if (!fit) {
             missed.append(1, ' ').append(std::to_string(seed));
             continue;
@@ -180,9 +181,9 @@ bool run_case(Case const& one, Run const& run)
     for (unsigned seed = run.first_seed; seed < run.end_seed(); ++seed) {
         Dice dice(seed);
         auto const around = leaned_around(one.farthest_deg, dice);
-        auto const fit = fit_tilt(record_pen(dent(one.moved_mm, around, dice), around, 20,
-                                             { .coil_mm = one.coil_mm }, dice)
-                                      .samples);
+        auto const fit = calib::fit_tilt(record_pen(dent(one.moved_mm, around, dice), around, 20,
+                                                    { .coil_mm = one.coil_mm }, dice)
+                                             .samples);
         bool const is_good
             = one.wanted == Case::Outcome::Refused ? !fit : fit && fit->is_corrected();
         good += is_good;

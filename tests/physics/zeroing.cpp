@@ -46,7 +46,7 @@ CalibrationOutcome calibrate(Potentiometer const& sensor, std::vector<double> co
                              CalibrationController::Options options, Dice& dice)
 {
     Person const person { .heights_mm = heights_mm, .told_mm = heights_mm };
-    auto const log = parse_log(capture_log(sensor, 4095, person, dice), "physics");
+    auto const log = drivers::parse_log(capture_log(sensor, 4095, person, dice), "physics");
     auto outcome = log ? calibrate_from_log(*log, std::move(options), "2026-11-24")
                        : Result<CalibrationOutcome>(tl::unexpected(log.error()));
     if (!outcome) {
@@ -56,13 +56,13 @@ CalibrationOutcome calibrate(Potentiometer const& sensor, std::vector<double> co
     return *outcome;
 }
 
-double rms_mm(Rig const& rig, Potentiometer const& sensor)
+double rms_mm(calib::Rig const& rig, Potentiometer const& sensor)
 {
     double squares = 0;
     int count = 0;
     for (double height = 0; height <= 400; height += 5, ++count)
         squares += std::pow(
-            height_mm(rig.height_model, sensor.counts(height)).value_or(1e3) - height, 2);
+            calib::height_mm(rig.height_model, sensor.counts(height)).value_or(1e3) - height, 2);
     return std::sqrt(squares / count);
 }
 

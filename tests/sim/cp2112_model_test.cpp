@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -72,13 +72,13 @@ TEST_F(Cp2112ModelTest, ReadsNoLinesOnABadCable)
 
 TEST_F(Cp2112ModelTest, DescribesTheReportsThatItHas)
 {
-    auto const descriptor = parse_report_descriptor(Cp2112Model::info().report_descriptor);
+    auto const descriptor = drivers::parse_report_descriptor(Cp2112Model::info().report_descriptor);
     ASSERT_TRUE(descriptor) << descriptor.error().message;
     for (auto const id : std::initializer_list<std::uint8_t> { 2, 3, 5, 6 })
-        EXPECT_EQ(descriptor->report_size(HidReportKind::Feature, id),
+        EXPECT_EQ(descriptor->report_size(drivers::HidReportKind::Feature, id),
                   model.get_feature(id).value().size())
             << int(id);
-    EXPECT_EQ(descriptor->report_size(HidReportKind::Feature, 4), 3u);
+    EXPECT_EQ(descriptor->report_size(drivers::HidReportKind::Feature, 4), 3u);
 }
 
-} // namespace tractus
+} // namespace tractus::sim

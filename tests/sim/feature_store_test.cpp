@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::sim {
 namespace {
 
 TEST(FeatureStore, GivesBackTheModeThatADriverHasSet)
@@ -28,4 +28,4 @@ TEST(FeatureStore, IsEachDevicesOwn)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::sim

@@ -9,27 +9,27 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sim {
 
 // Result of a simulated run in a station.
 struct FusedRun {
     std::vector<TipSample> live;
     std::vector<TipSample> settled;
-    FuserCounts counts;
+    calib::FuserCounts counts;
 };
 
 // The reports of a run, through the real decoders and the fuser, with `rig` for its calibration.
-inline FusedRun fuse(SimulatedRun const& run, Rig const& rig)
+inline FusedRun fuse(SimulatedRun const& run, calib::Rig const& rig)
 {
-    auto const pens = make_pen_decoder(run.tablet.info);
-    auto const heights = make_height_decoder(run.height.info);
+    auto const pens = drivers::make_pen_decoder(run.tablet.info);
+    auto const heights = drivers::make_height_decoder(run.height.info);
     EXPECT_TRUE(pens) << pens.error().message;
     EXPECT_TRUE(heights) << heights.error().message;
 
     FusedRun fused;
-    Fuser fuser(rig);
-    std::vector<HeightSample> samples;
-    std::vector<PenSample> new_pens;
+    calib::Fuser fuser(rig);
+    std::vector<drivers::HeightSample> samples;
+    std::vector<drivers::PenSample> new_pens;
     for (auto const& [device, report] : run.in_order_of_arrival()) {
         if (device == 1) {
             samples.clear();
@@ -103,4 +103,4 @@ inline Errors errors_of(std::vector<TipSample> const& tips, Hand const& hand)
     return errors;
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <tuple>
 
-namespace tractus {
+namespace tractus::sim {
 namespace {
 
 constexpr std::string_view kScript = R"(version = 1
@@ -277,4 +277,4 @@ TEST(GestureScript, TellsWhichGestureIsOutOfReach)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::sim

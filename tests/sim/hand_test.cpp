@@ -5,7 +5,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::sim {
 namespace {
 
 using namespace std::chrono_literals;
@@ -153,4 +153,4 @@ TEST(Hand, DrawsStrokesFromTheSamePlace)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::sim

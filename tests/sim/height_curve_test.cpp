@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace {
 
@@ -22,7 +22,7 @@ Timestamp at_ms(int ms)
 
 Result<HeightCurve> read(std::string const& text)
 {
-    return HeightCurve::read(parse_log(text, "test").value());
+    return HeightCurve::read(drivers::parse_log(text, "test").value());
 }
 
 } // namespace
@@ -62,4 +62,4 @@ TEST(HeightCurve, NeedsAHeightSensor)
     EXPECT_NE(curve.error().message.find("no heights to play"), std::string::npos);
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -4,20 +4,20 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::sim {
 namespace {
 
-UsbSetup get(HeightSensorRequest request, std::uint16_t length)
+UsbSetup get(drivers::HeightSensorRequest request, std::uint16_t length)
 {
-    return { .request_type = kVendorInterfaceIn,
+    return { .request_type = drivers::kVendorInterfaceIn,
              .request = static_cast<std::uint8_t>(request),
              .length = length };
 }
 
-bool set(HeightSensorModel& model, HeightSensorRequest request, std::uint16_t value,
+bool set(HeightSensorModel& model, drivers::HeightSensorRequest request, std::uint16_t value,
          std::vector<std::byte> const& data = {})
 {
-    return model.accept({ .request_type = kVendorInterfaceOut,
+    return model.accept({ .request_type = drivers::kVendorInterfaceOut,
                           .request = static_cast<std::uint8_t>(request),
                           .value = value,
                           .length = static_cast<std::uint16_t>(data.size()) },
@@ -29,14 +29,17 @@ TEST(HeightSensorModel, HasTheDescriptorsOfTheProtocol)
 {
     HeightSensorModel const model;
     EXPECT_EQ(model.device_descriptor(),
-              bytes("12 01 10 02 00 00 00 40 09 12 02 00 00 01 01 02 03 01"));
+              drivers::bytes("12 01 10 02 00 00 00 40 09 12 02 00 00 01 01 02 03 01"));
     EXPECT_EQ(model.configuration_descriptor(UsbSpeed::Full),
-              bytes("09 02 19 00 01 01 00 80 32 09 04 00 00 01 ff 54 01 04 07 05 81 02 40 00 00"));
+              drivers::bytes(
+                  "09 02 19 00 01 01 00 80 32 09 04 00 00 01 ff 54 01 04 07 05 81 02 40 00 00"));
     EXPECT_EQ(model.configuration_descriptor(UsbSpeed::High),
-              bytes("09 02 19 00 01 01 00 80 32 09 04 00 00 01 ff 54 01 04 07 05 81 02 00 02 00"));
-    EXPECT_EQ(model.bos_descriptor(),
-              bytes("05 0f 21 00 01 1c 10 05 00 df 60 dd d8 89 45 c7 4c 9c d2 65 9d 9e 64 8a 9f "
-                    "00 00 03 06 a2 00 20 00"));
+              drivers::bytes(
+                  "09 02 19 00 01 01 00 80 32 09 04 00 00 01 ff 54 01 04 07 05 81 02 00 02 00"));
+    EXPECT_EQ(
+        model.bos_descriptor(),
+        drivers::bytes("05 0f 21 00 01 1c 10 05 00 df 60 dd d8 89 45 c7 4c 9c d2 65 9d 9e 64 8a 9f "
+                       "00 00 03 06 a2 00 20 00"));
     EXPECT_EQ(model.strings().at(3), "tractus height sensor 1, full scale 4095");
 }
 
@@ -58,33 +61,36 @@ TEST(HeightSensorModel, TellsWindowsWhichDriverToTake)
 TEST(HeightSensorModel, AnswersWithNoMoreThanWasAskedFor)
 {
     HeightSensorModel const model;
-    auto const whole = bytes("01 00 00 01 ff 0f 0c 01 64 00 20 4e 03 17 00 00 78 56 34 12");
-    EXPECT_EQ(model.answer(get(HeightSensorRequest::GetIdentity, 64), 0x12345678), whole);
-    auto const part = model.answer(get(HeightSensorRequest::GetIdentity, 2), 0);
-    EXPECT_EQ(part, bytes("01 00"));
-    EXPECT_EQ(model.answer(get(HeightSensorRequest::GetRate, 4), 0), bytes("e8 03 05 00"));
-    EXPECT_EQ(model.answer(get(HeightSensorRequest::GetReference, 1), 0), bytes("00"));
+    auto const whole
+        = drivers::bytes("01 00 00 01 ff 0f 0c 01 64 00 20 4e 03 17 00 00 78 56 34 12");
+    EXPECT_EQ(model.answer(get(drivers::HeightSensorRequest::GetIdentity, 64), 0x12345678), whole);
+    auto const part = model.answer(get(drivers::HeightSensorRequest::GetIdentity, 2), 0);
+    EXPECT_EQ(part, drivers::bytes("01 00"));
+    EXPECT_EQ(model.answer(get(drivers::HeightSensorRequest::GetRate, 4), 0),
+              drivers::bytes("e8 03 05 00"));
+    EXPECT_EQ(model.answer(get(drivers::HeightSensorRequest::GetReference, 1), 0),
+              drivers::bytes("00"));
 }
 
 TEST(HeightSensorModel, StallsWhatItDoesNotDoAndKeepsItsSettings)
 {
     HeightSensorModel model;
-    using Request = HeightSensorRequest;
-    EXPECT_FALSE(set(model, Request::SetRate, 0, bytes("01 00 05 00"))); // Too fast.
-    EXPECT_FALSE(set(model, Request::SetRate, 0, bytes("e8 03 18 00"))); // 24 in a frame.
-    EXPECT_FALSE(set(model, Request::SetRate, 0, bytes("e8 03 00 00"))); // None.
-    EXPECT_FALSE(set(model, Request::SetRate, 0, bytes("e8 03 05 01"))); // Reserved.
-    EXPECT_FALSE(set(model, Request::SetRate, 0, bytes("e8 03 05")));
-    EXPECT_FALSE(set(model, Request::SetRate, 1, bytes("d0 07 05 00")));
-    EXPECT_FALSE(set(model, Request::SetReference, 0, bytes("02")));
+    using Request = drivers::HeightSensorRequest;
+    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("01 00 05 00"))); // Too fast.
+    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 18 00"))); // 24 in a frame.
+    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 00 00"))); // None.
+    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 05 01"))); // Reserved.
+    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 05")));
+    EXPECT_FALSE(set(model, Request::SetRate, 1, drivers::bytes("d0 07 05 00")));
+    EXPECT_FALSE(set(model, Request::SetReference, 0, drivers::bytes("02")));
     EXPECT_FALSE(set(model, Request::SetStreaming, 2));
-    EXPECT_FALSE(set(model, Request::SetStreaming, 1, bytes("00")));
+    EXPECT_FALSE(set(model, Request::SetStreaming, 1, drivers::bytes("00")));
     EXPECT_FALSE(set(model, Request::GetRate, 0));
     EXPECT_FALSE(set(model, Request { 9 }, 0));
     EXPECT_FALSE(model.answer(get(Request { 9 }, 4), 0));
     EXPECT_FALSE(model.answer(get(Request::SetRate, 4), 0));
     EXPECT_EQ(model.period_us(), 1000);
-    EXPECT_EQ(model.reference(), HeightReference::Supply);
+    EXPECT_EQ(model.reference(), drivers::HeightReference::Supply);
     EXPECT_FALSE(model.is_streaming());
 }
 
@@ -92,37 +98,38 @@ TEST(HeightSensorModel, SendsNothingUntilItIsToldTo)
 {
     HeightSensorModel model({ .samples_per_frame = 1 });
     EXPECT_FALSE(model.push(0, 1));
-    EXPECT_TRUE(set(model, HeightSensorRequest::SetStreaming, 1));
+    EXPECT_TRUE(set(model, drivers::HeightSensorRequest::SetStreaming, 1));
     EXPECT_TRUE(model.push(1000, 1));
-    EXPECT_TRUE(set(model, HeightSensorRequest::SetStreaming, 0));
+    EXPECT_TRUE(set(model, drivers::HeightSensorRequest::SetStreaming, 0));
     EXPECT_FALSE(model.push(2000, 1));
 }
 
 TEST(HeightSensorModel, MarksTheFirstFrameAndNumbersAll)
 {
     HeightSensorModel model({ .samples_per_frame = 1 });
-    ASSERT_TRUE(set(model, HeightSensorRequest::SetStreaming, 1));
+    ASSERT_TRUE(set(model, drivers::HeightSensorRequest::SetStreaming, 1));
     auto const first = model.push(0, 0).value();
     auto const second = model.push(1000, 0).value();
     model.lose_frames(3);
     auto const third = model.push(5000, 0).value();
-    EXPECT_EQ(first[4], std::byte { kHeightFrameStart });
+    EXPECT_EQ(first[4], std::byte { drivers::kHeightFrameStart });
     EXPECT_EQ(second[4], std::byte { 0 });
     EXPECT_EQ(second[6], std::byte { 1 });
-    EXPECT_EQ(third[4], std::byte { kHeightFrameOverrun });
+    EXPECT_EQ(third[4], std::byte { drivers::kHeightFrameOverrun });
     EXPECT_EQ(third[6], std::byte { 5 });
-    ASSERT_TRUE(set(model, HeightSensorRequest::SetStreaming, 1)); // Again.
+    ASSERT_TRUE(set(model, drivers::HeightSensorRequest::SetStreaming, 1)); // Again.
     auto const again = model.push(6000, 0).value();
-    EXPECT_EQ(again[4], std::byte { kHeightFrameStart });
+    EXPECT_EQ(again[4], std::byte { drivers::kHeightFrameStart });
     EXPECT_EQ(again[6], std::byte { 0 });
 }
 
 TEST(HeightSensorModel, BeginsANewFrameAtANewRate)
 {
     HeightSensorModel model({ .samples_per_frame = 2 });
-    ASSERT_TRUE(set(model, HeightSensorRequest::SetStreaming, 1));
+    ASSERT_TRUE(set(model, drivers::HeightSensorRequest::SetStreaming, 1));
     EXPECT_FALSE(model.push(0, 7));
-    ASSERT_TRUE(set(model, HeightSensorRequest::SetRate, 0, bytes("d0 07 02 00")));
+    ASSERT_TRUE(
+        set(model, drivers::HeightSensorRequest::SetRate, 0, drivers::bytes("d0 07 02 00")));
     EXPECT_FALSE(model.push(1000, 8));
     auto const frame = model.push(3000, 9).value();
     EXPECT_EQ(frame[12], std::byte { 0xD0 });
@@ -131,4 +138,4 @@ TEST(HeightSensorModel, BeginsANewFrameAtANewRate)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::sim

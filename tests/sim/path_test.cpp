@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::sim {
 namespace {
 
 TEST(Path, IsAFunctionOfItsArcLength)
@@ -70,4 +70,4 @@ TEST(Path, WhatHasNoLengthCannotBeDrawn)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::sim

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::sim {
 namespace {
 
 constexpr double kTolerance = 1e-9;
@@ -19,7 +19,7 @@ TEST(RigGeometry, PerfectCalibrationReadsTheTrueHeight)
     auto const rig = true_rig(geometry);
     for (double height = 0; height <= geometry.travel_mm; height += 10) {
         double const counts = ideal_counts(geometry, height);
-        EXPECT_NEAR(*height_mm(rig.height_model, counts), height, kTolerance);
+        EXPECT_NEAR(*calib::height_mm(rig.height_model, counts), height, kTolerance);
         EXPECT_GE(counts, rig.calibrated_min_counts);
         EXPECT_LE(counts, rig.calibrated_max_counts);
         EXPECT_LE(counts, geometry.full_scale_counts);
@@ -50,4 +50,4 @@ TEST(RigGeometry, TellsWhatIsOutOfReach)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::sim

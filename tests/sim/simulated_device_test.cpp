@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::sim {
 namespace {
 
 using namespace std::chrono_literals;
@@ -87,4 +87,4 @@ TEST(SimulatedDevices, ReportsMergeInOrderOfArrival)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::sim

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::sim {
 namespace {
 
 using namespace std::chrono_literals;
@@ -20,17 +20,17 @@ using namespace std::chrono_literals;
 bool same_reports(SimulatedDevice const& a, SimulatedDevice const& b)
 {
     return std::equal(a.reports.begin(), a.reports.end(), b.reports.begin(), b.reports.end(),
-                      [](RawReport const& x, RawReport const& y) {
+                      [](drivers::RawReport const& x, drivers::RawReport const& y) {
                           return x.received == y.received && x.size == y.size
                               && x.storage == y.storage;
                       });
 }
 
 // Everything that the real decoder makes of a tablet's reports.
-std::vector<PenSample> decoded(SimulatedDevice const& tablet)
+std::vector<drivers::PenSample> decoded(SimulatedDevice const& tablet)
 {
-    auto const decoder = make_pen_decoder(tablet.info).value();
-    std::vector<PenSample> samples;
+    auto const decoder = drivers::make_pen_decoder(tablet.info).value();
+    std::vector<drivers::PenSample> samples;
     for (auto const& report : tablet.reports)
         EXPECT_TRUE(decoder->decode(report, samples));
     return samples;
@@ -39,7 +39,7 @@ std::vector<PenSample> decoded(SimulatedDevice const& tablet)
 TEST(SimulatedTablet, ItsDescriptorSaysWhatItIs)
 {
     auto const run = simulate_rig(fast_hand(1), {});
-    auto const traits = make_pen_decoder(run.tablet.info).value()->traits();
+    auto const traits = drivers::make_pen_decoder(run.tablet.info).value()->traits();
     EXPECT_NEAR(traits.size_mm.x(), 254, 1e-9);
     EXPECT_NEAR(traits.size_mm.y(), 159, 1e-9);
     EXPECT_FALSE(traits.is_size_assumed);
@@ -56,7 +56,7 @@ TEST(SimulatedTablet, ATabletOfAnotherSizeSaysSo)
     SimulatedRigOptions options;
     options.geometry.tablet_size_mm = { 600, 338.5 };
     auto const run = simulate_rig(fast_hand(1), options);
-    auto const size_mm = make_pen_decoder(run.tablet.info).value()->traits().size_mm;
+    auto const size_mm = drivers::make_pen_decoder(run.tablet.info).value()->traits().size_mm;
     EXPECT_LT((size_mm - Vec2(600, 338.5)).norm(), 1e-9);
 }
 
@@ -133,11 +133,11 @@ TEST(SimulatedHeight, ReportsDecodeToTheCountsOfTheTrueHeight)
     SimulatedRigOptions options;
     options.height.timing.jitter = 0ms;
     auto const run = simulate_rig(hand, options);
-    auto const decoder = make_height_decoder(run.height.info).value();
+    auto const decoder = drivers::make_height_decoder(run.height.info).value();
     EXPECT_EQ(decoder->full_scale(), 4095);
     double sum_of_squares = 0;
     for (auto const& report : run.height.reports) {
-        auto const sample = decode_heights(*decoder, report).value().at(0);
+        auto const sample = drivers::decode_heights(*decoder, report).value().at(0);
         auto const height = hand.at(sample.time - options.height.timing.latency).position_mm.z();
         double const noise = sample.counts - ideal_counts(options.geometry, height);
         sum_of_squares += noise * noise;
@@ -154,10 +154,10 @@ TEST(SimulatedHeight, StopsAtTheConvertersEnds)
     SimulatedRigOptions options;
     options.geometry.string_at_zero_counts_mm = 300;
     auto const run = simulate_rig(fast_hand(1), options);
-    auto const decoder = make_height_decoder(run.height.info).value();
+    auto const decoder = drivers::make_height_decoder(run.height.info).value();
     std::int32_t least = 4095;
     for (auto const& report : run.height.reports)
-        least = std::min(least, decode_heights(*decoder, report).value().at(0).counts);
+        least = std::min(least, drivers::decode_heights(*decoder, report).value().at(0).counts);
     EXPECT_EQ(least, 0);
 }
 
@@ -184,18 +184,19 @@ TEST(SimulatedRig, AnotherSeedIsAnotherRun)
 SimulatedRun replayed_from_log(SimulatedRun const& run)
 {
     std::ostringstream file;
-    LogWriter writer(
-        file, { .devices = { run.tablet.info, run.height.info }, .rig_text = print_rig(run.rig) });
+    drivers::LogWriter writer(
+        file,
+        { .devices = { run.tablet.info, run.height.info }, .rig_text = calib::print_rig(run.rig) });
     for (auto const& [device, report] : run.in_order_of_arrival())
         writer.write_report(device, report->received, report->bytes());
     EXPECT_TRUE(writer.flush());
 
-    auto const log = parse_log(file.str(), "simulated").value();
+    auto const log = drivers::parse_log(file.str(), "simulated").value();
     SimulatedRun replayed { .tablet = { log.devices.at(0), {} },
                             .height = { log.devices.at(1), {} },
-                            .rig = parse_rig(log.rig_text, "simulated").value() };
+                            .rig = calib::parse_rig(log.rig_text, "simulated").value() };
     for (auto const& record : log.records) {
-        RawReport report { .received = record.time, .size = record.size };
+        drivers::RawReport report { .received = record.time, .size = record.size };
         std::ranges::copy(log.report(record), report.storage.begin());
         (record.device == 0 ? replayed.tablet : replayed.height).reports.push_back(report);
     }
@@ -272,8 +273,8 @@ TEST(SimulatedRig, AWrongHeightModelMissesTheTruth)
     double const low = ideal_counts(geometry, 0);
     double const high = ideal_counts(geometry, geometry.travel_mm);
     auto rig = run.rig;
-    rig.height_model
-        = LinearHeight { .mm_per_count = geometry.travel_mm / (high - low), .zero_counts = low };
+    rig.height_model = calib::LinearHeight { .mm_per_count = geometry.travel_mm / (high - low),
+                                             .zero_counts = low };
     auto const right = errors_of(fuse(run, run.rig).settled, hand);
     auto const wrong = errors_of(fuse(run, rig).settled, hand);
     EXPECT_LT(right.max_mm, 1);
@@ -317,4 +318,4 @@ TEST(SimulatedRig, SurvivesATurnedTabletAndACrookedTravel)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::sim

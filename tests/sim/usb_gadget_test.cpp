@@ -6,7 +6,7 @@
 
 // Messages for kernels that cannot play gadgets; what the kernel does with gadgets is for tests/vm.
 
-namespace tractus {
+namespace tractus::sim {
 
 namespace fs = std::filesystem;
 
@@ -53,4 +53,4 @@ TEST(WriteAttribute, NamesTheFile)
     EXPECT_EQ(written.error().message, "cannot write /nonexistent/UDC: No such file or directory");
 }
 
-} // namespace tractus
+} // namespace tractus::sim

@@ -76,7 +76,7 @@ Result<void> go_on_with_recordings(WantedDrawing const& drawing,
         std::string trouble;
         auto session = TRY(open_or_begin(drawing, all_methods().edits, trouble));
         Document document(std::move(session), Document::Working::AtOnce);
-        auto const log = TRY(read_log(name));
+        auto const log = TRY(drivers::read_log(name));
         auto replay = TRY(LogReplay::create(log, { .methods = all_methods() }));
         replay.run(document);
         if (auto const& outcome = replay.outcome(); !outcome)

@@ -17,17 +17,17 @@ namespace tractus {
 namespace {
 
 struct DecodedHeights {
-    std::vector<HeightSample> samples;
-    HeightStreamCounts counts;
+    std::vector<drivers::HeightSample> samples;
+    drivers::HeightStreamCounts counts;
     std::size_t broken_reports = 0;
 };
 
 // Decodes the log's first height sensor.
 Result<DecodedHeights> decode_heights(std::string const& log_name)
 {
-    auto const log = TRY(read_log(log_name));
+    auto const log = TRY(drivers::read_log(log_name));
     for (std::size_t device = 0; device < log.devices.size(); ++device) {
-        auto const decoder = make_height_decoder(log.devices[device]);
+        auto const decoder = drivers::make_height_decoder(log.devices[device]);
         if (!decoder)
             continue;
         DecodedHeights heights;
@@ -44,7 +44,8 @@ Result<DecodedHeights> decode_heights(std::string const& log_name)
 }
 
 // The farthest that samples lie from a curve that is `offset` later than it was recorded.
-double farthest(HeightCurve const& curve, std::vector<HeightSample> const& samples, Duration offset)
+double farthest(sim::HeightCurve const& curve, std::vector<drivers::HeightSample> const& samples,
+                Duration offset)
 {
     double far = 0;
     for (auto const& sample : samples)
@@ -55,7 +56,8 @@ double farthest(HeightCurve const& curve, std::vector<HeightSample> const& sampl
 }
 
 // The farthest that samples lie from a curve, where all of them may be later than it by the same.
-double farthest_at_best(HeightCurve const& curve, std::vector<HeightSample> const& samples)
+double farthest_at_best(sim::HeightCurve const& curve,
+                        std::vector<drivers::HeightSample> const& samples)
 {
     constexpr Duration kLargestOffset = std::chrono::seconds(3);
     double nearest = 1;
@@ -70,8 +72,8 @@ double farthest_at_best(HeightCurve const& curve, std::vector<HeightSample> cons
 Result<void> compare_heights(std::string const& sent_name, std::string const& got_name,
                              double tolerance)
 {
-    auto const sent = TRY(read_log(sent_name));
-    auto const curve = TRY(HeightCurve::read(sent));
+    auto const sent = TRY(drivers::read_log(sent_name));
+    auto const curve = TRY(sim::HeightCurve::read(sent));
     auto const heights = TRY(decode_heights(got_name));
     if (heights.broken_reports > 0)
         return fail(Fault::Device, fmt::format("{} reports are broken", heights.broken_reports));
@@ -88,8 +90,8 @@ Result<void> compare_encoder(std::string const& sent_name, std::string const& go
                              unsigned counts)
 {
     constexpr double kMostBehind = 2;
-    auto const sent = TRY(read_log(sent_name));
-    auto const curve = TRY(HeightCurve::read(sent));
+    auto const sent = TRY(drivers::read_log(sent_name));
+    auto const curve = TRY(sim::HeightCurve::read(sent));
     auto heights = TRY(decode_heights(got_name));
     if (heights.broken_reports > 0 || heights.counts.overruns > 0)
         return fail(Fault::Device,
@@ -100,7 +102,7 @@ Result<void> compare_encoder(std::string const& sent_name, std::string const& go
     };
     auto const first = count_at(Timestamp());
     for (auto& sample : heights.samples) { // It counts from where it begins.
-        sample.counts += first - kEncoderCountsBelow;
+        sample.counts += first - drivers::kEncoderCountsBelow;
         sample.full_scale = static_cast<std::int32_t>(counts);
     }
     double const farthest_counts = farthest_at_best(curve, heights.samples) * counts;

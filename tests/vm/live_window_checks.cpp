@@ -25,7 +25,7 @@ Result<LiveWindow> open_window(WatchedWindow const& watched)
 {
     auto const rig_text = TRY(read_file(watched.rig_file));
     LiveWindowOptions options { .methods = all_methods() };
-    options.rig = TRY(parse_rig(rig_text, watched.rig_file));
+    options.rig = TRY(calib::parse_rig(rig_text, watched.rig_file));
     if (watched.session.empty()) {
         options.scene = TRY(scene_of_plant(watched.model, options.methods.edits));
     } else {
@@ -36,7 +36,7 @@ Result<LiveWindow> open_window(WatchedWindow const& watched)
             return fail(Fault::Station, trouble);
     }
     options.recording = watched.recording;
-    options.now = monotonic_now;
+    options.now = drivers::monotonic_now;
     auto devices = TRY(open_found(find_pens_and_height_sensors()));
     return LiveWindow::create(std::move(devices), std::move(options));
 }
@@ -49,7 +49,7 @@ public:
         Chooser chooser;
         if (log_name.empty())
             return chooser;
-        auto const log = TRY(read_log(log_name));
+        auto const log = TRY(drivers::read_log(log_name));
         for (auto const& line : log.tools)
             chooser.tools_.push_back(
                 TRY(parse_tool(all_methods().tools, line.tool, line.arguments)));

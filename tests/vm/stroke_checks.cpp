@@ -15,17 +15,17 @@ namespace tractus {
 namespace {
 
 // The hand that write_simulated_recording lets draw.
-Result<Hand> hand_of(TruthOptions const& options)
+Result<sim::Hand> hand_of(TruthOptions const& options)
 {
     auto const text = TRY(read_file(options.script));
-    auto const script = TRY(parse_gesture_script(text, options.script));
+    auto const script = TRY(sim::parse_gesture_script(text, options.script));
     auto const edit = TRY(load_model_edit(options.model));
     return simulated_hand(script, TRY(apply_edit({}, edit)));
 }
 
 // How much later the recording's clock reads than the hand's: the median over the pen's reports,
 // all of which came through, in the same order; of a torn recording those up to its end.
-Result<Duration> clock_offset(Log const& sent, Log const& got, bool is_torn)
+Result<Duration> clock_offset(drivers::Log const& sent, drivers::Log const& got, bool is_torn)
 {
     std::vector<Timestamp> sent_times;
     std::vector<Duration> offsets;
@@ -51,7 +51,7 @@ struct StrokeErrors {
     double largest_from_path_mm = 0; // Where the hand was some time within kLateness.
     std::size_t count = 0;
 
-    void add(TipSample const& tip, Timestamp time, Hand const& hand)
+    void add(TipSample const& tip, Timestamp time, sim::Hand const& hand)
     {
         constexpr Duration kLateness = std::chrono::milliseconds(20);
         constexpr Duration kStep = std::chrono::microseconds(500);
@@ -70,7 +70,8 @@ struct StrokeErrors {
     double rms_mm() const { return std::sqrt(sum_of_squares / static_cast<double>(count)); }
 };
 
-Result<std::vector<DrawnStroke>> strokes_of_recording(Log const& log, std::string const& model)
+Result<std::vector<DrawnStroke>> strokes_of_recording(drivers::Log const& log,
+                                                      std::string const& model)
 {
     auto const edit = TRY(load_model_edit(model));
     Document document(TRY(apply_edit({}, edit)), Document::Working::AtOnce);
@@ -84,8 +85,8 @@ Result<std::vector<DrawnStroke>> strokes_of_recording(Log const& log, std::strin
 Result<void> compare_strokes(TruthOptions const& options)
 {
     auto const hand = TRY(hand_of(options));
-    auto const sent = TRY(read_log(options.sent));
-    auto const got = TRY(read_log(options.got));
+    auto const sent = TRY(drivers::read_log(options.sent));
+    auto const got = TRY(drivers::read_log(options.got));
     auto const offset = TRY(clock_offset(sent, got, options.is_torn));
     auto const strokes = TRY(strokes_of_recording(got, options.model));
     auto const drawn_count = options.strokes > 0 ? options.strokes : hand.strokes().size();
@@ -111,7 +112,7 @@ Result<void> check_interrupted_strokes(std::string const& log_name, std::string 
                                        std::size_t least)
 {
     constexpr Duration kLongestGap = std::chrono::milliseconds(200);
-    auto const log = TRY(read_log(log_name));
+    auto const log = TRY(drivers::read_log(log_name));
     auto const strokes = TRY(strokes_of_recording(log, model));
     std::size_t count = 0;
     for (auto const& drawn : strokes) {

@@ -14,17 +14,18 @@ namespace tractus {
 namespace {
 
 // The reports of a device, without the empty ones that say that it went away.
-std::vector<LogRecord> records_of(Log const& log, std::size_t device)
+std::vector<drivers::LogRecord> records_of(drivers::Log const& log, std::size_t device)
 {
-    std::vector<LogRecord> records;
-    std::copy_if(
-        log.records.begin(), log.records.end(), std::back_inserter(records),
-        [&](LogRecord const& record) { return record.device == device && record.size > 0; });
+    std::vector<drivers::LogRecord> records;
+    std::copy_if(log.records.begin(), log.records.end(), std::back_inserter(records),
+                 [&](drivers::LogRecord const& record) {
+                     return record.device == device && record.size > 0;
+                 });
     return records;
 }
 
 // The device of `log` with the report descriptor of `wanted`.
-Result<std::size_t> find_device(Log const& log, DeviceInfo const& wanted)
+Result<std::size_t> find_device(drivers::Log const& log, drivers::DeviceInfo const& wanted)
 {
     for (std::size_t i = 0; i < log.devices.size(); ++i)
         if (log.devices[i].report_descriptor == wanted.report_descriptor)
@@ -36,17 +37,17 @@ Result<std::size_t> find_device(Log const& log, DeviceInfo const& wanted)
 
 // Reports that the kernel hands on to hidraw: those that the descriptor has, in its length at
 // least.
-std::vector<LogRecord> delivered(Log const& log, std::size_t device)
+std::vector<drivers::LogRecord> delivered(drivers::Log const& log, std::size_t device)
 {
     auto records = records_of(log, device);
-    auto const descriptor = parse_report_descriptor(log.devices[device].report_descriptor);
+    auto const descriptor = drivers::parse_report_descriptor(log.devices[device].report_descriptor);
     if (!descriptor)
         return records;
-    bool const has_ids = !descriptor->report_size(HidReportKind::Input, 0);
-    std::erase_if(records, [&](LogRecord const& record) {
+    bool const has_ids = !descriptor->report_size(drivers::HidReportKind::Input, 0);
+    std::erase_if(records, [&](drivers::LogRecord const& record) {
         auto const id
             = has_ids ? std::to_integer<std::uint8_t>(log.report(record)[0]) : std::uint8_t { 0 };
-        auto const size = descriptor->report_size(HidReportKind::Input, id);
+        auto const size = descriptor->report_size(drivers::HidReportKind::Input, id);
         return size == 0 || record.size < size;
     });
     return records;
@@ -58,14 +59,15 @@ bool is_same(std::span<std::byte const> a, std::span<std::byte const> b)
 }
 
 // Leaves the last `count` records, if those before only repeat the first of them.
-void forget_repetitions(Log const& log, std::vector<LogRecord>& records, std::size_t count)
+void forget_repetitions(drivers::Log const& log, std::vector<drivers::LogRecord>& records,
+                        std::size_t count)
 {
     while (records.size() > count && is_same(log.report(records[0]), log.report(records[1])))
         records.erase(records.begin());
 }
 
-Result<void> compare_device(Log const& sent, std::size_t sent_device, Log const& got,
-                            FirstReport first)
+Result<void> compare_device(drivers::Log const& sent, std::size_t sent_device,
+                            drivers::Log const& got, FirstReport first)
 {
     auto const& info = sent.devices[sent_device];
     auto const got_device = TRY(find_device(got, info));
@@ -89,9 +91,9 @@ Result<void> compare_device(Log const& sent, std::size_t sent_device, Log const&
 }
 
 // The node, once it is there.
-Result<DeviceInfo> find_node(std::string const& node)
+Result<drivers::DeviceInfo> find_node(std::string const& node)
 {
-    for (auto const& info : enumerate_hid())
+    for (auto const& info : drivers::enumerate_hid())
         if (info.location == node)
             return info;
     return fail(Fault::Device, fmt::format("there is no {}", node));
@@ -107,8 +109,8 @@ void print_figure(std::string const& name, double value, std::string const& unit
 Result<void> compare_reports(std::string const& sent_name, std::string const& got_name,
                              std::vector<std::size_t> sent_devices, FirstReport first)
 {
-    auto const sent = TRY(read_log(sent_name));
-    auto const got = TRY(read_log(got_name));
+    auto const sent = TRY(drivers::read_log(sent_name));
+    auto const got = TRY(drivers::read_log(got_name));
     if (sent_devices.empty())
         for (std::size_t i = 0; i < sent.devices.size(); ++i)
             sent_devices.push_back(i);
@@ -119,7 +121,7 @@ Result<void> compare_reports(std::string const& sent_name, std::string const& go
 
 Result<void> measure_gaps(std::string const& log_name, std::size_t device, double pause_ms)
 {
-    auto const log = TRY(read_log(log_name));
+    auto const log = TRY(drivers::read_log(log_name));
     auto const records = records_of(log, device);
     std::vector<double> gaps_ms;
     for (std::size_t i = 1; i < records.size(); ++i) {
@@ -146,10 +148,10 @@ Result<void> measure_gaps(std::string const& log_name, std::size_t device, doubl
 
 Result<void> read_late(std::string const& node, std::string const& sent_name, double seconds)
 {
-    auto const sent = TRY(read_log(sent_name));
+    auto const sent = TRY(drivers::read_log(sent_name));
     auto const info = TRY(find_node(node));
-    auto opened = TRY(open_hid(info));
-    auto const source = TRY(ThreadedSource::start(std::move(opened)));
+    auto opened = TRY(drivers::open_hid(info));
+    auto const source = TRY(drivers::ThreadedSource::start(std::move(opened)));
     std::this_thread::sleep_for(from_seconds(seconds));
     auto const expected = records_of(sent, 0);
     std::size_t count = 0;

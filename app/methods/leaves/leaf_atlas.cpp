@@ -298,11 +298,11 @@ private:
                  { "triangles", leaf.cutout.triangles } };
     }
 
-    Mesh mesh_of_leaf(AtlasLeaf const& leaf, std::size_t cell, Material const& material) const
+    mesh::Mesh mesh_of_leaf(AtlasLeaf const& leaf, std::size_t cell, Material const& material) const
     {
-        Mesh mesh;
+        mesh::Mesh mesh;
         mesh.materials = { material };
-        TriangleMesh shape;
+        mesh::TriangleMesh shape;
         for (auto const& corner : leaf.cutout.corners) {
             Vec2 const from_stem = leaf.pixel_mm * (corner - stem());
             Vec2 const uv = (cell_corner(cell) + corner) / options_.page;
@@ -350,7 +350,7 @@ private:
         double gap_mm = 0;
         for (auto const& leaf : leaves)
             gap_mm = std::max(gap_mm, leaf.pixel_mm * options_.cell);
-        std::vector<Mesh> meshes;
+        std::vector<mesh::Mesh> meshes;
         for (std::size_t i = 0; i < leaves.size(); ++i)
             meshes.push_back(mesh_of_leaf(leaves[i], i, material));
         std::vector<PlacedMesh> placed;

@@ -51,10 +51,10 @@ public:
         scale_ = size_mm / box_.sizes().maxCoeff();
     }
 
-    TriangleMesh part(std::span<Triangle const> triangles, MaterialId material) const
+    mesh::TriangleMesh part(std::span<Triangle const> triangles, MaterialId material) const
     {
         constexpr auto kUnused = ~std::uint32_t { 0 };
-        TriangleMesh mesh;
+        mesh::TriangleMesh mesh;
         mesh.material = material;
         std::vector<std::uint32_t> number(leaf_.positions.size(), kUnused);
         for (auto const& triangle : triangles)
@@ -86,7 +86,7 @@ private:
 
 } // namespace
 
-Result<Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm)
+Result<mesh::Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm)
 {
     Eigen::AlignedBox2d box;
     for (auto const& flat : leaf.flat)
@@ -94,7 +94,7 @@ Result<Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm)
     if (!(box.sizes().maxCoeff() > 0))
         return fail(Fault::User, "the leaf has no extent: its faces have no length and no width");
     PartMaker const maker(leaf, size_mm);
-    Mesh mesh;
+    mesh::Mesh mesh;
     mesh.materials.push_back({ .name = "veins",
                                .kind = Material::Kind::Petal,
                                .base_color = { 0.66f, 0.74f, 0.42f },
@@ -121,8 +121,8 @@ template<std::size_t N> TextureSlot texture(std::vector<std::array<std::uint8_t,
 
 } // namespace
 
-Result<Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf, leaf::LeafPicture const& picture,
-                               double size_mm)
+Result<mesh::Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf,
+                                     leaf::LeafPicture const& picture, double size_mm)
 {
     auto mesh = TRY(leaf_mesh(leaf, size_mm));
     std::vector<Triangle> all = leaf.veins;

@@ -12,11 +12,11 @@ namespace tractus {
 // which fills the unit square of texture coordinates from v = 0 on, halfway between the sides.
 // Normals do not break between veins and limb. Fails, as the user's fault, if the leaf has no
 // extent.
-Result<Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm);
+Result<mesh::Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm);
 
 // Returns that mesh with pictures on it, as one material that is cut out along the pictures' alpha.
 // Fails like leaf_mesh().
-Result<Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf, leaf::LeafPicture const& picture,
-                               double size_mm);
+Result<mesh::Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf,
+                                     leaf::LeafPicture const& picture, double size_mm);
 
 } // namespace tractus

@@ -40,7 +40,7 @@ constexpr std::array kLateralNumbers {
     LateralKey { "l_min", &LateralRule::shortest_mm },
 };
 
-Result<int> read_count(TomlTable& table, char const* key, int fallback)
+Result<int> read_count(calib::TomlTable& table, char const* key, int fallback)
 {
     if (!table.has(key))
         return fallback;
@@ -51,7 +51,7 @@ Result<int> read_count(TomlTable& table, char const* key, int fallback)
 }
 
 // Sets what the other numbers suggest where a file does not say it.
-void set_defaults(TomlTable& table, Rule& rule)
+void set_defaults(calib::TomlTable& table, Rule& rule)
 {
     constexpr double kSlender = 0.15;
     double const twist_deg = rule.laterals > 0 ? 180.0 / rule.laterals : 0;
@@ -63,7 +63,7 @@ void set_defaults(TomlTable& table, Rule& rule)
         rule.lateral_twist_deg = twist_deg;
 }
 
-Result<LateralRule> read_lateral_rule(TomlTable& table)
+Result<LateralRule> read_lateral_rule(calib::TomlTable& table)
 {
     LateralRule rule;
     for (auto const& [letter, value] : kLateralNumbers)
@@ -80,7 +80,7 @@ Result<LateralRule> read_lateral_rule(TomlTable& table)
 
 Result<Rule> parse_rule(std::string_view text, std::string const& name)
 {
-    auto table = TRY(TomlTable::parse(text, name));
+    auto table = TRY(calib::TomlTable::parse(text, name));
     Rule rule;
     for (auto const& [letter, value] : kNumbers)
         rule.*value = TRY(table.number_or(letter, rule.*value));

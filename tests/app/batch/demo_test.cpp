@@ -22,10 +22,10 @@ protected:
     {
         return find_resource(fmt::format("demo/{}.{}", GetParam(), kind)).value();
     }
-    GestureScript script() const
+    sim::GestureScript script() const
     {
         auto const path = file("hand.toml");
-        return parse_gesture_script(read_file(path).value(), path.string()).value();
+        return sim::parse_gesture_script(read_file(path).value(), path.string()).value();
     }
 };
 
@@ -41,13 +41,13 @@ TEST_P(Demo, IsRecordedFromItsScriptByteForByte)
 
 TEST_P(Demo, SelectsTheBranchesThatItsScriptTraces)
 {
-    auto const log = read_log(file("tractus-log")).value();
+    auto const log = drivers::read_log(file("tractus-log")).value();
     auto const [counts, scene, strokes] = replayed(log, {}, this->scene());
     auto const order = axes_in_drawing_order(*scene.base);
     std::size_t association = 0;
     AxisId traced = 0;
     for (auto const& gesture : script().gestures) {
-        if (auto const* trace = std::get_if<AxisTrace>(&gesture.path))
+        if (auto const* trace = std::get_if<sim::AxisTrace>(&gesture.path))
             traced = order[trace->rank];
         if (gesture.tool != "draw")
             continue;

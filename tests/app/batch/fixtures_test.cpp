@@ -116,7 +116,7 @@ void expect_digest(std::string const& name, Scene const& scene)
 
 Scene scene_of_log(fs::path const& log_path, fs::path const& model)
 {
-    auto const log = read_log(log_path).value();
+    auto const log = drivers::read_log(log_path).value();
     return replayed(log, {},
                     apply_edit({}, load_plant_edit(model).value(), make_load_options()).value())
         .scene;

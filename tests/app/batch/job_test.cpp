@@ -20,9 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double width_mm(Mesh const& mesh)
+double width_mm(mesh::Mesh const& mesh)
 {
-    auto const box = bounds(mesh);
+    auto const box = mesh::bounds(mesh);
     return box.max_mm.x() - box.min_mm.x();
 }
 
@@ -39,11 +39,12 @@ protected:
               "material: 2 leaf kind=leaf color=0.2,0.5,0.2\n"
               "organ: l leaf kind=blade material=2 length=30 width=5\n");
         auto const scene = apply_edit({}, load_model_edit(folder_ / "leafy.l").value()).value();
-        plant_width_mm_ = width_mm(make_mesh(*scene.base));
-        auto const script = parse_gesture_script("version = 1\n[[gesture]]\ntool = \"indicate\"\n"
-                                                 "path = \"line\"\nfrom_mm = [0, 0, 50]\n"
-                                                 "to_mm = [0, 10, 60]\n",
-                                                 "script");
+        plant_width_mm_ = width_mm(mesh::make_mesh(*scene.base));
+        auto const script
+            = sim::parse_gesture_script("version = 1\n[[gesture]]\ntool = \"indicate\"\n"
+                                        "path = \"line\"\nfrom_mm = [0, 0, 50]\n"
+                                        "to_mm = [0, 10, 60]\n",
+                                        "script");
         ASSERT_TRUE(script) << script.error().message;
         auto const log = [&](std::ostream& out) {
             return write_simulated_recording(out, *script, scene, all_methods().tools);
@@ -115,9 +116,9 @@ TEST_F(LeafyJob, BeginsWithAnEmptySheet)
 
 TEST_F(LeafyJob, SaysThatTheRigIsAnotherOne)
 {
-    Rig rig;
+    calib::Rig rig;
     rig.full_scale_counts = 1023; // The log's converter reads up to 4095.
-    ASSERT_TRUE(save_rig(rig, folder_ / "other.rig.toml"));
+    ASSERT_TRUE(calib::save_rig(rig, folder_ / "other.rig.toml"));
     Progress progress;
     auto const report = run_job({ .drawing = { .log = folder_ / "leafy.tractus-log",
                                                .methods = all_methods(),

@@ -167,7 +167,7 @@ TEST_P(BaseModel, GivesAnotherPlantOfItsKindForAnotherSeed)
 TEST_P(BaseModel, IsNotTooHeavyToDraw)
 {
     for (std::uint64_t const seed : { 1u, 2u, 3u, 4u, 5u })
-        EXPECT_LE(make_mesh(*grow({}, seed).base).triangle_count(), 400'000u) << seed;
+        EXPECT_LE(mesh::make_mesh(*grow({}, seed).base).triangle_count(), 400'000u) << seed;
 }
 
 INSTANTIATE_TEST_SUITE_P(Ours, BaseModel, testing::ValuesIn(kModels),

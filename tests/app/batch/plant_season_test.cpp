@@ -22,7 +22,7 @@ namespace {
 
 std::string glb_of(Plant const& plant)
 {
-    auto const mesh = make_mesh(plant);
+    auto const mesh = mesh::make_mesh(plant);
     PlacedMesh placed;
     placed.mesh = &mesh;
     std::ostringstream out;
@@ -50,7 +50,8 @@ TEST(PlantSeason, GrowsLeavesOfTheSeasonOnOnePage)
     check_plant(plant);
     EXPECT_EQ(plant.organs.size(), summer.base->organs.size()) << "they are all somewhere";
     EXPECT_EQ(leaf_materials(plant).size(), 1u);
-    EXPECT_LT(make_mesh(plant).triangle_count(), make_mesh(*summer.base).triangle_count() * 3 / 2);
+    EXPECT_LT(mesh::make_mesh(plant).triangle_count(),
+              mesh::make_mesh(*summer.base).triangle_count() * 3 / 2);
     auto const leaves = plant.materials[*leaf_materials(plant).begin()].base_color;
     auto const green = summer.base->materials[*leaf_materials(*summer.base).begin()].base_color;
     EXPECT_GT(green.y(), green.x());

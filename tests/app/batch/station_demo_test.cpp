@@ -17,15 +17,15 @@ namespace tractus {
 namespace {
 
 // The recording in which every method draws in one document.
-Log recording()
+drivers::Log recording()
 {
-    return read_log(find_resource("demo/station.tractus-log").value()).value();
+    return drivers::read_log(find_resource("demo/station.tractus-log").value()).value();
 }
 
 TEST(StationDemo, IsRecordedFromItsScriptByteForByte)
 {
     auto const path = find_resource("demo/station.hand.toml").value();
-    auto const script = parse_gesture_script(read_file(path).value(), path.string()).value();
+    auto const script = sim::parse_gesture_script(read_file(path).value(), path.string()).value();
     std::ostringstream out;
     auto const written
         = write_simulated_recording(out, script, our_plant("birch"), all_methods().tools);
@@ -62,7 +62,7 @@ TEST(StationDemo, IsTheSameOnAnyNumberOfThreads)
         std::ostringstream out;
         tbb::task_arena(threads).execute([&] {
             auto const scene = replayed(recording(), {}, our_plant("birch")).scene;
-            auto const mesh = make_mesh(shown_plants(scene).value());
+            auto const mesh = mesh::make_mesh(shown_plants(scene).value());
             PlacedMesh placed;
             placed.mesh = &mesh;
             EXPECT_TRUE(write_glb(out, std::span(&placed, 1)));

@@ -72,7 +72,7 @@ TEST_F(CalibrateCommand, DoesAllProceduresOneAfterAnother)
         ASSERT_EQ(outcome.exit_code, 0) << procedure << ": " << outcome.err;
         EXPECT_NE(outcome.out.find("my.rig.toml: written\n"), std::string::npos);
     }
-    auto const rig = load_rig(path("my.rig.toml")).value();
+    auto const rig = calib::load_rig(path("my.rig.toml")).value();
     EXPECT_TRUE(rig.calibration.height && rig.calibration.travel && rig.calibration.latency
                 && rig.calibration.tilt && rig.calibration.check);
     EXPECT_NEAR(rig.coil_height_mm.x(), 9, 0.1);
@@ -87,8 +87,8 @@ TEST_F(CalibrateCommand, KeepsATrackThatIsBent)
                       "--heights", "0,60,120,200,280,340,400" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("(0.25 % by its data sheet)"), std::string::npos) << outcome.out;
-    auto const first = load_rig(path("my.rig.toml")).value();
-    EXPECT_FALSE(bend_of(first.height_model).empty());
+    auto const first = calib::load_rig(path("my.rig.toml")).value();
+    EXPECT_FALSE(calib::bend_of(first.height_model).empty());
     ASSERT_TRUE(first.calibration.height);
     EXPECT_EQ(first.calibration.height->linearity_percent, 0.25);
     auto const bend = bend_in("my.rig.toml");

@@ -26,16 +26,16 @@ std::string simulated_text(SimulatedCalibration calibration)
 }
 
 Result<CalibrationOutcome> outcome_of(std::string const& text, CalibrationProcedure procedure,
-                                      Rig const& rig = {})
+                                      calib::Rig const& rig = {})
 {
-    auto const log = parse_log(text, "my.tractus-log").value();
+    auto const log = drivers::parse_log(text, "my.tractus-log").value();
     return calibrate_from_log(log, { .procedure = procedure, .rig = rig }, kDate);
 }
 
 Result<CalibrationOutcome> outcome_with(CalibrationController::Options options,
                                         std::string const& text)
 {
-    auto const log = parse_log(text, "my.tractus-log").value();
+    auto const log = drivers::parse_log(text, "my.tractus-log").value();
     return calibrate_from_log(log, std::move(options), kDate);
 }
 
@@ -47,7 +47,7 @@ std::string refusal_of(std::string const& text,
 }
 
 // A rig that the simulated person has calibrated.
-Rig calibrated_rig()
+calib::Rig calibrated_rig()
 {
     return outcome_of(simulated_text({}), CalibrationProcedure::Height).value().rig;
 }
@@ -55,11 +55,11 @@ Rig calibrated_rig()
 TEST(CalibrationController, CalibratesTheSimulatedRigsHeight)
 {
     auto const rig = calibrated_rig();
-    auto const truth = true_rig(simulated_geometry());
+    auto const truth = sim::true_rig(simulated_geometry());
     for (double counts = rig.calibrated_min_counts; counts < rig.calibrated_max_counts;
          counts += 50)
-        EXPECT_NEAR(height_mm(rig.height_model, counts).value(),
-                    height_mm(truth.height_model, counts).value(), 1.2);
+        EXPECT_NEAR(calib::height_mm(rig.height_model, counts).value(),
+                    calib::height_mm(truth.height_model, counts).value(), 1.2);
     EXPECT_EQ(rig.calibration.height->captures.size(), 7u);
     EXPECT_EQ(rig.calibration.height->sensor.name, "Simulated height sensor");
     EXPECT_EQ(rig.calibration.height->sensor.id, "0006:0000:0002");
@@ -69,15 +69,16 @@ TEST(CalibrationController, CalibratesTheSimulatedRigsHeight)
 TEST(CalibrationController, GivesTheSameRigFromTheSameLog)
 {
     auto const text = simulated_text({});
-    EXPECT_EQ(print_rig(outcome_of(text, CalibrationProcedure::Height).value().rig),
-              print_rig(outcome_of(text, CalibrationProcedure::Height).value().rig));
+    EXPECT_EQ(calib::print_rig(outcome_of(text, CalibrationProcedure::Height).value().rig),
+              calib::print_rig(outcome_of(text, CalibrationProcedure::Height).value().rig));
 }
 
 TEST(CalibrationController, FitsAgainWhatARigFileKept)
 {
-    auto const rig = parse_rig(print_rig(calibrated_rig()), "my.rig.toml").value();
-    auto const again = refit_height(rig).value();
-    Eigen::VectorXd const difference = parameters_of(again.model) - parameters_of(rig.height_model);
+    auto const rig = calib::parse_rig(calib::print_rig(calibrated_rig()), "my.rig.toml").value();
+    auto const again = calib::refit_height(rig).value();
+    Eigen::VectorXd const difference
+        = calib::parameters_of(again.model) - calib::parameters_of(rig.height_model);
     EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-5);
 }
 
@@ -125,7 +126,8 @@ TEST(CalibrationController, LeavesATabletAloneThatCorrectsForTilts)
 TEST(CalibrationController, FindsATiltWithoutAHeightSensor)
 {
     auto const whole
-        = parse_log(simulated_text({ .procedure = CalibrationProcedure::Tilt }), "my.tractus-log")
+        = drivers::parse_log(simulated_text({ .procedure = CalibrationProcedure::Tilt }),
+                             "my.tractus-log")
               .value();
     auto controller = CalibrationController::create({ &whole.devices[0], 1 },
                                                     { .procedure = CalibrationProcedure::Tilt })
@@ -138,7 +140,7 @@ TEST(CalibrationController, FindsATiltWithoutAHeightSensor)
 
 TEST(CalibrationController, RefusesATiltOfATabletThatTellsNone)
 {
-    auto upright = simple_pen(); // Its tilts, usages 3d and 3e, are something else's.
+    auto upright = drivers::simple_pen(); // Its tilts, usages 3d and 3e, are something else's.
     for (auto& byte : upright.report_descriptor)
         if (byte == std::byte { 0x3d } || byte == std::byte { 0x3e })
             byte = std::byte { 0x00 };
@@ -172,13 +174,13 @@ TEST(CalibrationController, ZeroesATableThatMovedWithoutTouchingTheScale)
     auto const rig = calibrated_rig();
     auto const outcome = outcome_with({ .procedure = CalibrationProcedure::Zero,
                                         .rig = rig,
-                                        .zero_cause = ZeroCause::Moved },
+                                        .zero_cause = calib::ZeroCause::Moved },
                                       zeroed_too_low())
                              .value();
-    EXPECT_NEAR(height_mm(outcome.rig.height_model, 2000).value(),
-                height_mm(rig.height_model, 2000).value() - 100, 2);
-    EXPECT_NEAR(mm_per_count_at(outcome.rig.height_model, 2000).value(),
-                mm_per_count_at(rig.height_model, 2000).value(), 1e-9);
+    EXPECT_NEAR(calib::height_mm(outcome.rig.height_model, 2000).value(),
+                calib::height_mm(rig.height_model, 2000).value() - 100, 2);
+    EXPECT_NEAR(calib::mm_per_count_at(outcome.rig.height_model, 2000).value(),
+                calib::mm_per_count_at(rig.height_model, 2000).value(), 1e-9);
     EXPECT_NEAR(outcome.rig.calibration.height->raised_mm, -100, 2);
     EXPECT_EQ(outcome.report.find("if the table"), std::string::npos) << outcome.report;
 }
@@ -187,8 +189,8 @@ TEST(CalibrationController, TakesAStringToHaveSlippedAndSaysWhatElseItMayBe)
 {
     auto const rig = calibrated_rig();
     auto const outcome = outcome_of(zeroed_too_low(), CalibrationProcedure::Zero, rig).value();
-    auto const& before = std::get<StringHeight>(rig.height_model);
-    auto const& after = std::get<StringHeight>(outcome.rig.height_model);
+    auto const& before = std::get<calib::StringHeight>(rig.height_model);
+    auto const& after = std::get<calib::StringHeight>(outcome.rig.height_model);
     EXPECT_EQ(after.base_mm, before.base_mm);
     EXPECT_LT(after.zero_length_mm, before.zero_length_mm - 10);
     EXPECT_NE(outcome.report.find("  if the table, the spool's stand or the ruler moved instead, "
@@ -200,7 +202,7 @@ TEST(CalibrationController, TakesAStringToHaveSlippedAndSaysWhatElseItMayBe)
 TEST(CalibrationController, RefusesASlippedCaptureThatTheOthersAreTooFewToOutvote)
 {
     SimulatedCalibration slipped;
-    slipped.person.slip = Slip { .capture = 2, .wrong_by_mm = 20 };
+    slipped.person.slip = sim::Slip { .capture = 2, .wrong_by_mm = 20 };
     auto const text = simulated_text(slipped);
     EXPECT_EQ(refusal_of(text),
               "my.tractus-log: capture 3 (220 mm) disagrees with the others, which are too few to "
@@ -216,7 +218,7 @@ TEST(CalibrationController, RefusesASlippedCaptureThatTheOthersAreTooFewToOutvot
 TEST(CalibrationController, NamesASlippedCaptureOfManyInItsReport)
 {
     SimulatedCalibration slipped { .heights_mm = { 0, 60, 200, 400, 300, 120, 20, 250, 350 } };
-    slipped.person.slip = Slip { .capture = 2, .wrong_by_mm = 20 };
+    slipped.person.slip = sim::Slip { .capture = 2, .wrong_by_mm = 20 };
     auto const outcome = outcome_of(simulated_text(slipped), CalibrationProcedure::Height).value();
     EXPECT_EQ(outcome.rig.calibration.height->slipped, std::vector<std::size_t> { 2 });
     EXPECT_NE(outcome.report.find("capture 3 at 220 mm is off by +"), std::string::npos)
@@ -370,14 +372,14 @@ TEST(LiveCalibration, CapturesWhenThePenRestsAndRecordsWhatGivesTheSameRig)
     std::ostringstream text;
     SimulatedCalibration simulated { .heights_mm = { 0, 150 } };
     ASSERT_TRUE(write_simulated_calibration(text, simulated));
-    auto const played = parse_log(text.str(), "played").value();
+    auto const played = drivers::parse_log(text.str(), "played").value();
 
     // The log as live devices, at once; the clock is that of the newest report.
     auto controller = CalibrationController::create(played.devices, {}).value();
     Timestamp now {};
     std::size_t next = 0;
     std::ostringstream recorded_text;
-    LogWriter recorder(recorded_text, { .devices = played.devices });
+    drivers::LogWriter recorder(recorded_text, { .devices = played.devices });
     std::size_t captured = 0;
     for (; next < played.records.size(); ++next) {
         auto const& record = played.records[next];
@@ -393,8 +395,9 @@ TEST(LiveCalibration, CapturesWhenThePenRestsAndRecordsWhatGivesTheSameRig)
     ASSERT_TRUE(recorder.flush());
     auto const live = controller.finish(kDate).value();
     EXPECT_EQ(live.rig.calibration.height->captures.size(), 2u);
-    EXPECT_EQ(print_rig(outcome_of(recorded_text.str(), CalibrationProcedure::Height).value().rig),
-              print_rig(live.rig));
+    EXPECT_EQ(
+        calib::print_rig(outcome_of(recorded_text.str(), CalibrationProcedure::Height).value().rig),
+        calib::print_rig(live.rig));
 }
 
 // Touches the tablet every 10 ms, or hovers over it.

@@ -15,17 +15,17 @@ namespace tractus {
 namespace {
 
 // A sensor whose cable is loose: it is there, and sends nothing.
-class SilentSensor final : public ReportSource {
+class SilentSensor final : public drivers::ReportSource {
 public:
-    DeviceInfo const& info() const override { return info_; }
-    Result<std::optional<RawReport>> read(Duration) override
+    drivers::DeviceInfo const& info() const override { return info_; }
+    Result<std::optional<drivers::RawReport>> read(Duration) override
     {
         std::this_thread::yield();
-        return std::optional<RawReport>();
+        return std::optional<drivers::RawReport>();
     }
 
 private:
-    DeviceInfo info_ = simple_height_sensor();
+    drivers::DeviceInfo info_ = drivers::simple_height_sensor();
 };
 
 // A person at a terminal that is none, with a clock that runs as the program rests.
@@ -83,7 +83,7 @@ private:
 // False: the person left.
 bool calibrate_silent_sensor(Talk& talk)
 {
-    std::vector<std::unique_ptr<ReportSource>> sources;
+    std::vector<std::unique_ptr<drivers::ReportSource>> sources;
     sources.push_back(std::make_unique<SilentSensor>());
     auto devices = LiveDevices::start(std::move(sources)).value();
     auto controller = CalibrationController::create(devices.infos(), {}).value();

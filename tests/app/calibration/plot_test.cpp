@@ -36,16 +36,16 @@ TEST(Plot, ShowsNothingWithoutHarm)
 }
 
 struct Calibrated {
-    std::vector<HeightCapture> captures;
-    HeightFit fit;
+    std::vector<calib::HeightCapture> captures;
+    calib::HeightFit fit;
 };
 
 Calibrated calibrated_with_a_slip()
 {
     double const heights[] { 0, 60, 200, 400, 300, 120, 20 };
-    auto captures
-        = simulate_captures({}, heights, { .slip = Slip { .capture = 2, .wrong_by_mm = 20 } });
-    auto fit = fit_height(captures).value();
+    auto captures = sim::simulate_captures(
+        {}, heights, { .slip = sim::Slip { .capture = 2, .wrong_by_mm = 20 } });
+    auto fit = calib::fit_height(captures).value();
     return { std::move(captures), std::move(fit) };
 }
 

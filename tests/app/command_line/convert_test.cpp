@@ -36,7 +36,7 @@ TEST_F(ConvertCommand, ReadsWhatUsbhidDumpPrints)
     auto const outcome = run("tractus convert dump.txt --ids 256c:006e -o pen.tractus-log");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "pen.tractus-log: 1 reports of 1 device as tractus-log\n");
-    auto const log = parse_log(read("pen.tractus-log"), "pen").value();
+    auto const log = drivers::parse_log(read("pen.tractus-log"), "pen").value();
     EXPECT_EQ(log.devices.at(0).product_id, 0x006e);
     EXPECT_EQ(log.records.size(), 1u);
 }

@@ -50,8 +50,8 @@ TEST_F(DiagnosisCommands, DoctorAsksForTheSidesOfATablet)
     for (int i = 0; i < 50; ++i)
         log += fmt::format("E: 0.{:03}000 8 07 11 {:02x} 10 00 20 00 10\n", 4 * i, i);
     write("pen.hid", log);
-    Rig const rig;
-    write("a.rig.toml", print_rig(rig));
+    calib::Rig const rig;
+    write("a.rig.toml", calib::print_rig(rig));
     auto const before = read("a.rig.toml");
     std::string const doctor = "script -qec '" TRACTUS_PROGRAM " doctor pen.hid --rig ";
 

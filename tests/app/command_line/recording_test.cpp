@@ -24,7 +24,7 @@ TEST_F(RecordCommand, LosesNothingThatHasComeWhenItIsKilled)
         = run(std::string(kProgram) + " record --device simulated -o live.tractus-log & pid=$!; "
               + wait_for_reports("live.tractus-log", 200) + "kill -9 $pid; wait $pid");
     EXPECT_EQ(outcome.exit_code, 128 + 9) << outcome.err;
-    auto const log = parse_log(read("live.tractus-log"), "live.tractus-log");
+    auto const log = drivers::parse_log(read("live.tractus-log"), "live.tractus-log");
     ASSERT_TRUE(log) << log.error().message;
     EXPECT_GE(log->records.size(), 200u);
     EXPECT_EQ(log->devices.size(), 2u);
@@ -40,7 +40,7 @@ TEST_F(RecordCommand, EndsWellWhenItIsInterrupted)
               + wait_for_reports("live.tractus-log", 20) + "kill -TERM $pid; wait $pid");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("live.tractus-log: "), std::string::npos) << outcome.out;
-    EXPECT_EQ(parse_log(read("live.tractus-log"), "log")->warning_count, 0u);
+    EXPECT_EQ(drivers::parse_log(read("live.tractus-log"), "log")->warning_count, 0u);
 }
 
 TEST_F(RecordCommand, MixesLogs)
@@ -50,7 +50,7 @@ TEST_F(RecordCommand, MixesLogs)
     auto const outcome = run("tractus record --device a.hid b.hid -o both.tractus-log");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "both.tractus-log: 3 reports\n");
-    auto const log = parse_log(read("both.tractus-log"), "both.tractus-log").value();
+    auto const log = drivers::parse_log(read("both.tractus-log"), "both.tractus-log").value();
     ASSERT_EQ(log.devices.size(), 2u);
     EXPECT_EQ(log.devices[1].name, "b");
 }

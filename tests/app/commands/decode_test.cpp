@@ -24,14 +24,14 @@ protected:
     void TearDown() override { fs::remove_all(folder_); }
 
     // A file with the given reports of each device.
-    std::string write_log(std::vector<DeviceInfo> const& devices,
+    std::string write_log(std::vector<drivers::DeviceInfo> const& devices,
                           std::vector<std::pair<std::size_t, std::string>> const& reports)
     {
         std::ostringstream text;
-        LogWriter writer(text, { .devices = devices });
+        drivers::LogWriter writer(text, { .devices = devices });
         std::int64_t time_ns = 0;
         for (auto const& [device, report] : reports)
-            writer.write_report(device, timestamp_ns(time_ns += 5'000'000), bytes(report));
+            writer.write_report(device, timestamp_ns(time_ns += 5'000'000), drivers::bytes(report));
         auto const path = folder_ / "pen.tractus-log";
         EXPECT_TRUE(write_file(path, text.str()));
         return path.string();
@@ -43,7 +43,7 @@ protected:
 
 TEST_F(DecodeCommand, PrintsOneRowPerSample)
 {
-    auto const log = write_log({ simple_pen(), simple_height_sensor() },
+    auto const log = write_log({ drivers::simple_pen(), drivers::simple_height_sensor() },
                                { { 0, "02 23 10 27 c4 09 ff 03 1e e2" }, // Touches, button 1.
                                  { 1, "01 34 02" },
                                  { 0, "02 00 00 00 00 00 00 00 00 00" } }); // Leaves.
@@ -59,7 +59,8 @@ TEST_F(DecodeCommand, PrintsOneRowPerSample)
 
 TEST_F(DecodeCommand, TellsTheEraserFromTheTip)
 {
-    auto const log = write_log({ simple_pen() }, { { 0, "02 30 10 27 c4 09 00 00 00 00" } });
+    auto const log
+        = write_log({ drivers::simple_pen() }, { { 0, "02 30 10 27 c4 09 00 00 00 00" } });
     EXPECT_EQ(run({ "decode", log, "--csv" }).out,
               kHeader + "\n0.005000,0,100.0000,75.0000,0.00000,0.00,0.00,1,0,1,0\n");
 }
@@ -67,11 +68,11 @@ TEST_F(DecodeCommand, TellsTheEraserFromTheTip)
 TEST_F(DecodeCommand, LeavesEmptyWhatTheDeviceDoesNotSay)
 {
     // A pen that has tip, X and Y alone.
-    DeviceInfo const plain {
-        .report_descriptor
-        = bytes("05 0d 09 02 a1 01 09 20 a1 00 09 42 15 00 25 01 75 01 95 01 81 02 95 07 81 03"
-                "05 01 09 30 26 20 4e 46 c8 00 65 11 55 0f 75 10 95 01 81 02"
-                "09 31 26 10 27 46 64 00 81 02 c0 c0")
+    drivers::DeviceInfo const plain {
+        .report_descriptor = drivers::bytes(
+            "05 0d 09 02 a1 01 09 20 a1 00 09 42 15 00 25 01 75 01 95 01 81 02 95 07 81 03"
+            "05 01 09 30 26 20 4e 46 c8 00 65 11 55 0f 75 10 95 01 81 02"
+            "09 31 26 10 27 46 64 00 81 02 c0 c0")
     };
     auto const log = write_log({ plain }, { { 0, "01 10 27 c4 09" } });
     EXPECT_EQ(run({ "decode", log, "--csv", "--raw" }).out,
@@ -81,7 +82,8 @@ TEST_F(DecodeCommand, LeavesEmptyWhatTheDeviceDoesNotSay)
 
 TEST_F(DecodeCommand, WritesToAFile)
 {
-    auto const log = write_log({ simple_pen() }, { { 0, "02 20 00 00 00 00 00 00 00 00" } });
+    auto const log
+        = write_log({ drivers::simple_pen() }, { { 0, "02 20 00 00 00 00 00 00 00 00" } });
     auto const csv = (folder_ / "pen.csv").string();
     auto const outcome = run({ "decode", log, "--csv", "-o", csv });
     EXPECT_EQ(outcome.exit_code, 0);
@@ -92,7 +94,7 @@ TEST_F(DecodeCommand, WritesToAFile)
 
 TEST_F(DecodeCommand, SummarizesALog)
 {
-    auto const log = write_log({ simple_pen() },
+    auto const log = write_log({ drivers::simple_pen() },
                                { { 0, "02 21 10 27 c4 09 ff 03 00 00" },
                                  { 0, "02 21 11 27 c4 09 ff 03 00 00" },
                                  { 0, "02 20 12 27 c4 09 00 00 00 00" } });
@@ -109,9 +111,9 @@ TEST_F(DecodeCommand, SummarizesALog)
 
 TEST_F(DecodeCommand, FailsOnlyIfThereIsNoPenAtAll)
 {
-    auto const log
-        = write_log({ { .name = "Pad", .report_descriptor = bytes("05 01") }, simple_pen() },
-                    { { 1, "02 21 10 27 c4 09 ff 03 00 00" } });
+    auto const log = write_log(
+        { { .name = "Pad", .report_descriptor = drivers::bytes("05 01") }, drivers::simple_pen() },
+        { { 1, "02 21 10 27 c4 09 ff 03 00 00" } });
     auto const outcome = run({ "decode", log, "--csv" });
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err,
@@ -119,7 +121,7 @@ TEST_F(DecodeCommand, FailsOnlyIfThereIsNoPenAtAll)
                   + ": device 0: Pad (0000:0000) is not a pen that describes itself: its "
                     "report descriptor has no X, Y and tip of a pen\n");
 
-    auto const height = write_log({ simple_height_sensor() }, { { 0, "01 34 02" } });
+    auto const height = write_log({ drivers::simple_height_sensor() }, { { 0, "01 34 02" } });
     auto const failure = run({ "decode", height, "--csv" });
     EXPECT_EQ(failure.exit_code, 1);
     EXPECT_EQ(failure.out, "");
@@ -129,7 +131,7 @@ TEST_F(DecodeCommand, FailsOnlyIfThereIsNoPenAtAll)
 
 TEST_F(DecodeCommand, FailsWhenNoReportIsWhatTheDescriptorSays)
 {
-    auto const log = write_log({ simple_pen() }, { { 0, "02 21 10" }, { 0, "02 21 10" } });
+    auto const log = write_log({ drivers::simple_pen() }, { { 0, "02 21 10" }, { 0, "02 21 10" } });
     auto const csv = folder_ / "pen.csv";
     auto const outcome = run({ "decode", log, "--csv", "-o", csv.string() });
     EXPECT_EQ(outcome.exit_code, 1);
@@ -143,7 +145,7 @@ TEST_F(DecodeCommand, FailsWhenNoReportIsWhatTheDescriptorSays)
 TEST_F(DecodeCommand, WarnsOnceOfReportsThatItCouldNotDecode)
 {
     auto const log
-        = write_log({ simple_pen() },
+        = write_log({ drivers::simple_pen() },
                     { { 0, "02 21" }, { 0, "02 21 10 27 c4 09 ff 03 00 00" }, { 0, "02 21" } });
     auto const outcome = run({ "decode", log, "--csv" });
     EXPECT_EQ(outcome.exit_code, 0);
@@ -156,7 +158,7 @@ TEST_F(DecodeCommand, WarnsOnceOfReportsThatItCouldNotDecode)
 TEST_F(DecodeCommand, ReadsATruncatedLog)
 {
     auto const log = write_log(
-        { simple_pen() },
+        { drivers::simple_pen() },
         { { 0, "02 21 10 27 c4 09 ff 03 00 00" }, { 0, "02 21 10 27 c4 09 ff 03 00 00" } });
     auto text = read_file(log).value();
     text.resize(text.size() - 10);

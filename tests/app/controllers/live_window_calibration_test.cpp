@@ -60,9 +60,9 @@ TEST_F(CalibratesInTheWindow, WhereTheSensorIsUnknown)
     window.advance(std::chrono::milliseconds(16));
     window.perform(CloseCalibration {});
     EXPECT_EQ(window.calibration(), nullptr);
-    auto const kept = load_rig(folder_ / "my" / "table.rig.toml");
+    auto const kept = calib::load_rig(folder_ / "my" / "table.rig.toml");
     ASSERT_TRUE(kept) << kept.error().message;
-    auto const heights = calibrated_heights(*kept).value();
+    auto const heights = calib::calibrated_heights(*kept).value();
     EXPECT_NEAR(heights.high_mm, 400, 5);
     EXPECT_NEAR(window.state().volume_mm.max_mm.z(), heights.high_mm, 1e-6)
         << "the pen draws by it at once";

@@ -21,11 +21,12 @@ protected:
 
     LiveWindow drawing() const
     {
-        std::vector<RawReport> reports;
+        std::vector<drivers::RawReport> reports;
         for (int i = 0; i < 20; ++i)
             reports.push_back(arrived(5 * i, pen_report(50 + 5 * i, 50, true)));
-        std::vector<std::unique_ptr<ReportSource>> sources;
-        sources.push_back(std::make_unique<ScriptedSource>(simple_pen(), std::move(reports)));
+        std::vector<std::unique_ptr<drivers::ReportSource>> sources;
+        sources.push_back(
+            std::make_unique<ScriptedSource>(drivers::simple_pen(), std::move(reports)));
         auto options = live_options();
         options.session = begin_session(path_, { small_model() }, all_methods().edits).value();
         auto window

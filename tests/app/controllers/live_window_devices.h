@@ -14,17 +14,17 @@
 namespace tractus {
 
 // Sends what it is told to send, when it is told to; nothing else knows the time.
-class ScriptedSource : public ReportSource {
+class ScriptedSource : public drivers::ReportSource {
 public:
-    ScriptedSource(DeviceInfo info, std::vector<RawReport> reports)
+    ScriptedSource(drivers::DeviceInfo info, std::vector<drivers::RawReport> reports)
         : info_(std::move(info))
         , reports_(std::move(reports))
     {
     }
 
-    DeviceInfo const& info() const override { return info_; }
+    drivers::DeviceInfo const& info() const override { return info_; }
 
-    Result<std::optional<RawReport>> read(Duration) override
+    Result<std::optional<drivers::RawReport>> read(Duration) override
     {
         if (next_ == reports_.size())
             return fail(Fault::User, "the script is over");
@@ -32,14 +32,14 @@ public:
     }
 
 private:
-    DeviceInfo info_;
-    std::vector<RawReport> reports_;
+    drivers::DeviceInfo info_;
+    std::vector<drivers::RawReport> reports_;
     std::size_t next_ = 0;
 };
 
-inline RawReport arrived(std::int64_t milliseconds, std::vector<std::byte> const& bytes)
+inline drivers::RawReport arrived(std::int64_t milliseconds, std::vector<std::byte> const& bytes)
 {
-    RawReport report { .received = at_ms(milliseconds), .size = bytes.size() };
+    drivers::RawReport report { .received = at_ms(milliseconds), .size = bytes.size() };
     std::copy(bytes.begin(), bytes.end(), report.storage.begin());
     return report;
 }
@@ -47,13 +47,13 @@ inline RawReport arrived(std::int64_t milliseconds, std::vector<std::byte> const
 // A stroke across the tablet, which ends when the tablet is unplugged if it `goes_away`.
 inline LiveDevices drawing_devices(bool goes_away)
 {
-    std::vector<RawReport> reports;
+    std::vector<drivers::RawReport> reports;
     for (int i = 0; i < 20; ++i)
         reports.push_back(arrived(5 * i, pen_report(50 + 5 * i, 50, true)));
-    reports.push_back(goes_away ? RawReport { .received = at_ms(100) }
+    reports.push_back(goes_away ? drivers::RawReport { .received = at_ms(100) }
                                 : arrived(100, pen_report(150, 50, false)));
-    std::vector<std::unique_ptr<ReportSource>> sources;
-    sources.push_back(std::make_unique<ScriptedSource>(simple_pen(), std::move(reports)));
+    std::vector<std::unique_ptr<drivers::ReportSource>> sources;
+    sources.push_back(std::make_unique<ScriptedSource>(drivers::simple_pen(), std::move(reports)));
     return LiveDevices::start(std::move(sources)).value();
 }
 

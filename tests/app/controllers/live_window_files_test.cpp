@@ -70,7 +70,7 @@ TEST_F(LiveWindowWithFolder, RecordsWhenItIsAskedTo)
     EXPECT_EQ(logs[0].filename(), window.state().recording.file);
     EXPECT_EQ(fs::file_size(logs[0]), window.state().recording.bytes);
     EXPECT_GT(window.state().recording.bytes, begun);
-    auto const log = read_log(logs[0]).value();
+    auto const log = drivers::read_log(logs[0]).value();
     EXPECT_EQ(log.records.size(), 21u);
     ASSERT_EQ(log.tools.size(), 1u) << "the one that was in hand before";
     EXPECT_EQ(log.tools[0].tool, "indicate");
@@ -86,7 +86,7 @@ TEST_F(LiveWindowWithFolder, RecordsHowThePensOtherEndErasesFromTheBeginning)
               std::vector<Tool> { EraseTool { EraseTool::Erasing::Part } });
     window.perform(SetRecording { true });
     window.perform(SetRecording { false });
-    auto const log = read_log(files(".tractus-log").at(0)).value();
+    auto const log = drivers::read_log(files(".tractus-log").at(0)).value();
     ASSERT_EQ(log.tools.size(), 2u);
     EXPECT_EQ(log.tools[0].tool, "erase");
     EXPECT_EQ(log.tools[0].arguments, "part");

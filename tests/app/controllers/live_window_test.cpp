@@ -60,12 +60,12 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
         EXPECT_EQ(window.state().tool, "Motion indicator");
         advance_to_end(window);
     }
-    auto const log = read_log(path).value();
+    auto const log = drivers::read_log(path).value();
     EXPECT_EQ(log.records.size(), 21u);
     EXPECT_EQ(log.records.back().size, 0u);
     ASSERT_EQ(log.tools.size(), 1u);
     EXPECT_EQ(log.tools[0].tool, "indicate");
-    EXPECT_TRUE(parse_rig(log.rig_text, "log"));
+    EXPECT_TRUE(calib::parse_rig(log.rig_text, "log"));
     fs::remove(path);
 }
 
@@ -74,8 +74,9 @@ TEST(LiveDevices, CutTimesToMicrosecondsAsLogsHaveThem)
 {
     auto report = arrived(0, pen_report(50, 50, true));
     report.received = Timestamp(std::chrono::nanoseconds(1'234'567));
-    std::vector<std::unique_ptr<ReportSource>> sources;
-    sources.push_back(std::make_unique<ScriptedSource>(simple_pen(), std::vector { report }));
+    std::vector<std::unique_ptr<drivers::ReportSource>> sources;
+    sources.push_back(
+        std::make_unique<ScriptedSource>(drivers::simple_pen(), std::vector { report }));
     auto devices = LiveDevices::start(std::move(sources)).value();
     std::vector<LiveReport> reports;
     while (devices.any_left() && reports.empty()) {
@@ -111,13 +112,13 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     }
     EXPECT_EQ(drawn.growth.seed, 42u);
     ASSERT_EQ(drawn.associations.size(), 1u);
-    auto const log = read_log(path).value();
+    auto const log = drivers::read_log(path).value();
     ASSERT_EQ(log.tools.size(), 7u);
     EXPECT_EQ(log.tools[0].tool, "step");
     EXPECT_EQ(log.tools[3].tool, "undo");
     EXPECT_EQ(log.tools[3].arguments, "1");
     ReplayOptions replay_options { .methods = all_methods() };
-    replay_options.height = parse_height_scenario("0").value();
+    replay_options.height = calib::parse_height_scenario("0").value();
     auto const [counts, scene, strokes] = replayed(log, replay_options);
     ASSERT_EQ(strokes.size(), 1u);
     EXPECT_EQ(strokes[0].refusal, "");
@@ -143,15 +144,16 @@ TEST(LiveWindow, BeginsAgainWithTheSameTool)
 // `now_ms`.
 std::string trouble_after(int counts, std::int64_t now_ms)
 {
-    std::vector<RawReport> heights;
+    std::vector<drivers::RawReport> heights;
     for (int i = 0; i <= 20; ++i)
         heights.push_back(arrived(5 * i, height_report(counts)));
-    std::vector<std::unique_ptr<ReportSource>> sources;
+    std::vector<std::unique_ptr<drivers::ReportSource>> sources;
     sources.push_back(std::make_unique<ScriptedSource>(
-        simple_pen(), std::vector { arrived(0, pen_report(50, 50, false)) }));
-    sources.push_back(std::make_unique<ScriptedSource>(simple_height_sensor(), std::move(heights)));
+        drivers::simple_pen(), std::vector { arrived(0, pen_report(50, 50, false)) }));
+    sources.push_back(
+        std::make_unique<ScriptedSource>(drivers::simple_height_sensor(), std::move(heights)));
     auto options = live_options();
-    options.rig = Rig {};
+    options.rig = calib::Rig {};
     auto now = at_ms(100);
     options.now = [&now] { return now; };
     auto devices = LiveDevices::start(std::move(sources)).value();
@@ -182,9 +184,9 @@ public:
 
 TEST(LiveWindow, SaysThatReportsAreLost)
 {
-    std::vector<std::unique_ptr<ReportSource>> sources;
+    std::vector<std::unique_ptr<drivers::ReportSource>> sources;
     sources.push_back(std::make_unique<Chatterbox>(
-        simple_pen(), std::vector { arrived(0, pen_report(50, 50, false)) }));
+        drivers::simple_pen(), std::vector { arrived(0, pen_report(50, 50, false)) }));
     auto window = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), live_options())
                       .value();
     while (window.state().status.find("lost") == std::string::npos)
@@ -195,7 +197,7 @@ TEST(LiveWindow, SaysThatReportsAreLost)
 
 TEST(LiveWindow, SaysThatATabletsSizeIsAGuess)
 {
-    auto tablet = simple_pen();
+    auto tablet = drivers::simple_pen();
     auto& descriptor = tablet.report_descriptor;
     // The physical size is taken away: the maxima of both axes and the unit.
     std::vector<std::byte> plain;
@@ -206,8 +208,9 @@ TEST(LiveWindow, SaysThatATabletsSizeIsAGuess)
             plain.push_back(descriptor[i]);
     descriptor = plain;
     auto const status = [&](LiveWindowOptions options) {
-        std::vector<std::unique_ptr<ReportSource>> sources;
-        sources.push_back(std::make_unique<ScriptedSource>(tablet, std::vector<RawReport> {}));
+        std::vector<std::unique_ptr<drivers::ReportSource>> sources;
+        sources.push_back(
+            std::make_unique<ScriptedSource>(tablet, std::vector<drivers::RawReport> {}));
         return LiveWindow::create(LiveDevices::start(std::move(sources)).value(),
                                   std::move(options))
             .value()
@@ -216,17 +219,18 @@ TEST(LiveWindow, SaysThatATabletsSizeIsAGuess)
     };
     EXPECT_NE(status(live_options()).find("does not tell its size"), std::string::npos);
     auto options = live_options();
-    options.rig = Rig {};
+    options.rig = calib::Rig {};
     options.rig->surface_mm = options.rig->tablet_size_mm;
     EXPECT_EQ(status(std::move(options)).find("does not tell its size"), std::string::npos);
 }
 
 TEST(LiveWindow, AsksForACalibration)
 {
-    std::vector<std::unique_ptr<ReportSource>> sources;
-    sources.push_back(std::make_unique<ScriptedSource>(simple_pen(), std::vector<RawReport> {}));
-    sources.push_back(
-        std::make_unique<ScriptedSource>(simple_height_sensor(), std::vector<RawReport> {}));
+    std::vector<std::unique_ptr<drivers::ReportSource>> sources;
+    sources.push_back(std::make_unique<ScriptedSource>(drivers::simple_pen(),
+                                                       std::vector<drivers::RawReport> {}));
+    sources.push_back(std::make_unique<ScriptedSource>(drivers::simple_height_sensor(),
+                                                       std::vector<drivers::RawReport> {}));
     auto const window
         = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), live_options());
     ASSERT_FALSE(window);

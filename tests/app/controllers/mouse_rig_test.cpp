@@ -24,28 +24,31 @@ TEST(MouseRig, SendsTheMouseAsATabletDoes)
     auto now = at_ms(100);
     MouseRig mouse([&] { return now; });
     auto const tablet = mouse.open_tablet();
-    auto const decoder = make_pen_decoder(tablet->info()).value();
+    auto const decoder = drivers::make_pen_decoder(tablet->info()).value();
     EXPECT_FALSE(tablet->read(Duration::zero()).value()) << "nothing has moved yet";
 
     now = at_ms(120);
     mouse.move_pen(std::array {
-        TabletPen { .place_mm = { 10, 20 }, .in_range = true },
-        TabletPen { .place_mm = { 30, 20 }, .in_range = true, .touching = true, .pressure = 0.5 },
+        sim::TabletPen { .place_mm = { 10, 20 }, .in_range = true },
+        sim::TabletPen {
+            .place_mm = { 30, 20 }, .in_range = true, .touching = true, .pressure = 0.5 },
     });
     auto const first = tablet->read(Duration::zero()).value().value();
     auto const second = tablet->read(Duration::zero()).value().value();
     EXPECT_EQ(first.received, at_ms(110)) << "spread over the time since the last one";
     EXPECT_EQ(second.received, at_ms(120));
-    auto const hovering = decode_one(*decoder, first.received, first.bytes()).value().value();
+    auto const hovering
+        = drivers::decode_one(*decoder, first.received, first.bytes()).value().value();
     EXPECT_TRUE(hovering.in_range && !hovering.touching);
     EXPECT_NEAR((hovering.position_mm - Vec2(10, 20)).norm(), 0, 0.02);
-    auto const touching = decode_one(*decoder, second.received, second.bytes()).value().value();
+    auto const touching
+        = drivers::decode_one(*decoder, second.received, second.bytes()).value().value();
     EXPECT_TRUE(touching.touching && !touching.eraser);
     EXPECT_NEAR(touching.pressure.value(), 0.5, 0.001);
 
-    mouse.move_pen(std::array { TabletPen {} });
+    mouse.move_pen(std::array { sim::TabletPen {} });
     auto const gone = tablet->read(Duration::zero()).value().value();
-    EXPECT_FALSE(decode_one(*decoder, gone.received, gone.bytes()).value()->in_range);
+    EXPECT_FALSE(drivers::decode_one(*decoder, gone.received, gone.bytes()).value()->in_range);
 }
 
 TEST(MouseRig, GlidesToWhereItsSurfaceShallBe)
@@ -53,14 +56,14 @@ TEST(MouseRig, GlidesToWhereItsSurfaceShallBe)
     auto now = at_ms(100);
     MouseRig mouse([&] { return now; });
     auto const surface = mouse.open_height();
-    auto const decoder = make_height_decoder(surface->info()).value();
+    auto const decoder = drivers::make_height_decoder(surface->info()).value();
     auto const rig = MouseRig::rig();
     auto const read_mm = [&] {
         now += MouseRig::kHeightPeriod;
         auto const report = surface->read(Duration::zero()).value().value();
-        std::vector<HeightSample> samples;
+        std::vector<drivers::HeightSample> samples;
         EXPECT_TRUE(decoder->decode(report, samples));
-        return height_mm(rig.height_model, samples.at(0).counts).value();
+        return calib::height_mm(rig.height_model, samples.at(0).counts).value();
     };
     auto const read_later_mm = [&] {
         double last_mm = 0;
@@ -88,18 +91,18 @@ TEST(MouseRig, MayRestWithoutBeingTakenForBroken)
     auto now = at_ms(100);
     MouseRig mouse([&] { return now; });
     auto const surface = mouse.open_height();
-    auto const decoder = make_height_decoder(surface->info()).value();
+    auto const decoder = drivers::make_height_decoder(surface->info()).value();
     for (double const height_mm : { 0.0, 120.0, MouseRig::kTop_mm }) {
         mouse.set_surface(height_mm);
-        HeightMonitor monitor(MouseRig::rig());
-        std::vector<HeightSample> samples;
+        calib::HeightMonitor monitor(MouseRig::rig());
+        std::vector<drivers::HeightSample> samples;
         for (auto const until = now + std::chrono::minutes(2); now < until;) {
             now += MouseRig::kHeightPeriod;
             auto const report = surface->read(Duration::zero()).value().value();
             samples.clear();
             ASSERT_TRUE(decoder->decode(report, samples));
             monitor.push(samples.at(0));
-            ASSERT_FALSE(monitor.present()) << describe_fault(*monitor.present());
+            ASSERT_FALSE(monitor.present()) << calib::describe_fault(*monitor.present());
             auto const counts = samples.at(0).counts;
             ASSERT_GE(counts, MouseRig::rig().calibrated_min_counts);
             ASSERT_LE(counts, MouseRig::rig().calibrated_max_counts);
@@ -157,19 +160,19 @@ TEST(LiveWindow, LetsAMouseDrawWhereThereIsNothingElse)
 
 TEST(LiveWindow, LetsAMouseMoveTheSurfaceUnderATablet)
 {
-    class SilentTablet final : public ReportSource {
+    class SilentTablet final : public drivers::ReportSource {
     public:
-        DeviceInfo const& info() const override { return info_; }
-        Result<std::optional<RawReport>> read(Duration timeout) override
+        drivers::DeviceInfo const& info() const override { return info_; }
+        Result<std::optional<drivers::RawReport>> read(Duration timeout) override
         {
             std::this_thread::sleep_for(timeout);
-            return std::optional<RawReport>();
+            return std::optional<drivers::RawReport>();
         }
 
     private:
-        DeviceInfo info_ = simple_pen();
+        drivers::DeviceInfo info_ = drivers::simple_pen();
     };
-    std::vector<std::unique_ptr<ReportSource>> sources;
+    std::vector<std::unique_ptr<drivers::ReportSource>> sources;
     sources.push_back(std::make_unique<SilentTablet>());
     LiveWindowOptions options {
         .methods = all_methods(), .height_mm = 200, .scene = small_scene(), .now = clock_now

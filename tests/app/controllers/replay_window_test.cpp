@@ -40,7 +40,7 @@ protected:
         play(window, [](WindowState const&) {});
     }
 
-    Log log_ = recorded_log();
+    drivers::Log log_ = recorded_log();
 };
 
 TEST_F(ReplayedWindow, BeginsWithThePlantAsItIs)

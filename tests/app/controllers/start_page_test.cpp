@@ -59,7 +59,8 @@ protected:
     {
         auto const file = folder_ / "pen.tractus-log";
         std::ofstream out(file);
-        LogWriter log(out, { .devices = { simple_pen() }, .rig_text = {}, .start = {} });
+        drivers::LogWriter log(
+            out, { .devices = { drivers::simple_pen() }, .rig_text = {}, .start = {} });
         for (int i = 0; i <= 40; ++i)
             log.write_report(0, at_ms(1000 + 5 * i), pen_report(100, 90 - 2 * i, true));
         log.write_report(0, at_ms(1300), pen_report(100, 10, false));

@@ -12,10 +12,10 @@ namespace tractus {
 namespace {
 
 // A pen that touches (21) or hovers (20).
-RawReport flagged_report(Timestamp time, char const* flags)
+drivers::RawReport flagged_report(Timestamp time, char const* flags)
 {
-    RawReport report { .received = time };
-    for (auto const byte : bytes(std::string("02 ") + flags + " 10 27 10 27 00 01 00 00"))
+    drivers::RawReport report { .received = time };
+    for (auto const byte : drivers::bytes(std::string("02 ") + flags + " 10 27 10 27 00 01 00 00"))
         report.storage[report.size++] = byte;
     return report;
 }
@@ -35,7 +35,9 @@ protected:
 
 class LiveRecorderTest : public testing::Test {
 protected:
-    LogHeader header_ { .devices = { simple_pen(), simple_height_sensor() }, .start = at_ms(1000) };
+    drivers::LogHeader header_ { .devices
+                                 = { drivers::simple_pen(), drivers::simple_height_sensor() },
+                                 .start = at_ms(1000) };
     CountingBuffer buffer_;
     LiveRecorder recorder_ { std::make_unique<std::ostream>(&buffer_), header_ };
 };
@@ -91,10 +93,10 @@ struct TestClock {
     }
 };
 
-std::shared_ptr<Log const> two_reports()
+std::shared_ptr<drivers::Log const> two_reports()
 {
-    return std::make_shared<Log const>(
-        parse_log("R: 1 c0\nN: pen\nE: 10.0 1 01\nE: 10.5 1 02\n", "pen.hid").value());
+    return std::make_shared<drivers::Log const>(
+        drivers::parse_log("R: 1 c0\nN: pen\nE: 10.0 1 01\nE: 10.5 1 02\n", "pen.hid").value());
 }
 
 TEST(PacedLog, SendsEachReportWhenItsTimeHasCome)
@@ -128,9 +130,10 @@ TEST(PacedLog, SaysThatItIsOver)
 // Plays both devices of a log a million times as fast as they were recorded.
 LiveDevices played(std::string const& text)
 {
-    auto const log = std::make_shared<Log const>(parse_log(text, "both.log").value());
+    auto const log
+        = std::make_shared<drivers::Log const>(drivers::parse_log(text, "both.log").value());
     auto const pace = pace_from_now(log->records.front().time, 1e6);
-    std::vector<std::unique_ptr<ReportSource>> sources;
+    std::vector<std::unique_ptr<drivers::ReportSource>> sources;
     for (std::size_t i = 0; i < log->devices.size(); ++i)
         sources.push_back(open_paced(log, i, pace));
     return LiveDevices::start(std::move(sources)).value();
@@ -149,7 +152,7 @@ TEST(LiveRecording, RecordsAllDevicesUntilTheyAreOver)
     ASSERT_TRUE(counts) << counts.error().message;
     EXPECT_EQ(counts->reports, 3u);
     EXPECT_EQ(counts->lost, 0u);
-    auto const log = parse_log(buffer.str(), "recorded").value();
+    auto const log = drivers::parse_log(buffer.str(), "recorded").value();
     ASSERT_EQ(log.records.size(), 3u);
     EXPECT_EQ(log.rig_text, "version = 1\n");
     EXPECT_EQ(log.devices[1].name, "height");
@@ -165,7 +168,7 @@ TEST(LiveRecording, KeepsWhatHasComeWhenItIsStopped)
     auto options = live_recording_by_the_clock({});
     options.rest = [&](Duration) { stop = recorder.report_count() > 0; };
     ASSERT_TRUE(record_live(devices, recorder, options, stop));
-    EXPECT_EQ(parse_log(buffer.str(), "recorded")->records.size(), 1u);
+    EXPECT_EQ(drivers::parse_log(buffer.str(), "recorded")->records.size(), 1u);
 }
 
 TEST(LiveRecording, EndsWhenTheTimeIsOver)
@@ -185,7 +188,7 @@ TEST(LiveRecording, EndsWhenTheTimeIsOver)
 
 TEST(LiveDevices, GoOnWithoutThoseThatCannotBeOpened)
 {
-    auto missing = simple_pen();
+    auto missing = drivers::simple_pen();
     missing.location = "/dev/hidraw999";
     std::vector<RefusedDevice> refused;
     auto const devices = LiveDevices::open_usable({ missing }, refused);

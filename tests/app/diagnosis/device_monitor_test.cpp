@@ -18,10 +18,10 @@ std::string field(DeviceReading const& reading, std::string const& name)
 
 TEST(DeviceMonitor, ShowsWhatThePenSays)
 {
-    DeviceMonitor monitor(simple_pen());
+    DeviceMonitor monitor(drivers::simple_pen());
     monitor.push(report_at_ms(0, kTouching));
     auto const reading = monitor.reading();
-    EXPECT_EQ(reading.description.kind, DeviceKind::Pen);
+    EXPECT_EQ(reading.description.kind, drivers::DeviceKind::Pen);
     EXPECT_EQ(field(reading, "x"), "100.00 mm");
     EXPECT_EQ(field(reading, "y"), "50.00 mm");
     EXPECT_EQ(field(reading, "touching"), "yes");
@@ -33,7 +33,7 @@ TEST(DeviceMonitor, ShowsWhatThePenSays)
 
 TEST(DeviceMonitor, MeasuresRateAndJitterOfTheLastSecond)
 {
-    DeviceMonitor monitor(simple_pen());
+    DeviceMonitor monitor(drivers::simple_pen());
     for (int i = 0; i < 400; ++i)
         monitor.push(report_at_ms(5 * i + i % 2, kTouching));
     auto const pace = monitor.reading().pace;
@@ -44,7 +44,7 @@ TEST(DeviceMonitor, MeasuresRateAndJitterOfTheLastSecond)
 
 TEST(DeviceMonitor, TakesAPauseForNoRhythm)
 {
-    DeviceMonitor monitor(simple_pen());
+    DeviceMonitor monitor(drivers::simple_pen());
     for (int const time : { 0, 5, 10, 15, 800, 805, 810 })
         monitor.push(report_at_ms(time, kTouching));
     EXPECT_NEAR(monitor.reading().pace.rate_hz, 200, 0.1);
@@ -54,7 +54,7 @@ TEST(DeviceMonitor, TakesAPauseForNoRhythm)
 
 TEST(DeviceMonitor, NoticesWhatIsWrong)
 {
-    DeviceMonitor monitor(simple_pen());
+    DeviceMonitor monitor(drivers::simple_pen());
     monitor.push(report_at_ms(10, kTouching));
     monitor.push(report_at_ms(5, kTouching));
     monitor.push(report_at_ms(15, "02 21"));
@@ -73,7 +73,7 @@ TEST(DeviceMonitor, NoticesWhatIsWrong)
 
 TEST(DeviceMonitor, WatchesTheHeightSensor)
 {
-    DeviceMonitor monitor(simple_height_sensor());
+    DeviceMonitor monitor(drivers::simple_height_sensor());
     for (int i = 0; i < 200; ++i)
         monitor.push(report_at_ms(2 * i, "01 ff 0f"));
     auto const reading = monitor.reading();

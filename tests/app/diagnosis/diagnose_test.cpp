@@ -10,20 +10,20 @@
 namespace tractus {
 namespace {
 
-DeviceFacts facts_of(DeviceInfo info, std::string location = "/dev/hidraw3")
+DeviceFacts facts_of(drivers::DeviceInfo info, std::string location = "/dev/hidraw3")
 {
     info.location = std::move(location);
-    return { .info = info, .description = describe_device(info), .poll_hz = {} };
+    return { .info = info, .description = drivers::describe_device(info), .poll_hz = {} };
 }
 
 // A Wacom whose reports are its maker's own, and longer than an Intuos's.
-DeviceInfo secretive_tablet()
+drivers::DeviceInfo secretive_tablet()
 {
     return { .name = "New Tablet",
              .vendor_id = 0x056a,
              .product_id = 0xfffe,
-             .report_descriptor
-             = bytes("06 00 ff 09 01 a1 01 85 10 09 02 15 00 26 ff 00 75 08 95 0b 81 02 c0") };
+             .report_descriptor = drivers::bytes(
+                 "06 00 ff 09 01 a1 01 85 10 09 02 15 00 26 ff 00 75 08 95 0b 81 02 c0") };
 }
 
 std::vector<std::string> kinds(std::vector<Finding> const& findings)
@@ -46,12 +46,12 @@ bool mentions(Finding const& finding, std::string const& text)
 
 TEST(DiagnoseSystem, FindsNothingWhereAllIsWell)
 {
-    EXPECT_TRUE(diagnose_system({ .devices = { facts_of(simple_pen()) } }).empty());
+    EXPECT_TRUE(diagnose_system({ .devices = { facts_of(drivers::simple_pen()) } }).empty());
 }
 
 TEST(DiagnoseSystem, PrintsTheRuleThatPermitsADevice)
 {
-    auto device = facts_of(simple_pen());
+    auto device = facts_of(drivers::simple_pen());
     device.open_error = EACCES;
     auto const findings = diagnose_system({ .devices = { device } });
     ASSERT_EQ(kinds(findings), Names { "not-permitted" });
@@ -66,7 +66,7 @@ TEST(DiagnoseSystem, PrintsTheRuleThatPermitsADevice)
 TEST(DiagnoseSystem, AdvisesFirstTheRuleThatWorksWhereOurRulesDoNotNameTheDevice)
 {
     // A mouse with a tip's pressure, of somebody unknown.
-    auto device = facts_of(simple_pen());
+    auto device = facts_of(drivers::simple_pen());
     device.open_error = EACCES;
     device.info.vendor_id = 0x2179;
     device.info.report_descriptor.clear();
@@ -83,8 +83,9 @@ TEST(DiagnoseSystem, SaysWhatToDoAboutTheKernelsDriverOfAConverter)
                           .vendor_id = 0x04d8,
                           .product_id = 0x00dd,
                           .driver = "mcp2221" };
-    auto const facts
-        = [&] { return SystemFacts { .devices = { facts_of(simple_pen()) }, .hidden = { chip } }; };
+    auto const facts = [&] {
+        return SystemFacts { .devices = { facts_of(drivers::simple_pen()) }, .hidden = { chip } };
+    };
     auto const findings = diagnose_system(facts());
     ASSERT_EQ(kinds(findings), Names { "driver-in-the-way" });
     EXPECT_EQ(findings[0].subject, "MCP2221A 0003:04D8:00DD.0001");
@@ -95,9 +96,10 @@ TEST(DiagnoseSystem, SaysWhatToDoAboutTheKernelsDriverOfAConverter)
 
 TEST(DiagnoseSystem, DoesNotMindAKeyboardThatMayNotBeRead)
 {
-    DeviceInfo const keyboard { .name = "Keyboard",
-                                .vendor_id = 0x046d,
-                                .report_descriptor = bytes("05 01 09 06 a1 01 c0") };
+    drivers::DeviceInfo const keyboard { .name = "Keyboard",
+                                         .vendor_id = 0x046d,
+                                         .report_descriptor
+                                         = drivers::bytes("05 01 09 06 a1 01 c0") };
     auto device = facts_of(keyboard);
     device.open_error = EACCES;
     EXPECT_EQ(kinds(diagnose_system({ .devices = { device } })), Names { "no-tablet" });
@@ -143,7 +145,7 @@ TEST(DiagnoseSystem, FindsWhatHoldsATablet)
 {
     EXPECT_EQ(kinds(diagnose_system({ .usb = { usb_tablet("usbfs", false) } })),
               Names { "driver-in-the-way" });
-    EXPECT_EQ(kinds(diagnose_system({ .devices = { facts_of(simple_pen()) },
+    EXPECT_EQ(kinds(diagnose_system({ .devices = { facts_of(drivers::simple_pen()) },
                                       .usb = { usb_tablet("usbhid", true) } })),
               Names {});
 }
@@ -151,13 +153,13 @@ TEST(DiagnoseSystem, FindsWhatHoldsATablet)
 TEST(DiagnoseSystem, NamesAnOldLibrary)
 {
     auto const findings = diagnose_system(
-        { .devices = { facts_of(simple_pen()) },
+        { .devices = { facts_of(drivers::simple_pen()) },
           .libraries = { { "hidapi", "0.9.0", "0.10.0" }, { "libusb", "1.0.26", "1.0.22" } } });
     ASSERT_EQ(kinds(findings), Names { "old-library" });
     EXPECT_EQ(findings[0].subject, "hidapi");
 }
 
-DeviceReading reading_after(DeviceInfo const& info, std::string const& report, int count)
+DeviceReading reading_after(drivers::DeviceInfo const& info, std::string const& report, int count)
 {
     DeviceMonitor monitor(info);
     for (int i = 0; i < count; ++i)
@@ -167,17 +169,18 @@ DeviceReading reading_after(DeviceInfo const& info, std::string const& report, i
 
 TEST(DiagnoseDevice, FindsNothingWhereAllIsWell)
 {
-    EXPECT_TRUE(
-        diagnose_device(reading_after(simple_pen(), kTouching, 100), std::chrono::seconds(1))
-            .empty());
+    EXPECT_TRUE(diagnose_device(reading_after(drivers::simple_pen(), kTouching, 100),
+                                std::chrono::seconds(1))
+                    .empty());
 }
 
 TEST(DiagnoseDevice, TellsMouseModeFromUnknownReports)
 {
     auto tablet = secretive_tablet();
-    auto const mouse = bytes("05 01 09 02 a1 01 85 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 "
-                             "03 75 01 81 02 95 05 81 03 05 01 09 30 09 31 15 81 25 7f 75 08 95 02 "
-                             "81 06 c0 c0");
+    auto const mouse
+        = drivers::bytes("05 01 09 02 a1 01 85 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 "
+                         "03 75 01 81 02 95 05 81 03 05 01 09 30 09 31 15 81 25 7f 75 08 95 02 "
+                         "81 06 c0 c0");
     tablet.report_descriptor.insert(tablet.report_descriptor.end(), mouse.begin(), mouse.end());
     EXPECT_EQ(kinds(diagnose_device(reading_after(tablet, "01 00 05 05", 50), {})),
               Names { "mouse-mode" });
@@ -189,7 +192,7 @@ TEST(DiagnoseDevice, TellsMouseModeFromUnknownReports)
 
 TEST(DiagnoseDevice, NamesBrokenReports)
 {
-    auto const findings = diagnose_device(reading_after(simple_pen(), "02 21 00", 3), {});
+    auto const findings = diagnose_device(reading_after(drivers::simple_pen(), "02 21 00", 3), {});
     ASSERT_EQ(kinds(findings), Names { "broken-reports" });
     EXPECT_TRUE(mentions(findings[0], "3 of 3 reports"));
 }
@@ -197,11 +200,11 @@ TEST(DiagnoseDevice, NamesBrokenReports)
 TEST(DiagnoseDevice, AsksForThePenOfATabletWhoseKeysAreAllThatSpoke)
 {
     // An HS610 in its full mode: a dial of its pad.
-    DeviceInfo const hs610 { .name = "Huion HS610",
-                             .interface_number = 0,
-                             .vendor_id = 0x256c,
-                             .product_id = 0x006d,
-                             .strings = { { 200, "" }, { 201, "HUION_T194_190116" } } };
+    drivers::DeviceInfo const hs610 { .name = "Huion HS610",
+                                      .interface_number = 0,
+                                      .vendor_id = 0x256c,
+                                      .product_id = 0x006d,
+                                      .strings = { { 200, "" }, { 201, "HUION_T194_190116" } } };
     auto const findings
         = diagnose_device(reading_after(hs610, "08 f0 01 01 00 03 00 00 00 00 00 00", 50), {});
     ASSERT_EQ(kinds(findings), Names { "silent" });
@@ -210,20 +213,21 @@ TEST(DiagnoseDevice, AsksForThePenOfATabletWhoseKeysAreAllThatSpoke)
 
 TEST(DiagnoseDevice, NamesASensorOnItsRail)
 {
-    EXPECT_EQ(kinds(diagnose_device(reading_after(simple_height_sensor(), "01 00 00", 100), {})),
-              Names { "height-fault" });
+    EXPECT_EQ(
+        kinds(diagnose_device(reading_after(drivers::simple_height_sensor(), "01 00 00", 100), {})),
+        Names { "height-fault" });
 }
 
 TEST(DiagnoseDevice, NamesASensorThatNeverSpoke)
 {
-    auto const reading = DeviceMonitor(simple_height_sensor()).reading();
+    auto const reading = DeviceMonitor(drivers::simple_height_sensor()).reading();
     EXPECT_EQ(kinds(diagnose_device(reading, std::chrono::seconds(2))), Names { "silent" });
     EXPECT_EQ(kinds(diagnose_device(reading, {})), Names {});
 }
 
 TEST(DiagnoseDevice, NamesTimesThatGoBackwards)
 {
-    DeviceMonitor monitor(simple_pen());
+    DeviceMonitor monitor(drivers::simple_pen());
     monitor.push(report_at_ms(10, kTouching));
     monitor.push(report_at_ms(5, kTouching));
     EXPECT_EQ(kinds(diagnose_device(monitor.reading(), {})), Names { "clock-jump" });
@@ -231,8 +235,8 @@ TEST(DiagnoseDevice, NamesTimesThatGoBackwards)
 
 TEST(DiagnoseRefusal, KeepsTheReason)
 {
-    auto const finding
-        = diagnose_refusal(simple_pen(), { Fault::User, "another program has its interface" });
+    auto const finding = diagnose_refusal(drivers::simple_pen(),
+                                          { Fault::User, "another program has its interface" });
     EXPECT_EQ(name_of(finding.kind), "driver-in-the-way");
     EXPECT_TRUE(mentions(finding, "another program has its interface"));
 }
@@ -240,7 +244,7 @@ TEST(DiagnoseRefusal, KeepsTheReason)
 TEST(DiagnoseDevice, SaysWhatToDoAboutAnEncodersLostEdges)
 {
     DeviceReading reading;
-    reading.info = describe_gpio_encoder("gpio:gpiochip0:17,27:quadrature").value();
+    reading.info = drivers::describe_gpio_encoder("gpio:gpiochip0:17,27:quadrature").value();
     reading.reports = 100;
     reading.broken_reports = 1;
     reading.first_broken = "the encoder has lost 3 edges";
@@ -252,10 +256,10 @@ TEST(DiagnoseDevice, SaysWhatToDoAboutAnEncodersLostEdges)
 
 TEST(DiagnoseRefusal, SaysHowADeskFindsItsPlaceAgain)
 {
-    DeviceInfo const desk { .name = "USB Control Link",
-                            .location = "/dev/hidraw3",
-                            .vendor_id = 0x12d3,
-                            .product_id = 0x0002 };
+    drivers::DeviceInfo const desk { .name = "USB Control Link",
+                                     .location = "/dev/hidraw3",
+                                     .vendor_id = 0x12d3,
+                                     .product_id = 0x0002 };
     auto const finding
         = diagnose_refusal(desk, { Fault::User, "the desk does not know how high it is" });
     EXPECT_EQ(name_of(finding.kind), "height-fault");

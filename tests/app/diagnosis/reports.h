@@ -8,10 +8,11 @@
 
 namespace tractus {
 
-inline RawReport report_at_ms(std::int64_t milliseconds, std::string const& hex)
+inline drivers::RawReport report_at_ms(std::int64_t milliseconds, std::string const& hex)
 {
-    auto const content = bytes(hex);
-    RawReport report { .received = timestamp_ns(milliseconds * 1'000'000), .size = content.size() };
+    auto const content = drivers::bytes(hex);
+    drivers::RawReport report { .received = timestamp_ns(milliseconds * 1'000'000),
+                                .size = content.size() };
     std::copy(content.begin(), content.end(), report.storage.begin());
     return report;
 }

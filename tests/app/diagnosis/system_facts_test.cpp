@@ -109,19 +109,19 @@ TEST(SystemFacts, SurvivesAMachineWithoutAnything)
 
 TEST(LibraryVersions, AreRecentEnoughHere)
 {
-    auto const libraries = library_versions();
+    auto const libraries = drivers::library_versions();
     ASSERT_EQ(libraries.size(), 3u);
     for (auto const& library : libraries)
-        EXPECT_FALSE(is_older_version(library.version, library.needed)) << library.name;
+        EXPECT_FALSE(drivers::is_older_version(library.version, library.needed)) << library.name;
 }
 
 TEST(IsOlderVersion, ComparesNumberByNumber)
 {
-    EXPECT_TRUE(is_older_version("0.9.0", "0.10"));
-    EXPECT_TRUE(is_older_version("1.6", "1.6.1"));
-    EXPECT_FALSE(is_older_version("1.6.3", "1.6"));
-    EXPECT_FALSE(is_older_version("2.2", "1.6.3"));
-    EXPECT_FALSE(is_older_version("1.0", "1.0.0"));
+    EXPECT_TRUE(drivers::is_older_version("0.9.0", "0.10"));
+    EXPECT_TRUE(drivers::is_older_version("1.6", "1.6.1"));
+    EXPECT_FALSE(drivers::is_older_version("1.6.3", "1.6"));
+    EXPECT_FALSE(drivers::is_older_version("2.2", "1.6.3"));
+    EXPECT_FALSE(drivers::is_older_version("1.0", "1.0.0"));
 }
 
 } // namespace

@@ -43,7 +43,7 @@ TEST(UdevRules, PermitPensByUsageAndTabletsByMaker)
                                  .bus = bus,
                                  .vendor_id = vendor_id,
                                  .product_id = product_id,
-                                 .report_descriptor = bytes(descriptor) });
+                                 .report_descriptor = drivers::bytes(descriptor) });
     };
     constexpr auto kPen = "05 0d 09 02 a1 01 09 20 a1 00 c0 c0", kMouse = "05 01 09 02 a1 01 c0";
     EXPECT_TRUE(permits(0x18, 0x2d1f, 0x0001, kPen)); // Pens of makers that no rule names.

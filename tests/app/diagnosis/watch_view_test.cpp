@@ -10,7 +10,7 @@ namespace {
 
 TEST(WatchView, ShowsBytesBesideTheirMeaning)
 {
-    DeviceMonitor monitor(simple_pen());
+    DeviceMonitor monitor(drivers::simple_pen());
     for (int i = 0; i < 10; ++i)
         monitor.push(report_at_ms(5 * i, kTouching));
     auto const reading = monitor.reading();
@@ -27,7 +27,7 @@ TEST(WatchView, ShowsBytesBesideTheirMeaning)
 
 TEST(WatchView, SaysThatADeviceIsAway)
 {
-    DeviceMonitor monitor(simple_pen());
+    DeviceMonitor monitor(drivers::simple_pen());
     monitor.push(report_at_ms(0, kTouching));
     monitor.push(report_at_ms(5, ""));
     auto const reading = monitor.reading();
@@ -37,7 +37,7 @@ TEST(WatchView, SaysThatADeviceIsAway)
 
 TEST(WatchView, FitsTheScreen)
 {
-    DeviceMonitor monitor(simple_pen());
+    DeviceMonitor monitor(drivers::simple_pen());
     monitor.push(report_at_ms(0, kTouching));
     auto const reading = monitor.reading();
     for (auto const& line : watch_lines(std::span(&reading, 1), 30))

@@ -13,7 +13,7 @@ namespace {
 using Sent = std::vector<std::string>;
 
 // A device whose kernel is the test.
-class FakeDevice final : public KernelDevice {
+class FakeDevice final : public sim::KernelDevice {
 public:
     FakeDevice(std::string name, Sent& sent)
         : name_(std::move(name))
@@ -52,22 +52,23 @@ private:
 };
 
 // A report that begins with `byte`, so many milliseconds after the begin.
-RawReport report(int time_ms, int byte)
+drivers::RawReport report(int time_ms, int byte)
 {
-    RawReport result { .received = Timestamp(std::chrono::milliseconds(time_ms)), .size = 1 };
+    drivers::RawReport result { .received = Timestamp(std::chrono::milliseconds(time_ms)),
+                                .size = 1 };
     result.storage[0] = static_cast<std::byte>(byte);
     return result;
 }
 
 class DeviceParts : public testing::Test {
 protected:
-    FakeDevice& add(std::string name, std::vector<RawReport> reports)
+    FakeDevice& add(std::string name, std::vector<drivers::RawReport> reports)
     {
         auto& device = *devices.emplace_back(std::make_unique<FakeDevice>(std::move(name), sent));
         parts.push_back(
             std::make_unique<ReportPart>(device, [reports = std::move(reports)]() -> NextReport {
                 return [reports, next = std::size_t { 0 }]() mutable {
-                    return Result<std::optional<RawReport>>(
+                    return Result<std::optional<drivers::RawReport>>(
                         next < reports.size() ? std::optional(reports[next++]) : std::nullopt);
                 };
             }));

@@ -11,7 +11,7 @@ namespace {
 TEST(SimulatedRecording, HasTwoDevicesARigAndAToolForEachGesture)
 {
     auto const log = recorded_log();
-    EXPECT_EQ(log.warning_count, 0u) << summarize_warnings(log);
+    EXPECT_EQ(log.warning_count, 0u) << drivers::summarize_warnings(log);
     EXPECT_EQ(log.devices.size(), 2u);
     EXPECT_NE(log.rig_text.find("[height]"), std::string::npos);
     ASSERT_EQ(log.tools.size(), 3u);

@@ -69,9 +69,9 @@ TEST(FramingCamera, SeesAPlantFromEverySideWithAir)
 }
 
 // Poles of 2 m that lean from the middle into the eight corners around it.
-Mesh leaning_poles(std::size_t only)
+mesh::Mesh leaning_poles(std::size_t only)
 {
-    Mesh mesh;
+    mesh::Mesh mesh;
     auto& surface = mesh.surfaces.emplace_back();
     for (std::size_t pole = 0; pole < 8; ++pole)
         if (only == 8 || only == pole) {
@@ -107,7 +107,7 @@ TEST(Framing, CutsNothingThatLeansIntoACornerOfItsBox)
 
 TEST(Framing, TakesInstancesAndSeveralMeshes)
 {
-    Mesh mesh;
+    mesh::Mesh mesh;
     auto& organ = mesh.organs.emplace_back();
     organ.prototype.positions_mm = { Vec3f(-50, 0, 0), Vec3f(50, 0, 0), Vec3f(0, 0, 100) };
     organ.instances = { { .translation_mm = { 3000, 0, 0 } } };
@@ -121,7 +121,7 @@ TEST(Framing, TakesInstancesAndSeveralMeshes)
 TEST(Framing, OfNothingIsThatOfAnEmptyBox)
 {
     Framing framing({}, 1);
-    framing.add(Mesh());
+    framing.add(mesh::Mesh());
     EXPECT_TRUE(framing.camera().eye_mm.isApprox(framing_camera(Bounds(), {}, 1).eye_mm));
 }
 

@@ -288,7 +288,7 @@ TEST_F(RendererTest, DrawsAsMuchLeafFromAfarAsFromNear)
 {
     // A wall of 40 x 40 leaves of 10 mm that face the user: less than a pixel each in the small
     // picture.
-    Mesh wall;
+    mesh::Mesh wall;
     wall.materials.push_back(
         { .name = "leaf", .kind = Material::Kind::Leaf, .base_color = { 0.25f, 0.55f, 0.15f } });
     auto& leaf = wall.organs.emplace_back();
@@ -315,7 +315,7 @@ TEST_F(RendererTest, DrawsAsMuchLeafFromAfarAsFromNear)
 
 TEST_F(RendererTest, TakesAnEmptyMesh)
 {
-    GpuMesh const mesh { Mesh() };
+    GpuMesh const mesh { mesh::Mesh() };
     Stage stage;
     stage.meshes.push_back({ &mesh });
     EXPECT_EQ(picture(stage).width(), kWidth);

@@ -9,9 +9,9 @@ namespace tractus {
 namespace {
 
 // A roof of leaves, 1 m on a side, 500 mm above the ground.
-Mesh roof()
+mesh::Mesh roof()
 {
-    Mesh mesh;
+    mesh::Mesh mesh;
     mesh.materials.push_back({ .name = "leaf", .kind = Material::Kind::Leaf });
     auto& leaf = mesh.organs.emplace_back();
     add_quad(leaf.prototype,
@@ -55,12 +55,12 @@ TEST(SkyVisibility, ShadesTheGroundBelowMost)
 
 TEST(SkyVisibility, IsFullForAnEmptyMesh)
 {
-    EXPECT_EQ(SkyVisibility(Mesh()).at(Vec3f::Zero()), 1.0f);
+    EXPECT_EQ(SkyVisibility(mesh::Mesh()).at(Vec3f::Zero()), 1.0f);
 }
 
 TEST(MeshBounds, HoldSurfacesAndEveryInstance)
 {
-    auto const box = bounds(post_with_leaves());
+    auto const box = mesh::bounds(post_with_leaves());
     EXPECT_TRUE(box.min_mm.isApprox(Vec3(-250, -20, 0), 1e-4));
     EXPECT_TRUE(box.max_mm.isApprox(Vec3(250, 20, 300), 1e-4));
 }

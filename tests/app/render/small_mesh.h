@@ -9,7 +9,7 @@ namespace tractus {
 constexpr MaterialId kBarkMaterial = 0;
 constexpr MaterialId kLeafMaterial = 1;
 
-inline void add_quad(TriangleMesh& mesh, std::array<Vec3f, 4> const& corners)
+inline void add_quad(mesh::TriangleMesh& mesh, std::array<Vec3f, 4> const& corners)
 {
     auto const first = static_cast<std::uint32_t>(mesh.positions_mm.size());
     Vec3f const normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
@@ -25,9 +25,9 @@ inline void add_quad(TriangleMesh& mesh, std::array<Vec3f, 4> const& corners)
 
 // A square post of bark, 40 mm wide and 300 mm high, and on each side of it, at x = -200 and
 // x = 200 mm, 250 mm up, one leaf: an upright square of 100 mm that faces the user (-y).
-inline Mesh post_with_leaves()
+inline mesh::Mesh post_with_leaves()
 {
-    Mesh mesh;
+    mesh::Mesh mesh;
     mesh.materials.push_back(
         { .name = "bark", .kind = Material::Kind::Bark, .base_color = { 0.40f, 0.28f, 0.18f } });
     mesh.materials.push_back({ .name = "leaf",

@@ -44,9 +44,9 @@ Vec3 const kMiddle(0, 0, 150);
 
 // An upright plate of 200 mm in the middle of the picture, its front towards the user, u to the
 // right and v upwards, whose normals are given.
-Mesh plate(Material::Kind kind, Vec3f const& normal = -Vec3f::UnitY())
+mesh::Mesh plate(Material::Kind kind, Vec3f const& normal = -Vec3f::UnitY())
 {
-    Mesh mesh;
+    mesh::Mesh mesh;
     mesh.materials.push_back(
         { .name = "plate", .kind = kind, .base_color = { 0.5f, 0.5f, 0.5f }, .roughness = 1 });
     auto& surface = mesh.surfaces.emplace_back();
@@ -60,7 +60,7 @@ Mesh plate(Material::Kind kind, Vec3f const& normal = -Vec3f::UnitY())
 
 class SurfacePictureTest : public RendererTest {
 protected:
-    Image picture_of(Mesh const& mesh, Vec3f const& sun = { -1, -0.4f, 1 })
+    Image picture_of(mesh::Mesh const& mesh, Vec3f const& sun = { -1, -0.4f, 1 })
     {
         GpuMesh const drawn(mesh, GpuMesh::Sky::Open);
         Stage stage;
@@ -69,7 +69,7 @@ protected:
         return picture(stage);
     }
 
-    int brightness_of(Mesh const& mesh, Vec3f const& sun = { -1, -0.4f, 1 })
+    int brightness_of(mesh::Mesh const& mesh, Vec3f const& sun = { -1, -0.4f, 1 })
     {
         return brightness(at(picture_of(mesh, sun), kMiddle));
     }
@@ -144,7 +144,7 @@ TEST_F(SurfacePictureTest, APlantThroughAFileIsAsLightAsBefore)
     auto mesh = post_with_leaves();
     auto read = read_glb(glb_of(mesh));
     ASSERT_TRUE(read) << read.error().message;
-    auto const mean = [&](Mesh const& shown) {
+    auto const mean = [&](mesh::Mesh const& shown) {
         auto const seen = picture_of(shown);
         Vec3 sum = Vec3::Zero();
         int count = 0;

@@ -102,7 +102,7 @@ protected:
         constexpr Duration kFrame = std::chrono::milliseconds(16);
         auto const edits = growing_plant_edits({ folder_ / "small.l", {} }, {}, 1).value();
         auto session = begin_session(path, edits, all_methods().edits).value();
-        auto const log = read_log(this->log()).value();
+        auto const log = drivers::read_log(this->log()).value();
         auto replay = LogReplay::create(log, { .methods = all_methods() }).value();
         auto& station = replay.station();
         StationController controller(station, std::move(session), {}, folder_);

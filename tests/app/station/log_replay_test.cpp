@@ -11,7 +11,7 @@
 namespace tractus {
 namespace {
 
-std::string refusal(Log const& log)
+std::string refusal(drivers::Log const& log)
 {
     auto const replay = LogReplay::create(log, { .methods = all_methods() });
     return replay ? "" : replay.error().message;
@@ -72,7 +72,7 @@ TEST(LogReplay, TakesAGivenHeightInPlaceOfTheSensors)
 {
     auto const log = recorded_log();
     ReplayOptions options { .methods = all_methods() };
-    options.height = parse_height_scenario("90").value();
+    options.height = calib::parse_height_scenario("90").value();
     for (auto const& drawn : replayed(log, options).strokes)
         for (auto const& tip : drawn.stroke.tips)
             ASSERT_NEAR(tip.position_mm.z(), 90, 1e-9);
@@ -82,8 +82,8 @@ TEST(LogReplay, TakesAGivenRigInPlaceOfTheLogs)
 {
     auto const log = recorded_log();
     ReplayOptions options { .methods = all_methods() };
-    options.rig = parse_rig(log.rig_text, "rig").value();
-    options.rig->height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = 1000 };
+    options.rig = calib::parse_rig(log.rig_text, "rig").value();
+    options.rig->height_model = calib::LinearHeight { .mm_per_count = 0.1, .zero_counts = 1000 };
     auto const strokes = replayed(log, options).strokes;
     ASSERT_FALSE(strokes.empty());
     EXPECT_GT(replayed(log).strokes[0].stroke.tips.front().position_mm.z(),
@@ -122,7 +122,7 @@ TEST(LogReplay, LeavesOutWhatItDoesNotKnowAndNamesIt)
     EXPECT_NE(strokes[1].refusal.find("does not know the tool"), std::string::npos);
 }
 
-LogTool undo_after(std::size_t strokes, Log const& log, std::size_t position)
+drivers::LogTool undo_after(std::size_t strokes, drivers::Log const& log, std::size_t position)
 {
     return { log.end(), "undo", std::to_string(strokes), position };
 }

@@ -19,8 +19,8 @@ DrawingStation low_station(std::optional<Tool> const& tool = {})
     StationOptions options;
     options.tools = all_methods().tools;
     options.rig.tablet_size_mm = { 200, 100 };
-    options.scripted_height = ScriptedHeight {
-        .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
+    options.scripted_height = calib::ScriptedHeight {
+        .scenario = { .kind = calib::HeightScenario::Kind::Constant, .constant_mm = 100 },
         .first_pen = {},
         .last_pen = {},
     };
@@ -35,7 +35,7 @@ TEST(Station, KnowsWhatThePenReaches)
     EXPECT_LT((volume.max_mm - Vec3(100, 50, 300)).norm(), 1e-9);
     StationOptions options;
     options.tools = all_methods().tools;
-    options.rig = { .height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = 500 },
+    options.rig = { .height_model = calib::LinearHeight { .mm_per_count = 0.1, .zero_counts = 500 },
                     .calibrated_min_counts = 700,
                     .calibrated_max_counts = 3500,
                     .tablet_size_mm = { 200, 100 },
@@ -62,26 +62,27 @@ TEST(Station, MakesAStrokeOfWhatThePenTouches)
 TEST(Station, ScalesAPenThatDoesNotTellItsSizeToTheMeasuredSurface)
 {
     // Both axes run to 32767, and nothing tells how far that is.
-    DeviceInfo const pen {
+    drivers::DeviceInfo const pen {
         .name = "Tablet",
         .vendor_id = 0x1234,
         .product_id = 0x5678,
-        .report_descriptor = bytes("05 0d 09 02 a1 01 09 20 a1 00 09 42 15 00 25 01 75 01 95 01 81 "
-                                   "02 95 07 81 03 05 01 09 30 09 31 26 ff 7f 75 10 95 02 81 02 c0 "
-                                   "c0"),
+        .report_descriptor
+        = drivers::bytes("05 0d 09 02 a1 01 09 20 a1 00 09 42 15 00 25 01 75 01 95 01 81 "
+                         "02 95 07 81 03 05 01 09 30 09 31 26 ff 7f 75 10 95 02 81 02 c0 "
+                         "c0"),
     };
     StationOptions options;
     options.tools = all_methods().tools;
     options.rig.tablet_size_mm = { 200, 100 };
     options.rig.surface_mm = Vec2(200, 100);
-    options.scripted_height = ScriptedHeight {
-        .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
+    options.scripted_height = calib::ScriptedHeight {
+        .scenario = { .kind = calib::HeightScenario::Kind::Constant, .constant_mm = 100 },
         .first_pen = {},
         .last_pen = {},
     };
     std::vector const devices { pen };
     auto station = DrawingStation(Station::create(devices, options).value(), small_scene());
-    station.push(0, at_ms(0), bytes("01 ff 7f 00 00")); // The right edge, the far one.
+    station.push(0, at_ms(0), drivers::bytes("01 ff 7f 00 00")); // The right edge, the far one.
     auto const moments = station.take_moments();
     ASSERT_FALSE(moments.empty());
     EXPECT_LT((moments.back().position_mm - Vec3(100, 50, 100)).norm(), 1e-6)
@@ -151,12 +152,13 @@ TEST(Station, TakesTwoTabletsAtOnce)
     StationOptions options;
     options.tools = all_methods().tools;
     options.rig.tablet_size_mm = { 200, 100 };
-    options.scripted_height = ScriptedHeight {
-        .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
+    options.scripted_height = calib::ScriptedHeight {
+        .scenario = { .kind = calib::HeightScenario::Kind::Constant, .constant_mm = 100 },
         .first_pen = {},
         .last_pen = {},
     };
-    std::vector const devices { simple_pen(), simple_height_sensor(), simple_pen() };
+    std::vector const devices { drivers::simple_pen(), drivers::simple_height_sensor(),
+                                drivers::simple_pen() };
     DrawingStation station(Station::create(devices, options).value(), small_scene());
     constexpr std::size_t kSecondPen = 2;
     for (int i = 0; i < 20; ++i) {
@@ -202,8 +204,8 @@ TEST(Station, KeepsTheReasonWhyAStrokeChangedNothing)
 TEST(Station, CountsBrokenReportsAndGoesOn)
 {
     auto station = low_station();
-    station.push(kPen, at_ms(0), bytes("02 21 00"));
-    station.push(kPen, at_ms(1), bytes("09 00 00"));
+    station.push(kPen, at_ms(0), drivers::bytes("02 21 00"));
+    station.push(kPen, at_ms(1), drivers::bytes("09 00 00"));
     draw_across(station, 5);
     station.finish();
     EXPECT_EQ(station.counts().broken_reports, 2u);
@@ -239,7 +241,7 @@ TEST(Station, DrawsNoStrokeToWhereAnOpenCableReads)
 
 TEST(Station, SaysWhatIsWrongWithTheHeightSensor)
 {
-    EXPECT_EQ(describe_faults(station_with_an_open_cable().height_monitor(), at_ms(0)),
+    EXPECT_EQ(calib::describe_faults(station_with_an_open_cable().height_monitor(), at_ms(0)),
               std::vector<std::string>(
                   { "the height sensor read 4095, an end of its range, once, for 0.1 s at 0.2 s: "
                     "its wiper or its cable is open, or the spool is at its stop" }));
@@ -253,7 +255,7 @@ TEST(Station, TellsWhenTheHeightSensorSaysNothing)
     draw_across(station, 0);
     draw_across(station, 500);
     ASSERT_TRUE(station.height_monitor().present());
-    EXPECT_EQ(station.height_monitor().present()->kind, HeightFaultKind::Silence);
+    EXPECT_EQ(station.height_monitor().present()->kind, calib::HeightFaultKind::Silence);
 }
 
 TEST(Station, DoesNotMissASensorWhereTheHeightIsScripted)
@@ -267,7 +269,7 @@ TEST(Station, DoesNotMissASensorWhereTheHeightIsScripted)
 TEST(Station, LeavesOtherDevicesAside)
 {
     auto station = low_station();
-    station.push(7, at_ms(0), bytes("02 21 00"));
+    station.push(7, at_ms(0), drivers::bytes("02 21 00"));
     EXPECT_EQ(station.counts().reports, 1u);
     EXPECT_EQ(station.counts().ignored_reports, 1u);
     EXPECT_EQ(station.counts().broken_reports, 0u);
@@ -278,7 +280,7 @@ TEST(Station, TakesHeightsFromTheSensorBetweenThePensReports)
     StationOptions options;
     options.tools = all_methods().tools;
     options.rig.tablet_size_mm = { 200, 100 };
-    options.rig.height_model = LinearHeight { .mm_per_count = 0.1, .zero_counts = -200 };
+    options.rig.height_model = calib::LinearHeight { .mm_per_count = 0.1, .zero_counts = -200 };
     auto station = DrawingStation(Station::create(simple_rig(), options).value(), small_scene());
     station.push(kHeight, at_ms(-1), height_report(1000));
     for (int i = 0; i < 20; ++i) {
@@ -295,11 +297,11 @@ TEST(Station, TakesHeightsFromTheSensorBetweenThePensReports)
 
 // A tablet that its own driver has not switched: a mouse with tip pressure, 200 x 100 counts, which
 // never says that the pen has gone.
-DeviceInfo mouse_with_pressure()
+drivers::DeviceInfo mouse_with_pressure()
 {
     return {
         .name = "Mouse",
-        .report_descriptor = bytes(
+        .report_descriptor = drivers::bytes(
             "05 01 09 02 a1 01 85 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02"
             "95 05 81 01 05 01 09 30 09 31 26 c8 00 95 02 75 10 81 02"
             "05 0d 09 30 26 ff 1f 95 01 81 02 c0 c0")
@@ -310,7 +312,7 @@ DrawingStation station_with_mouse()
 {
     StationOptions options;
     options.tools = all_methods().tools;
-    options.scripted_height = ScriptedHeight {};
+    options.scripted_height = calib::ScriptedHeight {};
     std::vector const devices { mouse_with_pressure() };
     return DrawingStation(Station::create(devices, options).value(), small_scene());
 }
@@ -319,7 +321,7 @@ DrawingStation station_with_mouse()
 void touch_with_mouse(DrawingStation& station, std::int64_t start_ms)
 {
     for (int i = 0; i < 20; ++i) {
-        auto report = bytes("01 01 00 00 32 00 ff 0f");
+        auto report = drivers::bytes("01 01 00 00 32 00 ff 0f");
         report[2] = static_cast<std::byte>(10 + 5 * i);
         station.push(0, at_ms(start_ms + 5 * i), report);
     }
@@ -349,10 +351,11 @@ TEST(Station, NeedsAPenAndAHeight)
 {
     StationOptions options;
     options.tools = all_methods().tools;
-    auto const without_pen = Station::create(std::vector { simple_height_sensor() }, options);
+    auto const without_pen
+        = Station::create(std::vector { drivers::simple_height_sensor() }, options);
     ASSERT_FALSE(without_pen);
     EXPECT_NE(without_pen.error().message.find("no pen"), std::string::npos);
-    auto const without_height = Station::create(std::vector { simple_pen() }, options);
+    auto const without_height = Station::create(std::vector { drivers::simple_pen() }, options);
     ASSERT_FALSE(without_height);
     EXPECT_NE(without_height.error().message.find("--height"), std::string::npos);
     auto const nothing = Station::create({}, options);

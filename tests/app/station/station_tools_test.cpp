@@ -61,9 +61,9 @@ TEST(StationTools, PressesWhereATouchBeginsInAnAreaForIt)
 TEST(StationTools, PressesWhereReportsComeInBursts)
 {
     StationOptions options;
-    options.rig = { .height_model = LinearHeight { .mm_per_count = 0.1 },
+    options.rig = { .height_model = calib::LinearHeight { .mm_per_count = 0.1 },
                     .tablet_size_mm = { 200, 100 },
-                    .sample_times = SampleTimes::Evened };
+                    .sample_times = calib::SampleTimes::Evened };
     options.tools = all_methods().tools;
     auto station = Station::create(simple_rig(), options).value();
     station.set_pressing_areas({ left_part() });

@@ -13,18 +13,18 @@
 namespace tractus {
 namespace {
 
-LogReplay small_replay(Log const& log)
+LogReplay small_replay(drivers::Log const& log)
 {
     return LogReplay::create(log, { .methods = all_methods() }).value();
 }
 
-Log small_log()
+drivers::Log small_log()
 {
-    return read_log(std::filesystem::path(TRACTUS_FIXTURES) / "small.tractus-log").value();
+    return drivers::read_log(std::filesystem::path(TRACTUS_FIXTURES) / "small.tractus-log").value();
 }
 
 // A log whose lines all arrive: `what` is told of it.
-std::string streamed(Log const& log, StreamOutput::What what)
+std::string streamed(drivers::Log const& log, StreamOutput::What what)
 {
     auto replay = small_replay(log);
     std::string text;

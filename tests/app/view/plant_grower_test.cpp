@@ -14,7 +14,7 @@ std::shared_ptr<Scene const> shared_scene()
     return std::make_shared<Scene const>(small_scene());
 }
 
-bool same_vertices(Mesh const& one, Mesh const& other)
+bool same_vertices(mesh::Mesh const& one, mesh::Mesh const& other)
 {
     if (one.surfaces.size() != other.surfaces.size())
         return false;
@@ -24,10 +24,10 @@ bool same_vertices(Mesh const& one, Mesh const& other)
     return true;
 }
 
-Mesh mesh_of(Scene const& scene, std::uint64_t seed)
+mesh::Mesh mesh_of(Scene const& scene, std::uint64_t seed)
 {
     auto const plan = plan_growth(scene).value();
-    return make_mesh(Grower(plan).grow({ seed, 0 }));
+    return mesh::make_mesh(Grower(plan).grow({ seed, 0 }));
 }
 
 TEST(PlantGrower, GrowsThePlantThatTheSceneSays)

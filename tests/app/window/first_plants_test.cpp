@@ -115,7 +115,7 @@ public:
     explicit PenHand(bool has_surface)
         : has_surface_(has_surface)
         , log_(text_,
-               { .devices = has_surface ? simple_rig() : std::vector { simple_pen() },
+               { .devices = has_surface ? simple_rig() : std::vector { drivers::simple_pen() },
                  .rig_text = {},
                  .start = {} })
     {
@@ -170,7 +170,7 @@ private:
 
     bool has_surface_;
     std::ostringstream text_;
-    LogWriter log_;
+    drivers::LogWriter log_;
     std::int64_t now_ms_ = 0;
 };
 
@@ -300,7 +300,7 @@ protected:
         all.now = [now] { return *now; };
         all.counted_time = now;
         if (device() == Device::PenAndSurface)
-            all.rig = Rig { .tablet_size_mm = { 200, 100 } };
+            all.rig = calib::Rig { .tablet_size_mm = { 200, 100 } };
         else
             all.height_mm = 100;
         auto devices = LiveDevices::play_log(file.string(), all.now).value();
@@ -412,10 +412,10 @@ TEST_P(FirstPlants, TakesOnePressAndIsRecorded)
                       fs::path(folder)
                           / fmt::format("{}-{}.tractus-log", plant().method, name_of(device())),
                       fs::copy_options::overwrite_existing);
-    auto const log = read_log(recording()).value();
+    auto const log = drivers::read_log(recording()).value();
     ReplayOptions options { .methods = all_methods() };
     if (device() == Device::Tablet || device() == Device::PenDisplay)
-        options.height = parse_height_scenario("100").value();
+        options.height = calib::parse_height_scenario("100").value();
     auto const again = replayed(log, options, is_shaped ? our_plant("birch") : Scene {});
     ASSERT_EQ(again.scene.plants.size(), 1u);
     EXPECT_EQ(again.strokes.size(), plant().lines.size());
@@ -435,8 +435,8 @@ TEST(FirstPlantRecordings, ReplayToAPlant)
         bool const is_shaped = name.starts_with("strokes");
         ReplayOptions options { .methods = all_methods() };
         if (name.ends_with("tablet"))
-            options.height = parse_height_scenario("100").value();
-        auto const log = read_log(entry.path()).value();
+            options.height = calib::parse_height_scenario("100").value();
+        auto const log = drivers::read_log(entry.path()).value();
         auto const drawn = replayed(log, options, is_shaped ? our_plant("birch") : Scene {});
         EXPECT_EQ(drawn.scene.plants.size(), 1u);
         EXPECT_EQ(drawn.scene.associations.size(), is_shaped ? 1u : 0u);

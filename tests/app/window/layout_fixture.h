@@ -117,7 +117,7 @@ public:
 
 private:
     Methods methods_;
-    Mesh mesh_;
+    mesh::Mesh mesh_;
     WindowState state_;
 };
 

@@ -35,7 +35,7 @@ constexpr double kPxPerMm = kWidth_px / kTabletWidth_mm;
 // Writes what a pen sends that works the window: places are the window's pixels.
 class PenScript {
 public:
-    explicit PenScript(std::vector<DeviceInfo> devices = { simple_pen() })
+    explicit PenScript(std::vector<drivers::DeviceInfo> devices = { drivers::simple_pen() })
         : log_(text_, { .devices = std::move(devices), .rig_text = {}, .start = {} })
     {
         hover(10, 10);
@@ -121,7 +121,7 @@ private:
     }
 
     std::ostringstream text_;
-    LogWriter log_;
+    drivers::LogWriter log_;
     std::int64_t now_ms_ = 0;
 };
 
@@ -258,9 +258,9 @@ TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
     script.draw(350, 195, 600, 195);
     auto window = window_of(script, true);
     run(window, script);
-    auto const log = read_log(folder_ / "again.tractus-log").value();
+    auto const log = drivers::read_log(folder_ / "again.tractus-log").value();
     ReplayOptions options { .methods = all_methods() };
-    options.height = parse_height_scenario("100").value();
+    options.height = calib::parse_height_scenario("100").value();
     auto const replay = replayed(log, options);
     auto const& again = replay.scene.indicators;
     ASSERT_EQ(again.size(), 1u);
@@ -291,9 +291,9 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
                 0.1); // A tip every 4 mm.
     EXPECT_NEAR(tips.back().position_mm.x(), 36, 0.1);
 
-    auto const log = read_log(folder_ / "again.tractus-log").value();
+    auto const log = drivers::read_log(folder_ / "again.tractus-log").value();
     ReplayOptions options { .methods = all_methods() };
-    options.height = parse_height_scenario("100").value();
+    options.height = calib::parse_height_scenario("100").value();
     auto const scene = replayed(log, options).scene;
     ASSERT_EQ(scene.associations.size(), 1u);
     EXPECT_TRUE(

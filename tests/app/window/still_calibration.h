@@ -13,9 +13,9 @@ public:
     StillCalibration()
     {
         double const heights[] { 0, 60, 200, 400, 300, 120, 20 };
-        view_.captures
-            = simulate_captures({}, heights, { .slip = Slip { .capture = 2, .wrong_by_mm = 20 } });
-        auto const fit = fit_height(view_.captures).value();
+        view_.captures = sim::simulate_captures(
+            {}, heights, { .slip = sim::Slip { .capture = 2, .wrong_by_mm = 20 } });
+        auto const fit = calib::fit_height(view_.captures).value();
         view_.residuals_mm = fit.residuals_mm;
         view_.slipped = fit.slipped;
         view_.plots = height_plots(fit, view_.captures, 4095);

@@ -37,7 +37,7 @@ public:
     int commands = 0;
 
 private:
-    Mesh mesh_;
+    mesh::Mesh mesh_;
     WindowState state_;
 };
 

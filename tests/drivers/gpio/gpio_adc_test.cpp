@@ -13,7 +13,7 @@
 #include <sstream>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using std::chrono::microseconds;
@@ -167,7 +167,7 @@ TEST(GpioAdc, UsesSlowLinesAndSaysSo)
 TEST(GpioAdc, RefusesToOpenWhereNothingAnswers)
 {
     SimulatedConverter converter({}, { .dout_pull = true });
-    converter.model.break_wire(Mcp3208Model::Wire::Dout);
+    converter.model.break_wire(sim::Mcp3208Model::Wire::Dout);
     auto const source = open(converter);
     ASSERT_FALSE(source);
     EXPECT_EQ(source.error().fault, Fault::Device);
@@ -181,7 +181,7 @@ TEST(GpioAdc, TellsInItsReportsThatAWireBroke)
     SimulatedConverter converter({}, { .dout_pull = true });
     auto const source = open(converter);
     ASSERT_TRUE(source);
-    converter.model.break_wire(Mcp3208Model::Wire::Cs);
+    converter.model.break_wire(sim::Mcp3208Model::Wire::Cs);
     auto const report = (*source)->read(seconds(1));
     ASSERT_TRUE(report && *report);
     std::vector<HeightSample> samples;
@@ -189,7 +189,7 @@ TEST(GpioAdc, TellsInItsReportsThatAWireBroke)
     ASSERT_FALSE(decoded);
     EXPECT_EQ(decoded.error().message,
               "MCP3208: nothing answers on DOUT (check its wires and its supply)");
-    converter.model.mend_wire(Mcp3208Model::Wire::Cs);
+    converter.model.mend_wire(sim::Mcp3208Model::Wire::Cs);
     EXPECT_EQ(read(**source).counts, 0);
 }
 
@@ -221,11 +221,11 @@ TEST(GpioAdc, TellsWhenTheSurfaceWasWhere)
 {
     // The surface sways while the scheduler interrupts every tenth conversion somewhere.
     auto const level = [](Timestamp time) { return 0.5 + 0.4 * std::sin(9 * to_seconds(time)); };
-    SimulatedGpio::Options options { .request_time = microseconds(4) };
+    sim::SimulatedGpio::Options options { .request_time = microseconds(4) };
     for (std::uint64_t i = 10; i < 2000; i += 10)
         options.pauses[request(i, i * 7 % 51)] = milliseconds(1 + i % 9);
-    Mcp3208Model model([&](unsigned, Timestamp time) { return level(time); }, {});
-    SimulatedGpio lines(model, options);
+    sim::Mcp3208Model model([&](unsigned, Timestamp time) { return level(time); }, {});
+    sim::SimulatedGpio lines(model, options);
     auto const source
         = open_gpio_adc({ .location = kAddress }, std::make_unique<BorrowedLines>(lines),
                         { .now = [&] { return lines.now(); },
@@ -301,4 +301,4 @@ TEST(GpioAdcDecoder, BlamesTheDeviceForBrokenReports)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

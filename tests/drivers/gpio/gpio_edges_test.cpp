@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using namespace std::chrono_literals;
@@ -101,4 +101,4 @@ TEST(GpioEdges, BeginNowhereWhileTheSurfaceMoves)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -8,19 +8,19 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using namespace std::chrono_literals;
 
 constexpr char kPlace[] = "gpio:pinctrl-bcm2711:17,27:quadrature";
 
-std::unique_ptr<ReportSource> encoder(SimulatedEncoder::Position position,
-                                      SimulatedEncoder::Options options = {})
+std::unique_ptr<ReportSource> encoder(sim::SimulatedEncoder::Position position,
+                                      sim::SimulatedEncoder::Options options = {})
 {
     return open_gpio_encoder(
                { .location = kPlace },
-               std::make_unique<SimulatedEncoder>(std::move(position), std::move(options)))
+               std::make_unique<sim::SimulatedEncoder>(std::move(position), std::move(options)))
         .value();
 }
 
@@ -116,9 +116,9 @@ TEST(GpioEncoder, FailsWhenTheChipIsGone)
 
 TEST(GpioEncoder, WaitsNoLongerThanItIsTold)
 {
-    SimulatedEncoder* lines = nullptr;
-    auto owned = std::make_unique<SimulatedEncoder>([](Timestamp) { return 0.0; },
-                                                    SimulatedEncoder::Options {});
+    sim::SimulatedEncoder* lines = nullptr;
+    auto owned = std::make_unique<sim::SimulatedEncoder>([](Timestamp) { return 0.0; },
+                                                         sim::SimulatedEncoder::Options {});
     lines = owned.get();
     auto const source = open_gpio_encoder({ .location = kPlace }, std::move(owned)).value();
     EXPECT_FALSE(source->read(4ms).value());
@@ -150,4 +150,4 @@ TEST(GpioEncoder, IsKnownByItsAddressAlone)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

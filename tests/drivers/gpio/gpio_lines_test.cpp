@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 TEST(GpioLines, SaysThatThereIsNoSuchChip)
@@ -44,4 +44,4 @@ TEST(GpioLines, ExplainsWhatKeepsLinesFromBeingTaken)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using std::chrono::microseconds;
@@ -97,7 +97,7 @@ TEST(Mcp3208, ReadsTheNextConversionRightAfterABrokenOffOne)
 
 TEST(Mcp3208, SaysThatNothingAnswersOnABrokenWire)
 {
-    using enum Mcp3208Model::Wire;
+    using enum sim::Mcp3208Model::Wire;
     for (auto const wire : { Clk, Din, Dout, Cs }) {
         SimulatedConverter converter({}, { .dout_pull = true });
         converter.model.break_wire(wire);
@@ -120,4 +120,4 @@ TEST(Mcp3208, FailsWhenTheChipIsUnplugged)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 // Edges as a word for each: "A+" A rises, "b-" with a small letter is lost on the way.
@@ -69,4 +69,4 @@ TEST(Quadrature, GoesOnWhereNumbersBeginAnew)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -8,16 +8,16 @@
 #include <memory>
 #include <utility>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A converter whose eight inputs stand still, behind simulated lines.
 struct SimulatedConverter {
     std::array<double, 8> inputs {}; // Fractions of the reference.
-    Mcp3208Model model;
-    SimulatedGpio lines;
+    sim::Mcp3208Model model;
+    sim::SimulatedGpio lines;
 
-    explicit SimulatedConverter(Mcp3208Model::Options const& model_options = {},
-                                SimulatedGpio::Options gpio_options = {})
+    explicit SimulatedConverter(sim::Mcp3208Model::Options const& model_options = {},
+                                sim::SimulatedGpio::Options gpio_options = {})
         : model([this](unsigned channel, Timestamp) { return inputs.at(channel); }, model_options)
         , lines(model, std::move(gpio_options))
     {
@@ -31,4 +31,4 @@ struct SimulatedConverter {
     }
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,4 +145,4 @@ TEST(DeviceKind, TellsPensFromSensorsFromOthers)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ TEST_F(HidSysfs, IsReadWhenDevicesAreListed)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

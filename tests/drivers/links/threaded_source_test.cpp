@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using namespace std::chrono_literals;
@@ -129,4 +129,4 @@ TEST(ThreadedSource, StopsAndDestroysItsSource)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 Result<Log> parsed_dump(std::string const& text, std::string_view name)
@@ -139,4 +139,4 @@ TEST(GuessLogFormat, TellsByTheFirstLines)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

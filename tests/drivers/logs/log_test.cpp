@@ -16,7 +16,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 Log parsed(std::string const& text)
@@ -502,4 +502,4 @@ TEST(LogSource, ReplaysItsDevice)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using namespace std::chrono_literals;
@@ -257,4 +257,4 @@ TEST(DescriptorDecoder, AMousesSilenceEndsThePresenceThatItCannotEnd)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using namespace std::chrono_literals;
@@ -403,4 +403,4 @@ TEST(PenState, BoundsThePressure)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

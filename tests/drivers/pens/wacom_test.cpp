@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 // One tablet of a family, 200 x 100 mm with 100 counts per millimetre.
@@ -429,4 +429,4 @@ TEST(Wacom, ReadsTheSameBehindAnotherSystemsByte)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

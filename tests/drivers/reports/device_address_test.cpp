@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 TEST(DeviceAddress, ReadsWhatItPrints)
@@ -70,4 +70,4 @@ TEST(DeviceAddress, RefusesWhatIsNone)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 // Decodes the reports of simple_pen().
@@ -268,4 +268,4 @@ TEST(PenDecoder, BlamesTheDeviceForABrokenDescriptor)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

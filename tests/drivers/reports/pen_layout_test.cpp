@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 std::vector<PenLayout> layouts(std::string const& text)
@@ -151,4 +151,4 @@ TEST(PenLayout, IgnoresAnEmptyRange)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

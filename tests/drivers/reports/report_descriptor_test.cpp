@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 Result<HidReportDescriptor> parse(std::string const& text)
@@ -249,4 +249,4 @@ TEST(ReportDescriptor, MayNotDescribeMillionsOfFields)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using namespace std::chrono_literals;
@@ -164,4 +164,4 @@ TEST(ClockMap, DoesNotDependOnWhenTheHostsClockBegan)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

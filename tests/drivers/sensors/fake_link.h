@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 
 // A device that answers commands, in a time that passes only when somebody waits, with everything
 // that can go wrong on the way. Tests keep a pointer to the wire and give the driver a link to it.
@@ -77,4 +77,4 @@ private:
     FakeWire& wire_;
 };
 
-} // namespace tractus
+} // namespace tractus::drivers

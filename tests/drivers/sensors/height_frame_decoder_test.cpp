@@ -12,14 +12,14 @@
 #include <gtest/gtest.h>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using namespace std::chrono_literals;
 
 std::unique_ptr<HeightDecoder> make_decoder()
 {
-    return make_height_frame_decoder(HeightSensorModel().info()).value();
+    return make_height_frame_decoder(sim::HeightSensorModel().info()).value();
 }
 
 // Two readings a millisecond apart in each frame.
@@ -70,13 +70,13 @@ TEST(HeightFrame, IsLaidOutAsTheProtocolSays)
                        .period_us = 1000,
                        .count = 2,
                        .counts = { 0x0234, 0x0235 } };
-    EXPECT_EQ(encode_height_frame(made),
+    EXPECT_EQ(sim::encode_height_frame(made),
               bytes("54 52 48 01 01 02 02 01 33 22 11 00 e8 03 34 02 35 02 a2 da"));
 }
 
 TEST(HeightFrameDecoder, KnowsTheSensorByItsString)
 {
-    auto info = HeightSensorModel().info();
+    auto info = sim::HeightSensorModel().info();
     EXPECT_TRUE(is_height_frame_device(info));
     EXPECT_EQ(make_height_decoder(info).value()->full_scale(), 4095);
     info.strings.clear();
@@ -99,7 +99,7 @@ TEST(HeightFrameDecoder, BlamesTheDeviceForAStringWithoutFullScale)
 TEST(HeightFrameDecoder, GivesEveryReadingItsTime)
 {
     auto const decoder = make_decoder();
-    auto const samples = decode_heights(*decoder, arrival(0), encode_height_frame(frame(0)));
+    auto const samples = decode_heights(*decoder, arrival(0), sim::encode_height_frame(frame(0)));
     ASSERT_TRUE(samples) << samples.error().message;
     EXPECT_EQ(counts_of(*samples), (std::vector { 0, 1 }));
     EXPECT_EQ(samples->at(0).full_scale, 4095);
@@ -110,15 +110,17 @@ TEST(HeightFrameDecoder, GivesEveryReadingItsTime)
 TEST(HeightFrameDecoder, ALateFrameDoesNotMoveTheHeight)
 {
     auto const decoder = make_decoder();
-    decode_heights(*decoder, arrival(0), encode_height_frame(frame(0))).value();
-    auto const late = decode_heights(*decoder, arrival(1) + 40ms, encode_height_frame(frame(1)));
+    decode_heights(*decoder, arrival(0), sim::encode_height_frame(frame(0))).value();
+    auto const late
+        = decode_heights(*decoder, arrival(1) + 40ms, sim::encode_height_frame(frame(1)));
     EXPECT_EQ(late.value().at(1).time, arrival(1));
 }
 
 TEST(HeightFrameDecoder, JoinsFramesThatComeInPieces)
 {
     auto const decoder = make_decoder();
-    auto const whole = joined({ encode_height_frame(frame(0)), encode_height_frame(frame(1)) });
+    auto const whole
+        = joined({ sim::encode_height_frame(frame(0)), sim::encode_height_frame(frame(1)) });
     std::vector<HeightSample> samples;
     for (std::size_t at = 0; at < whole.size(); at += 7)
         ASSERT_TRUE(decoder->decode(
@@ -132,7 +134,8 @@ TEST(HeightFrameDecoder, CountsLostFrames)
 {
     auto const decoder = make_decoder();
     for (auto const sequence : std::to_array<std::uint16_t>({ 0, 1, 4, 5, 9 }))
-        decode_heights(*decoder, arrival(sequence), encode_height_frame(frame(sequence))).value();
+        decode_heights(*decoder, arrival(sequence), sim::encode_height_frame(frame(sequence)))
+            .value();
     EXPECT_EQ(decoder->stream_counts().frames, 5u);
     EXPECT_EQ(decoder->stream_counts().lost_frames, 5u);
     EXPECT_EQ(decoder->stream_counts().clock_restarts, 0u);
@@ -144,23 +147,23 @@ TEST(HeightFrameDecoder, CountsOnWhenTheSequenceWraps)
     auto last = frame(0xFFFF);
     auto next = frame(0);
     next.device_us = last.device_us + 2000;
-    decode_heights(*decoder, arrival(0), encode_height_frame(last)).value();
-    decode_heights(*decoder, arrival(1), encode_height_frame(next)).value();
+    decode_heights(*decoder, arrival(0), sim::encode_height_frame(last)).value();
+    decode_heights(*decoder, arrival(1), sim::encode_height_frame(next)).value();
     EXPECT_EQ(decoder->stream_counts().lost_frames, 0u);
 }
 
 TEST(HeightFrameDecoder, SurvivesACorruptFrame)
 {
     auto const decoder = make_decoder();
-    auto broken = encode_height_frame(frame(1));
+    auto broken = sim::encode_height_frame(frame(1));
     broken[15] ^= std::byte { 0x10 };
     std::vector<HeightSample> samples;
-    EXPECT_TRUE(decoder->decode(arrival(0), encode_height_frame(frame(0)), samples));
+    EXPECT_TRUE(decoder->decode(arrival(0), sim::encode_height_frame(frame(0)), samples));
     auto const result = decoder->decode(arrival(1), broken, samples);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().fault, Fault::Device);
     EXPECT_EQ(result.error().message, "height sensor: the checksum of a frame is wrong");
-    EXPECT_TRUE(decoder->decode(arrival(2), encode_height_frame(frame(2)), samples));
+    EXPECT_TRUE(decoder->decode(arrival(2), sim::encode_height_frame(frame(2)), samples));
     EXPECT_EQ(counts_of(samples), (std::vector { 0, 1, 4, 5 }));
     EXPECT_EQ(decoder->stream_counts().corrupt_frames, 1u);
     EXPECT_EQ(decoder->stream_counts().lost_frames, 1u);
@@ -170,27 +173,28 @@ TEST(HeightFrameDecoder, FindsTheNextFrameBehindGarbage)
 {
     auto const decoder = make_decoder();
     // Half a frame, a magic that is none, and what looks like the beginning of one.
-    auto half = encode_height_frame(frame(0));
+    auto half = sim::encode_height_frame(frame(0));
     half.resize(9);
     auto const mixed = joined({ bytes("00 54 52 ff"), half, bytes("54 52 48 01 00 ff"),
-                                encode_height_frame(frame(1)), bytes("aa bb") });
+                                sim::encode_height_frame(frame(1)), bytes("aa bb") });
     std::vector<HeightSample> samples;
     auto const result = decoder->decode(arrival(1), mixed, samples);
     ASSERT_FALSE(result);
     EXPECT_EQ(counts_of(samples), (std::vector { 2, 3 }));
-    EXPECT_TRUE(decoder->decode(arrival(2), encode_height_frame(frame(2)), samples));
+    EXPECT_TRUE(decoder->decode(arrival(2), sim::encode_height_frame(frame(2)), samples));
     EXPECT_EQ(counts_of(samples), (std::vector { 2, 3, 4, 5 }));
 }
 
 TEST(HeightFrameDecoder, GivesTheGoodFramesOfABrokenReport)
 {
     auto const decoder = make_decoder();
-    auto broken = encode_height_frame(frame(1));
+    auto broken = sim::encode_height_frame(frame(1));
     broken[18] ^= std::byte { 1 };
     std::vector<HeightSample> samples;
     EXPECT_FALSE(decoder->decode(
         arrival(2),
-        joined({ encode_height_frame(frame(0)), broken, encode_height_frame(frame(2)) }), samples));
+        joined({ sim::encode_height_frame(frame(0)), broken, sim::encode_height_frame(frame(2)) }),
+        samples));
     EXPECT_EQ(counts_of(samples), (std::vector { 0, 1, 4, 5 }));
 }
 
@@ -199,7 +203,7 @@ TEST(HeightFrameDecoder, RefusesReadingsBeyondFullScale)
     auto const decoder = make_decoder();
     auto beyond = frame(3);
     beyond.counts[1] = 4096;
-    auto const samples = decode_heights(*decoder, arrival(3), encode_height_frame(beyond));
+    auto const samples = decode_heights(*decoder, arrival(3), sim::encode_height_frame(beyond));
     ASSERT_FALSE(samples);
     EXPECT_EQ(samples.error().message,
               "height sensor frame 3: 4096 counts every 1000 us, expected 0 to 4095 counts");
@@ -209,11 +213,11 @@ TEST(HeightFrameDecoder, RefusesReadingsBeyondFullScale)
 TEST(HeightFrameDecoder, StartsAnewWhenTheSensorDoes)
 {
     auto const decoder = make_decoder();
-    decode_heights(*decoder, arrival(500), encode_height_frame(frame(500))).value();
+    decode_heights(*decoder, arrival(500), sim::encode_height_frame(frame(500))).value();
     auto restarted = frame(0);
     restarted.flags = kHeightFrameStart;
     auto const samples
-        = decode_heights(*decoder, arrival(900), encode_height_frame(restarted)).value();
+        = decode_heights(*decoder, arrival(900), sim::encode_height_frame(restarted)).value();
     EXPECT_EQ(samples.at(1).time, arrival(900));
     EXPECT_EQ(decoder->stream_counts().clock_restarts, 1u);
     EXPECT_EQ(decoder->stream_counts().lost_frames, 0u);
@@ -222,9 +226,9 @@ TEST(HeightFrameDecoder, StartsAnewWhenTheSensorDoes)
 TEST(HeightFrameDecoder, NoticesARestartThatIsNotTold)
 {
     auto const decoder = make_decoder();
-    decode_heights(*decoder, arrival(500), encode_height_frame(frame(500))).value();
+    decode_heights(*decoder, arrival(500), sim::encode_height_frame(frame(500))).value();
     auto const samples
-        = decode_heights(*decoder, arrival(900), encode_height_frame(frame(3))).value();
+        = decode_heights(*decoder, arrival(900), sim::encode_height_frame(frame(3))).value();
     EXPECT_EQ(samples.at(1).time, arrival(900));
     EXPECT_EQ(decoder->stream_counts().clock_restarts, 1u);
 }
@@ -234,7 +238,7 @@ TEST(HeightFrameDecoder, CountsWhatTheSensorSaysOfItself)
     auto const decoder = make_decoder();
     auto told = frame(0);
     told.flags = kHeightFrameOverrun | kHeightFrameReferenceFault;
-    decode_heights(*decoder, arrival(0), encode_height_frame(told)).value();
+    decode_heights(*decoder, arrival(0), sim::encode_height_frame(told)).value();
     EXPECT_EQ(decoder->stream_counts().overruns, 1u);
     EXPECT_EQ(decoder->stream_counts().reference_faults, 1u);
 }
@@ -246,7 +250,7 @@ TEST(HeightFrameDecoder, TimesNeverGoBack)
     std::vector<HeightSample> samples;
     for (std::uint16_t i = 0; i < 2000; ++i)
         (void)decoder->decode(arrival(i) + Duration(random.next_u32() % 5'000'000),
-                              encode_height_frame(frame(i % 700)), samples);
+                              sim::encode_height_frame(frame(i % 700)), samples);
     for (std::size_t i = 1; i < samples.size(); ++i)
         ASSERT_GT(samples[i].time, samples[i - 1].time);
 }
@@ -263,9 +267,9 @@ TEST(HeightFrameParser, HoldsBackAtMostOneFrame)
     EXPECT_GT(parser.corrupt_frames(), 90u);
     HeightFrame one { .period_us = 1, .count = 1 };
     for (int i = 0; i < 4; ++i)
-        parser.push(encode_height_frame(one), frames);
+        parser.push(sim::encode_height_frame(one), frames);
     EXPECT_GE(frames.size(), 3u);
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

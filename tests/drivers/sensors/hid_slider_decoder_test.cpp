@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 TEST(HidSliderDecoder, ReadsCounts)
@@ -63,4 +63,4 @@ TEST(HidSliderDecoder, TakesNoJoysticksThrottleForASensor)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using namespace std::chrono_literals;
@@ -42,7 +42,7 @@ struct LabJackU3 : testing::Test {
         return decode_heights(*decoder, *report).value().at(0).counts;
     }
 
-    LabJackU3Model model;
+    sim::LabJackU3Model model;
     FakeWire wire;
 };
 
@@ -91,7 +91,7 @@ TEST_F(LabJackU3, TellsWhoItIsAndItsCalibration)
 
 TEST_F(LabJackU3, ReadsTheHighVoltageInputsCalibration)
 {
-    model = LabJackU3Model({ .is_high_voltage = true });
+    model = sim::LabJackU3Model({ .is_high_voltage = true });
     EXPECT_EQ(open({ .channel = 2 }).value()->info().name,
               "LabJack U3-HV 320012345, AIN2, 0.000314 V per count from -10.3 V");
     EXPECT_EQ(open({ .channel = 4 }).value()->info().name,
@@ -207,7 +207,7 @@ TEST_F(LabJackU3, DecoderTellsAnErrorOfTheDevice)
 
 TEST_F(LabJackU3, DecoderRefusesWhatAChecksumRefutes)
 {
-    model = LabJackU3Model({ .is_high_voltage = true });
+    model = sim::LabJackU3Model({ .is_high_voltage = true });
     auto answer = model.answer(labjack_packet(LabJackCommand::Feedback, bytes("00 01 00 1f")));
     answer[10] ^= std::byte { 1 };
     auto const decoder = make_height_decoder(u3()).value();
@@ -218,4 +218,4 @@ TEST_F(LabJackU3, DecoderRefusesWhatAChecksumRefutes)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

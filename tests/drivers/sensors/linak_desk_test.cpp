@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using namespace std::chrono_literals;
@@ -46,7 +46,7 @@ struct LinakDesk : testing::Test {
         return decode_heights(*decoder, *report).value().at(0).counts;
     }
 
-    LinakDeskModel desk;
+    sim::LinakDeskModel desk;
     FakeWire wire;
 };
 
@@ -158,4 +158,4 @@ TEST(LinakDeskDecoder, RefusesWhatIsBroken)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using namespace std::chrono_literals;
@@ -55,7 +55,7 @@ struct Mcp2221a : testing::Test {
         return { packet.begin(), packet.end() };
     }
 
-    Mcp2221aModel model;
+    sim::Mcp2221aModel model;
     FakeWire wire;
 };
 
@@ -79,7 +79,7 @@ TEST_F(Mcp2221a, ReadsAnotherPinAgainstAnotherReference)
 
 TEST_F(Mcp2221a, SetsPinAndReferenceInOneCommandAndKeepsTheOtherPins)
 {
-    model = Mcp2221aModel({ .pins = { 1, 8, 0x10, 3 } });
+    model = sim::Mcp2221aModel({ .pins = { 1, 8, 0x10, 3 } });
     ASSERT_TRUE(open({ .pin = 1, .reference = Mcp2221aReference::Volts4096 }));
     ASSERT_EQ(wire.commands.size(), 2u);
     EXPECT_EQ(wire.commands[0][0], std::byte { 0x61 });
@@ -245,4 +245,4 @@ TEST_F(Mcp2221a, DecoderRefusesWhatTheChipCannotSay)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 TEST(SensorVolts, AreReadFromWhatWasPrinted)
@@ -22,4 +22,4 @@ TEST(SensorVolts, AreNotKnownOfAnotherName)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

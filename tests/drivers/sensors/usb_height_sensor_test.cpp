@@ -8,14 +8,14 @@
 #include <deque>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 using namespace std::chrono_literals;
 
 // The model behind its requests, in a time that passes with each read: it measures then.
 struct FakeSensor {
-    HeightSensorModel model;
+    sim::HeightSensorModel model;
     bool is_plugged = true;
     std::deque<std::vector<std::byte>> waiting; // Frames that nobody has fetched yet.
     std::uint32_t now_us = 1000;
@@ -67,8 +67,8 @@ public:
     }
 
 private:
-    static UsbSetup setup(std::uint8_t type, HeightSensorRequest request, std::uint16_t value,
-                          std::size_t bytes)
+    static sim::UsbSetup setup(std::uint8_t type, HeightSensorRequest request, std::uint16_t value,
+                               std::size_t bytes)
     {
         return { .request_type = type,
                  .request = static_cast<std::uint8_t>(request),
@@ -107,7 +107,7 @@ TEST(UsbHeightSensor, ForgetsWhatTheSensorSentBefore)
     FakeSensor sensor;
     HeightFrame stale { .sequence = 77, .period_us = 1000, .count = 1, .counts = { 1 } };
     for (int i = 0; i < 40; ++i)
-        sensor.waiting.push_back(encode_height_frame(stale));
+        sensor.waiting.push_back(sim::encode_height_frame(stale));
     auto const source = open(sensor).value();
     auto const first = source->read(100ms).value().value();
     EXPECT_EQ(first.storage[4], std::byte { kHeightFrameStart });
@@ -182,4 +182,4 @@ TEST(UsbHeightSensor, NeedsAnAddressOnUsb)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,10 +25,10 @@ struct UsbSensorList : testing::Test {
 
     void put_own_sensor(std::string const& port) const
     {
-        HeightSensorModel const model;
+        sim::HeightSensorModel const model;
         std::string descriptors;
         for (auto const& part :
-             { model.device_descriptor(), model.configuration_descriptor(UsbSpeed::Full) })
+             { model.device_descriptor(), model.configuration_descriptor(sim::UsbSpeed::Full) })
             for (auto const byte : part)
                 descriptors += std::to_integer<char>(byte);
         put(port + "/descriptors", descriptors);
@@ -106,4 +106,4 @@ TEST_F(UsbSensorList, IsInTheOrderOfThePorts)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

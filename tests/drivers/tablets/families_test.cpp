@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 // Expectations of a report; `tilt_deg` and `buttons` only where they are not 0.
@@ -290,4 +290,4 @@ TEST(Families, RefuseReportsThatAreTooShort)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

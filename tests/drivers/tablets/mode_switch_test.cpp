@@ -10,7 +10,7 @@
 #include <iterator>
 #include <map>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 std::string hex(std::span<std::byte const> bytes)
@@ -239,4 +239,4 @@ TEST(HidrawPort, SaysWhyItsNodeDoesNotTakeAReport)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

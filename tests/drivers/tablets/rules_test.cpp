@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 // Conditions of a line for a device on USB before it lets the seat's user read it.
@@ -119,4 +119,4 @@ TEST(Rules, PermitNotAllDevicesOfMakersOfChips)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 // A Huion HS610's vendor interface, and what the tablet says of itself.
@@ -401,4 +401,4 @@ Recorded const kRecorded[] {
 INSTANTIATE_TEST_SUITE_P(Corpus, RecordedTablet, testing::ValuesIn(kRecorded));
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 DeviceInfo node(std::string location, std::string path)
@@ -59,4 +59,4 @@ TEST(TabletInterfaces, OfATouchPadCarryNoPen)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

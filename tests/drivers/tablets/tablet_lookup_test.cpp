@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 DeviceInfo device(std::uint16_t vendor_id, std::uint16_t product_id,
@@ -258,4 +258,4 @@ TEST(TabletLookup, KeepsToItsInterface)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 // Answer of a Huion HS610 to a request for its string 200, without length and type.
@@ -89,4 +89,4 @@ TEST(Parameters, MustMakeSense)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

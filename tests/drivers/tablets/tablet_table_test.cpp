@@ -10,7 +10,7 @@
 #include <set>
 #include <tuple>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 constexpr std::string_view kTwoTablets
@@ -215,4 +215,4 @@ TEST(KnownTablets, SwitchWithWholeReports)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

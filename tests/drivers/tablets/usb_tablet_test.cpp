@@ -4,7 +4,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::drivers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -56,4 +56,4 @@ TEST_F(UsbTablets, AreNoneWhereThereIsNoUsb)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::drivers

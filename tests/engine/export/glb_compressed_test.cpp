@@ -35,11 +35,11 @@ rc::Gen<GlbOptions> random_options()
                          Options::Wind::Colours));
 }
 
-Mesh read(std::string const& glb)
+mesh::Mesh read(std::string const& glb)
 {
     auto mesh = read_glb(glb);
     EXPECT_TRUE(mesh) << mesh.error().message;
-    return mesh ? *std::move(mesh) : Mesh();
+    return mesh ? *std::move(mesh) : mesh::Mesh();
 }
 
 struct Corner {
@@ -49,10 +49,10 @@ struct Corner {
 
 // The corners of all triangles, in order: two meshes with the same are the same, however their
 // vertices are shared.
-std::vector<Corner> corners_of(Mesh const& mesh)
+std::vector<Corner> corners_of(mesh::Mesh const& mesh)
 {
     std::vector<Corner> corners;
-    auto const add = [&](TriangleMesh const& triangles) {
+    auto const add = [&](mesh::TriangleMesh const& triangles) {
         for (auto const i : triangles.indices)
             corners.push_back({ triangles.positions_mm[i], triangles.normals[i],
                                 triangles.texture_coordinates[i] });
@@ -65,7 +65,7 @@ std::vector<Corner> corners_of(Mesh const& mesh)
 }
 
 // Says what is not the same in a compressed file and a quantised one; empty if nothing is.
-std::string difference(Mesh const& compressed, Mesh const& quantized)
+std::string difference(mesh::Mesh const& compressed, mesh::Mesh const& quantized)
 {
     auto const a = corners_of(compressed);
     auto const b = corners_of(quantized);
@@ -96,14 +96,14 @@ std::string difference(Mesh const& compressed, Mesh const& quantized)
 
 RC_GTEST_PROP(CompressedGlb, ReadsBackAsTheQuantizedOne, ())
 {
-    auto const plant = *random_plants();
-    auto const mesh = make_mesh(plant);
+    auto const plant = *mesh::random_plants();
+    auto const mesh = mesh::make_mesh(plant);
     auto const options = *random_options();
     PlacedMesh placed { .mesh = &mesh };
     if (*rc::gen::arbitrary<bool>()) {
         PlantToMesh source { .plant = &plant };
         if (*rc::gen::arbitrary<bool>())
-            source.wind = WindKey {};
+            source.wind = mesh::WindKey {};
         placed.mesh = source;
     }
     auto const write = [&](Vertices vertices) {
@@ -114,22 +114,22 @@ RC_GTEST_PROP(CompressedGlb, ReadsBackAsTheQuantizedOne, ())
 
 RC_GTEST_PROP(CompressedGlb, IsTheSameOnAnyNumberOfThreads, ())
 {
-    auto const plant = *random_plants();
+    auto const plant = *mesh::random_plants();
     auto const options = with(*random_options(), Vertices::Compressed);
     std::vector<PlacedMesh> const placed(
-        2, PlacedMesh { .mesh = PlantToMesh { .plant = &plant, .wind = WindKey {} } });
+        2, PlacedMesh { .mesh = PlantToMesh { .plant = &plant, .wind = mesh::WindKey {} } });
     auto const write = [&] { return glb_of(placed, options); };
-    auto const expected = on_threads(1, write);
-    RC_ASSERT(on_threads(2, write) == expected);
-    RC_ASSERT(on_threads(5, write) == expected);
+    auto const expected = mesh::on_threads(1, write);
+    RC_ASSERT(mesh::on_threads(2, write) == expected);
+    RC_ASSERT(mesh::on_threads(5, write) == expected);
 }
 
 // Several pieces, of triangles in memory and of a plant, one with tangents.
 TEST(CompressedGlb, IsInPiecesThatStandAlone)
 {
-    MeshOptions const fine { .min_sides = 40, .max_sides = 64 };
-    auto const plant = sample_tree(9);
-    auto const mesh = make_mesh(plant, fine);
+    mesh::MeshOptions const fine { .min_sides = 40, .max_sides = 64 };
+    auto const plant = mesh::sample_tree(9);
+    auto const mesh = mesh::make_mesh(plant, fine);
     for (auto const& source :
          { MeshSource(&mesh), MeshSource(PlantToMesh { .plant = &plant, .options = fine }) }) {
         PlacedMesh const placed { .mesh = source };
@@ -150,7 +150,7 @@ TEST(CompressedGlb, IsInPiecesThatStandAlone)
 
 TEST(CompressedGlb, LeavesOutVerticesThatNoTriangleHas)
 {
-    Mesh mesh;
+    mesh::Mesh mesh;
     mesh.materials = { Material {} };
     auto& surface = mesh.surfaces.emplace_back();
     constexpr std::size_t kVertices = 120'000;
@@ -167,12 +167,12 @@ TEST(CompressedGlb, LeavesOutVerticesThatNoTriangleHas)
 
 TEST(CompressedGlb, HasOneNodeForSomeThousandsOfInstances)
 {
-    auto plant = single_axis(2, 5, 1);
+    auto plant = mesh::single_axis(2, 5, 1);
     plant.materials.push_back({ .name = "leaf", .kind = Material::Kind::Leaf });
     plant.organ_shapes = { OrganShape { .material = 1 } };
     for (int i = 0; i < 40'000; ++i)
         plant.organs.push_back({ .segment = 0, .position_mm = { 0.1 * i, 0, 0 } });
-    PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant, .wind = WindKey {} } };
+    PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant, .wind = mesh::WindKey {} } };
     auto const write = [&](Vertices vertices) {
         return read(glb_of(std::span(&placed, 1), with(kInstanced, vertices)));
     };
@@ -183,7 +183,7 @@ TEST(CompressedGlb, HasOneNodeForSomeThousandsOfInstances)
 
 TEST(CompressedGlb, IsSmallerAndSaysWhatItNeeds)
 {
-    Mesh const mesh = make_mesh(sample_tree(1));
+    mesh::Mesh const mesh = mesh::make_mesh(mesh::sample_tree(1));
     auto const options = with({}, Vertices::Compressed);
     auto const glb = glb_of(mesh, options);
     auto const quantized = glb_of(mesh, with({}, Vertices::Quantized));
@@ -209,7 +209,8 @@ std::string with_word(std::string glb, std::string const& word, std::string cons
 
 TEST(CompressedGlb, IsRefusedWhereItClaimsWhatCannotBe)
 {
-    auto const glb = glb_of(make_mesh(single_axis(1, 1, 1)), with({}, Vertices::Compressed));
+    auto const glb
+        = glb_of(mesh::make_mesh(mesh::single_axis(1, 1, 1)), with({}, Vertices::Compressed));
     auto const error_with = [&](std::string const& word, std::string const& other) {
         auto const mesh = read_glb(with_word(glb, word, other));
         EXPECT_FALSE(mesh) << other;
@@ -232,7 +233,7 @@ TEST(CompressedGlb, IsRefusedWhereItClaimsWhatCannotBe)
 // Each case must end in a mesh that is sound or in an error.
 TEST(CompressedGlb, IsReadSafelyWhereItIsDamaged)
 {
-    auto const glb = glb_of(make_mesh(sample_tree(2)), with({}, Vertices::Compressed));
+    auto const glb = glb_of(mesh::make_mesh(mesh::sample_tree(2)), with({}, Vertices::Compressed));
     std::uint32_t json_bytes = 0;
     std::memcpy(&json_bytes, glb.data() + 12, sizeof json_bytes);
     Random random({ .seed = 1 });
@@ -250,7 +251,7 @@ TEST(CompressedGlb, IsReadSafelyWhereItIsDamaged)
             continue;
         ++read_count;
         for (auto const& surface : mesh->surfaces)
-            expect_sound(surface);
+            mesh::expect_sound(surface);
     }
     EXPECT_GT(read_count, 20u);
 }

@@ -61,10 +61,10 @@ protected:
     }
 
     static constexpr PlantKey kKey { 1, 0 };
-    GrowthPlan plan_ = plan_of(sample_tree(1), { .sag = 2 }, { 0.5, 0, 0 });
+    GrowthPlan plan_ = plan_of(mesh::sample_tree(1), { .sag = 2 }, { 0.5, 0, 0 });
     Grower grower_ { plan_ };
     Plant whole_ = grower_.grow(kKey);
-    AgedMesh mesh_ { whole_ };
+    mesh::AgedMesh mesh_ { whole_ };
     GrowthFilm film_;
 
 private:
@@ -90,7 +90,7 @@ TEST_F(GlbGrowth, ShowsTheWholePlantWhereItIsNotPlayed)
     ASSERT_EQ(read->surfaces.size(), 2u); // Bark, and leaves as triangles.
     EXPECT_TRUE(read->organs.empty());
     EXPECT_EQ(read->triangle_count(), mesh_.whole().triangle_count());
-    EXPECT_LT((bounds(*read).max_mm - bounds(mesh_.whole()).max_mm).norm(), 0.1);
+    EXPECT_LT((mesh::bounds(*read).max_mm - mesh::bounds(mesh_.whole()).max_mm).norm(), 0.1);
 }
 
 TEST_F(GlbGrowth, HasATargetForEachAge)
@@ -99,7 +99,7 @@ TEST_F(GlbGrowth, HasATargetForEachAge)
     auto const json = json_of(glb);
     auto const& primitives = json["meshes"][0]["primitives"];
     ASSERT_EQ(primitives.size(), 2u);
-    std::vector<AgedMesh::Vertices> expected;
+    std::vector<mesh::AgedMesh::Vertices> expected;
     for (std::size_t age = 0; age + 1 < kAges; ++age) {
         mesh_.at(grower_.grow(kKey, film_.ages[age]), expected);
         for (std::size_t s = 0; s < 2; ++s) {
@@ -134,7 +134,7 @@ TEST_F(GlbGrowth, HasATargetForEachAge)
 // Distance of a ring, at most, from the bend that the young plant's own mesh would round otherwise.
 TEST_F(GlbGrowth, LooksAtEachAgeAsTheYoungPlantItselfDoes)
 {
-    std::vector<AgedMesh::Vertices> vertices;
+    std::vector<mesh::AgedMesh::Vertices> vertices;
     for (double const age : { 0.1, 0.35, 0.6, 0.9 }) {
         Plant const young = grower_.grow(kKey, age);
         mesh_.at(young, vertices);
@@ -144,7 +144,7 @@ TEST_F(GlbGrowth, LooksAtEachAgeAsTheYoungPlantItselfDoes)
                 box.add(position.cast<double>());
         Plant const alone = without_unborn(young);
         Bounds expected; // Bounds of its own mesh, leaves as triangles, too.
-        AgedMesh const own(alone);
+        mesh::AgedMesh const own(alone);
         for (auto const& surface : own.whole().surfaces)
             for (auto const& position : surface.positions_mm)
                 expected.add(position.cast<double>());
@@ -180,10 +180,10 @@ TEST_F(GlbGrowth, GoesEvenlyFromAgeToAge)
 
 TEST_F(GlbGrowth, TakesNoBytesForNormalsThatDoNotTurn)
 {
-    auto const plan = plan_of(sample_tree(1), {}); // No weight: what stands, stands.
+    auto const plan = plan_of(mesh::sample_tree(1), {}); // No weight: what stands, stands.
     Grower grower(plan);
     Plant const whole = grower.grow(kKey);
-    AgedMesh const mesh(whole);
+    mesh::AgedMesh const mesh(whole);
     film_.mesh = &mesh;
     film_.plant_at = [&](double age) -> Plant const& { return grower.grow(kKey, age); };
     auto const json = json_of(write());
@@ -196,9 +196,9 @@ TEST_F(GlbGrowth, TakesNoBytesForNormalsThatDoNotTurn)
 
 TEST_F(GlbGrowth, IsTheSameOnAnyNumberOfThreads)
 {
-    auto const expected = on_threads(1, [&] { return write(); });
+    auto const expected = mesh::on_threads(1, [&] { return write(); });
     for (int const threads : { 2, 5 })
-        EXPECT_EQ(on_threads(threads, [&] { return write(); }), expected) << threads;
+        EXPECT_EQ(mesh::on_threads(threads, [&] { return write(); }), expected) << threads;
 }
 
 TEST_F(GlbGrowth, OfOneAgeIsThePlantAlone)

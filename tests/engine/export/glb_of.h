@@ -24,7 +24,7 @@ inline std::string glb_of(std::span<PlacedMesh const> plants, GlbOptions const& 
     return out.str();
 }
 
-inline std::string glb_of(Mesh const& mesh, GlbOptions const& options = {})
+inline std::string glb_of(mesh::Mesh const& mesh, GlbOptions const& options = {})
 {
     PlacedMesh const placed { .mesh = &mesh };
     return glb_of(std::span(&placed, 1), options);

@@ -35,7 +35,7 @@ rc::Gen<GlbOptions> random_glb_options()
 enum class Given { AsMeshes, AsMeshFunctions, AsPlants, AsPlantFunctions };
 
 std::vector<PlacedMesh> placed_plants(std::vector<Plant> const& plants,
-                                      std::vector<Mesh> const& meshes, Given given)
+                                      std::vector<mesh::Mesh> const& meshes, Given given)
 {
     std::vector<PlacedMesh> placed(plants.size());
     for (std::size_t i = 0; i < plants.size(); ++i) {
@@ -45,7 +45,7 @@ std::vector<PlacedMesh> placed_plants(std::vector<Plant> const& plants,
             mesh = &meshes[i];
             break;
         case Given::AsMeshFunctions:
-            mesh = [&plants, i] { return make_mesh(plants[i]); };
+            mesh = [&plants, i] { return mesh::make_mesh(plants[i]); };
             break;
         case Given::AsPlants:
             mesh = PlantToMesh { .plant = &plants[i] };
@@ -61,41 +61,41 @@ std::vector<PlacedMesh> placed_plants(std::vector<Plant> const& plants,
 RC_GTEST_PROP(GlbProperties, IsTheSameWhoeverMeshesOnAnyNumberOfThreads, ())
 {
     std::vector<Plant> plants(*rc::gen::inRange<std::size_t>(0, 4));
-    std::vector<Mesh> meshes;
+    std::vector<mesh::Mesh> meshes;
     for (auto& plant : plants) {
-        plant = *random_plants();
-        meshes.push_back(make_mesh(plant));
+        plant = *mesh::random_plants();
+        meshes.push_back(mesh::make_mesh(plant));
     }
     auto options = *random_glb_options();
     options.vertices = GlbOptions::Vertices::Float; // Boxes of meshes are tighter than of plants.
     auto const write = [&](Given given) {
         return [&, given] { return glb_of(placed_plants(plants, meshes, given), options); };
     };
-    auto const expected = on_threads(1, write(Given::AsMeshes));
+    auto const expected = mesh::on_threads(1, write(Given::AsMeshes));
     for (int const threads : { 1, 2, 5 })
         for (auto const given :
              { Given::AsMeshes, Given::AsMeshFunctions, Given::AsPlants, Given::AsPlantFunctions })
-            RC_ASSERT(on_threads(threads, write(given)) == expected);
+            RC_ASSERT(mesh::on_threads(threads, write(given)) == expected);
 }
 
 RC_GTEST_PROP(GlbProperties, QuantizedFilesAreTheSameOnAnyNumberOfThreads, ())
 {
-    auto const plant = *random_plants();
+    auto const plant = *mesh::random_plants();
     auto options = *random_glb_options();
     options.vertices = GlbOptions::Vertices::Quantized;
     PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant } };
     auto const write = [&] { return glb_of(std::span(&placed, 1), options); };
-    auto const expected = on_threads(1, write);
-    RC_ASSERT(on_threads(2, write) == expected);
-    RC_ASSERT(on_threads(5, write) == expected);
+    auto const expected = mesh::on_threads(1, write);
+    RC_ASSERT(mesh::on_threads(2, write) == expected);
+    RC_ASSERT(mesh::on_threads(5, write) == expected);
 }
 
 RC_GTEST_PROP(GlbProperties, QuantizedVerticesAreNearTheRealOnes, ())
 {
-    auto plant = *random_plants();
+    auto plant = *mesh::random_plants();
     RC_PRE(!plant.axes.empty());
     plant.organs.clear(); // One that stands alone would be read as a part of the surfaces.
-    auto const mesh = make_mesh(plant);
+    auto const mesh = mesh::make_mesh(plant);
     PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant } };
     auto const bytes
         = glb_of(std::span(&placed, 1), { .vertices = GlbOptions::Vertices::Quantized });

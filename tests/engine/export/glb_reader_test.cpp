@@ -48,7 +48,7 @@ void expect_near(std::span<Vec3f const> a, std::span<Vec3f const> b, float toler
 
 TEST(GlbReader, ReadsBackWhatWasWritten)
 {
-    auto const mesh = make_mesh(sample_tree(1));
+    auto const mesh = mesh::make_mesh(mesh::sample_tree(1));
     auto const read = read_glb(glb_of(mesh, kInstanced));
     ASSERT_TRUE(read) << read.error().message;
     ASSERT_EQ(read->surfaces.size(), 1u);
@@ -65,14 +65,14 @@ TEST(GlbReader, ReadsBackWhatWasWritten)
 
 TEST(GlbReader, ReadsInstancesBackInEitherForm)
 {
-    auto const mesh = make_mesh(sample_tree(1));
+    auto const mesh = mesh::make_mesh(mesh::sample_tree(1));
     for (auto const form : { GlbOptions::Organs::Instanced, GlbOptions::Organs::Nodes }) {
         auto const read = read_glb(glb_of(mesh, { .organs = form }));
         ASSERT_TRUE(read) << read.error().message;
         ASSERT_EQ(read->organs.size(), 1u);
         ASSERT_EQ(read->organs[0].instances.size(), mesh.organs[0].instances.size());
         // Nodes come in any order: compare what the instances do to a point, summed.
-        auto const sum = [](InstancedMesh const& organ) {
+        auto const sum = [](mesh::InstancedMesh const& organ) {
             Vec3 total = Vec3::Zero();
             for (auto const& instance : organ.instances)
                 total += (instance.translation_mm
@@ -86,7 +86,7 @@ TEST(GlbReader, ReadsInstancesBackInEitherForm)
 
 TEST(GlbReader, ReadsMergedOrgansAsTrianglesOfTheirMaterial)
 {
-    auto const mesh = make_mesh(sample_tree(1));
+    auto const mesh = mesh::make_mesh(mesh::sample_tree(1));
     auto const read = read_glb(glb_of(mesh));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_TRUE(read->organs.empty());
@@ -105,7 +105,7 @@ TEST(GlbReader, ReadsMergedOrgansAsTrianglesOfTheirMaterial)
 
 TEST(GlbReader, ReadsMaterialsBack)
 {
-    auto const mesh = make_mesh(sample_tree(1));
+    auto const mesh = mesh::make_mesh(mesh::sample_tree(1));
     auto const read = read_glb(glb_of(mesh, kInstanced));
     ASSERT_TRUE(read);
     ASSERT_EQ(read->materials.size(), 2u);
@@ -145,7 +145,7 @@ TEST(GlbReader, PlacesPicturesAsTheirTransformSays)
 
 TEST(GlbReader, ReadsTheColorsPictureAndItsMask)
 {
-    auto mesh = make_mesh(sample_tree(1));
+    auto mesh = mesh::make_mesh(mesh::sample_tree(1));
     auto const picture = std::make_shared<TexturePicture const>(
         TexturePicture { "\x89PNG and more", TexturePicture::Edges::Clamp });
     auto const leaves = mesh.organs[0].prototype.material;
@@ -164,7 +164,7 @@ TEST(GlbReader, ReadsTheColorsPictureAndItsMask)
 
 TEST(GlbReader, ReadsEveryPictureAndHowMuchItCounts)
 {
-    auto mesh = make_mesh(sample_tree(1));
+    auto mesh = mesh::make_mesh(mesh::sample_tree(1));
     auto const picture = [](char const* bytes) {
         return std::make_shared<TexturePicture const>(
             TexturePicture { bytes, TexturePicture::Edges::Clamp });
@@ -194,8 +194,8 @@ TEST(GlbReader, ReadsEveryPictureAndHowMuchItCounts)
 
 TEST(GlbReader, PlacesPlantsWhereTheyStand)
 {
-    auto const mesh = make_mesh(single_axis(1, 1, 1));
-    Mesh const other = make_mesh(single_axis(1, 2, 2));
+    auto const mesh = mesh::make_mesh(mesh::single_axis(1, 1, 1));
+    mesh::Mesh const other = mesh::make_mesh(mesh::single_axis(1, 2, 2));
     PlacedMesh const plants[]
         = { { .mesh = &mesh },
             { .position_mm = { 1000, 500, 30 }, .rotation_rad = kPi / 2, .mesh = &other } };
@@ -207,15 +207,15 @@ TEST(GlbReader, PlacesPlantsWhereTheyStand)
         Vec3f const expected(1000 - own[i].y(), 500 + own[i].x(), 30 + own[i].z());
         EXPECT_LT((positions[mesh.surfaces[0].positions_mm.size() + i] - expected).norm(), 1e-2f);
     }
-    expect_sound(read->surfaces[0]);
-    EXPECT_EQ(inside_out_count(read->surfaces[0]), 0u);
+    mesh::expect_sound(read->surfaces[0]);
+    EXPECT_EQ(mesh::inside_out_count(read->surfaces[0]), 0u);
 }
 
 TEST(GlbReader, SaysWhatIsWrong)
 {
     EXPECT_NE(error_of("").find("not a binary glTF"), std::string::npos);
     EXPECT_NE(error_of("solid cube").find("not a binary glTF"), std::string::npos);
-    auto const glb = glb_of(make_mesh(single_axis(1, 1, 1)));
+    auto const glb = glb_of(mesh::make_mesh(mesh::single_axis(1, 1, 1)));
     EXPECT_NE(error_of(glb.substr(0, 15)).find("truncated"), std::string::npos);
     EXPECT_NE(error_of(glb.substr(0, glb.size() - 4)).find("truncated"), std::string::npos);
     EXPECT_NE(error_of(glb_of_json("{\"asset\":")).find("cannot read"), std::string::npos);
@@ -259,11 +259,11 @@ TEST(GlbReader, NeverReachesForOtherFiles)
 // Each case must end in a mesh that is sound or in an error.
 TEST(GlbReader, SurvivesDamagedFiles)
 {
-    auto plant = single_axis(2, 5, 1);
+    auto plant = mesh::single_axis(2, 5, 1);
     plant.materials.push_back({ .name = "leaf", .kind = Material::Kind::Leaf });
     plant.organ_shapes = { OrganShape { .material = 1 } };
     plant.organs = { Organ { .segment = 0 }, Organ { .segment = 1 } };
-    auto const glb = glb_of(make_mesh(plant), { .textures = GlbOptions::Textures::None });
+    auto const glb = glb_of(mesh::make_mesh(plant), { .textures = GlbOptions::Textures::None });
     std::uint32_t json_bytes = 0;
     std::memcpy(&json_bytes, glb.data() + 12, sizeof json_bytes);
     Random random({ .seed = 1 });
@@ -289,9 +289,9 @@ TEST(GlbReader, SurvivesDamagedFiles)
             continue;
         ++read_count;
         for (auto const& surface : mesh->surfaces)
-            expect_sound(surface);
+            mesh::expect_sound(surface);
         for (auto const& organ : mesh->organs)
-            expect_sound(organ.prototype);
+            mesh::expect_sound(organ.prototype);
     }
     EXPECT_GT(read_count, 100u); // The damage is not all of the kind that is found at once.
 }

@@ -47,7 +47,7 @@ private:
 
 TEST(GlbWriter, HeadersSayTheSizes)
 {
-    auto const glb = glb_of(make_mesh(sample_tree(1)));
+    auto const glb = glb_of(mesh::make_mesh(mesh::sample_tree(1)));
     EXPECT_EQ(glb.substr(0, 4), "glTF");
     EXPECT_EQ(u32_at(glb, 4), 2u);
     EXPECT_EQ(u32_at(glb, 8), glb.size());
@@ -61,7 +61,7 @@ TEST(GlbWriter, HeadersSayTheSizes)
 TEST(GlbWriter, WritesMetresAndYUp)
 {
     // 200 mm and a dome of 10.
-    auto const json = json_of(glb_of(make_mesh(single_axis(4, 10, 10))));
+    auto const json = json_of(glb_of(mesh::make_mesh(mesh::single_axis(4, 10, 10))));
     auto const& positions = json["accessors"][0];
     EXPECT_NEAR(positions["min"][1].get<double>(), 0, 1e-9);
     EXPECT_NEAR(positions["max"][1].get<double>(), 0.210, 1e-6);
@@ -70,8 +70,8 @@ TEST(GlbWriter, WritesMetresAndYUp)
 
 TEST(GlbWriter, WritesTheSameBytesAgain)
 {
-    auto const plant = sample_tree(2);
-    EXPECT_EQ(glb_of(make_mesh(plant)), glb_of(make_mesh(plant)));
+    auto const plant = mesh::sample_tree(2);
+    EXPECT_EQ(glb_of(mesh::make_mesh(plant)), glb_of(mesh::make_mesh(plant)));
 }
 
 // The numbers of an accessor whose components are floats.
@@ -89,8 +89,8 @@ std::vector<float> floats_of(std::string const& glb, std::size_t accessor, std::
 
 TEST(GlbWriter, EveryPlantIsOneMeshThatAnyReaderKnows)
 {
-    auto const plant = sample_tree(1);
-    auto const mesh = make_mesh(plant);
+    auto const plant = mesh::sample_tree(1);
+    auto const mesh = mesh::make_mesh(plant);
     PlacedMesh const plants[] = { { .mesh = &mesh }, { .mesh = PlantToMesh { .plant = &plant } } };
     auto const glb = glb_of(plants);
     auto const json = json_of(glb);
@@ -111,7 +111,7 @@ TEST(GlbWriter, EveryPlantIsOneMeshThatAnyReaderKnows)
 
 TEST(GlbWriter, MergedOrgansThatAreMirroredOrFlatFaceOutwards)
 {
-    auto plant = single_axis(1, 10, 2);
+    auto plant = mesh::single_axis(1, 10, 2);
     plant.materials.push_back({ .name = "fruit", .kind = Material::Kind::Solid });
     plant.organ_shapes = { { .name = "ball",
                              .kind = OrganShape::Kind::Ball,
@@ -120,7 +120,7 @@ TEST(GlbWriter, MergedOrgansThatAreMirroredOrFlatFaceOutwards)
                              .width_mm = 10 } };
     plant.organs
         = { { .scale = { 2, 1, 1 } }, { .scale = { -2, 1, 3 } }, { .scale = { 1, 0, 1 } } };
-    auto const read = read_glb(glb_of(make_mesh(plant)));
+    auto const read = read_glb(glb_of(mesh::make_mesh(plant)));
     ASSERT_TRUE(read) << read.error().message;
     auto const& fruit = read->surfaces.back();
     auto const third = fruit.triangle_count() / 3;
@@ -142,14 +142,15 @@ TEST(GlbWriter, MergedOrgansThatAreMirroredOrFlatFaceOutwards)
 
 TEST(GlbWriter, MergedOrgansMoveInTheWindWithTheirBranch)
 {
-    auto const plant = sample_tree(1);
-    PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant, .wind = WindKey { 5, 6 } } };
+    auto const plant = mesh::sample_tree(1);
+    PlacedMesh const placed { .mesh
+                              = PlantToMesh { .plant = &plant, .wind = mesh::WindKey { 5, 6 } } };
     auto const glb = glb_of(std::span(&placed, 1));
     auto const json = json_of(glb);
     auto const& attributes = json["meshes"][0]["primitives"][1]["attributes"];
     auto const pivots = floats_of(glb, attributes["_PIVOT"], 3);
     auto const levels = floats_of(glb, attributes["_LEVEL"], 1);
-    auto const of_one = make_prototype(plant, 0).positions_mm.size();
+    auto const of_one = mesh::make_prototype(plant, 0).positions_mm.size();
     ASSERT_EQ(levels.size(), of_one * plant.organs.size());
     for (std::size_t i = 0; i < levels.size(); ++i) {
         auto const& axis = plant.axes[axis_of(plant, plant.organs[i / of_one].segment)];
@@ -160,7 +161,7 @@ TEST(GlbWriter, MergedOrgansMoveInTheWindWithTheirBranch)
 
 TEST(GlbWriter, QuantizedMergedOrgansAreNearTheRealOnes)
 {
-    auto const plant = sample_tree(1);
+    auto const plant = mesh::sample_tree(1);
     PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant } };
     auto const exact = read_glb(glb_of(std::span(&placed, 1)));
     auto const bytes
@@ -168,7 +169,7 @@ TEST(GlbWriter, QuantizedMergedOrgansAreNearTheRealOnes)
     EXPECT_EQ(json_of(bytes)["extensionsRequired"], nlohmann::json({ "KHR_mesh_quantization" }));
     auto const rounded = read_glb(bytes);
     ASSERT_TRUE(exact && rounded);
-    auto const size_mm = (bounds(*exact).max_mm - bounds(*exact).min_mm).maxCoeff();
+    auto const size_mm = (mesh::bounds(*exact).max_mm - mesh::bounds(*exact).min_mm).maxCoeff();
     auto const& a = exact->surfaces[1].positions_mm;
     auto const& b = rounded->surfaces[1].positions_mm;
     ASSERT_EQ(a.size(), b.size());
@@ -178,7 +179,7 @@ TEST(GlbWriter, QuantizedMergedOrgansAreNearTheRealOnes)
 
 TEST(GlbWriter, SaysBeforeItWritesWhatItWillTake)
 {
-    auto const plant = sample_tree(1);
+    auto const plant = mesh::sample_tree(1);
     PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant } };
     std::vector<PlacedMesh> const plants { placed, placed };
     std::ostringstream out;
@@ -197,8 +198,9 @@ TEST(GlbWriter, SaysBeforeItWritesWhatItWillTake)
 
 TEST(GlbWriter, SharesWhatPlantsHaveInCommon)
 {
-    Mesh const meshes[]
-        = { make_mesh(sample_tree(1)), make_mesh(sample_tree(2)), make_mesh(sample_tree(3)) };
+    mesh::Mesh const meshes[]
+        = { mesh::make_mesh(mesh::sample_tree(1)), mesh::make_mesh(mesh::sample_tree(2)),
+            mesh::make_mesh(mesh::sample_tree(3)) };
     PlacedMesh const plants[]
         = { { .name = "a", .mesh = &meshes[0] },
             { .name = "b", .position_mm = { 3000, 0, 0 }, .rotation_rad = 1, .mesh = &meshes[1] },
@@ -220,7 +222,7 @@ TEST(GlbWriter, MakesPlantsOneAtATime)
     for (std::size_t i = 0; i < plants.size(); ++i)
         plants[i].mesh = [&, i] {
             ++alive;
-            return make_mesh(sample_tree(i));
+            return mesh::make_mesh(mesh::sample_tree(i));
         };
     auto const glb = glb_of(plants);
     EXPECT_EQ(alive, 5);
@@ -229,8 +231,8 @@ TEST(GlbWriter, MakesPlantsOneAtATime)
 
 TEST(GlbWriter, TriesAgainWhenLaterPlantsNeedMoreJsonThanTheFirst)
 {
-    Mesh const small = make_mesh(single_axis(1, 1, 1));
-    Mesh large = make_mesh(sample_tree(1));
+    mesh::Mesh const small = mesh::make_mesh(mesh::single_axis(1, 1, 1));
+    mesh::Mesh large = mesh::make_mesh(mesh::sample_tree(1));
     for (int i = 0; i < 20; ++i) { // Twenty shapes that all differ.
         large.organs.push_back(large.organs[0]);
         large.organs.back().prototype.positions_mm[0].x() += static_cast<float>(i + 1);
@@ -242,8 +244,8 @@ TEST(GlbWriter, TriesAgainWhenLaterPlantsNeedMoreJsonThanTheFirst)
 
 TEST(GlbWriter, CoarserLevelsStandBesideTheScene)
 {
-    auto const fine = make_mesh(sample_tree(1));
-    auto const coarse = make_mesh(single_axis(4, 10, 2));
+    auto const fine = mesh::make_mesh(mesh::sample_tree(1));
+    auto const coarse = mesh::make_mesh(mesh::single_axis(4, 10, 2));
     PlacedMesh placed { .name = "tree",
                         .position_mm = { 1000, 0, 0 },
                         .mesh = &fine,
@@ -281,8 +283,9 @@ TEST(GlbWriter, CoarserLevelsStandBesideTheScene)
 
 TEST(GlbWriter, WritesWhatTheWindNeeds)
 {
-    auto const plant = sample_tree(1);
-    PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant, .wind = WindKey { 5, 6 } } };
+    auto const plant = mesh::sample_tree(1);
+    PlacedMesh const placed { .mesh
+                              = PlantToMesh { .plant = &plant, .wind = mesh::WindKey { 5, 6 } } };
     auto const glb = glb_of(
         std::span(&placed, 1),
         { .organs = GlbOptions::Organs::Instanced, .vertices = GlbOptions::Vertices::Quantized });
@@ -321,8 +324,8 @@ TEST(GlbWriter, WritesWhatTheWindNeeds)
 
 TEST(GlbWriter, WritesWindWhereAnEngineLooksForIt)
 {
-    auto const plant = single_axis(4, 10, 5);
-    PlacedMesh const windy { .mesh = PlantToMesh { .plant = &plant, .wind = WindKey {} } };
+    auto const plant = mesh::single_axis(4, 10, 5);
+    PlacedMesh const windy { .mesh = PlantToMesh { .plant = &plant, .wind = mesh::WindKey {} } };
     auto const attributes = [&](GlbOptions const& options) {
         auto const json = json_of(glb_of(std::span(&windy, 1), options));
         return json["meshes"][0]["primitives"][0]["attributes"];
@@ -338,8 +341,9 @@ TEST(GlbWriter, WritesWindWhereAnEngineLooksForIt)
 
 TEST(GlbWriter, OrgansThatAreNodesHaveTheWindInTheirExtras)
 {
-    auto const plant = sample_tree(1);
-    PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant, .wind = WindKey { 5, 6 } } };
+    auto const plant = mesh::sample_tree(1);
+    PlacedMesh const placed { .mesh
+                              = PlantToMesh { .plant = &plant, .wind = mesh::WindKey { 5, 6 } } };
     auto const glb = glb_of(std::span(&placed, 1), kInstanced);
     auto const nodes
         = json_of(glb_of(std::span(&placed, 1), { .organs = GlbOptions::Organs::Nodes }));
@@ -367,15 +371,16 @@ TEST(GlbWriter, OrgansThatAreNodesHaveTheWindInTheirExtras)
 
 TEST(GlbWriter, WritesANodePerOrganWhenAsked)
 {
-    auto const plant = sample_tree(1);
-    auto const json = json_of(glb_of(make_mesh(plant), { .organs = GlbOptions::Organs::Nodes }));
+    auto const plant = mesh::sample_tree(1);
+    auto const json
+        = json_of(glb_of(mesh::make_mesh(plant), { .organs = GlbOptions::Organs::Nodes }));
     EXPECT_EQ(json["nodes"].size(), plant.organs.size() + 1);
     EXPECT_FALSE(json.contains("extensionsUsed"));
 }
 
 TEST(GlbWriter, BarkHasItsFurrowsColourReliefAndOcclusion)
 {
-    auto const mesh = make_mesh(sample_tree(1));
+    auto const mesh = mesh::make_mesh(mesh::sample_tree(1));
     auto const json = json_of(glb_of(mesh));
     auto const& bark = json["materials"][0];
     ASSERT_TRUE(bark.contains("occlusionTexture"));
@@ -393,7 +398,7 @@ TEST(GlbWriter, BarkHasItsFurrowsColourReliefAndOcclusion)
 
 TEST(GlbWriter, WritesTheTexturesOfAMaterial)
 {
-    auto mesh = make_mesh(sample_tree(1));
+    auto mesh = mesh::make_mesh(mesh::sample_tree(1));
     auto const picture = [](char const* png) {
         return std::make_shared<TexturePicture const>(
             TexturePicture { png, TexturePicture::Edges::Clamp });
@@ -424,8 +429,8 @@ TEST(GlbWriter, WritesTheTexturesOfAMaterial)
 TEST(GlbWriter, LeavesAreDoubleSidedAndColoursLinear)
 {
     // Without pictures, which make colours lighter as far as they are dark themselves.
-    auto const json
-        = json_of(glb_of(make_mesh(sample_tree(1)), { .textures = GlbOptions::Textures::None }));
+    auto const json = json_of(
+        glb_of(mesh::make_mesh(mesh::sample_tree(1)), { .textures = GlbOptions::Textures::None }));
     for (auto const& material : json["materials"]) {
         bool const leaf = material["name"] == "leaf";
         EXPECT_EQ(material.value("doubleSided", false), leaf);
@@ -445,14 +450,14 @@ TEST(GlbWriter, WritesAFileWithoutPlants)
 
 TEST(GlbWriter, QuotesNamesAndReplacesWhatIsNoUtf8)
 {
-    Mesh const mesh = make_mesh(single_axis(1, 1, 1));
+    mesh::Mesh const mesh = mesh::make_mesh(mesh::single_axis(1, 1, 1));
     PlacedMesh const placed { .name = "a \"b\"\n\xff", .mesh = &mesh };
     EXPECT_EQ(json_of(glb_of(std::span(&placed, 1)))["nodes"][0]["name"], "a \"b\"\n\xEF\xBF\xBD");
 }
 
 TEST(GlbWriter, SaysThatTheDiskIsFull)
 {
-    Mesh const mesh = make_mesh(sample_tree(1));
+    mesh::Mesh const mesh = mesh::make_mesh(mesh::sample_tree(1));
     PlacedMesh const placed { .mesh = &mesh };
     for (std::streamsize const room : { 0, 1000, 100000 }) {
         FullDisk disk(room);
@@ -465,7 +470,7 @@ TEST(GlbWriter, SaysThatTheDiskIsFull)
 
 TEST(GlbWriter, RefusesAFileBeyondFourGibibytesBeforeItStarts)
 {
-    Mesh const mesh = make_mesh(sample_tree(1));
+    mesh::Mesh const mesh = mesh::make_mesh(mesh::sample_tree(1));
     std::vector<PlacedMesh> const plants(20000, PlacedMesh { .mesh = &mesh });
     std::ostringstream out;
     auto const summary = write_glb(out, plants);
@@ -477,7 +482,7 @@ TEST(GlbWriter, RefusesAFileBeyondFourGibibytesBeforeItStarts)
 
 TEST(GlbWriter, RefusesMorePlantsThanAreLikelyToFitBeforeItStarts)
 {
-    auto const plant = sample_tree(1);
+    auto const plant = mesh::sample_tree(1);
     std::vector<PlacedMesh> const plants(
         20000, PlacedMesh { .mesh = PlantToMesh { .plant = [&] { return plant; } } });
     std::ostringstream out;
@@ -490,7 +495,7 @@ TEST(GlbWriter, RefusesMorePlantsThanAreLikelyToFitBeforeItStarts)
 
 TEST(GlbWriter, QuantizedFilesAreSmallerAndSayWhatTheyNeed)
 {
-    Mesh const mesh = make_mesh(sample_tree(1));
+    mesh::Mesh const mesh = mesh::make_mesh(mesh::sample_tree(1));
     GlbOptions const quantized { .organs = GlbOptions::Organs::Instanced,
                                  .textures = GlbOptions::Textures::None,
                                  .vertices = GlbOptions::Vertices::Quantized };
@@ -504,9 +509,9 @@ TEST(GlbWriter, QuantizedFilesAreSmallerAndSayWhatTheyNeed)
 
 TEST(GlbWriter, RefusesACoordinateThatIsNotFinite)
 {
-    Mesh mesh = make_mesh(single_axis(1, 1, 1));
+    mesh::Mesh mesh = mesh::make_mesh(mesh::single_axis(1, 1, 1));
     mesh.surfaces[0].positions_mm[3].y() = std::numeric_limits<float>::infinity();
-    Mesh const good = make_mesh(single_axis(1, 1, 1));
+    mesh::Mesh const good = mesh::make_mesh(mesh::single_axis(1, 1, 1));
     double const none = std::numeric_limits<double>::quiet_NaN();
     for (auto const& placed : { PlacedMesh { .mesh = &mesh },
                                 PlacedMesh { .position_mm = { none, 0, 0 }, .mesh = &good },

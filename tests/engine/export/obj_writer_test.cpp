@@ -45,7 +45,7 @@ ObjCounts count(std::string const& text)
 
 TEST(ObjWriter, WritesEveryTriangleOfEveryInstance)
 {
-    Mesh const mesh = make_mesh(sample_tree(1));
+    mesh::Mesh const mesh = mesh::make_mesh(mesh::sample_tree(1));
     PlacedMesh const plants[]
         = { { .name = "a b", .mesh = &mesh }, { .position_mm = { 0, 0, 1000 }, .mesh = &mesh } };
     std::ostringstream out;
@@ -60,7 +60,7 @@ TEST(ObjWriter, WritesEveryTriangleOfEveryInstance)
 
 TEST(ObjWriter, WritesMetresAndYUp)
 {
-    Mesh const mesh = make_mesh(single_axis(4, 10, 10));
+    mesh::Mesh const mesh = mesh::make_mesh(mesh::single_axis(4, 10, 10));
     PlacedMesh const placed { .mesh = &mesh };
     std::ostringstream out;
     ASSERT_TRUE(write_obj(out, std::span(&placed, 1)));
@@ -69,8 +69,8 @@ TEST(ObjWriter, WritesMetresAndYUp)
 
 TEST(ObjWriter, TellsMaterialsOfOneNameApart)
 {
-    Mesh const brown = make_mesh(single_axis(1, 1, 1));
-    Mesh grey = brown;
+    mesh::Mesh const brown = mesh::make_mesh(mesh::single_axis(1, 1, 1));
+    mesh::Mesh grey = brown;
     grey.materials[0].base_color = { 0.5f, 0.5f, 0.5f };
     PlacedMesh const plants[] = { { .mesh = &brown }, { .mesh = &grey }, { .mesh = &brown } };
     std::ostringstream materials;
@@ -84,7 +84,7 @@ TEST(ObjWriter, TellsMaterialsOfOneNameApart)
 
 TEST(ObjWriter, MaterialsNameTheirRoughnessAndPictures)
 {
-    Mesh const mesh = make_mesh(sample_tree(1));
+    mesh::Mesh const mesh = mesh::make_mesh(mesh::sample_tree(1));
     PlacedMesh const placed { .mesh = &mesh };
     std::ostringstream materials;
     auto const pictures = write_mtl(materials, std::span(&placed, 1), "tree");
@@ -103,7 +103,7 @@ TEST(ObjWriter, MaterialsNameTheirRoughnessAndPictures)
 
 TEST(ObjWriter, AMaterialThatIsNotUsedTakesNoName)
 {
-    Mesh mesh = make_mesh(single_axis(1, 1, 1));
+    mesh::Mesh mesh = mesh::make_mesh(mesh::single_axis(1, 1, 1));
     mesh.materials.push_back(mesh.materials[0]);
     mesh.materials[0].base_color = { 0, 0, 1 };
     mesh.surfaces[0].material = 1;
@@ -116,7 +116,7 @@ TEST(ObjWriter, AMaterialThatIsNotUsedTakesNoName)
 
 TEST(ObjWriter, SaysThatTheStreamFailed)
 {
-    Mesh const mesh = make_mesh(single_axis(1, 1, 1));
+    mesh::Mesh const mesh = mesh::make_mesh(mesh::single_axis(1, 1, 1));
     PlacedMesh const placed { .mesh = &mesh };
     std::ostringstream out;
     out.setstate(std::ios::badbit);

@@ -11,9 +11,9 @@ namespace {
 
 // A square of side 1 that faces up; its texture is as a picture lies on it, the first row at the
 // top: v falls where y grows.
-TriangleMesh square()
+mesh::TriangleMesh square()
 {
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     for (auto const& corner : { Vec2f(0, 0), Vec2f(1, 0), Vec2f(1, 1), Vec2f(0, 1) }) {
         mesh.positions_mm.push_back({ corner.x(), corner.y(), 0.0f });
         mesh.normals.push_back(Vec3f::UnitZ());
@@ -24,7 +24,7 @@ TriangleMesh square()
     return mesh;
 }
 
-BulkVector<Eigen::Vector4f> tangents_of(TriangleMesh const& mesh)
+BulkVector<Eigen::Vector4f> tangents_of(mesh::TriangleMesh const& mesh)
 {
     BulkVector<Eigen::Vector4f> tangents;
     find_tangents(view_of(mesh), tangents);
@@ -57,7 +57,7 @@ TEST(Tangents, AreAcrossTheNormalWhereTheTextureTellsNothing)
 // Round a tube u grows counter-clockwise seen from its tip, and v grows towards the tip.
 TEST(Tangents, RunRoundATube)
 {
-    auto const mesh = make_mesh(single_axis(6, 40, 8));
+    auto const mesh = mesh::make_mesh(mesh::single_axis(6, 40, 8));
     auto const& tube = mesh.surfaces.at(0);
     auto const tangents = tangents_of(tube);
     ASSERT_EQ(tangents.size(), tube.positions_mm.size());

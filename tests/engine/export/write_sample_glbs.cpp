@@ -21,7 +21,7 @@ namespace {
 // A little of everything: each kind of organ and material, polygons, no radius, sharp turns.
 Plant odd_plant()
 {
-    Plant plant = single_axis(6, 5, 0);
+    Plant plant = mesh::single_axis(6, 5, 0);
     plant.node_position_mm = { { 0, 0, 0 },  { 0, 0, 50 },  { 0, 0, 50 }, { 0, 0, 10 },
                                { 50, 0, 0 }, { 50, 50, 0 }, { 50, 50, 0 } };
     plant.segment_material = { 0, 0, 0, 1, 1, 0 };
@@ -71,8 +71,9 @@ PlacedMesh with_details(Plant const& plant)
     placed.least_coverage = 0.4;
     for (double const share : { 0.5, 0.2 })
         placed.details.push_back(
-            { PlantToMesh { .plant = [&plant, share] { return coarser_plant(plant, {}, share); },
-                            .options = coarser_options({}, share) },
+            { PlantToMesh { .plant
+                            = [&plant, share] { return mesh::coarser_plant(plant, {}, share); },
+                            .options = mesh::coarser_options({}, share) },
               0.4 * share });
     placed.details.push_back(
         { std::function<Billboard()>([] {
@@ -91,10 +92,10 @@ std::string counts_line(std::string_view file, std::size_t plants, std::uint64_t
 // A tree as it grows, in wind and with weight.
 Result<void> write_growth(std::filesystem::path const& path, std::string& counts)
 {
-    auto const plan = plan_of(sample_tree(4), { .sag = 2 }, { 0.5, 0, 0 });
+    auto const plan = plan_of(mesh::sample_tree(4), { .sag = 2 }, { 0.5, 0, 0 });
     Grower grower(plan);
     Plant const whole = grower.grow({ 1, 0 });
-    AgedMesh const mesh(whole);
+    mesh::AgedMesh const mesh(whole);
     GrowthFilm film { .name = "grows", .mesh = &mesh, .ages = { 0.25, 0.5, 0.75, 1 } };
     film.plant_at = [&](double age) -> Plant const& { return grower.grow({ 1, 0 }, age); };
     return write_file(path, [&](std::ostream& out) -> Result<void> {
@@ -141,20 +142,21 @@ Result<void> write_samples(std::filesystem::path const& folder)
 {
     std::filesystem::create_directories(folder);
     auto const odd = odd_plant();
-    Mesh const odd_mesh = make_mesh(odd);
+    mesh::Mesh const odd_mesh = mesh::make_mesh(odd);
     std::vector<PlacedMesh> collection;
     collection.push_back({ .name = "odd", .position_mm = { 0, -1000, 0 }, .mesh = &odd_mesh });
     for (std::uint64_t seed = 0; seed < 3; ++seed)
-        collection.push_back({ .name = fmt::format("tree {}", seed),
-                               .position_mm = { 3000.0 * static_cast<double>(seed), 0, 0 },
-                               .rotation_rad = static_cast<double>(seed),
-                               .mesh = [seed] { return make_mesh(sample_tree(seed)); } });
+        collection.push_back(
+            { .name = fmt::format("tree {}", seed),
+              .position_mm = { 3000.0 * static_cast<double>(seed), 0, 0 },
+              .rotation_rad = static_cast<double>(seed),
+              .mesh = [seed] { return mesh::make_mesh(mesh::sample_tree(seed)); } });
     // Meshed while it is written.
     PlacedMesh const streamed { .name = "odd", .mesh = PlantToMesh { .plant = &odd } };
     collection.push_back(streamed);
     // More than 65,535 vertices: 32-bit indices.
     PlacedMesh const fine { .mesh = [] {
-        return make_mesh(sample_tree(9), { .min_sides = 40, .max_sides = 64 });
+        return mesh::make_mesh(mesh::sample_tree(9), { .min_sides = 40, .max_sides = 64 });
     } };
 
     using Options = GlbOptions;
@@ -178,11 +180,11 @@ Result<void> write_samples(std::filesystem::path const& folder)
     TRY(write("nodes.glb", collection,
               { .organs = Options::Organs::Nodes, .textures = Options::Textures::None }));
     TRY(write("fine.glb", std::span(&fine, 1), {}));
-    auto const tree = sample_tree(5);
+    auto const tree = mesh::sample_tree(5);
     TRY(write_details(write, { with_details(tree), with_details(odd) }));
     for (auto& plant : collection)
         if (auto* const meshed = std::get_if<PlantToMesh>(&plant.mesh))
-            meshed->wind = WindKey {};
+            meshed->wind = mesh::WindKey {};
     TRY(write("wind.glb", collection, { .vertices = Options::Vertices::Quantized }));
     TRY(write_compressed_wind(write, collection));
     TRY(write("wind_instanced.glb", collection, { .organs = Options::Organs::Instanced }));

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 std::vector<AgedMesh::Vertices> vertices_at(AgedMesh const& mesh, Plant const& young)
@@ -156,4 +156,4 @@ TEST(AgedMesh, GoesAsFarAndIsAsWideAsTheAxisIs)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::mesh

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 // A square of side 2 about the origin, from the middle of its side at x = 1 on.
@@ -147,4 +147,4 @@ TEST(Extrusion, SurvivesNodesThatCoincideAndMaterialsThatChange)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::mesh

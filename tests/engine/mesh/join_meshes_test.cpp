@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 // One mesh behind the other has the triangles that the mesh of both plants together has.
@@ -39,4 +39,4 @@ TEST(JoinMeshes, GivesTheMeshOfBothPlants)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::mesh

@@ -11,7 +11,7 @@
 #include <rapidcheck/gtest.h>
 #include <set>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 constexpr std::array<double, 5> kShares { 0.5, 0.25, 0.125, 0.0625, 0.03125 };
@@ -181,4 +181,4 @@ RC_GTEST_PROP(LevelOfDetail, IsTheSameOnAnyNumberOfThreads, ())
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::mesh

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 // Eight sides everywhere, so that triangles can be counted by hand.
@@ -321,4 +321,4 @@ TEST(MakeMesh, SkipsAPolygonWithoutArea)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::mesh

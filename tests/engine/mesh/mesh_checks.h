@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // Indices in range, arrays of one size, every number finite, normals of unit length.
 inline void expect_sound(TriangleMesh const& mesh)
@@ -88,4 +88,4 @@ inline bool same_triangles(TriangleMesh const& a, TriangleMesh const& b)
         && a.texture_coordinates == b.texture_coordinates && a.indices == b.indices;
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <rapidcheck/gtest.h>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 // Makes the same cases each time, unless the environment says otherwise.
@@ -92,4 +92,4 @@ RC_GTEST_PROP(MeshProperties, PiecesTakeTheRoomThatThePlanSays, ())
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::mesh

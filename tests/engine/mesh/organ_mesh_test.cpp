@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 struct Box {
@@ -169,4 +169,4 @@ TEST(OrganMesh, BendsAndFoldsACutLeaf)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::mesh

@@ -6,7 +6,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // A plant of `axis_count` axes of all sorts: straight, bent, of no length, pointed, thick on thin;
 // segments of several materials, polygons with and without area, organs of two shapes.
@@ -69,4 +69,4 @@ template<typename Work> auto on_threads(int count, Work const& work)
     return tbb::task_arena(count).execute(work);
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace tractus {
+namespace tractus::mesh {
 
 // An axis of equal segments that starts at `base_mm`, bends by a random angle at each node, and
 // tapers from `radius_mm` to `tip_radius_mm`.
@@ -141,4 +141,4 @@ inline Plant single_axis(std::uint32_t segment_count, double radius_mm, double t
     return plant;
 }
 
-} // namespace tractus
+} // namespace tractus::mesh

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 // A patch over a rectangle of the organ's plane, x from `left` on, bulging up by `bulge`.
@@ -105,4 +105,4 @@ TEST(SurfaceMesh, IsNothingWithoutPatches)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::mesh

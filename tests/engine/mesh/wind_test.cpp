@@ -11,7 +11,7 @@
 #include <set>
 #include <vector>
 
-namespace tractus {
+namespace tractus::mesh {
 namespace {
 
 // A surface with its wind.
@@ -131,4 +131,4 @@ RC_GTEST_PROP(Wind, IsThereForEveryVertexWhateverThePlant, ())
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::mesh

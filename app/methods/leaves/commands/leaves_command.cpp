@@ -147,8 +147,8 @@ Result<GrownLeaf> leaf_to_draw(leaf::Grammar const& grammar, LeavesArguments con
     return GrownLeaf { std::move(leaf), std::move(triangles) };
 }
 
-Result<Mesh> mesh_to_draw(leaf::Grammar const& grammar, GrownLeaf const& grown,
-                          LeavesArguments const& arguments)
+Result<mesh::Mesh> mesh_to_draw(leaf::Grammar const& grammar, GrownLeaf const& grown,
+                                LeavesArguments const& arguments)
 {
     if (!arguments.paint) {
         auto mesh = TRY(leaf_mesh(grown.triangles, arguments.size_mm));

@@ -255,7 +255,7 @@ TEST_F(LineToolAndCommand, GiveTheSameTextOfBoundariesInSpace)
 }
 
 // A recording by the simulated hand, with a tremor, in which the pen is the tool.
-Log recorded_sketch()
+drivers::Log recorded_sketch()
 {
     constexpr std::string_view kHand = R"(
 version = 1

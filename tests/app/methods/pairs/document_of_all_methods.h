@@ -22,7 +22,7 @@ inline SessionOptions options_for_all_methods()
 // All that is shown of a document, as a .glb.
 inline std::string exported(Scene const& scene)
 {
-    auto const mesh = make_mesh(shown_plants(scene).value());
+    auto const mesh = mesh::make_mesh(shown_plants(scene).value());
     std::ostringstream out;
     PlacedMesh placed;
     placed.mesh = &mesh;

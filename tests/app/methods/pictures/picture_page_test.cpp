@@ -164,7 +164,7 @@ TEST_F(Pictures, AreStepsOfARecording)
         window.settle();
         ASSERT_TRUE(window.close());
     }
-    auto const recorded = read_log(log).value();
+    auto const recorded = drivers::read_log(log).value();
     std::size_t laid = 0;
     for (auto const& line : recorded.tools) {
         auto const step = parse_step(line.tool, line.arguments, all_methods().edits);

@@ -37,7 +37,7 @@ std::string gesture_around(Vec2 const& middle_mm, double radius_mm, int lobes)
 }
 
 // A recording of a trunk, a crown of four lobes, and the outline of the one at the right above.
-Log recorded_tree()
+drivers::Log recorded_tree()
 {
     std::string hand = "version = 1\nseed = 8\n[[gesture]]\ntool = \"draw\"\npropagation = "
                        "\"both\"\npath = \"line\"\nfrom_mm = [0, -60, 50]\nto_mm = [0, 20, 50]\n";
@@ -73,7 +73,7 @@ json reported(std::vector<DrawnStroke> const& strokes)
 }
 
 // A recording of strokes with the words of the tool for each.
-Log recorded_lines(std::string const& gestures, std::vector<std::string> const& words)
+drivers::Log recorded_lines(std::string const& gestures, std::vector<std::string> const& words)
 {
     auto log
         = recorded_log("version = 1\nseed = 8\n[[gesture]]\ntool = \"draw\"\npropagation = "

@@ -72,8 +72,8 @@ protected:
     static StationOptions rig()
     {
         StationOptions rig;
-        rig.scripted_height = ScriptedHeight {
-            .scenario = { .kind = HeightScenario::Kind::Constant, .constant_mm = 100 },
+        rig.scripted_height = calib::ScriptedHeight {
+            .scenario = { .kind = calib::HeightScenario::Kind::Constant, .constant_mm = 100 },
             .first_pen = {},
             .last_pen = {},
         };
@@ -85,7 +85,7 @@ protected:
     // Strokes of the simple pen with the tool go to a document on the session.
     void draw(Document& document) const
     {
-        auto station = Station::create(std::vector { simple_pen() }, rig()).value();
+        auto station = Station::create(std::vector { drivers::simple_pen() }, rig()).value();
         draw_across(station, 10);
         station.finish();
         for (auto& stroke : station.take_strokes())
@@ -121,7 +121,7 @@ TEST_F(SmallMethodSession, KeepsWhatIsDrawnAndUndone)
 
 TEST_F(SmallMethodSession, HasALayerInTheViews)
 {
-    auto station = Station::create(std::vector { simple_pen() }, rig()).value();
+    auto station = Station::create(std::vector { drivers::simple_pen() }, rig()).value();
     Document document(session(), Document::Working::AtOnce);
     StationView view(station, document);
     EXPECT_TRUE(view.state().layers.empty()) << "no layer has lines";
