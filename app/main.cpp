@@ -7,10 +7,10 @@
 
 int main(int argc, char** argv)
 {
-    tractus::prepare_console();
+    tractus::terminal::prepare_console();
     tractus::remove_unfinished_file_on_signals();
     auto const methods = tractus::with_commands(tractus::all_methods());
-    int const exit_code = tractus::run_command_line(argc, argv, methods);
+    int const exit_code = tractus::commands::run_command_line(argc, argv, methods);
     tractus::end_worker_threads();
     return exit_code;
 }

@@ -17,7 +17,7 @@
 #include <functional>
 #include <numbers>
 
-namespace tractus {
+namespace tractus::batch {
 
 namespace {
 
@@ -30,7 +30,7 @@ constexpr std::uint32_t kPlaces = 0x706C; // The random stream of ages and place
 // One collection on its way: each member function is a stage.
 class Collection {
 public:
-    Collection(CollectionOptions const& options, Progress& progress)
+    Collection(CollectionOptions const& options, terminal::Progress& progress)
         : options_(options)
         , progress_(progress)
     {
@@ -49,10 +49,11 @@ private:
     Result<std::vector<ManifestPlant>> write_folder(CollectionGrower& grower,
                                                     std::vector<PlantPlace> const& places);
     Result<void> write_sheet(CollectionGrower& grower, std::vector<PlantPlace> const& places);
-    PlacedMesh placed(PlantPlace const& place) const;
-    void add_details(PlacedMesh& mesh, std::function<Plant()> const& plant);
-    Billboard billboard(Plant const& plant);
-    Result<GlbSummary> write_plants(std::ostream& out, std::span<PlacedMesh const> plants);
+    exports::PlacedMesh placed(PlantPlace const& place) const;
+    void add_details(exports::PlacedMesh& mesh, std::function<Plant()> const& plant);
+    exports::Billboard billboard(Plant const& plant);
+    Result<exports::GlbSummary> write_plants(std::ostream& out,
+                                             std::span<exports::PlacedMesh const> plants);
 
     // Holds until the next call. `place` is of a plant of this collection.
     Plant const& grow(CollectionGrower& grower, PlantPlace const& place);
@@ -63,13 +64,13 @@ private:
                                  : std::nullopt;
     }
 
-    PlantKey key(std::size_t index) const
+    variation::PlantKey key(std::size_t index) const
     {
         return { options_.seed, static_cast<std::uint32_t>(index) };
     }
 
     CollectionOptions const& options_;
-    Progress& progress_;
+    terminal::Progress& progress_;
     CollectionReport report_;
     Plant young_;
     std::optional<PictureThread> pictures_; // Where pictures are wanted.
@@ -133,7 +134,7 @@ Result<void> Collection::compare(CollectionGrower& grower)
         return {};
     auto const count = std::min(options_.count, kCompared);
     progress_.begin("comparing the plants", count);
-    Diversity diversity(drawn);
+    variation::Diversity diversity(drawn);
     for (std::size_t i = 0; i < count; ++i) {
         diversity.add(grower.grow(key(i)));
         progress_.step();
@@ -159,20 +160,20 @@ Plant const& Collection::grow(CollectionGrower& grower, PlantPlace const& place)
     auto const& grown = grower.grow(key(place.index), place.age);
     if (place.age == 1)
         return grown;
-    young_ = without_unborn(grown);
+    young_ = variation::without_unborn(grown);
     return young_;
 }
 
-PlacedMesh Collection::placed(PlantPlace const& place) const
+exports::PlacedMesh Collection::placed(PlantPlace const& place) const
 {
-    PlacedMesh mesh;
+    exports::PlacedMesh mesh;
     mesh.name = fmt::format("{} {}", options_.model.stem().string(), place.index + 1);
     return mesh;
 }
 
 // Adds levels of detail: at its level's share of the screen's area a plant has about as many pixels
 // for each triangle as at every other level's.
-void Collection::add_details(PlacedMesh& mesh, std::function<Plant()> const& plant)
+void Collection::add_details(exports::PlacedMesh& mesh, std::function<Plant()> const& plant)
 {
     constexpr double kFullCoverage = 0.2;
     if (options_.details == 0)
@@ -182,24 +183,24 @@ void Collection::add_details(PlacedMesh& mesh, std::function<Plant()> const& pla
     for (std::size_t level = 1; level < options_.details; ++level) {
         share /= 2;
         mesh.details.push_back(
-            { PlantToMesh {
+            { exports::PlantToMesh {
                   .plant = [this, plant,
                             share] { return mesh::coarser_plant(plant(), options_.mesh, share); },
                   .options = mesh::coarser_options(options_.mesh, share),
-                  .wind = std::get<PlantToMesh>(mesh.mesh).wind },
+                  .wind = std::get<exports::PlantToMesh>(mesh.mesh).wind },
               kFullCoverage * share });
     }
     mesh.details.push_back(
-        { std::function<Billboard()>([this, plant] { return billboard(plant()); }), 0 });
+        { std::function<exports::Billboard()>([this, plant] { return billboard(plant()); }), 0 });
 }
 
 // Keeps the first error: the caller cannot be told.
-Billboard Collection::billboard(Plant const& plant)
+exports::Billboard Collection::billboard(Plant const& plant)
 {
     constexpr double kShare = 0.25; // More detail than this does not show in so few pixels.
     auto const coarse = mesh::coarser_plant(plant, options_.mesh, kShare);
     auto const mesh = mesh::make_mesh(coarse, mesh::coarser_options(options_.mesh, kShare));
-    Result<Billboard> drawn;
+    Result<exports::Billboard> drawn;
     pictures_->draw([&](PictureMaker& pictures) { drawn = draw_billboard(pictures, mesh); });
     if (drawn)
         return *std::move(drawn);
@@ -208,9 +209,10 @@ Billboard Collection::billboard(Plant const& plant)
     return {};
 }
 
-Result<GlbSummary> Collection::write_plants(std::ostream& out, std::span<PlacedMesh const> plants)
+Result<exports::GlbSummary> Collection::write_plants(std::ostream& out,
+                                                     std::span<exports::PlacedMesh const> plants)
 {
-    auto const summary = TRY(write_glb(out, plants, options_.glb));
+    auto const summary = TRY(exports::write_glb(out, plants, options_.glb));
     if (picture_error_)
         return fail(picture_error_->fault, picture_error_->message);
     return summary;
@@ -221,7 +223,7 @@ Result<std::vector<ManifestPlant>> Collection::write_one_file(CollectionGrower& 
 {
     progress_.begin("writing the plants", places.size());
     std::vector<ManifestPlant> plants;
-    std::vector<PlacedMesh> meshes;
+    std::vector<exports::PlacedMesh> meshes;
     std::size_t begun = 0;
     for (auto const& place : places) {
         plants.push_back({ place, options_.output.filename().string() });
@@ -235,7 +237,7 @@ Result<std::vector<ManifestPlant>> Collection::write_one_file(CollectionGrower& 
             }
             return grow(grower, place);
         };
-        meshes.back().mesh = PlantToMesh { make, options_.mesh, wind(place) };
+        meshes.back().mesh = exports::PlantToMesh { make, options_.mesh, wind(place) };
         add_details(meshes.back(), make);
     }
     auto const write = [&](std::ostream& out) -> Result<void> {
@@ -259,7 +261,7 @@ Result<std::vector<ManifestPlant>> Collection::write_folder(CollectionGrower& gr
             = fmt::format("{}-{:0{}}.glb", options_.model.stem().string(), place.index + 1, digits);
         auto mesh = placed(place);
         auto const& plant = grow(grower, place);
-        mesh.mesh = PlantToMesh { &plant, options_.mesh, wind(place) };
+        mesh.mesh = exports::PlantToMesh { &plant, options_.mesh, wind(place) };
         add_details(mesh, [&] { return plant; });
         auto const write = [&](std::ostream& out) -> Result<void> {
             auto const summary = TRY(write_plants(out, { &mesh, 1 }));
@@ -289,10 +291,11 @@ Result<void> Collection::write_sheet(CollectionGrower& grower,
                             : fmt::format("{}, age {:.2f}", index + 1, age);
         },
     };
-    Image sheet;
+    render::Image sheet;
     pictures_->draw(
         [&](PictureMaker& pictures) { sheet = collection_sheet(pictures, plants, progress_); });
-    TRY(write_file(options_.sheet, [&](std::ostream& out) { return write_png(out, sheet); }));
+    TRY(write_file(options_.sheet,
+                   [&](std::ostream& out) { return render::write_png(out, sheet); }));
     report_.sheet = options_.sheet;
     return {};
 }
@@ -327,7 +330,8 @@ std::vector<PlantPlace> place_plants(CollectionOptions const& options, double sp
     return places;
 }
 
-Result<CollectionReport> make_collection(CollectionOptions const& options, Progress& progress)
+Result<CollectionReport> make_collection(CollectionOptions const& options,
+                                         terminal::Progress& progress)
 {
     return Collection(options, progress).run();
 }
@@ -337,7 +341,7 @@ std::string print_report(CollectionReport const& report)
     std::string text
         = fmt::format("{} plants of {} segments, {} triangles, {:.1f} MB\n", report.plants,
                       report.segments, report.triangles, static_cast<double>(report.bytes) / 1e6);
-    auto const distance = [&](char const* name, DistanceSpread const& spread) {
+    auto const distance = [&](char const* name, variation::DistanceSpread const& spread) {
         if (spread.count > 0)
             text += fmt::format("{}: {:.1f} mm, +- {:.1f} mm ({:.1f} % of the height)\n", name,
                                 spread.mean_mm, spread.deviation_mm,
@@ -353,4 +357,4 @@ std::string print_report(CollectionReport const& report)
     return text;
 }
 
-} // namespace tractus
+} // namespace tractus::batch

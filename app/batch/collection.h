@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::batch {
 
 // A part of a collection, so that many machines make it together: the `number`-th of `parts`, the
 // first is 1. Plant for plant it is what the whole collection has there.
@@ -58,7 +58,7 @@ struct CollectionOptions {
     // A picture of small pictures (collection_sheet.h); none if it is empty.
     std::filesystem::path sheet {};
     mesh::MeshOptions mesh {};
-    GlbOptions glb {};
+    exports::GlbOptions glb {};
     bool has_wind = false; // Whether files have what the wind needs; glb.wind says where.
 
     // Coarser levels that each plant has beside itself, each of half the triangles of the one
@@ -86,8 +86,8 @@ struct CollectionReport {
     std::uint64_t bytes = 0;     // Bytes of all .glb files.
 
     // Distances of at most 64 plants of the whole collection, full-grown.
-    DistanceSpread between_plants;
-    DistanceSpread from_drawn;
+    variation::DistanceSpread between_plants;
+    variation::DistanceSpread from_drawn;
     double height_mm = 0; // Height of the plant as drawn.
 
     std::filesystem::path manifest;
@@ -103,9 +103,10 @@ struct CollectionReport {
 // whatever their number. Every file appears whole or not at all: when it is stopped or the disk is
 // full, what was written before stays. Fails as reading the plant and its drawing does, where a
 // file cannot be written, and where pictures are wanted and the system has no OpenGL.
-Result<CollectionReport> make_collection(CollectionOptions const& options, Progress& progress);
+Result<CollectionReport> make_collection(CollectionOptions const& options,
+                                         terminal::Progress& progress);
 
 // The report as lines for a person to read.
 std::string print_report(CollectionReport const& report);
 
-} // namespace tractus
+} // namespace tractus::batch

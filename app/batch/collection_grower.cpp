@@ -4,13 +4,13 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::batch {
 
 Result<std::unique_ptr<CollectionGrower::Planned>> CollectionGrower::planned(Scene scene)
 {
     auto result = std::make_unique<Planned>(std::move(scene));
-    result->plan = std::make_unique<GrowthPlan const>(TRY(plan_growth(result->scene)));
-    result->grower = std::make_unique<Grower>(*result->plan);
+    result->plan = std::make_unique<variation::GrowthPlan const>(TRY(plan_growth(result->scene)));
+    result->grower = std::make_unique<variation::Grower>(*result->plan);
     return result;
 }
 
@@ -27,11 +27,11 @@ Result<Plant> CollectionGrower::drawn() const
     auto as_drawn = shared_->scene;
     as_drawn.growth.variability = 0;
     auto const plan = TRY(plan_growth(as_drawn));
-    return Grower(plan).grow({});
+    return variation::Grower(plan).grow({});
 }
 
 // A plant of several ages, or levels of detail, is built once.
-Plant const& CollectionGrower::grow(PlantKey const& key, double age)
+Plant const& CollectionGrower::grow(variation::PlantKey const& key, double age)
 {
     if (construction_ == 0)
         return shared_->grower->grow(key, age);
@@ -48,4 +48,4 @@ Plant const& CollectionGrower::grow(PlantKey const& key, double age)
     return (varied_ ? varied_ : shared_)->grower->grow(key, age);
 }
 
-} // namespace tractus
+} // namespace tractus::batch

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace tractus {
+namespace tractus::batch {
 
 // Grows the plants of a collection, one after the other: all from one plant, or each from another
 // one of its kind (varied_scene.h).
@@ -22,7 +22,7 @@ public:
 
     // The plant as drawn, and that of a key. Hold until the next call.
     Result<Plant> drawn() const;
-    Plant const& grow(PlantKey const& key, double age = 1);
+    Plant const& grow(variation::PlantKey const& key, double age = 1);
 
     // How many plants could not be varied so, and are as drawn but for their growth.
     std::size_t failed_count() const { return failed_count_; }
@@ -36,16 +36,16 @@ private:
         }
 
         Scene scene;
-        std::unique_ptr<GrowthPlan const> plan {};
-        std::unique_ptr<Grower> grower {};
+        std::unique_ptr<variation::GrowthPlan const> plan {};
+        std::unique_ptr<variation::Grower> grower {};
     };
     static Result<std::unique_ptr<Planned>> planned(Scene scene);
 
     std::unique_ptr<Planned> shared_;
     double construction_ = 0;
     std::unique_ptr<Planned> varied_ {}; // Of the last key; null where it could not be.
-    std::optional<PlantKey> key_ {};
+    std::optional<variation::PlantKey> key_ {};
     std::size_t failed_count_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::batch

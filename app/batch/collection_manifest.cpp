@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-namespace tractus {
+namespace tractus::batch {
 
 // Names of files may be anything; what is not UTF-8 becomes a replacement character.
 static std::string line(nlohmann::ordered_json const& value)
@@ -25,7 +25,7 @@ std::filesystem::path manifest_path(CollectionOptions const& options)
 Result<void> write_manifest(std::ostream& out, CollectionOptions const& options,
                             CollectionReport const& report, std::span<ManifestPlant const> plants)
 {
-    auto const spread = [](DistanceSpread const& of) {
+    auto const spread = [](variation::DistanceSpread const& of) {
         return nlohmann::ordered_json { of.mean_mm, of.deviation_mm };
     };
     nlohmann::ordered_json head {
@@ -64,4 +64,4 @@ Result<void> write_manifest(std::ostream& out, CollectionOptions const& options,
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::batch

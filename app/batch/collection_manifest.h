@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace tractus {
+namespace tractus::batch {
 
 // A plant that was written, and the file that it is in.
 struct ManifestPlant {
@@ -28,4 +28,4 @@ std::filesystem::path manifest_path(CollectionOptions const& options);
 Result<void> write_manifest(std::ostream& out, CollectionOptions const& options,
                             CollectionReport const& report, std::span<ManifestPlant const> plants);
 
-} // namespace tractus
+} // namespace tractus::batch

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace tractus {
+namespace tractus::batch {
 
 static constexpr PictureSize kSheetTile { 240, 240 };
 
@@ -25,16 +25,17 @@ std::size_t sheet_plant(std::size_t tile, std::size_t count)
     return tiles < 2 ? 0 : tile * (count - 1) / (tiles - 1);
 }
 
-Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants, Progress& progress)
+render::Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants,
+                               terminal::Progress& progress)
 {
     auto const tile_count = sheet_plant_count(plants.count);
     progress.begin("drawing the plants", 2 * tile_count);
-    Framing framing({}, kSheetTile.aspect()); // Shows all at one scale.
+    render::Framing framing({}, kSheetTile.aspect()); // Shows all at one scale.
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
         framing.add(mesh::make_mesh(plants.plant(sheet_plant(tile, plants.count)), kSheetMesh));
         progress.step();
     }
-    std::vector<SheetTile> tiles;
+    std::vector<render::SheetTile> tiles;
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
         auto const index = sheet_plant(tile, plants.count);
         tiles.push_back({ pictures.plant(mesh::make_mesh(plants.plant(index), kSheetMesh),
@@ -42,12 +43,12 @@ Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants, Progre
                           plants.caption(index) });
         progress.step();
     }
-    SheetStyle style;
+    render::SheetStyle style;
     style.caption_size_px = 15;
     style.gap_px = 12;
     // A little wider than high.
     style.columns = static_cast<int>(std::ceil(std::sqrt(1.2 * static_cast<double>(tile_count))));
-    return contact_sheet(tiles, style);
+    return render::contact_sheet(tiles, style);
 }
 
-} // namespace tractus
+} // namespace tractus::batch

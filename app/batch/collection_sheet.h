@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-namespace tractus {
+namespace tractus::batch {
 
 // The plants of a collection that a sheet shows. All functions take a number below `count`.
 struct SheetPlants {
@@ -26,6 +26,7 @@ std::size_t sheet_plant(std::size_t tile, std::size_t count);
 
 // A small picture of each of these plants, all at one scale. Memory holds the pictures and one
 // plant. No plants give an empty picture.
-Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants, Progress& progress);
+render::Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants,
+                               terminal::Progress& progress);
 
-} // namespace tractus
+} // namespace tractus::batch

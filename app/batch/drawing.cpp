@@ -16,7 +16,7 @@
 #include <fmt/core.h>
 #include <set>
 
-namespace tractus {
+namespace tractus::batch {
 
 namespace {
 
@@ -42,7 +42,7 @@ void note_heights(calib::FuserCounts const& counts, std::vector<std::string>& no
 
 class DrawingReader {
 public:
-    DrawingReader(DrawingOptions const& options, Document& document, Progress& progress,
+    DrawingReader(DrawingOptions const& options, Document& document, terminal::Progress& progress,
                   DrawingReport& report)
         : options_(options)
         , document_(document)
@@ -57,13 +57,13 @@ public:
 private:
     Result<void> read_strokes();
     Result<void> replay();
-    Result<void> play(LogReplay& replay);
+    Result<void> play(station::LogReplay& replay);
     Result<void> take_drawn();
-    void note_replay(Station const& station);
+    void note_replay(station::Station const& station);
 
     DrawingOptions const& options_;
     Document& document_;
-    Progress& progress_;
+    terminal::Progress& progress_;
     DrawingReport& report_;
     std::vector<DrawnStroke> strokes_;
     Nib nib_ = Nib::Point;
@@ -71,7 +71,7 @@ private:
 
 Result<Drawing> DrawingReader::read()
 {
-    TRY(is_stroke_file(options_.log) ? read_strokes() : replay());
+    TRY(io::is_stroke_file(options_.log) ? read_strokes() : replay());
     return Drawing { document_.newest()->scene, std::move(strokes_), nib_ };
 }
 
@@ -79,7 +79,7 @@ Result<Drawing> DrawingReader::read()
 Result<void> DrawingReader::read_strokes()
 {
     progress_.begin("reading the strokes");
-    for (auto& stroke : TRY(load_strokes(options_.log))) {
+    for (auto& stroke : TRY(io::load_strokes(options_.log))) {
         if (strokes_.size() == document_.newest()->scene.base->axes.size()) {
             report_.notes.push_back("there are more strokes than branches: the rest is left out");
             break;
@@ -105,10 +105,10 @@ Result<void> DrawingReader::take_drawn()
 }
 
 // Plays all of it, at a multiple of the hand's pace or at once.
-Result<void> DrawingReader::play(LogReplay& replay)
+Result<void> DrawingReader::play(station::LogReplay& replay)
 {
     constexpr Duration kStep = std::chrono::milliseconds(10);
-    auto const pace = pace_from_now(replay.begin(), options_.speed.value_or(1));
+    auto const pace = play::pace_from_now(replay.begin(), options_.speed.value_or(1));
     for (bool goes_on = true; goes_on;) {
         auto const time = options_.speed ? pace.data_time(pace.now()) : Timestamp::max();
         bool const is_stroke_end = replay.advance_to_stroke(time);
@@ -130,12 +130,12 @@ Result<void> DrawingReader::replay()
         report_.notes.push_back(warnings);
 
     progress_.begin("replaying the log");
-    ReplayOptions replay_options { .methods = options_.methods };
+    station::ReplayOptions replay_options { .methods = options_.methods };
     if (options_.rig)
         replay_options.rig = TRY(calib::load_rig(*options_.rig));
     if (options_.height)
         replay_options.height = TRY(calib::parse_height_scenario(*options_.height));
-    auto replay = TRY(LogReplay::create(log, replay_options));
+    auto replay = TRY(station::LogReplay::create(log, replay_options));
     TRY(play(replay));
     auto const& counts = replay.station().counts();
     if (counts.pen_samples == 0 && counts.broken_reports > 0)
@@ -149,7 +149,7 @@ Result<void> DrawingReader::replay()
     return {};
 }
 
-void DrawingReader::note_replay(Station const& station)
+void DrawingReader::note_replay(station::Station const& station)
 {
     auto const& counts = station.counts();
     report_.reports = counts.reports;
@@ -195,19 +195,19 @@ Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOp
                                               std::uint64_t seed)
 {
     if (plant.model.empty()) // What is drawn brings its own growth.
-        return std::vector<Edit> { BeginEmpty {} };
+        return std::vector<Edit> { session::BeginEmpty {} };
     std::vector<Edit> edits;
-    std::optional<GrowthParameters> own;
+    std::optional<variation::GrowthParameters> own;
     if (is_session_file(plant.model)) {
         edits = TRY(session_edits(plant.model, plant.kinds));
         for (auto const& edit : edits)
             if (auto const* const set = edit.get<SetGrowth>())
-                own = TRY(at_variability(set->parameters, set->variability));
+                own = TRY(variation::at_variability(set->parameters, set->variability));
     } else {
-        edits.push_back(TRY(load_plant_edit(plant.model)));
+        edits.push_back(TRY(io::load_plant_edit(plant.model)));
     }
     if (!own || growth.preset)
-        own = TRY(growth_preset(growth.preset.value_or(kUsual)));
+        own = TRY(variation::growth_preset(growth.preset.value_or(kUsual)));
     edits.push_back(SetGrowth { *own, seed, growth.variability });
     if (!growth.leaves.empty()) {
         auto const scene = TRY(scene_after({}, edits));
@@ -240,15 +240,15 @@ Result<Scene> load_growing_plant(PlantChoice const& plant, GrowthOptions const& 
     return growing_plant(plant.model, TRY(growing_plant_edits(plant, growth, seed)));
 }
 
-Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene, Progress& progress,
-                             DrawingReport& report)
+Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene,
+                             terminal::Progress& progress, DrawingReport& report)
 {
     Document document(std::move(scene), Document::Working::AtOnce, following_edits);
     return read_drawing(options, document, progress, report);
 }
 
-Result<Drawing> read_drawing(DrawingOptions const& options, Document& document, Progress& progress,
-                             DrawingReport& report)
+Result<Drawing> read_drawing(DrawingOptions const& options, Document& document,
+                             terminal::Progress& progress, DrawingReport& report)
 {
     DrawingReader reader(options, document, progress, report);
     auto drawing = TRY(reader.read());
@@ -258,9 +258,9 @@ Result<Drawing> read_drawing(DrawingOptions const& options, Document& document, 
 
 Result<std::vector<Stroke>> drawn_strokes(DrawingOptions const& options)
 {
-    if (is_stroke_file(options.log))
-        return load_strokes(options.log);
-    Progress progress;
+    if (io::is_stroke_file(options.log))
+        return io::load_strokes(options.log);
+    terminal::Progress progress;
     DrawingReport report;
     auto const drawing = TRY(read_drawing(options, Scene {}, progress, report));
     progress.finish();
@@ -270,4 +270,4 @@ Result<std::vector<Stroke>> drawn_strokes(DrawingOptions const& options)
     return strokes;
 }
 
-} // namespace tractus
+} // namespace tractus::batch

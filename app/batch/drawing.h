@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::batch {
 
 // How plants grow.
 struct GrowthOptions {
@@ -83,16 +83,16 @@ struct Drawing {
 
 // Draws it on `scene`, whose base plant is loaded. Tells `report` what was read, and adds to its
 // notes. Fails, as the user's or a device's fault, if it cannot be read.
-Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene, Progress& progress,
-                             DrawingReport& report);
+Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene,
+                             terminal::Progress& progress, DrawingReport& report);
 
 // Reads it in a document that works at once. Fails, as the user's fault, too, where its session
 // cannot keep something.
-Result<Drawing> read_drawing(DrawingOptions const& options, Document& document, Progress& progress,
-                             DrawingReport& report);
+Result<Drawing> read_drawing(DrawingOptions const& options, Document& document,
+                             terminal::Progress& progress, DrawingReport& report);
 
 // The finished strokes of a recording, or of a file of strokes (is_stroke_file()). Fails like
 // read_drawing() and load_strokes().
 Result<std::vector<Stroke>> drawn_strokes(DrawingOptions const& options);
 
-} // namespace tractus
+} // namespace tractus::batch

@@ -17,7 +17,7 @@
 #include <functional>
 #include <optional>
 
-namespace tractus {
+namespace tractus::batch {
 
 namespace {
 
@@ -94,7 +94,7 @@ private:
 // One job on its way: each member function is a stage.
 class Job {
 public:
-    Job(JobOptions const& options, Progress& progress)
+    Job(JobOptions const& options, terminal::Progress& progress)
         : options_(options)
         , progress_(progress)
     {
@@ -107,13 +107,13 @@ private:
     Result<Drawing> read_drawing(Scene scene);
     Result<void> draw_base(Drawing const& drawing);
     Result<void> make_collection(Scene const& scene);
-    Result<void> write_picture(std::string const& name, Image const& picture);
+    Result<void> write_picture(std::string const& name, render::Image const& picture);
     Result<void> write_collection(Bounds const& frame, Sequence& sequence);
 
     JobOptions const& options_;
-    Progress& progress_;
+    terminal::Progress& progress_;
     PictureMaker* pictures_ = nullptr;
-    std::optional<Session> session_;
+    std::optional<session::Session> session_;
     JobReport report_;
 };
 
@@ -157,16 +157,16 @@ Result<Scene> Job::load_plant()
 Result<Drawing> Job::read_drawing(Scene scene)
 {
     if (!session_)
-        return tractus::read_drawing(options_.drawing, std::move(scene), progress_, report_);
+        return batch::read_drawing(options_.drawing, std::move(scene), progress_, report_);
     Document document(*std::exchange(session_, std::nullopt), Document::Working::AtOnce,
                       following_edits);
-    return tractus::read_drawing(options_.drawing, document, progress_, report_);
+    return batch::read_drawing(options_.drawing, document, progress_, report_);
 }
 
-Result<void> Job::write_picture(std::string const& name, Image const& picture)
+Result<void> Job::write_picture(std::string const& name, render::Image const& picture)
 {
     auto const path = options_.folder / name;
-    auto const write = [&](std::ostream& out) { return write_png(out, picture); };
+    auto const write = [&](std::ostream& out) { return render::write_png(out, picture); };
     TRY(write_file(path, write));
     report_.files.push_back(path);
     return {};
@@ -192,7 +192,7 @@ Result<void> Job::make_collection(Scene const& scene)
     report_.plants = count;
 
     progress_.begin("growing the collection", options_.variations);
-    Framing framing({}, kTile.aspect()); // Shows all at one scale.
+    render::Framing framing({}, kTile.aspect()); // Shows all at one scale.
     Bounds frame;
     // What has fallen in other seasons lies far around.
     for (std::size_t i = 0; i < options_.variations; ++i) {
@@ -205,7 +205,7 @@ Result<void> Job::make_collection(Scene const& scene)
     }
 
     progress_.begin("drawing the collection", count);
-    std::vector<SheetTile> tiles;
+    std::vector<render::SheetTile> tiles;
     for (std::size_t i = 0; i < count; ++i) {
         auto const& grown = plant(i);
         if (i == 0)
@@ -215,9 +215,9 @@ Result<void> Job::make_collection(Scene const& scene)
               plants.name(i) });
         progress_.step();
     }
-    SheetStyle style;
+    render::SheetStyle style;
     style.columns = columns(count);
-    TRY(write_picture("collection.png", contact_sheet(tiles, style)));
+    TRY(write_picture("collection.png", render::contact_sheet(tiles, style)));
     return write_collection(frame, plants);
 }
 
@@ -229,7 +229,7 @@ Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
     double const spacing_mm
         = kPlantSpacing * std::max((frame.max_mm - frame.min_mm).head<2>().maxCoeff(), 1.0);
     auto const row = static_cast<std::size_t>(columns(sequence.size()));
-    std::vector<PlacedMesh> plants;
+    std::vector<exports::PlacedMesh> plants;
     for (std::size_t i = 0; i < sequence.size(); ++i)
         plants.push_back(
             { .name = fmt::format("{} {}",
@@ -242,7 +242,7 @@ Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
               }) });
     auto const path = options_.folder / "collection.glb";
     auto const write = [&](std::ostream& out) -> Result<void> {
-        auto const summary = TRY(write_glb(out, plants, options_.glb));
+        auto const summary = TRY(exports::write_glb(out, plants, options_.glb));
         report_.collection_triangles = summary.triangles;
         return {};
     };
@@ -253,7 +253,7 @@ Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
 
 } // namespace
 
-Result<JobReport> run_job(JobOptions const& options, Progress& progress)
+Result<JobReport> run_job(JobOptions const& options, terminal::Progress& progress)
 {
     return Job(options, progress).run();
 }
@@ -298,4 +298,4 @@ std::string print_report(JobReport const& report)
     return text;
 }
 
-} // namespace tractus
+} // namespace tractus::batch

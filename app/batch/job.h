@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::batch {
 
 // The main job: a recorded drawing and a model become a set of varied plants. Where several plants
 // were drawn each of the set is all of them.
@@ -23,9 +23,9 @@ struct JobOptions {
     std::size_t variations = 12;        // Plants in the collection; at least 1.
     std::filesystem::path folder = "."; // Made if it is not there.
     GrowthOptions growth {};
-    double age = 1;           // Age of all plants; see Grower::grow().
-    bool all_seasons = false; // Also the drawing itself in four seasons.
-    GlbOptions glb {};        // Options of the collection's file, as the next one.
+    double age = 1;             // Age of all plants; see Grower::grow().
+    bool all_seasons = false;   // Also the drawing itself in four seasons.
+    exports::GlbOptions glb {}; // Options of the collection's file, as the next one.
     mesh::MeshOptions mesh {};
     std::filesystem::path session {}; // The new file that keeps what is drawn; empty: none.
 };
@@ -42,7 +42,7 @@ struct JobReport : DrawingReport {
     std::size_t triangles = 0; // Triangles of one plant.
     std::uint64_t collection_triangles = 0;
     std::vector<std::filesystem::path> files;
-    std::vector<Progress::StageTime> times;
+    std::vector<terminal::Progress::StageTime> times;
 };
 
 // Replays the log onto the model and writes base.png, strokes.png, varied.png, collection.png,
@@ -50,9 +50,9 @@ struct JobReport : DrawingReport {
 // appears as the plant is loaded and holds each stroke as soon as it is drawn. Fails like
 // growing_plant_edits() and read_drawing(), where a file cannot be written, and where the system
 // has no OpenGL.
-Result<JobReport> run_job(JobOptions const& options, Progress& progress);
+Result<JobReport> run_job(JobOptions const& options, terminal::Progress& progress);
 
 // The report as lines for a person to read, as they stand in report.txt.
 std::string print_report(JobReport const& report);
 
-} // namespace tractus
+} // namespace tractus::batch

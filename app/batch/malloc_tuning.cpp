@@ -2,7 +2,7 @@
 
 #include <malloc.h>
 
-namespace tractus {
+namespace tractus::batch {
 
 void return_large_blocks()
 {
@@ -13,4 +13,4 @@ void return_large_blocks()
 #endif
 }
 
-} // namespace tractus
+} // namespace tractus::batch

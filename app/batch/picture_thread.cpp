@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-namespace tractus {
+namespace tractus::batch {
 
 // Everything but the thread is guarded by the mutex.
 struct PictureThread::Shared {
@@ -90,4 +90,4 @@ void PictureThread::draw(std::function<void(PictureMaker&)> const& draw)
     shared_->changed.wait(lock, [&] { return shared_->wanted != &draw; });
 }
 
-} // namespace tractus
+} // namespace tractus::batch

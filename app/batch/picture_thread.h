@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-namespace tractus {
+namespace tractus::batch {
 
 // Makes pictures on a thread of its own, for whoever asks on any thread.
 //
@@ -31,4 +31,4 @@ private:
     std::unique_ptr<Shared> shared_;
 };
 
-} // namespace tractus
+} // namespace tractus::batch

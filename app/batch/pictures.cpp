@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace tractus {
+namespace tractus::batch {
 
 namespace {
 
@@ -19,9 +19,10 @@ constexpr float kStrokeWidth_mm = 4;
 
 // Returns the plant of which pictures before black and before white are there: where they differ,
 // the ground shows. `ground` is the white one alone, which is darker towards the corners.
-Image without_ground(Image const& on_black, Image const& on_white, Image const& ground)
+render::Image without_ground(render::Image const& on_black, render::Image const& on_white,
+                             render::Image const& ground)
 {
-    Image cutout(on_black.width(), on_black.height());
+    render::Image cutout(on_black.width(), on_black.height());
     for (std::size_t i = 0; i < cutout.pixels().size(); ++i) {
         auto const& black = on_black.pixels()[i];
         auto const& white = on_white.pixels()[i];
@@ -42,12 +43,12 @@ Image without_ground(Image const& on_black, Image const& on_white, Image const& 
     return cutout;
 }
 
-Camera camera_for(PictureMaker::Cutout const& view)
+render::Camera camera_for(PictureMaker::Cutout const& view)
 {
     Vec3 const towards(std::sin(view.azimuth_rad), -std::cos(view.azimuth_rad), 0);
     return { .eye_mm = view.center_mm + 2 * view.side_mm * towards,
              .target_mm = view.center_mm,
-             .projection = Camera::Projection::Orthographic,
+             .projection = render::Camera::Projection::Orthographic,
              .view_height_mm = view.side_mm,
              .near_mm = 0.5 * view.side_mm,
              .far_mm = 3.5 * view.side_mm };
@@ -55,7 +56,7 @@ Camera camera_for(PictureMaker::Cutout const& view)
 
 } // namespace
 
-PictureMaker::PictureMaker(OffscreenContext context, Renderer renderer)
+PictureMaker::PictureMaker(render::OffscreenContext context, render::Renderer renderer)
     : context_(std::move(context))
     , renderer_(std::move(renderer))
 {
@@ -63,37 +64,38 @@ PictureMaker::PictureMaker(OffscreenContext context, Renderer renderer)
 
 Result<PictureMaker> PictureMaker::create()
 {
-    auto context = TRY(OffscreenContext::create());
-    auto renderer = TRY(Renderer::create());
+    auto context = TRY(render::OffscreenContext::create());
+    auto renderer = TRY(render::Renderer::create());
     return PictureMaker(std::move(context), std::move(renderer));
 }
 
-Image PictureMaker::plant(mesh::Mesh const& mesh, PictureSize const& size,
-                          std::optional<Camera> const& camera)
+render::Image PictureMaker::plant(mesh::Mesh const& mesh, PictureSize const& size,
+                                  std::optional<render::Camera> const& camera)
 {
-    GpuMesh const gpu_mesh(mesh);
-    Stage stage;
+    render::GpuMesh const gpu_mesh(mesh);
+    render::Stage stage;
     stage.meshes = { { .mesh = &gpu_mesh } };
-    Framing framing({}, size.aspect());
+    render::Framing framing({}, size.aspect());
     if (!camera)
         framing.add(mesh);
     return renderer_.picture(stage, camera.value_or(framing.camera()), size.width_px,
                              size.height_px);
 }
 
-std::vector<Image> PictureMaker::cutouts(mesh::Mesh const& mesh, std::span<Cutout const> views)
+std::vector<render::Image> PictureMaker::cutouts(mesh::Mesh const& mesh,
+                                                 std::span<Cutout const> views)
 {
-    GpuMesh const gpu_mesh(mesh, GpuMesh::Sky::Open);
-    Stage stage;
+    render::GpuMesh const gpu_mesh(mesh, render::GpuMesh::Sky::Open);
+    render::Stage stage;
     stage.meshes = { { .mesh = &gpu_mesh } };
     stage.backdrop.has_ground = false;
-    stage.lighting = Stage::Lighting::Colours;
+    stage.lighting = render::Stage::Lighting::Colours;
     auto empty = stage;
     empty.meshes.clear();
-    std::vector<Image> pictures;
-    Image ground; // Ground for all views of one size.
+    std::vector<render::Image> pictures;
+    render::Image ground; // Ground for all views of one size.
     for (auto const& view : views) {
-        auto const before = [&](float grey, Stage& seen) {
+        auto const before = [&](float grey, render::Stage& seen) {
             seen.backdrop.top = seen.backdrop.bottom = Vec3f::Constant(grey);
             return renderer_.picture(seen, camera_for(view), view.side_px, view.side_px);
         };
@@ -105,8 +107,8 @@ std::vector<Image> PictureMaker::cutouts(mesh::Mesh const& mesh, std::span<Cutou
     return pictures;
 }
 
-Image PictureMaker::strokes(Scene const& scene, std::span<DrawnStroke const> strokes, Nib nib,
-                            PictureSize const& size)
+render::Image PictureMaker::strokes(Scene const& scene, std::span<DrawnStroke const> strokes,
+                                    Nib nib, PictureSize const& size)
 {
     auto curves = desk_curves();
     for (auto&& curve : skeleton_curves(scene))
@@ -122,12 +124,12 @@ Image PictureMaker::strokes(Scene const& scene, std::span<DrawnStroke const> str
             curves.push_back(
                 stroke_curve(drawn.stroke.tips, stroke_color(association++), kStrokeWidth_mm, nib));
     }
-    GpuCurves const gpu_curves(curves);
-    Stage stage;
+    render::GpuCurves const gpu_curves(curves);
+    render::Stage stage;
     stage.curves = { &gpu_curves };
-    ViewAngles const angles { .azimuth_rad = radians(25), .elevation_rad = radians(18) };
-    auto const camera = framing_camera(bounds(stage), angles, size.aspect());
+    render::ViewAngles const angles { .azimuth_rad = radians(25), .elevation_rad = radians(18) };
+    auto const camera = render::framing_camera(render::bounds(stage), angles, size.aspect());
     return renderer_.picture(stage, camera, size.width_px, size.height_px);
 }
 
-} // namespace tractus
+} // namespace tractus::batch

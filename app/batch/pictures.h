@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::batch {
 
 struct PictureSize {
     int width_px = 1280;
@@ -32,13 +32,13 @@ public:
 
     // A plant, lit, on the ground, all of it in the picture or as `camera` sees it: so plants of
     // one collection are shown alike.
-    Image plant(mesh::Mesh const& mesh, PictureSize const& size,
-                std::optional<Camera> const& camera = {});
+    render::Image plant(mesh::Mesh const& mesh, PictureSize const& size,
+                        std::optional<render::Camera> const& camera = {});
 
     // The strokes in the drawing volume with the base plant's skeleton: what a stroke shapes has
     // the stroke's colour, and its ink is as the nib leaves it.
-    Image strokes(Scene const& scene, std::span<DrawnStroke const> strokes, Nib nib,
-                  PictureSize const& size);
+    render::Image strokes(Scene const& scene, std::span<DrawnStroke const> strokes, Nib nib,
+                          PictureSize const& size);
 
     // A plant's own colours (Stage::Lighting::Colours) as it is seen from the horizontal direction,
     // without perspective: `side_mm` around `center_mm`, as a square of `side_px`. What is no plant
@@ -49,13 +49,13 @@ public:
         double azimuth_rad = 0; // As in ViewAngles.
         int side_px = 256;
     };
-    std::vector<Image> cutouts(mesh::Mesh const& mesh, std::span<Cutout const> views);
+    std::vector<render::Image> cutouts(mesh::Mesh const& mesh, std::span<Cutout const> views);
 
 private:
-    PictureMaker(OffscreenContext context, Renderer renderer);
+    PictureMaker(render::OffscreenContext context, render::Renderer renderer);
 
-    OffscreenContext context_; // Before the renderer, which must go first.
-    Renderer renderer_;
+    render::OffscreenContext context_; // Before the renderer, which must go first.
+    render::Renderer renderer_;
 };
 
-} // namespace tractus
+} // namespace tractus::batch

@@ -8,13 +8,13 @@
 #include <sstream>
 #include <utility>
 
-namespace tractus {
+namespace tractus::batch {
 
 static constexpr int kViewSide_px = 256;
 
 // Gives what is transparent the mean colour of the rest, so that smaller pictures made of this one
 // have no dark rims.
-static void fill_transparent(Image& picture)
+static void fill_transparent(render::Image& picture)
 {
     std::array<std::uint64_t, 3> sum {};
     std::uint64_t count = 0;
@@ -55,10 +55,10 @@ static double radius_around(Vec3 const& center_mm, mesh::Mesh const& mesh)
     return radius_mm;
 }
 
-Result<Billboard> draw_billboard(PictureMaker& pictures, mesh::Mesh const& mesh)
+Result<exports::Billboard> draw_billboard(PictureMaker& pictures, mesh::Mesh const& mesh)
 {
     auto const box = mesh::bounds(mesh);
-    Billboard billboard;
+    exports::Billboard billboard;
     if (!box.empty()) {
         Vec3 const size_mm = box.max_mm - box.min_mm;
         billboard.center_mm = 0.5 * (box.min_mm + box.max_mm);
@@ -66,20 +66,21 @@ Result<Billboard> draw_billboard(PictureMaker& pictures, mesh::Mesh const& mesh)
     }
     billboard.side_mm = std::max(billboard.side_mm, 1.0);
     std::vector<PictureMaker::Cutout> views;
-    for (int view = 0; view < kBillboardViews; ++view)
-        views.push_back({ billboard.center_mm, billboard.side_mm, 2 * kPi * view / kBillboardViews,
-                          kViewSide_px });
-    Image atlas(kBillboardColumns * kViewSide_px,
-                kBillboardViews / kBillboardColumns * kViewSide_px);
+    for (int view = 0; view < exports::kBillboardViews; ++view)
+        views.push_back({ billboard.center_mm, billboard.side_mm,
+                          2 * kPi * view / exports::kBillboardViews, kViewSide_px });
+    render::Image atlas(exports::kBillboardColumns * kViewSide_px,
+                        exports::kBillboardViews / exports::kBillboardColumns * kViewSide_px);
     auto const drawn = pictures.cutouts(mesh, views);
-    for (int view = 0; view < kBillboardViews; ++view)
-        paste(atlas, drawn[static_cast<std::size_t>(view)], view % kBillboardColumns * kViewSide_px,
-              view / kBillboardColumns * kViewSide_px);
+    for (int view = 0; view < exports::kBillboardViews; ++view)
+        render::paste(atlas, drawn[static_cast<std::size_t>(view)],
+                      view % exports::kBillboardColumns * kViewSide_px,
+                      view / exports::kBillboardColumns * kViewSide_px);
     fill_transparent(atlas);
     std::ostringstream png;
-    TRY(write_png(png, atlas));
+    TRY(render::write_png(png, atlas));
     billboard.atlas_png = std::move(png).str();
     return billboard;
 }
 
-} // namespace tractus
+} // namespace tractus::batch

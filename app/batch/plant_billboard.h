@@ -4,9 +4,9 @@
 #include "engine/base/result.h"
 #include "engine/export/billboard.h"
 
-namespace tractus {
+namespace tractus::batch {
 
 // Draws a plant from eight sides, each 256 pixels wide and high.
-Result<Billboard> draw_billboard(PictureMaker& pictures, mesh::Mesh const& mesh);
+Result<exports::Billboard> draw_billboard(PictureMaker& pictures, mesh::Mesh const& mesh);
 
-} // namespace tractus
+} // namespace tractus::batch

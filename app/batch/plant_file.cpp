@@ -9,15 +9,15 @@
 
 #include <sstream>
 
-namespace tractus {
+namespace tractus::batch {
 
-static Result<std::uint64_t> write_glb_file(PlacedMesh const& placed,
+static Result<std::uint64_t> write_glb_file(exports::PlacedMesh const& placed,
                                             std::filesystem::path const& path,
-                                            GlbOptions const& options)
+                                            exports::GlbOptions const& options)
 {
     std::uint64_t triangles = 0;
     auto const write = [&](std::ostream& out) -> Result<void> {
-        triangles = TRY(write_glb(out, { &placed, 1 }, options)).triangles;
+        triangles = TRY(exports::write_glb(out, { &placed, 1 }, options)).triangles;
         return {};
     };
     TRY(write_file(path, write));
@@ -25,17 +25,18 @@ static Result<std::uint64_t> write_glb_file(PlacedMesh const& placed,
 }
 
 // The .obj comes last: what it names is there.
-static Result<void> write_plant_obj(PlacedMesh const& placed, std::filesystem::path const& path)
+static Result<void> write_plant_obj(exports::PlacedMesh const& placed,
+                                    std::filesystem::path const& path)
 {
     auto library = path;
     library.replace_extension(".mtl");
     std::ostringstream materials;
-    auto const pictures = TRY(write_mtl(materials, { &placed, 1 }, path.stem().string()));
+    auto const pictures = TRY(exports::write_mtl(materials, { &placed, 1 }, path.stem().string()));
     for (auto const& [name, png] : pictures)
         TRY(write_file(path.parent_path() / name, png));
     TRY(write_file(library, materials.str()));
     return write_file(path, [&](std::ostream& out) {
-        return write_obj(out, { &placed, 1 }, library.filename().string());
+        return exports::write_obj(out, { &placed, 1 }, library.filename().string());
     });
 }
 
@@ -45,8 +46,8 @@ Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& na
 {
     // Meshed while it is written: plants may be large.
     if (path.extension() == ".glb")
-        return write_glb_file({ .name = name, .mesh = PlantToMesh { .plant = &plant } }, path,
-                              options.glb);
+        return write_glb_file({ .name = name, .mesh = exports::PlantToMesh { .plant = &plant } },
+                              path, options.glb);
     if (path.extension() == ".mtg") {
         TRY(write_file(path, [&](std::ostream& out) -> Result<void> {
             write_mtg(out, plant);
@@ -68,9 +69,9 @@ Result<std::uint64_t> write_mesh_file(mesh::Mesh const& mesh, std::string const&
     } else {
         auto pictures = TRY(PictureMaker::create());
         auto const picture = pictures.plant(mesh, {}, options.camera);
-        TRY(write_file(path, [&](std::ostream& out) { return write_png(out, picture); }));
+        TRY(write_file(path, [&](std::ostream& out) { return render::write_png(out, picture); }));
     }
     return mesh.triangle_count();
 }
 
-} // namespace tractus
+} // namespace tractus::batch

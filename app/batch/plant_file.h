@@ -11,11 +11,12 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::batch {
 
 struct PlantFileOptions {
-    std::optional<Camera> camera {}; // Camera of a picture; without it, all of the plant is seen.
-    GlbOptions glb {};
+    std::optional<render::Camera>
+        camera {}; // Camera of a picture; without it, all of the plant is seen.
+    exports::GlbOptions glb {};
 };
 
 // Writes a plant as the ending of `path` says: glTF (.glb), Wavefront OBJ (.obj, with a .mtl and
@@ -33,4 +34,4 @@ Result<std::uint64_t> write_mesh_file(mesh::Mesh const& mesh, std::string const&
                                       std::filesystem::path const& path,
                                       PlantFileOptions const& options = {});
 
-} // namespace tractus
+} // namespace tractus::batch

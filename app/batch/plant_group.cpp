@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::batch {
 
 // The plants that are shown. The scene may have the active plant otherwise than the document has
 // it, and may be of one plant that no document has.
@@ -29,8 +29,8 @@ Result<PlantGroup> PlantGroup::create(Scene const& scene)
         return fail(Fault::User, "all plants are hidden: show one");
     PlantGroup group;
     for (auto const* plant : shown) {
-        auto plan = std::make_unique<GrowthPlan const>(TRY(plan_growth(*plant)));
-        Grower grower(*plan);
+        auto plan = std::make_unique<variation::GrowthPlan const>(TRY(plan_growth(*plant)));
+        variation::Grower grower(*plan);
         auto const base_mm = plant->placement.world_of_plant(Vec3::Zero());
         group.members_.push_back(
             std::make_unique<Member>(Member { std::move(plan), std::move(grower), plant->growth,
@@ -43,7 +43,7 @@ static Plant const& at_age(Plant const& grown, double age, Plant& young)
 {
     if (age >= 1)
         return grown;
-    young = without_unborn(grown);
+    young = variation::without_unborn(grown);
     return young;
 }
 
@@ -62,7 +62,7 @@ Plant PlantGroup::as_set() const
     return all;
 }
 
-Plant const& PlantGroup::grow(PlantKey const& key, double age)
+Plant const& PlantGroup::grow(variation::PlantKey const& key, double age)
 {
     Plant young;
     auto const& first = members_.front()->grower.grow(key, age);
@@ -82,4 +82,4 @@ Result<Plant> shown_plants(Scene const& scene)
     return group.as_set();
 }
 
-} // namespace tractus
+} // namespace tractus::batch

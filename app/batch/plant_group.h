@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace tractus {
+namespace tractus::batch {
 
 // All plants of a document that are not hidden, as one plant in the frame of the first of them:
 // where each stands, all of one variation and age.
@@ -22,12 +22,13 @@ public:
 
     // As of a collection. It is the group's own and holds until the next call. Without what has not
     // grown at that age.
-    Plant const& grow(PlantKey const& key, double age);
+    Plant const& grow(variation::PlantKey const& key, double age);
 
 private:
     struct Member {
-        std::unique_ptr<GrowthPlan const> plan; // Stays where it is: the grower has a reference.
-        Grower grower;
+        std::unique_ptr<variation::GrowthPlan const>
+            plan; // Stays where it is: the grower has a reference.
+        variation::Grower grower;
         SetGrowth growth;
         Vec3 moved_mm = Vec3::Zero(); // From its own frame to the first one's.
     };
@@ -39,4 +40,4 @@ private:
 // PlantGroup::as_set() of a document. Fails like PlantGroup::create().
 Result<Plant> shown_plants(Scene const& scene);
 
-} // namespace tractus
+} // namespace tractus::batch

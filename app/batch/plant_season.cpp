@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::batch {
 
 Result<std::vector<Edit>> season_edits(Scene const& scene, std::optional<Season> const& season)
 {
@@ -54,4 +54,4 @@ Result<Scene> with_season(Scene scene, std::optional<Season> const& season)
     return apply_edits(std::move(scene), edits);
 }
 
-} // namespace tractus
+} // namespace tractus::batch

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::batch {
 
 // The edits that show a document in a season, or without one: with the leaves that its plants need
 // for that and the document does not have yet, which are grown here (0.4 s for each kind). Fails,
@@ -21,4 +21,4 @@ std::vector<Edit> following_edits(Scene const& scene, std::vector<Edit> const& s
 // The scene in that season; as it is without one.
 Result<Scene> with_season(Scene scene, std::optional<Season> const& season);
 
-} // namespace tractus
+} // namespace tractus::batch

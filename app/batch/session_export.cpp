@@ -16,7 +16,7 @@
 #include <map>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::batch {
 
 namespace fs = std::filesystem;
 
@@ -38,7 +38,7 @@ public:
 
     Result<void> write(fs::path const& name, std::string const& text)
     {
-        if (name.empty() || leads_out_of_folder(name))
+        if (name.empty() || io::leads_out_of_folder(name))
             return fail(Fault::User,
                         fmt::format("the session's model includes {}, which is outside the model's "
                                     "folder",
@@ -64,7 +64,7 @@ fs::path file_name(std::string const& path, char const* ending)
     return (is_usable ? stem.string() : "model") + ending;
 }
 
-Result<void> write_plant(FolderWriter& out, ModelSource const& source,
+Result<void> write_plant(FolderWriter& out, lsystem::ModelSource const& source,
                          std::map<std::string, std::string> const& includes)
 {
     TRY(out.write(file_name(source.name, ".l"), source.text));
@@ -181,8 +181,8 @@ Result<std::vector<fs::path>> export_session(fs::path const& session, fs::path c
     FolderWriter out(folder);
     TRY(write_plants(out, scene.state));
     if (!scene.associations.empty())
-        TRY(out.write(kStrokesName, print_strokes(strokes_of(scene))));
+        TRY(out.write(kStrokesName, print_strokes(io::strokes_of(scene))));
     return std::move(out.files);
 }
 
-} // namespace tractus
+} // namespace tractus::batch

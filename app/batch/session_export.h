@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace tractus {
+namespace tractus::batch {
 
 // Writes what a session consists of as files for other programs, and answers their names. Of a
 // plant these are the rules (.l) and view (.v) of its model with what they include, also where a
@@ -22,4 +22,4 @@ Result<std::vector<std::filesystem::path>> export_session(std::filesystem::path 
                                                           std::filesystem::path const& folder,
                                                           EditKinds kinds);
 
-} // namespace tractus
+} // namespace tractus::batch

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 #include <span>
 
-namespace tractus {
+namespace tractus::batch {
 
 namespace {
 
@@ -36,17 +36,17 @@ bool is_session_file(std::filesystem::path const& path)
 
 // The state after a step, which does all that it says or nothing. What the session began with does
 // what it can: it has no step before it.
-static Result<DocumentState> state_after(DocumentState state, std::span<SessionEdit const> step,
-                                         SceneBuilder& builder)
+static Result<DocumentState>
+state_after(DocumentState state, std::span<session::SessionEdit const> step, SceneBuilder& builder)
 {
     if (step.front().step == 0)
-        return begin_document(step, builder);
+        return session::begin_document(step, builder);
     for (auto const& edit : step)
         state = TRY(apply_edit(std::move(state), edit.edit, builder));
     return state;
 }
 
-Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost const& cost)
+Result<FoldedSession> fold_session(session::SessionContents const& contents, ModelCost const& cost)
 {
     FoldedSession folded;
     SceneBuilder builder(make_load_options(cost));
@@ -55,7 +55,7 @@ Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost co
     for (auto const& edit : all)
         folded.unknown.add(edit);
     for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
-        UnknownEdits unknown;
+        session::UnknownEdits unknown;
         for (; end < all.size() && all[end].step == all[first].step; ++end)
             unknown.add(all[end]);
         if (all[first].step > contents.step)
@@ -75,23 +75,23 @@ Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost co
                 folded.edits.push_back(
                     with_id(edit.edit, static_cast<std::uint64_t>(edit.place.number)));
     }
-    folded.scene = TRY(build_scene(builder, std::move(state)));
+    folded.scene = TRY(session::build_scene(builder, std::move(state)));
     return folded;
 }
 
 static Result<FoldedSession> load_folded(std::filesystem::path const& path, EditKinds kinds,
                                          ModelCost const& cost)
 {
-    auto const contents = TRY(read_session(path, kinds));
+    auto const contents = TRY(session::read_session(path, kinds));
     auto folded = fold_session(contents, cost);
     if (!folded)
         return fail(folded.error().fault,
                     fmt::format("{}: {}", path.string(), folded.error().message));
     if (auto const said = folded->unknown.sentence(); !said.empty())
-        print_warning(fmt::format("{}: {}", path.string(), said));
+        terminal::print_warning(fmt::format("{}: {}", path.string(), said));
     if (folded->skipped_steps > 0)
-        print_warning(fmt::format("{}: {} steps need what was lost and change nothing",
-                                  path.string(), folded->skipped_steps));
+        terminal::print_warning(fmt::format("{}: {} steps need what was lost and change nothing",
+                                            path.string(), folded->skipped_steps));
     return folded;
 }
 
@@ -109,19 +109,19 @@ Result<Scene> load_session_scene(std::filesystem::path const& path, EditKinds ki
 Result<Plant> shown_plant(BuiltPlant const& built)
 {
     auto const plan = TRY(plan_growth(built));
-    Grower grower(plan);
+    variation::Grower grower(plan);
     auto const& plant = grower.grow({ built.growth.seed, 0 }, built.growth.age);
-    return built.growth.age < 1 ? without_unborn(plant) : plant;
+    return built.growth.age < 1 ? variation::without_unborn(plant) : plant;
 }
 
-Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edit> const& edits,
-                              EditKinds kinds)
+Result<session::Session> begin_session(std::filesystem::path const& path,
+                                       std::vector<Edit> const& edits, EditKinds kinds)
 {
-    auto options = session_by_the_clock(kinds, [] { return load_options(); });
-    SessionOrigin const origin { .plant = plant_name(edits),
-                                 .program = TRACTUS_VERSION,
-                                 .created = options.now() };
-    return Session::create(path, origin, edits, options);
+    auto options = session::session_by_the_clock(kinds, [] { return load_options(); });
+    session::SessionOrigin const origin { .plant = plant_name(edits),
+                                          .program = TRACTUS_VERSION,
+                                          .created = options.now() };
+    return session::Session::create(path, origin, edits, options);
 }
 
-} // namespace tractus
+} // namespace tractus::batch

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::batch {
 
 // Sessions where a model may stand, and new ones.
 
@@ -30,14 +30,15 @@ Result<Scene> load_session_scene(std::filesystem::path const& path, EditKinds ki
 struct FoldedSession {
     Scene scene;
     std::vector<Edit> edits;
-    UnknownEdits unknown;
+    session::UnknownEdits unknown;
     // Steps that need what was lost; those with unknown edits apart.
     std::size_t skipped_steps = 0;
 };
 
 // Folds the steps of a session into a scene. Fails where the first step cannot be made, or the
 // plants of the scene cannot be built.
-Result<FoldedSession> fold_session(SessionContents const& contents, ModelCost const& cost = {});
+Result<FoldedSession> fold_session(session::SessionContents const& contents,
+                                   ModelCost const& cost = {});
 
 // A plant as the station's window shows it: as drawn, grown as is set, at its age. Fails like
 // plan_growth().
@@ -45,7 +46,7 @@ Result<Plant> shown_plant(BuiltPlant const& built);
 
 // Begins a session that this program, at this time, begins with `edits`. Fails like
 // Session::create().
-Result<Session> begin_session(std::filesystem::path const& path, std::vector<Edit> const& edits,
-                              EditKinds kinds);
+Result<session::Session> begin_session(std::filesystem::path const& path,
+                                       std::vector<Edit> const& edits, EditKinds kinds);
 
-} // namespace tractus
+} // namespace tractus::batch

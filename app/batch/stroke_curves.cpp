@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tractus {
+namespace tractus::batch {
 
 namespace {
 
@@ -16,10 +16,10 @@ Vec3f const kSkeletonColor(0.62f, 0.60f, 0.57f);
 Vec3f const kIndicatorColor(0.20f, 0.56f, 0.80f);
 Vec3f const kGridColor(0.70f, 0.69f, 0.66f);
 
-Curve line(Vec3 const& from, Vec3 const& to, Vec3f const& color, float width_px)
+render::Curve line(Vec3 const& from, Vec3 const& to, Vec3f const& color, float width_px)
 {
-    Curve curve;
-    curve.look = Curve::Look::Flat;
+    render::Curve curve;
+    curve.look = render::Curve::Look::Flat;
     for (auto const& end : { from, to })
         curve.points.push_back({ end.cast<float>(), color, width_px });
     return curve;
@@ -32,10 +32,10 @@ Vec3 world_position(Scene const& scene, NodeId node)
 
 // The path that an association shapes. Each segment is drawn from its own base, so that a path that
 // leaves an axis for a lateral one stays whole.
-Curve path_curve(Scene const& scene, std::vector<SegmentId> const& path, Vec3f const& color)
+render::Curve path_curve(Scene const& scene, std::vector<SegmentId> const& path, Vec3f const& color)
 {
     constexpr float kWidth_px = 5;
-    Curve curve;
+    render::Curve curve;
     for (auto const segment : path) {
         auto const nodes = nodes_of(*scene.base, segment);
         if (curve.points.empty())
@@ -63,10 +63,11 @@ Vec3f stroke_color(std::size_t n)
     return colors[n % colors.size()];
 }
 
-Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float width_mm, Nib nib)
+render::Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float width_mm,
+                           Nib nib)
 {
-    Curve curve;
-    curve.width_unit = Curve::WidthUnit::Millimetres;
+    render::Curve curve;
+    curve.width_unit = render::Curve::WidthUnit::Millimetres;
     curve.points.reserve(tips.size());
     for (std::size_t i = 0; i < tips.size(); ++i) {
         auto const pressed = static_cast<float>(std::clamp(tips[i].pressure, 0.0, 1.0));
@@ -78,7 +79,7 @@ Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float
     return curve;
 }
 
-std::vector<Curve> skeleton_curves(Scene const& scene)
+std::vector<render::Curve> skeleton_curves(Scene const& scene)
 {
     // Branches that a stroke shapes are drawn once, in the stroke's colour.
     std::vector<bool> is_shaped(scene.base->segment_count(), false);
@@ -86,17 +87,17 @@ std::vector<Curve> skeleton_curves(Scene const& scene)
         for (auto const segment : association.what.path)
             is_shaped[segment] = true;
 
-    std::vector<Curve> curves;
+    std::vector<render::Curve> curves;
     curves.reserve(scene.base->axes.size() + scene.associations.size());
     for (auto const& axis : scene.base->axes) {
         float const width_px = axis.order == 0 ? 2.2f : axis.order == 1 ? 1.5f : 0.9f;
-        Curve curve;
-        curve.look = Curve::Look::Flat;
+        render::Curve curve;
+        curve.look = render::Curve::Look::Flat;
         for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
             if (is_shaped[axis.first_segment + i]) {
                 if (!curve.points.empty())
                     curves.push_back(
-                        std::exchange(curve, { .points = {}, .look = Curve::Look::Flat }));
+                        std::exchange(curve, { .points = {}, .look = render::Curve::Look::Flat }));
                 continue;
             }
             auto const add = [&](NodeId node) {
@@ -115,25 +116,25 @@ std::vector<Curve> skeleton_curves(Scene const& scene)
     return curves;
 }
 
-std::vector<Curve> indicator_curves(Scene const& scene)
+std::vector<render::Curve> indicator_curves(Scene const& scene)
 {
-    std::vector<Curve> curves;
+    std::vector<render::Curve> curves;
     for (auto const& [id, indicator, at] : scene.indicators) {
         auto curve = line(indicator.start_mm, indicator.end_mm, kIndicatorColor, 4);
-        curve.look = Curve::Look::Round;
-        curve.end = Curve::End::Arrow;
+        curve.look = render::Curve::Look::Round;
+        curve.end = render::Curve::End::Arrow;
         curves.push_back(std::move(curve));
     }
     return curves;
 }
 
-std::vector<Curve> desk_curves(double height_mm)
+std::vector<render::Curve> desk_curves(double height_mm)
 {
     constexpr double kGrid_mm = 20;
     DrawingVolume const volume;
     double const half_width_mm = volume.width_mm / 2;
     double const half_depth_mm = volume.depth_mm / 2;
-    std::vector<Curve> curves;
+    std::vector<render::Curve> curves;
     for (double x = -std::floor(half_width_mm / kGrid_mm) * kGrid_mm; x <= half_width_mm;
          x += kGrid_mm)
         curves.push_back(line({ x, -half_depth_mm, height_mm }, { x, half_depth_mm, height_mm },
@@ -145,4 +146,4 @@ std::vector<Curve> desk_curves(double height_mm)
     return curves;
 }
 
-} // namespace tractus
+} // namespace tractus::batch

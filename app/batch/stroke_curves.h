@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tractus {
+namespace tractus::batch {
 
 // Curves that are drawn of a scene besides its plant, in the world frame: the same in pictures and
 // in the window.
@@ -19,17 +19,17 @@ Vec3f stroke_color(std::size_t n);
 
 // A stroke, as wide as the pen was pressed and its nib was broad. `width_mm` of a point at full
 // pressure.
-Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float width_mm,
-                   Nib nib = Nib::Point);
+render::Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float width_mm,
+                           Nib nib = Nib::Point);
 
 // The base plant's skeleton as it stands in the drawing volume, one curve per axis, and one more
 // per association for the path that it shapes, in its stroke's colour.
-std::vector<Curve> skeleton_curves(Scene const& scene);
+std::vector<render::Curve> skeleton_curves(Scene const& scene);
 
 // The motion indicators as arrows.
-std::vector<Curve> indicator_curves(Scene const& scene);
+std::vector<render::Curve> indicator_curves(Scene const& scene);
 
 // The tablet's area at the given height, with a grid of 20 mm.
-std::vector<Curve> desk_curves(double height_mm = 0);
+std::vector<render::Curve> desk_curves(double height_mm = 0);
 
-} // namespace tractus
+} // namespace tractus::batch

@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::calibration {
 
 namespace {
 
@@ -365,4 +365,4 @@ Result<CalibrationOutcome> CalibrationController::finish_check(std::string const
                                 .report = describe(check) };
 }
 
-} // namespace tractus
+} // namespace tractus::calibration

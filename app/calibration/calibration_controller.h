@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calibration {
 
 // Procedures by which a person calibrates.
 enum class CalibrationProcedure {
@@ -172,4 +172,4 @@ private:
     std::vector<drivers::HeightSample> heights_;
 };
 
-} // namespace tractus
+} // namespace tractus::calibration

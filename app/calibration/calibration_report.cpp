@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-namespace tractus {
+namespace tractus::calibration {
 
 namespace {
 
@@ -186,4 +186,4 @@ std::string describe_heights(double low_mm, double high_mm)
     return fmt::format("{:.1f} to {:.1f} mm", tenths(low_mm), tenths(high_mm));
 }
 
-} // namespace tractus
+} // namespace tractus::calibration

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace tractus {
+namespace tractus::calibration {
 
 // Texts that a person reads after a calibration: lines that end in a line break.
 
@@ -27,4 +27,4 @@ std::string describe_question(calib::Zeroing const& zeroing);
 // Heights in millimetres as "0.0 to 400.1 mm", in no line of its own.
 std::string describe_heights(double low_mm, double high_mm);
 
-} // namespace tractus
+} // namespace tractus::calibration

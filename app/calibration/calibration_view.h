@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calibration {
 
 // Everything that the calibration's panel shows at one moment.
 struct CalibrationView {
@@ -59,4 +59,4 @@ public:
     virtual void perform(CalibrationCommand const& command) = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::calibration

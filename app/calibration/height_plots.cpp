@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::calibration {
 
 namespace {
 
@@ -201,4 +201,4 @@ std::vector<Plot> height_plots(calib::HeightFit const& fit, Captures captures,
              noise_plot(fit, captures, full_scale_counts) };
 }
 
-} // namespace tractus
+} // namespace tractus::calibration

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calibration {
 
 // Four diagrams of a height calibration: the fit with its captures, the residuals with the bands in
 // which they should lie, up against down, and how readings scatter at rest.
@@ -15,4 +15,4 @@ std::vector<Plot> height_plots(calib::HeightFit const& fit,
                                std::span<calib::HeightCapture const> captures,
                                std::int32_t full_scale_counts);
 
-} // namespace tractus
+} // namespace tractus::calibration

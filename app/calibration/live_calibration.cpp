@@ -8,7 +8,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::calibration {
 
 namespace {
 
@@ -27,7 +27,7 @@ Timestamp time_in_log(Timestamp time, Timestamp start)
 
 class Conversation {
 public:
-    Conversation(CalibrationController& controller, LiveDevices& devices,
+    Conversation(CalibrationController& controller, devices::LiveDevices& devices,
                  CalibrationPerson const& person, LiveCalibrationOptions const& options)
         : controller_(controller)
         , devices_(devices)
@@ -55,7 +55,7 @@ public:
                             "the devices ended before the calibration did: give a "
                             "longer log, or connect them");
             if (!any)
-                options_.rest(kPollRest);
+                options_.rest(devices::kPollRest);
         }
         if (options_.recorder)
             TRY(options_.recorder->flush());
@@ -338,10 +338,10 @@ private:
     }
 
     CalibrationController& controller_;
-    LiveDevices& devices_;
+    devices::LiveDevices& devices_;
     CalibrationPerson const& person_;
     LiveCalibrationOptions const& options_;
-    std::vector<LiveReport> reports_;
+    std::vector<devices::LiveReport> reports_;
     std::string entry_;
     std::string typed_;            // During a capture.
     std::vector<double> again_mm_; // Heights whose captures disagreed.
@@ -357,7 +357,7 @@ private:
 
 } // namespace
 
-Result<bool> calibrate_live(CalibrationController& controller, LiveDevices& devices,
+Result<bool> calibrate_live(CalibrationController& controller, devices::LiveDevices& devices,
                             CalibrationPerson const& person, LiveCalibrationOptions const& options,
                             std::atomic<bool> const& stop)
 {
@@ -413,4 +413,4 @@ std::string describe_reading(CalibrationController const& controller)
     return text;
 }
 
-} // namespace tractus
+} // namespace tractus::calibration

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calibration {
 
 // A person at a terminal, or a script that writes to standard input in one's place. Characters:
 //
@@ -33,8 +33,8 @@ struct CalibrationPerson {
 struct LiveCalibrationOptions {
     std::vector<double> heights_mm {}; // To be captured in this order; empty: the person says them.
     bool is_forced = false;            // Captures that disagree are no reason to go on.
-    LiveRecorder* recorder = nullptr;  // Not owned; null: nothing is recorded.
-    Timestamp start {};                // Start of the recording.
+    devices::LiveRecorder* recorder = nullptr; // Not owned; null: nothing is recorded.
+    Timestamp start {};                        // Start of the recording.
     std::function<Timestamp()> now {};
     std::function<void(Duration)> rest {};
 };
@@ -46,7 +46,7 @@ struct LiveCalibrationOptions {
 // when all was done, false when the person went away or `stop` was set. Fails if the devices end
 // before, if the recording cannot be written, and, with a script, if a capture is refused or the
 // sensor falls silent during one.
-Result<bool> calibrate_live(CalibrationController& controller, LiveDevices& devices,
+Result<bool> calibrate_live(CalibrationController& controller, devices::LiveDevices& devices,
                             CalibrationPerson const& person, LiveCalibrationOptions const& options,
                             std::atomic<bool> const& stop);
 
@@ -62,4 +62,4 @@ struct MovementWords {
 };
 MovementWords movement_words(CalibrationProcedure procedure);
 
-} // namespace tractus
+} // namespace tractus::calibration

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::calibration {
 
 static Result<CalibrationOutcome>
 run(drivers::Log const& log, CalibrationController::Options options, std::string const& date)
@@ -38,4 +38,4 @@ Result<CalibrationOutcome> calibrate_from_log(drivers::Log const& log,
     return outcome;
 }
 
-} // namespace tractus
+} // namespace tractus::calibration

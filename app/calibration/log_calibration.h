@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::calibration {
 
 // The word in front of a calibration's commands in a log's tool lines.
 constexpr std::string_view kCalibrateTool = "calibrate";
@@ -18,4 +18,4 @@ Result<CalibrationOutcome> calibrate_from_log(drivers::Log const& log,
                                               CalibrationController::Options options,
                                               std::string const& date);
 
-} // namespace tractus
+} // namespace tractus::calibration

@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::calibration {
 
 void fit_range(Plot& plot, PlotRange range)
 {
@@ -56,4 +56,4 @@ std::string tick_text(double value)
     return fmt::format("{:.6g}", std::abs(value) < 1e-12 ? 0 : value);
 }
 
-} // namespace tractus
+} // namespace tractus::calibration

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calibration {
 
 // Diagrams as values: drawn as SVG beside the rig file (plot_svg.h) and in the window.
 
@@ -60,4 +60,4 @@ std::vector<double> ticks_between(double low, double high, int count);
 // A tick's number as it is written, without noise in its last digits.
 std::string tick_text(double value);
 
-} // namespace tractus
+} // namespace tractus::calibration

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::calibration {
 
 namespace {
 
@@ -248,4 +248,4 @@ text {{ font-family: "DejaVu Sans", Verdana, sans-serif; fill: #222; }}
     return text + "</svg>\n";
 }
 
-} // namespace tractus
+} // namespace tractus::calibration

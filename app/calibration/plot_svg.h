@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace tractus {
+namespace tractus::calibration {
 
 struct PlotSheet {
     std::string title {};
@@ -16,4 +16,4 @@ struct PlotSheet {
 // bytes.
 std::string print_svg(PlotSheet const& sheet, std::span<Plot const> plots);
 
-} // namespace tractus
+} // namespace tractus::calibration

@@ -10,7 +10,7 @@
 #include <fmt/chrono.h>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::calibration {
 
 static Result<void> write_picture(CalibrationOutcome const& outcome,
                                   std::filesystem::path const& rig,
@@ -46,4 +46,4 @@ std::string today()
     return fmt::format("{:%Y-%m-%d}", fmt::localtime(std::time(nullptr)));
 }
 
-} // namespace tractus
+} // namespace tractus::calibration

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace tractus {
+namespace tractus::calibration {
 
 // Writes the rig's file (what was there stays as .bak) and, after Height, the fit's plots beside
 // it: my.rig.svg beside my.rig.toml. Says what was written, a line each. Fails, as the user's
@@ -17,4 +17,4 @@ Result<std::string> save_calibration(CalibrationOutcome const& outcome,
 // The date here, for a calibration's record: "2026-11-22".
 std::string today();
 
-} // namespace tractus
+} // namespace tractus::calibration

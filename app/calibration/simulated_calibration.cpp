@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::calibration {
 
 namespace {
 
@@ -169,4 +169,4 @@ Result<void> write_simulated_calibration(std::ostream& out, SimulatedCalibration
     return log.flush();
 }
 
-} // namespace tractus
+} // namespace tractus::calibration

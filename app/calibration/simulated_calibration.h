@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::calibration {
 
 // The heights at which the simulated person captures, and which the program proposes: closer
 // together at the bottom, where a string runs aslant and a slip would pass for another string.
@@ -35,4 +35,4 @@ sim::RigGeometry simulated_geometry(CalibrationProcedure procedure = Calibration
 Result<void> write_simulated_calibration(std::ostream& out,
                                          SimulatedCalibration const& calibration);
 
-} // namespace tractus
+} // namespace tractus::calibration

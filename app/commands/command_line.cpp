@@ -31,7 +31,7 @@
 #include <memory>
 #include <new>
 
-namespace tractus {
+namespace tractus::commands {
 
 static constexpr int kExitFailure = 1;
 static constexpr int kExitUsage = 2;
@@ -42,18 +42,19 @@ static int fail_usage(CLI::App const& root, std::string const& message)
     for (auto chosen = root.get_subcommands(); !chosen.empty();
          chosen = chosen.front()->get_subcommands())
         command += " " + chosen.front()->get_name();
-    print_error(fmt::format("error: {}; see \"{} --help\"\n", printable(message, "\n\t"), command));
+    terminal::print_error(
+        fmt::format("error: {}; see \"{} --help\"\n", printable(message, "\n\t"), command));
     return kExitUsage;
 }
 
 static int fail_action(Error const& error)
 {
-    print_error(error_text(error, error_style()));
+    terminal::print_error(terminal::error_text(error, terminal::error_style()));
     return kExitFailure;
 }
 
 // The action's result; what the system or a library throws on the way is one, too.
-static Result<void> carry_out(Action const& action)
+static Result<void> carry_out(options::Action const& action)
 {
     try {
         return action();
@@ -67,7 +68,7 @@ static Result<void> carry_out(Action const& action)
 }
 
 // Registers each command, in the order that --help lists them.
-static void add_commands(CLI::App& root, Action& action, Methods const& methods)
+static void add_commands(CLI::App& root, options::Action& action, Methods const& methods)
 {
     add_demo_command(root, action, methods);
     add_window_command(root, action, methods);
@@ -96,11 +97,11 @@ static void add_commands(CLI::App& root, Action& action, Methods const& methods)
 int run_command_line(int argc, char const* const* argv, Methods const& methods)
 {
     CLI::App root { "tractus: a 3D sketching station for plants", "tractus" };
-    root.formatter(std::make_shared<HelpFormatter>());
+    root.formatter(std::make_shared<options::HelpFormatter>());
     root.set_help_flag("-h,--help", "Print this help");
     root.set_version_flag("--version", "tractus " TRACTUS_VERSION, "Print the version");
     root.require_subcommand(0, 1);
-    Action action;
+    options::Action action;
     add_commands(root, action, methods);
     for (auto* const command : root.get_subcommands({})) {
         command->set_help_flag("-h,--help", "Print this help");
@@ -116,9 +117,9 @@ int run_command_line(int argc, char const* const* argv, Methods const& methods)
     try {
         root.parse(argc, argv);
     } catch (CLI::CallForHelp const&) {
-        action = [&] { return print_out(root.help()); };
+        action = [&] { return terminal::print_out(root.help()); };
     } catch (CLI::CallForVersion const&) {
-        action = [&] { return print_out(root.version() + "\n"); };
+        action = [&] { return terminal::print_out(root.version() + "\n"); };
     } catch (CLI::ParseError const& error) {
         return fail_usage(root, error.what());
     }
@@ -128,4 +129,4 @@ int run_command_line(int argc, char const* const* argv, Methods const& methods)
     return result ? 0 : fail_action(result.error());
 }
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -131,7 +131,7 @@ Result<void> write_tractus_log(std::ostream& out, drivers::Log const& log)
 
 bool wants_strokes(ConvertArguments const& arguments)
 {
-    return arguments.format.empty() && is_written_of_strokes(arguments.output);
+    return arguments.format.empty() && io::is_written_of_strokes(arguments.output);
 }
 
 // Whether a tool draws something: not those that choose, point or erase.
@@ -143,14 +143,14 @@ bool is_drawing(ToolKind const& tool)
 Result<std::vector<Stroke>> drawn_strokes(ConvertArguments const& arguments,
                                           drivers::Log const& log)
 {
-    ReplayOptions options { .methods = arguments.methods };
+    station::ReplayOptions options { .methods = arguments.methods };
     if (!arguments.rig.empty())
         options.rig = TRY(calib::load_rig(arguments.rig));
     if (!arguments.height.empty())
         options.height = TRY(calib::parse_height_scenario(arguments.height));
-    auto replay = TRY(LogReplay::create(log, options));
+    auto replay = TRY(station::LogReplay::create(log, options));
     for (auto const& sentence : replay.left_out())
-        print_warning(sentence);
+        terminal::print_warning(sentence);
     replay.advance_to(Timestamp::max());
     if (auto const& outcome = replay.outcome(); !outcome)
         return tl::unexpected(outcome.error());
@@ -161,11 +161,11 @@ Result<std::vector<Stroke>> drawn_strokes(ConvertArguments const& arguments,
     return strokes;
 }
 
-StrokeView parse_view(std::string const& word)
+exports::StrokeView parse_view(std::string const& word)
 {
-    return word == kSideView ? StrokeView::Side
-        : word == kTopView   ? StrokeView::Top
-                             : StrokeView::Front;
+    return word == kSideView ? exports::StrokeView::Side
+        : word == kTopView   ? exports::StrokeView::Top
+                             : exports::StrokeView::Front;
 }
 
 Result<void> convert_to_strokes(ConvertArguments const& arguments,
@@ -175,12 +175,13 @@ Result<void> convert_to_strokes(ConvertArguments const& arguments,
         return fail(Fault::User,
                     fmt::format("{}: nothing was drawn in it: there is no stroke to write",
                                 arguments.input.string()));
-    TRY(write_strokes(arguments.output, strokes, parse_view(arguments.view)));
+    TRY(io::write_strokes(arguments.output, strokes, parse_view(arguments.view)));
     std::size_t tips = 0;
     for (auto const& stroke : strokes)
         tips += stroke.tips.size();
-    return print_out(fmt::format("{}: {} stroke{} of {} points\n", arguments.output.string(),
-                                 strokes.size(), strokes.size() == 1 ? "" : "s", tips));
+    return terminal::print_out(fmt::format("{}: {} stroke{} of {} points\n",
+                                           arguments.output.string(), strokes.size(),
+                                           strokes.size() == 1 ? "" : "s", tips));
 }
 
 Result<void> convert(ConvertArguments const& arguments)
@@ -191,8 +192,8 @@ Result<void> convert(ConvertArguments const& arguments)
                     fmt::format("{} is the recording itself: choose another name for the output",
                                 arguments.output.string()));
     TRY(check_writable(arguments.output));
-    if (is_stroke_file(arguments.input) && wants_strokes(arguments))
-        return convert_to_strokes(arguments, TRY(load_strokes(arguments.input)));
+    if (io::is_stroke_file(arguments.input) && wants_strokes(arguments))
+        return convert_to_strokes(arguments, TRY(io::load_strokes(arguments.input)));
     auto log = TRY(drivers::read_any_log(arguments.input));
     if (auto const ids = parse_ids(arguments.ids))
         for (auto& info : log.devices) {
@@ -200,7 +201,7 @@ Result<void> convert(ConvertArguments const& arguments)
             info.product_id = ids->second;
         }
     if (auto const warnings = drivers::summarize_warnings(log); !warnings.empty())
-        print_warning(warnings);
+        terminal::print_warning(warnings);
     if (wants_strokes(arguments))
         return convert_to_strokes(arguments, TRY(drawn_strokes(arguments, log)));
     bool const is_ours = arguments.format.empty() ? arguments.output.extension() == ".tractus-log"
@@ -208,15 +209,15 @@ Result<void> convert(ConvertArguments const& arguments)
     TRY(write_file(arguments.output, [&](std::ostream& out) {
         return is_ours ? write_tractus_log(out, log) : write_hid_recorder(out, log);
     }));
-    return print_out(fmt::format("{}: {} reports of {} device{} as {}\n", arguments.output.string(),
-                                 log.record_count(), log.devices.size(),
-                                 log.devices.size() == 1 ? "" : "s",
-                                 is_ours ? kTractusLog : kHidRecorder));
+    return terminal::print_out(fmt::format("{}: {} reports of {} device{} as {}\n",
+                                           arguments.output.string(), log.record_count(),
+                                           log.devices.size(), log.devices.size() == 1 ? "" : "s",
+                                           is_ours ? kTractusLog : kHidRecorder));
 }
 
 } // namespace
 
-void add_convert_command(CLI::App& root, Action& action, Methods const& methods)
+void add_convert_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<ConvertArguments>();
     arguments->methods = methods;
@@ -237,18 +238,18 @@ void add_convert_command(CLI::App& root, Action& action, Methods const& methods)
                      "is one, .glb, .svg, .strokes and .txt hold what was drawn as curves in "
                      "space, and any other is hid-recorder's")
         ->type_name("FORMAT")
-        ->check(one_of({ kTractusLog, kHidRecorder }));
+        ->check(options::one_of({ kTractusLog, kHidRecorder }));
     command
         ->add_option("--ids", arguments->ids,
                      "The devices' ids, for recordings that do not name them, as usbhid-dump's: "
                      "they choose the decoder")
         ->type_name("VENDOR:PRODUCT")
         ->check(device_ids());
-    add_rig_option(*command, arguments->rig);
-    add_height_option(*command, arguments->height);
+    options::add_rig_option(*command, arguments->rig);
+    options::add_height_option(*command, arguments->height);
     command->add_option("--view", arguments->view, "From where an .svg sees the curves")
         ->type_name("front|side|top")
-        ->check(one_of({ kFrontView, kSideView, kTopView }))
+        ->check(options::one_of({ kFrontView, kSideView, kTopView }))
         ->capture_default_str();
     command->footer(
         "Curves are the strokes that draw, in millimetres: .glb has lines in metres, +y up,\n"
@@ -259,4 +260,4 @@ void add_convert_command(CLI::App& root, Action& action, Methods const& methods)
         [arguments, &action] { action = [arguments] { return convert(*arguments); }; });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -3,10 +3,10 @@
 #include "app/options/action.h"
 #include "app/tools/methods.h"
 
-namespace tractus {
+namespace tractus::commands {
 
 // `tractus convert IN -o OUT`: recordings of other programs to ours, ours to hid-recorder's, and
 // what was drawn in either to curves.
-void add_convert_command(CLI::App& root, Action& action, Methods const& methods);
+void add_convert_command(CLI::App& root, options::Action& action, Methods const& methods);
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -185,7 +185,7 @@ Result<std::vector<Device>> find_pens(drivers::Log const& log)
                     fmt::format("there is no pen to decode in {}: {}", log.name,
                                 reasons.empty() ? "it has a height sensor alone" : reasons));
     if (!reasons.empty())
-        print_warning(fmt::format("{}: {}", log.name, reasons));
+        terminal::print_warning(fmt::format("{}: {}", log.name, reasons));
     return devices;
 }
 
@@ -193,7 +193,7 @@ Result<std::vector<Device>> find_pens(drivers::Log const& log)
 Result<void> report_problems(drivers::Log const& log, std::vector<Device> const& devices)
 {
     if (auto const warnings = drivers::summarize_warnings(log); !warnings.empty())
-        print_warning(warnings);
+        terminal::print_warning(warnings);
     for (std::size_t i = 0; i < devices.size(); ++i) {
         auto const& device = devices[i];
         if (device.bad_reports == 0)
@@ -204,8 +204,9 @@ Result<void> report_problems(drivers::Log const& log, std::vector<Device> const&
                 Fault::Device,
                 fmt::format("{}: its reports are not what its report descriptor says, the first {}",
                             where, device.first_problem));
-        print_warning(fmt::format("{}: {} of {} reports could not be decoded, the first {}", where,
-                                  device.bad_reports, device.reports, device.first_problem));
+        terminal::print_warning(
+            fmt::format("{}: {} of {} reports could not be decoded, the first {}", where,
+                        device.bad_reports, device.reports, device.first_problem));
     }
     return {};
 }
@@ -267,7 +268,7 @@ Result<void> print_summary(drivers::Log const& log)
     if (!log.rig_text.empty())
         text += "the rig's calibration is in the log\n";
     TRY(report_problems(log, devices));
-    return print_out(text);
+    return terminal::print_out(text);
 }
 
 Result<void> run(Options const& options)
@@ -278,7 +279,7 @@ Result<void> run(Options const& options)
     if (!options.csv)
         return print_summary(log);
     if (options.output.empty())
-        return write_csv(log, options.raw, print_out);
+        return write_csv(log, options.raw, terminal::print_out);
     if (std::error_code ignored; std::filesystem::equivalent(options.log, options.output, ignored))
         return fail(
             Fault::User,
@@ -293,7 +294,7 @@ Result<void> run(Options const& options)
 
 } // namespace
 
-void add_decode_command(CLI::App& root, Action& action)
+void add_decode_command(CLI::App& root, options::Action& action)
 {
     auto* const command = root.add_subcommand("decode", "Show what the pens in a device log did");
     command->footer(
@@ -318,4 +319,4 @@ void add_decode_command(CLI::App& root, Action& action)
     command->callback([&action, options] { action = [options] { return run(*options); }; });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

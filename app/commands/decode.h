@@ -2,9 +2,9 @@
 
 #include "app/options/action.h"
 
-namespace tractus {
+namespace tractus::commands {
 
 // tractus decode FILE [--csv [--raw] [-o FILE]]: what a device log's pens did.
-void add_decode_command(CLI::App& root, Action& action);
+void add_decode_command(CLI::App& root, options::Action& action);
 
-} // namespace tractus
+} // namespace tractus::commands

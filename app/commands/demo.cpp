@@ -13,12 +13,12 @@
 #include <fmt/core.h>
 #include <memory>
 
-namespace tractus {
+namespace tractus::commands {
 
-void add_demo_command(CLI::App& root, Action& action, Methods const& methods)
+void add_demo_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     struct DemoArguments {
-        JobOptions job;
+        batch::JobOptions job;
         std::string plant = "station";
     };
     auto arguments = std::make_shared<DemoArguments>();
@@ -26,25 +26,25 @@ void add_demo_command(CLI::App& root, Action& action, Methods const& methods)
     auto* const command = root.add_subcommand(
         "demo",
         "See what the station is for: a drawing recorded on the simulated rig varies plants");
-    add_folder_option(*command, arguments->job.folder);
-    add_glb_options(*command, arguments->job.glb);
-    command->footer(job_footer());
+    options::add_folder_option(*command, arguments->job.folder);
+    options::add_glb_options(*command, arguments->job.glb);
+    command->footer(options::job_footer());
     command
         ->add_option(
             "--plant", arguments->plant,
             "Which drawing: one on our broadleaf, conifer, daisy or shrub, or station: three "
             "plants drawn by every method, also in four seasons")
         ->type_name("NAME")
-        ->check(one_of({ "broadleaf", "conifer", "daisy", "shrub", "station" }))
+        ->check(options::one_of({ "broadleaf", "conifer", "daisy", "shrub", "station" }))
         ->capture_default_str();
-    add_seed_option(*command, arguments->job.seed);
+    options::add_seed_option(*command, arguments->job.seed);
     command->callback([arguments, methods, &action] {
         action = [arguments, methods]() -> Result<void> {
             auto job = arguments->job;
             job.drawing.methods = methods;
             TRY(check_writable(job.folder / "report.txt"));
             bool const is_station = arguments->plant == "station";
-            job.model = TRY(find_model(is_station ? "birch" : arguments->plant));
+            job.model = TRY(files::find_model(is_station ? "birch" : arguments->plant));
             job.all_seasons = is_station;
             if (is_station) { // Sixteen times three plants, for whoever opens the file first.
                 job.growth.season.emplace();
@@ -53,14 +53,15 @@ void add_demo_command(CLI::App& root, Action& action, Methods const& methods)
                              .subdivision = 2,
                              .ends = mesh::MeshOptions::Ends::Open,
                              .sections = mesh::MeshOptions::Sections::SameArea };
-                job.glb.vertices = std::max(job.glb.vertices, GlbOptions::Vertices::Quantized);
+                job.glb.vertices
+                    = std::max(job.glb.vertices, exports::GlbOptions::Vertices::Quantized);
             }
             job.drawing.log
-                = TRY(find_resource(fmt::format("demo/{}.tractus-log", arguments->plant)));
-            Progress progress;
-            return print_out(print_report(TRY(run_job(job, progress))));
+                = TRY(files::find_resource(fmt::format("demo/{}.tractus-log", arguments->plant)));
+            terminal::Progress progress;
+            return terminal::print_out(batch::print_report(TRY(batch::run_job(job, progress))));
         };
     });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -14,14 +14,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
 struct DeriveArguments {
-    ModelOptions model;
+    options::ModelOptions model;
     ModelCost cost;
-    ModelCompanions companions;
+    io::ModelCompanions companions;
     bool homomorphism = false;
     bool counts = false;
     bool string = false;
@@ -29,33 +29,34 @@ struct DeriveArguments {
 
 Result<void> run(DeriveArguments const& arguments)
 {
-    auto const path = TRY(find_model(arguments.model.model));
-    warn_of_unused_companions(path, arguments.companions);
-    auto const model = TRY(load_model(path, arguments.companions));
+    auto const path = TRY(files::find_model(arguments.model.model));
+    io::warn_of_unused_companions(path, arguments.companions);
+    auto const model = TRY(io::load_model(path, arguments.companions));
     for (auto const& warning : model.warnings)
-        print_warning(warning);
-    DeriveOptions options;
+        terminal::print_warning(warning);
+    lsystem::DeriveOptions options;
     options.steps = arguments.model.steps;
     options.seed = arguments.model.seed.value_or(1);
     auto const run = load_options(arguments.cost);
     options.limits = run.limits;
     options.print = run.print;
-    auto string = TRY(derive(model, options));
+    auto string = TRY(lsystem::derive(model, options));
     if (arguments.homomorphism) {
-        HomomorphismOptions how;
+        lsystem::HomomorphismOptions how;
         how.limit = { run.limits.max_modules, run.limits.max_memory_bytes };
         how.time = run.limits.time;
         how.print = run.print;
-        string = TRY(apply_homomorphism(model, string, how));
+        string = TRY(lsystem::apply_homomorphism(model, string, how));
     }
     if (arguments.counts)
-        return print_out(nlohmann::json(count_symbols(model, string)).dump() + "\n");
-    return print_out(to_string(model, string) + "\n");
+        return terminal::print_out(nlohmann::json(lsystem::count_symbols(model, string)).dump()
+                                   + "\n");
+    return terminal::print_out(lsystem::to_string(model, string) + "\n");
 }
 
 } // namespace
 
-void add_derive_command(CLI::App& root, Action& action)
+void add_derive_command(CLI::App& root, options::Action& action)
 {
     // Shared with the callback, which outlives this.
     auto const arguments = std::make_shared<DeriveArguments>();
@@ -64,9 +65,9 @@ void add_derive_command(CLI::App& root, Action& action)
     command->footer(
         "A model is in cpfg's language; MODEL.v beside MODEL.l, where there is one, gives\n"
         "angles, materials and organs. The same model and seed always give the same string.");
-    add_model_options(*command, arguments->model);
-    add_cost_options(*command, arguments->cost);
-    add_companion_options(*command, arguments->companions);
+    options::add_model_options(*command, arguments->model);
+    options::add_cost_options(*command, arguments->cost);
+    options::add_companion_options(*command, arguments->companions);
     command->add_flag("--homomorphism", arguments->homomorphism,
                       "Apply the homomorphism rules first: what the turtle reads");
     auto* const counts
@@ -81,4 +82,4 @@ void add_derive_command(CLI::App& root, Action& action)
     });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -2,9 +2,9 @@
 
 #include "app/options/action.h"
 
-namespace tractus {
+namespace tractus::commands {
 
 // tractus derive MODEL.l: rewrites a model's string and prints it, or what it consists of.
-void add_derive_command(CLI::App& root, Action& action);
+void add_derive_command(CLI::App& root, options::Action& action);
 
-} // namespace tractus
+} // namespace tractus::commands

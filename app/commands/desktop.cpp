@@ -9,21 +9,23 @@
 #include <filesystem>
 #include <memory>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
 Result<void> write_man_pages(CLI::App const& root, std::filesystem::path const& folder)
 {
     TRY(make_folder(folder));
-    TRY(write_file(folder / (man_page_name(root) + ".1"), program_man_page(root)));
+    TRY(write_file(folder / (desktop::man_page_name(root) + ".1"),
+                   desktop::program_man_page(root)));
     for (auto const* command : root.get_subcommands({}))
         if (!command->get_group().empty())
-            TRY(write_file(folder / (man_page_name(*command) + ".1"), command_man_page(*command)));
+            TRY(write_file(folder / (desktop::man_page_name(*command) + ".1"),
+                           desktop::command_man_page(*command)));
     return {};
 }
 
-void add_complete_command(CLI::App& root, Action& action)
+void add_complete_command(CLI::App& root, options::Action& action)
 {
     auto* const command = root.add_subcommand(
         "complete", "Print what may come next on a command line that is being typed");
@@ -32,12 +34,13 @@ void add_complete_command(CLI::App& root, Action& action)
     command->add_option("WORD", *typed, "The words so far, after --; the last may be empty");
     command->callback([&root, &action, typed] {
         action = [&root, typed] {
-            return print_out(print_completion(complete(root, *typed, model_names())));
+            return terminal::print_out(
+                desktop::print_completion(desktop::complete(root, *typed, files::model_names())));
         };
     });
 }
 
-void add_man_pages_command(CLI::App& root, Action& action)
+void add_man_pages_command(CLI::App& root, options::Action& action)
 {
     auto* const command = root.add_subcommand("man-pages", "Write the manual pages into a folder");
     command->group("");
@@ -50,10 +53,10 @@ void add_man_pages_command(CLI::App& root, Action& action)
 
 } // namespace
 
-void add_desktop_commands(CLI::App& root, Action& action)
+void add_desktop_commands(CLI::App& root, options::Action& action)
 {
     add_complete_command(root, action);
     add_man_pages_command(root, action);
 }
 
-} // namespace tractus
+} // namespace tractus::commands

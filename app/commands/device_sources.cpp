@@ -6,7 +6,7 @@
 #include <csignal>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::commands {
 
 static std::atomic<bool> stop_asked = false;
 
@@ -21,12 +21,12 @@ std::atomic<bool> const& stop_on_signals()
     return stop_asked;
 }
 
-static Result<LiveDevices> open_named_or_found(std::vector<std::string> const& names,
-                                               std::string const& purpose)
+static Result<devices::LiveDevices> open_named_or_found(std::vector<std::string> const& names,
+                                                        std::string const& purpose)
 {
     if (!names.empty())
-        return LiveDevices::open_named(names);
-    auto const found = find_pens_and_height_sensors();
+        return devices::LiveDevices::open_named(names);
+    auto const found = devices::find_pens_and_height_sensors();
     if (found.empty())
         return fail(Fault::User,
                     fmt::format("there is no tablet and no height sensor {}: \"tractus doctor\" "
@@ -35,24 +35,25 @@ static Result<LiveDevices> open_named_or_found(std::vector<std::string> const& n
     return open_found(found);
 }
 
-Result<LiveDevices> open_found(std::vector<drivers::DeviceInfo> const& found)
+Result<devices::LiveDevices> open_found(std::vector<drivers::DeviceInfo> const& found)
 {
-    std::vector<RefusedDevice> refused;
-    auto devices = LiveDevices::open_usable(found, refused);
+    std::vector<devices::RefusedDevice> refused;
+    auto devices = devices::LiveDevices::open_usable(found, refused);
     if (devices.infos().empty() && !refused.empty())
         return tl::unexpected(refused.front().error);
     for (auto const& [info, error] : refused)
-        print_error(fmt::format("without {}: {}\n", info.name, error.message));
+        terminal::print_error(fmt::format("without {}: {}\n", info.name, error.message));
     return devices;
 }
 
-Result<LiveDevices> open_devices(std::vector<std::string> const& names, std::string const& purpose)
+Result<devices::LiveDevices> open_devices(std::vector<std::string> const& names,
+                                          std::string const& purpose)
 {
     auto devices = TRY(open_named_or_found(names, purpose));
     for (auto const& info : devices.infos())
         for (auto const& warning : info.warnings)
-            print_warning(warning);
+            terminal::print_warning(warning);
     return devices;
 }
 
-} // namespace tractus
+} // namespace tractus::commands

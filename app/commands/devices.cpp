@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -27,7 +27,7 @@ char const* name_of(drivers::DeviceKind kind)
     return "other";
 }
 
-std::string problem_of(DeviceFacts const& device)
+std::string problem_of(diagnosis::DeviceFacts const& device)
 {
     if (device.open_error == 0)
         return {};
@@ -35,7 +35,7 @@ std::string problem_of(DeviceFacts const& device)
                        std::strerror(device.open_error));
 }
 
-std::string as_json_text(std::vector<DeviceFacts> const& devices)
+std::string as_json_text(std::vector<diagnosis::DeviceFacts> const& devices)
 {
     auto list = nlohmann::json::array();
     for (auto const& device : devices) {
@@ -61,7 +61,7 @@ std::string as_json_text(std::vector<DeviceFacts> const& devices)
     return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string as_text(std::vector<DeviceFacts> const& devices)
+std::string as_text(std::vector<diagnosis::DeviceFacts> const& devices)
 {
     std::string text;
     bool has_pen = false;
@@ -89,7 +89,7 @@ std::string as_text(std::vector<DeviceFacts> const& devices)
 
 } // namespace
 
-void add_devices_command(CLI::App& root, Action& action)
+void add_devices_command(CLI::App& root, options::Action& action)
 {
     auto* const command
         = root.add_subcommand("devices", "List pen tablets, height sensors and other HID devices");
@@ -102,10 +102,10 @@ void add_devices_command(CLI::App& root, Action& action)
     command->add_flag("--json", *as_json, "Print a JSON array");
     command->callback([&action, as_json] {
         action = [as_json]() -> Result<void> {
-            auto const devices = gather_system_facts().devices;
-            return print_out(*as_json ? as_json_text(devices) : as_text(devices));
+            auto const devices = diagnosis::gather_system_facts().devices;
+            return terminal::print_out(*as_json ? as_json_text(devices) : as_text(devices));
         };
     });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

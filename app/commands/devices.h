@@ -2,10 +2,10 @@
 
 #include "app/options/action.h"
 
-namespace tractus {
+namespace tractus::commands {
 
 // tractus devices [--json]: the HID devices that this machine has, and what they are to the
 // station.
-void add_devices_command(CLI::App& root, Action& action);
+void add_devices_command(CLI::App& root, options::Action& action);
 
-} // namespace tractus
+} // namespace tractus::commands

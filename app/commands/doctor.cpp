@@ -27,7 +27,7 @@
 #include <thread>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -39,23 +39,24 @@ struct DoctorArguments {
     bool install_rules = false;
     bool for_group = false;
     std::string surface; // "254x159"
-    std::string rig_file = user_rig_path().string();
+    std::string rig_file = files::user_rig_path().string();
     std::string rules_file = "/etc/udev/rules.d/70-tractus.rules";
 };
 
-void append(std::vector<Finding>& all, std::vector<Finding> some)
+void append(std::vector<diagnosis::Finding>& all, std::vector<diagnosis::Finding> some)
 {
     for (auto& finding : some)
         all.push_back(std::move(finding));
 }
 
-Finding all_is_well(DeviceReading const& reading)
+diagnosis::Finding all_is_well(diagnosis::DeviceReading const& reading)
 {
-    Finding finding { .kind = FindingKind::Fine,
-                      .subject = fmt::format("{} at {}", reading.info.name, reading.info.location),
-                      .what
-                      = fmt::format("{}; {} reports, {:.0f} per second.", reading.description.text,
-                                    reading.reports, reading.pace.rate_hz) };
+    diagnosis::Finding finding {
+        .kind = diagnosis::FindingKind::Fine,
+        .subject = fmt::format("{} at {}", reading.info.name, reading.info.location),
+        .what = fmt::format("{}; {} reports, {:.0f} per second.", reading.description.text,
+                            reading.reports, reading.pace.rate_hz)
+    };
     auto const pen = drivers::make_pen_decoder(reading.info);
     finding.lacks_size = pen && (*pen)->traits().is_size_assumed;
     if (finding.lacks_size)
@@ -67,26 +68,27 @@ Finding all_is_well(DeviceReading const& reading)
 }
 
 // Whether it is some node of a tablet, for keys or fingers, of which another node carries the pen.
-bool is_beside_a_pen(DeviceReading const& reading, std::vector<DeviceReading> const& all)
+bool is_beside_a_pen(diagnosis::DeviceReading const& reading,
+                     std::vector<diagnosis::DeviceReading> const& all)
 {
     return reading.description.kind == drivers::DeviceKind::Other
-        && std::any_of(all.begin(), all.end(), [&](DeviceReading const& other) {
+        && std::any_of(all.begin(), all.end(), [&](diagnosis::DeviceReading const& other) {
                return other.description.kind == drivers::DeviceKind::Pen
                    && other.info.vendor_id == reading.info.vendor_id
                    && other.info.product_id == reading.info.product_id;
            });
 }
 
-void judge(std::vector<DeviceMonitor> const& monitors, Duration listened,
-           std::vector<Finding>& findings)
+void judge(std::vector<diagnosis::DeviceMonitor> const& monitors, Duration listened,
+           std::vector<diagnosis::Finding>& findings)
 {
-    std::vector<DeviceReading> readings;
+    std::vector<diagnosis::DeviceReading> readings;
     for (auto const& monitor : monitors)
         readings.push_back(monitor.reading());
     for (auto const& reading : readings) {
         if (is_beside_a_pen(reading, readings))
             continue;
-        auto found = diagnose_device(reading, listened);
+        auto found = diagnosis::diagnose_device(reading, listened);
         if (found.empty() && reading.description.kind != drivers::DeviceKind::Other)
             found.push_back(all_is_well(reading));
         append(findings, std::move(found));
@@ -94,56 +96,59 @@ void judge(std::vector<DeviceMonitor> const& monitors, Duration listened,
 }
 
 // Listens to the devices while a hand moves the pen.
-Result<void> listen(LiveDevices& devices, double seconds, std::vector<Finding>& findings)
+Result<void> listen(devices::LiveDevices& devices, double seconds,
+                    std::vector<diagnosis::Finding>& findings)
 {
-    std::vector<DeviceMonitor> monitors;
+    std::vector<diagnosis::DeviceMonitor> monitors;
     for (auto const& info : devices.infos())
         monitors.emplace_back(info);
-    auto const before = read_clocks();
+    auto const before = diagnosis::read_clocks();
     auto const& stop = stop_on_signals();
-    std::vector<LiveReport> reports;
+    std::vector<devices::LiveReport> reports;
     Duration listened {};
     while (!stop && devices.any_left() && to_seconds(listened) < seconds) {
         devices.take(reports);
         for (auto const& [device, report] : reports)
             monitors[device].push(report);
-        auto const now = read_clocks().monotonic;
+        auto const now = diagnosis::read_clocks().monotonic;
         listened = now - before.monotonic;
         for (auto& monitor : monitors)
             monitor.pass_time(Timestamp(now));
         if (reports.empty())
-            std::this_thread::sleep_for(kPollRest);
+            std::this_thread::sleep_for(devices::kPollRest);
     }
-    append(findings, diagnose_clocks(before, read_clocks()));
+    append(findings, diagnosis::diagnose_clocks(before, diagnosis::read_clocks()));
     judge(monitors, listened, findings);
     return {};
 }
 
 // The devices of the machine that can be opened.
-Result<void> examine_machine(DoctorArguments const& arguments, std::vector<Finding>& findings)
+Result<void> examine_machine(DoctorArguments const& arguments,
+                             std::vector<diagnosis::Finding>& findings)
 {
-    auto const facts = gather_system_facts();
-    append(findings, diagnose_system(facts));
+    auto const facts = diagnosis::gather_system_facts();
+    append(findings, diagnosis::diagnose_system(facts));
     std::vector<drivers::DeviceInfo> usable;
     for (auto const& device : facts.devices)
         if (device.description.kind != drivers::DeviceKind::Other && device.open_error == 0)
             usable.push_back(device.info);
     if (usable.empty())
         return {};
-    print_error(fmt::format("Listening for {:g} s: move the pen over the tablet, press it, and "
-                            "move the surface.\n",
-                            arguments.seconds));
-    std::vector<RefusedDevice> refused;
-    auto devices = LiveDevices::open_usable(usable, refused);
+    terminal::print_error(
+        fmt::format("Listening for {:g} s: move the pen over the tablet, press it, and "
+                    "move the surface.\n",
+                    arguments.seconds));
+    std::vector<devices::RefusedDevice> refused;
+    auto devices = devices::LiveDevices::open_usable(usable, refused);
     for (auto const& [info, error] : refused)
-        findings.push_back(diagnose_refusal(info, error));
+        findings.push_back(diagnosis::diagnose_refusal(info, error));
     return listen(devices, arguments.seconds, findings);
 }
 
-Result<void> examine_log(std::string const& path, std::vector<Finding>& findings)
+Result<void> examine_log(std::string const& path, std::vector<diagnosis::Finding>& findings)
 {
     auto const log = TRY(drivers::read_any_log(path));
-    std::vector<DeviceMonitor> monitors;
+    std::vector<diagnosis::DeviceMonitor> monitors;
     for (auto const& info : log.devices)
         monitors.emplace_back(info);
     drivers::RawReport report;
@@ -164,15 +169,16 @@ Result<void> examine_log(std::string const& path, std::vector<Finding>& findings
 Result<void> install_rules(DoctorArguments const& arguments)
 {
     TRY(write_file(arguments.rules_file,
-                   udev_rules(arguments.for_group ? RuleHolder::Group : RuleHolder::Seat)));
-    return print_out(fmt::format("{} is written. Now, as root:\n"
-                                 "  udevadm control --reload-rules && udevadm trigger\n"
-                                 "or unplug the devices and plug them in again.\n{}",
-                                 arguments.rules_file,
-                                 arguments.for_group
-                                     ? "Who may use them: sudo adduser USER plugdev, then log in "
-                                       "again.\n"
-                                     : ""));
+                   diagnosis::udev_rules(arguments.for_group ? diagnosis::RuleHolder::Group
+                                                             : diagnosis::RuleHolder::Seat)));
+    return terminal::print_out(fmt::format(
+        "{} is written. Now, as root:\n"
+        "  udevadm control --reload-rules && udevadm trigger\n"
+        "or unplug the devices and plug them in again.\n{}",
+        arguments.rules_file,
+        arguments.for_group ? "Who may use them: sudo adduser USER plugdev, then log in "
+                              "again.\n"
+                            : ""));
 }
 
 // "254x158.75"
@@ -200,8 +206,8 @@ Result<void> write_sides(calib::Rig rig, Vec2 const& sides_mm, std::string const
 {
     rig.tablet_size_mm = rig.surface_mm.emplace(sides_mm);
     TRY(calib::save_rig(rig, rig_file));
-    return print_out(fmt::format("{}: the tablet's surface is {:g} x {:g} mm\n", rig_file,
-                                 sides_mm.x(), sides_mm.y()));
+    return terminal::print_out(fmt::format("{}: the tablet's surface is {:g} x {:g} mm\n", rig_file,
+                                           sides_mm.x(), sides_mm.y()));
 }
 
 Result<void> measure_surface(DoctorArguments const& arguments)
@@ -223,7 +229,7 @@ Result<void> ask_for_sides(std::string const& tablet, std::string const& rig_fil
     auto const rig = TRY(calib::load_rig(rig_file));
     if (rig.surface_mm)
         return {};
-    TRY(print_out(
+    TRY(terminal::print_out(
         fmt::format("\n{} does not tell the size of its surface. Measure the sides of its "
                     "active area.\nWidth x depth in millimetres, such as 254x158.8 "
                     "(nothing: leave it as it is): ",
@@ -231,7 +237,7 @@ Result<void> ask_for_sides(std::string const& tablet, std::string const& rig_fil
     for (std::string line; std::getline(std::cin, line) && !line.empty();) {
         if (auto const sides_mm = parse_sides(line))
             return write_sides(rig, *sides_mm, rig_file);
-        TRY(print_out(fmt::format("\"{}\": {}: ", line, expected_sides())));
+        TRY(terminal::print_out(fmt::format("\"{}\": {}: ", line, expected_sides())));
     }
     return {};
 }
@@ -242,27 +248,27 @@ Result<void> run(DoctorArguments const& arguments)
         return measure_surface(arguments);
     if (arguments.install_rules)
         return install_rules(arguments);
-    std::vector<Finding> findings;
+    std::vector<diagnosis::Finding> findings;
     if (!arguments.log.empty()) {
         TRY(examine_log(arguments.log, findings));
     } else if (!arguments.devices.empty()) {
-        auto devices = TRY(LiveDevices::open_named(arguments.devices));
+        auto devices = TRY(devices::LiveDevices::open_named(arguments.devices));
         TRY(listen(devices, arguments.seconds, findings));
     } else {
         TRY(examine_machine(arguments, findings));
     }
     if (arguments.as_json)
-        return print_out(print_findings_json(findings));
-    TRY(print_out(print_findings(findings)));
-    auto const unmeasured = std::ranges::find_if(findings, &Finding::lacks_size);
-    if (unmeasured == findings.end() || !is_terminal())
+        return terminal::print_out(diagnosis::print_findings_json(findings));
+    TRY(terminal::print_out(diagnosis::print_findings(findings)));
+    auto const unmeasured = std::ranges::find_if(findings, &diagnosis::Finding::lacks_size);
+    if (unmeasured == findings.end() || !terminal::is_terminal())
         return {};
     return ask_for_sides(unmeasured->subject, arguments.rig_file);
 }
 
 } // namespace
 
-void add_doctor_command(CLI::App& root, Action& action)
+void add_doctor_command(CLI::App& root, options::Action& action)
 {
     auto arguments = std::make_shared<DoctorArguments>();
     auto* const command = root.add_subcommand(
@@ -273,12 +279,12 @@ void add_doctor_command(CLI::App& root, Action& action)
         = command
               ->add_option("--device", arguments->devices,
                            fmt::format("What to listen to, each {}; without it, everything",
-                                       device_name_help()))
+                                       devices::device_name_help()))
               ->type_name("DEVICE...")
               ->excludes(log);
     command->add_option("--seconds", arguments->seconds, "How long to listen")
         ->type_name("SECONDS")
-        ->check(number(0, 3600))
+        ->check(options::number(0, 3600))
         ->capture_default_str();
     command->add_flag("--json", arguments->as_json, "Print a JSON array");
     auto* const install
@@ -315,4 +321,4 @@ void add_doctor_command(CLI::App& root, Action& action)
     command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -2,9 +2,9 @@
 
 #include "app/options/action.h"
 
-namespace tractus {
+namespace tractus::commands {
 
 // `tractus doctor`: what keeps the devices from working, and what to do about it.
-void add_doctor_command(CLI::App& root, Action& action);
+void add_doctor_command(CLI::App& root, options::Action& action);
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -27,18 +27,18 @@
 #include <fmt/core.h>
 #include <memory>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
 struct GrowArguments {
-    ModelOptions model;
+    options::ModelOptions model;
     ModelCost cost;
-    ModelCompanions companions;
-    GrowthOptions growth;
-    DrawingArguments drawing;
+    io::ModelCompanions companions;
+    batch::GrowthOptions growth;
+    options::DrawingArguments drawing;
     std::filesystem::path output;
-    PlantFileOptions file;
+    batch::PlantFileOptions file;
     std::size_t ages = 0;   // Ages of an animation in one file; 0 for none.
     std::size_t frames = 0; // Frames of one in a file for each; 0 for none.
     double seconds = 10;
@@ -63,7 +63,7 @@ std::filesystem::path frame_path(std::filesystem::path const& output, std::size_
     return output.parent_path() / name;
 }
 
-Result<GrowthPlan> plan_animation(Scene const& scene, std::string const& name)
+Result<variation::GrowthPlan> plan_animation(Scene const& scene, std::string const& name)
 {
     if (scene.base->segment_count() == 0)
         return fail(Fault::User, fmt::format("{}: the plant has no branch that could grow", name));
@@ -90,21 +90,21 @@ Result<void> write_sequence(GrowArguments const& arguments, Scene const& scene,
                             std::string const& name)
 {
     auto const plan = TRY(plan_animation(scene, name));
-    Grower grower(plan);
-    PlantKey const key { scene.growth.seed, 0 };
+    variation::Grower grower(plan);
+    variation::PlantKey const key { scene.growth.seed, 0 };
     auto file = arguments.file;
     if (arguments.output.extension() == ".png") {
-        Framing framing({}, PictureSize().aspect());
+        render::Framing framing({}, batch::PictureSize().aspect());
         framing.add(mesh::make_mesh(grower.grow(key)));
         file.camera = framing.camera(); // One for all ages: it sees the whole plant.
     }
     for (std::size_t i = 1; i <= arguments.frames; ++i) {
         double const age = age_of(i, arguments.frames);
-        auto const plant = without_unborn(grower.grow(key, age));
+        auto const plant = variation::without_unborn(grower.grow(key, age));
         auto const path = frame_path(arguments.output, i, arguments.frames);
-        auto const triangles = TRY(write_plant_file(plant, name, path, file));
-        TRY(print_out(fmt::format("{}: age {:.3f}, {}\n", path.string(), age,
-                                  said_of(plant, triangles, path))));
+        auto const triangles = TRY(batch::write_plant_file(plant, name, path, file));
+        TRY(terminal::print_out(fmt::format("{}: age {:.3f}, {}\n", path.string(), age,
+                                            said_of(plant, triangles, path))));
     }
     return {};
 }
@@ -119,32 +119,33 @@ Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
                                 "files, one for each age",
                                 arguments.output.string(), arguments.output.extension().string()));
     auto const plan = TRY(plan_animation(scene, name));
-    Grower grower(plan);
-    PlantKey const key { scene.growth.seed, 0 };
+    variation::Grower grower(plan);
+    variation::PlantKey const key { scene.growth.seed, 0 };
     Plant const whole = grower.grow(key);
     mesh::AgedMesh const mesh(whole);
-    GrowthFilm film { .name = name, .mesh = &mesh, .seconds = arguments.seconds };
+    exports::GrowthFilm film { .name = name, .mesh = &mesh, .seconds = arguments.seconds };
     for (std::size_t i = 1; i <= arguments.ages; ++i)
         film.ages.push_back(age_of(i, arguments.ages));
     film.plant_at = [&](double age) -> Plant const& { return grower.grow(key, age); };
-    GlbSummary summary;
+    exports::GlbSummary summary;
     auto const write = [&](std::ostream& out) -> Result<void> {
-        summary = TRY(write_glb(out, film));
+        summary = TRY(exports::write_glb(out, film));
         return {};
     };
     TRY(write_file(arguments.output, write));
-    return print_out(fmt::format("{}: {} ages in {} s, {} segments, {} organs, {} triangles, "
-                                 "{:.1f} MB\n",
-                                 arguments.output.string(), arguments.ages, arguments.seconds,
-                                 whole.segment_count(), whole.organs.size(), summary.triangles,
-                                 static_cast<double>(summary.bytes) / 1e6));
+    return terminal::print_out(fmt::format(
+        "{}: {} ages in {} s, {} segments, {} organs, {} triangles, "
+        "{:.1f} MB\n",
+        arguments.output.string(), arguments.ages, arguments.seconds, whole.segment_count(),
+        whole.organs.size(), summary.triangles, static_cast<double>(summary.bytes) / 1e6));
 }
 
 Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::string const& name)
 {
-    auto const triangles = TRY(write_plant_file(plant, name, arguments.output, arguments.file));
-    return print_out(fmt::format("{}: {}\n", arguments.output.string(),
-                                 said_of(plant, triangles, arguments.output)));
+    auto const triangles
+        = TRY(batch::write_plant_file(plant, name, arguments.output, arguments.file));
+    return terminal::print_out(fmt::format("{}: {}\n", arguments.output.string(),
+                                           said_of(plant, triangles, arguments.output)));
 }
 
 // A session says itself how its plant is derived; another seed is another variation of it.
@@ -156,7 +157,7 @@ Result<Scene> load_session(GrowArguments const& arguments, std::filesystem::path
                     fmt::format("{} is a session, which has its own derivation steps: leave "
                                 "--steps out",
                                 path.string()));
-    auto scene = TRY(load_session_scene(path, kinds, arguments.cost));
+    auto scene = TRY(batch::load_session_scene(path, kinds, arguments.cost));
     auto growth = scene.growth;
     growth.seed = arguments.model.seed.value_or(growth.seed);
     return apply_edit(std::move(scene), growth);
@@ -165,7 +166,7 @@ Result<Scene> load_session(GrowArguments const& arguments, std::filesystem::path
 // A model grows as drawn, and not as it might have grown, unless it is said how.
 Result<Scene> load_model_scene(GrowArguments const& arguments, std::filesystem::path const& path)
 {
-    auto edit = TRY(load_plant_edit(path, arguments.companions));
+    auto edit = TRY(io::load_plant_edit(path, arguments.companions));
     if (auto const* const model = edit.get<LoadModel>()) {
         auto with_options = *model;
         with_options.steps = arguments.model.steps;
@@ -179,18 +180,19 @@ Result<Scene> load_model_scene(GrowArguments const& arguments, std::filesystem::
     }
     auto scene = TRY(apply_edit({}, edit, make_load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
-        print_warning(warning);
+        terminal::print_warning(warning);
     return apply_edit(
         std::move(scene),
-        SetGrowth { TRY(growth_preset("as drawn")), arguments.model.seed.value_or(1) });
+        SetGrowth { TRY(variation::growth_preset("as drawn")), arguments.model.seed.value_or(1) });
 }
 
 // A variability that is given counts on top of what a session has.
-Result<Scene> with_growth(GrowthOptions const& options, Scene scene)
+Result<Scene> with_growth(batch::GrowthOptions const& options, Scene scene)
 {
     auto growth = scene.growth;
-    growth.parameters = TRY(options.preset ? growth_preset(*options.preset)
-                                           : at_variability(growth.parameters, growth.variability));
+    growth.parameters
+        = TRY(options.preset ? variation::growth_preset(*options.preset)
+                             : variation::at_variability(growth.parameters, growth.variability));
     growth.variability = options.variability;
     scene = TRY(apply_edit(std::move(scene), growth));
     if (!options.leaves.empty()) {
@@ -198,33 +200,34 @@ Result<Scene> with_growth(GrowthOptions const& options, Scene scene)
             = TRY(dressing_edits(scene, scene.state.active, dressing_of_word(options.leaves)));
         scene = TRY(apply_edits(std::move(scene), edits));
     }
-    return with_season(std::move(scene), options.season);
+    return batch::with_season(std::move(scene), options.season);
 }
 
-Result<Scene> add_drawing(DrawingOptions const& options, Scene scene, std::string const& name)
+Result<Scene> add_drawing(batch::DrawingOptions const& options, Scene scene,
+                          std::string const& name)
 {
     if (scene.base->segment_count() == 0)
         return fail(Fault::User,
                     fmt::format("{}: the plant has no branch that a stroke could shape", name));
-    Progress progress;
-    DrawingReport report;
-    auto drawing = TRY(read_drawing(options, std::move(scene), progress, report));
+    terminal::Progress progress;
+    batch::DrawingReport report;
+    auto drawing = TRY(batch::read_drawing(options, std::move(scene), progress, report));
     progress.finish();
     for (auto const& note : report.notes)
-        print_warning(note);
+        terminal::print_warning(note);
     return std::move(drawing.scene);
 }
 
 Result<void> grow_model(GrowArguments const& arguments, Methods const& methods)
 {
     TRY(check_writable(arguments.output));
-    auto const path = TRY(find_model(arguments.model.model));
+    auto const path = TRY(files::find_model(arguments.model.model));
     auto const name = path.stem().string();
-    bool const is_session = is_session_file(path);
+    bool const is_session = batch::is_session_file(path);
     auto scene = TRY(is_session ? load_session(arguments, path, methods.edits)
                                 : load_model_scene(arguments, path));
     scene = TRY(with_growth(arguments.growth, std::move(scene)));
-    if (auto const drawing = drawing_options(arguments.drawing, methods))
+    if (auto const drawing = options::drawing_options(arguments.drawing, methods))
         scene = TRY(add_drawing(*drawing, std::move(scene), name));
     if (arguments.ages > 0)
         return write_animation(arguments, scene, name);
@@ -232,7 +235,7 @@ Result<void> grow_model(GrowArguments const& arguments, Methods const& methods)
         return write_sequence(arguments, scene, name);
     if (!is_session && !arguments.is_varied())
         return write_one(arguments, *scene.in_season, name);
-    return write_one(arguments, TRY(shown_plants(scene)), name);
+    return write_one(arguments, TRY(batch::shown_plants(scene)), name);
 }
 
 void add_animation_options(CLI::App& command, GrowArguments& arguments)
@@ -243,13 +246,13 @@ void add_animation_options(CLI::App& command, GrowArguments& arguments)
                           "Write the plant as it grows, from its youth to its full size, as one "
                           ".glb: a morph target for each of N ages, and an animation of them")
               ->type_name("N")
-              ->check(whole_number(2, 10'000))
+              ->check(options::whole_number(2, 10'000))
               ->excludes("--organs") // Morph targets blend one mesh, of floats.
               ->excludes("--quantized")
               ->excludes("--compressed");
     command.add_option("--seconds", arguments.seconds, "How long the animation takes")
         ->type_name("S")
-        ->check(number(0.01, 1e6))
+        ->check(options::number(0.01, 1e6))
         ->needs(animation)
         ->capture_default_str();
     command
@@ -257,30 +260,31 @@ void add_animation_options(CLI::App& command, GrowArguments& arguments)
                     "Write it as it grows, a file for each of N ages: FILE-1 to FILE-N, as many "
                     "digits as N has")
         ->type_name("N")
-        ->check(whole_number(1, 10'000))
+        ->check(options::whole_number(1, 10'000))
         ->excludes(animation);
 }
 
 } // namespace
 
-void add_grow_command(CLI::App& root, Action& action, Methods const& methods)
+void add_grow_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<GrowArguments>();
     auto* const command = root.add_subcommand(
         "grow", "Grow a model and write it as glTF, OBJ, a graph or a picture");
-    add_model_options(*command, arguments->model);
-    add_cost_options(*command, arguments->cost);
-    add_companion_options(*command, arguments->companions);
+    options::add_model_options(*command, arguments->model);
+    options::add_cost_options(*command, arguments->cost);
+    options::add_companion_options(*command, arguments->companions);
     command
         ->add_option("-o,--output", arguments->output,
                      "What to write: its ending, .glb, .obj, .mtg (a multiscale tree graph) or "
                      ".png, says in which format")
         ->type_name("FILE")
-        ->check(name_ending_in({ ".glb", ".obj", ".mtg", ".png" }))
+        ->check(options::name_ending_in({ ".glb", ".obj", ".mtg", ".png" }))
         ->required();
-    add_glb_options(*command, arguments->file.glb);
-    add_growth_options(*command, arguments->growth, "as drawn, or as in a session");
-    add_drawing_options(*command, arguments->drawing, "the plant is as its model gives it");
+    options::add_glb_options(*command, arguments->file.glb);
+    options::add_growth_options(*command, arguments->growth, "as drawn, or as in a session");
+    options::add_drawing_options(*command, arguments->drawing,
+                                 "the plant is as its model gives it");
     add_animation_options(*command, *arguments);
     command->footer(
         "MODEL may also be a skeleton that another program has drawn as lines (.obj, .glb), a\n"
@@ -293,4 +297,4 @@ void add_grow_command(CLI::App& root, Action& action, Methods const& methods)
     });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

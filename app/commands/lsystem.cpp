@@ -18,34 +18,34 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
 struct LsystemArguments {
-    ModelOptions model;
+    options::ModelOptions model;
     ModelCost cost;
-    ModelCompanions companions;
+    io::ModelCompanions companions;
 };
 
-std::string features_text(Model const& model)
+std::string features_text(lsystem::Model const& model)
 {
     std::string text = fmt::format("{}: understood\n\nUses\n", printable(model.name));
-    for (auto const& feature : features_used(model))
+    for (auto const& feature : lsystem::features_used(model))
         text += fmt::format("  {}\n", feature);
     return text;
 }
 
 // Draws the string, since what the turtle leaves out is known only then.
-Result<std::string> drawing_text(Model const& model, ModuleString const& string,
+Result<std::string> drawing_text(lsystem::Model const& model, lsystem::ModuleString const& string,
                                  LoadOptions const& run)
 {
     auto const drawn
-        = TRY(interpret_with_warnings(model, string,
-                                      { .max_modules = run.limits.max_modules,
-                                        .max_memory_bytes = run.limits.max_memory_bytes,
-                                        .time = run.limits.time,
-                                        .print = run.print }));
+        = TRY(lsystem::interpret_with_warnings(model, string,
+                                               { .max_modules = run.limits.max_modules,
+                                                 .max_memory_bytes = run.limits.max_memory_bytes,
+                                                 .time = run.limits.time,
+                                                 .print = run.print }));
     auto const& plant = drawn.plant;
     std::string text = fmt::format("\nDraws {} segments on {} axes, {} organs, {} polygons\n",
                                    plant.segment_count(), plant.axes.size(), plant.organs.size(),
@@ -60,26 +60,26 @@ Result<std::string> drawing_text(Model const& model, ModuleString const& string,
 
 Result<void> check(LsystemArguments const& arguments)
 {
-    auto const path = TRY(find_model(arguments.model.model));
-    warn_of_unused_companions(path, arguments.companions);
-    auto const model = TRY(load_model(path, arguments.companions));
-    TRY(print_out(features_text(model) + "\nStep      modules   parameters\n"));
-    DeriveOptions options;
+    auto const path = TRY(files::find_model(arguments.model.model));
+    io::warn_of_unused_companions(path, arguments.companions);
+    auto const model = TRY(io::load_model(path, arguments.companions));
+    TRY(terminal::print_out(features_text(model) + "\nStep      modules   parameters\n"));
+    lsystem::DeriveOptions options;
     options.steps = arguments.model.steps;
     options.seed = arguments.model.seed.value_or(1);
     auto const run = load_options(arguments.cost);
     options.limits = run.limits;
     options.print = run.print;
     Result<void> printed;
-    options.on_step = [&](int step, ModuleString const& string) {
+    options.on_step = [&](int step, lsystem::ModuleString const& string) {
         if (printed)
-            printed = print_out(
+            printed = terminal::print_out(
                 fmt::format("{:4} {:12} {:12}\n", step, string.size(), string.parameters.size()));
     };
-    auto const string = TRY(derive(model, options));
+    auto const string = TRY(lsystem::derive(model, options));
     TRY(std::move(printed));
     auto const drawing = TRY(drawing_text(model, string, run));
-    return print_out(drawing + describe_uses(path, load_options(arguments.cost)));
+    return terminal::print_out(drawing + describe_uses(path, load_options(arguments.cost)));
 }
 
 // A plant of a few lines, each of which says what it does.
@@ -125,14 +125,15 @@ Result<void> write_new(std::filesystem::path const& path)
                         fmt::format("{} is there already; choose another name", file.string()));
     TRY(write_file(view, kNewView));
     TRY(write_file(path, kNewModel));
-    return print_out(fmt::format("{} is written, with its view, {}: change them, and see the tree "
-                                 "with\n  tractus grow {} -o tree.png\n",
-                                 path.string(), view.string(), path.string()));
+    return terminal::print_out(
+        fmt::format("{} is written, with its view, {}: change them, and see the tree "
+                    "with\n  tractus grow {} -o tree.png\n",
+                    path.string(), view.string(), path.string()));
 }
 
 } // namespace
 
-void add_lsystem_command(CLI::App& root, Action& action)
+void add_lsystem_command(CLI::App& root, options::Action& action)
 {
     auto* const command = root.add_subcommand("lsystem", "Check an L-system, or begin one");
     command->require_subcommand(1);
@@ -140,9 +141,9 @@ void add_lsystem_command(CLI::App& root, Action& action)
         "check", "List what a model uses, its warnings, and the modules after each step");
     // Shared with the callback, which outlives this.
     auto const arguments = std::make_shared<LsystemArguments>();
-    add_model_options(*check_command, arguments->model);
-    add_cost_options(*check_command, arguments->cost);
-    add_companion_options(*check_command, arguments->companions);
+    options::add_model_options(*check_command, arguments->model);
+    options::add_cost_options(*check_command, arguments->cost);
+    options::add_companion_options(*check_command, arguments->companions);
     check_command->callback(
         [&action, arguments] { action = [arguments] { return check(*arguments); }; });
     auto const new_path = std::make_shared<std::string>(); // Shared with the callback.
@@ -154,4 +155,4 @@ void add_lsystem_command(CLI::App& root, Action& action)
         [&action, new_path] { action = [new_path] { return write_new(*new_path); }; });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

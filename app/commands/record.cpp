@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -37,8 +37,8 @@ struct RecordArguments {
 
 Result<void> record_devices(RecordArguments const& arguments)
 {
-    TRY(check_new_file(arguments.output));
-    auto const options = live_recording_by_the_clock(arguments.seconds);
+    TRY(devices::check_new_file(arguments.output));
+    auto const options = devices::live_recording_by_the_clock(arguments.seconds);
     auto const start = options.now();
     auto devices = TRY(open_devices(arguments.devices, "to record"));
     drivers::LogHeader header { .devices = devices.infos(),
@@ -48,34 +48,36 @@ Result<void> record_devices(RecordArguments const& arguments)
         auto const rig = TRY(calib::load_rig(arguments.rig));
         header.rig_text = calib::print_rig(rig);
     }
-    auto recorder = TRY(LiveRecorder::create(arguments.output, header));
+    auto recorder = TRY(devices::LiveRecorder::create(arguments.output, header));
     for (auto const& device : devices.infos())
-        print_error(fmt::format("recording {} at {}\n", device.name, device.location));
+        terminal::print_error(fmt::format("recording {} at {}\n", device.name, device.location));
     if (!arguments.seconds)
-        print_error("until Ctrl-C\n");
-    auto const counts = TRY(record_live(devices, recorder, options, stop_on_signals()));
-    return print_out(fmt::format("{}: {} reports{}\n", arguments.output.string(), counts.reports,
-                                 counts.lost ? fmt::format(", {} lost", counts.lost) : ""));
+        terminal::print_error("until Ctrl-C\n");
+    auto const counts = TRY(devices::record_live(devices, recorder, options, stop_on_signals()));
+    return terminal::print_out(
+        fmt::format("{}: {} reports{}\n", arguments.output.string(), counts.reports,
+                    counts.lost ? fmt::format(", {} lost", counts.lost) : ""));
 }
 
 Result<void> record_simulated(RecordArguments const& arguments, ToolKinds tools)
 {
-    TRY(check_new_file(arguments.output));
+    TRY(devices::check_new_file(arguments.output));
     auto const text = TRY(read_text_file(arguments.script));
     auto const script = TRY(sim::parse_gesture_script(text, arguments.script));
-    auto const model = TRY(find_model(arguments.model));
-    auto const edit = TRY(load_plant_edit(model));
+    auto const model = TRY(files::find_model(arguments.model));
+    auto const edit = TRY(io::load_plant_edit(model));
     auto const scene = TRY(apply_edit({}, edit, make_load_options()));
-    auto const write
-        = [&](std::ostream& out) { return write_simulated_recording(out, script, scene, tools); };
+    auto const write = [&](std::ostream& out) {
+        return play::write_simulated_recording(out, script, scene, tools);
+    };
     TRY(write_file(arguments.output, write));
-    return print_out(
+    return terminal::print_out(
         fmt::format("{}: {} gestures\n", arguments.output.string(), script.gestures.size()));
 }
 
 } // namespace
 
-void add_record_command(CLI::App& root, Action& action, ToolKinds tools)
+void add_record_command(CLI::App& root, options::Action& action, ToolKinds tools)
 {
     auto arguments = std::make_shared<RecordArguments>();
     auto* const command = root.add_subcommand(
@@ -88,13 +90,13 @@ void add_record_command(CLI::App& root, Action& action, ToolKinds tools)
     auto* const seconds
         = command->add_option("--seconds", arguments->seconds, "How long; without it, until Ctrl-C")
               ->type_name("SECONDS")
-              ->check(number(0.001, 1e6));
+              ->check(options::number(0.001, 1e6));
     auto* const device
         = command
               ->add_option("--device", arguments->devices,
                            fmt::format("What to record, each {}; without it, every pen and height "
                                        "sensor that is found",
-                                       device_name_help()))
+                                       devices::device_name_help()))
               ->type_name("DEVICE...");
     auto* const rig = command
                           ->add_option("--rig", arguments->rig,
@@ -124,4 +126,4 @@ void add_record_command(CLI::App& root, Action& action, ToolKinds tools)
     });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

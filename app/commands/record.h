@@ -3,9 +3,9 @@
 #include "app/options/action.h"
 #include "app/tools/tool_kind.h"
 
-namespace tractus {
+namespace tractus::commands {
 
 // `tools`: those that a script of the simulated hand may use; none: any word.
-void add_record_command(CLI::App& root, Action& action, ToolKinds tools);
+void add_record_command(CLI::App& root, options::Action& action, ToolKinds tools);
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -16,7 +16,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -62,12 +62,12 @@ std::string check_size(std::string const& text)
 
 Result<mesh::Mesh> load_mesh(std::string const& path, EditKinds kinds)
 {
-    if (is_session_file(path)) {
-        auto const scene = TRY(load_session_scene(path, kinds));
-        return mesh::make_mesh(TRY(shown_plants(scene)));
+    if (batch::is_session_file(path)) {
+        auto const scene = TRY(batch::load_session_scene(path, kinds));
+        return mesh::make_mesh(TRY(batch::shown_plants(scene)));
     }
     auto const bytes = TRY(read_file(path));
-    auto mesh = read_glb(bytes);
+    auto mesh = exports::read_glb(bytes);
     if (!mesh)
         return fail(mesh.error().fault, fmt::format("{}: {}", path, mesh.error().message));
     return *std::move(mesh);
@@ -77,22 +77,23 @@ Result<void> run(RenderArguments const& arguments, EditKinds kinds)
 {
     TRY(check_writable(arguments.output));
     auto const mesh = TRY(load_mesh(arguments.input, kinds));
-    auto const context = TRY(OffscreenContext::create());
-    auto renderer = TRY(Renderer::create());
-    GpuMesh const on_card(mesh);
-    Stage stage;
+    auto const context = TRY(render::OffscreenContext::create());
+    auto renderer = TRY(render::Renderer::create());
+    render::GpuMesh const on_card(mesh);
+    render::Stage stage;
     stage.meshes.push_back({ &on_card });
     auto const size = parse_size(arguments.size).value();
-    Framing framing({ radians(arguments.azimuth_deg), radians(arguments.elevation_deg) },
-                    static_cast<double>(size.width) / size.height);
+    render::Framing framing({ radians(arguments.azimuth_deg), radians(arguments.elevation_deg) },
+                            static_cast<double>(size.width) / size.height);
     framing.add(mesh);
     auto const picture = renderer.picture(stage, framing.camera(), size.width, size.height);
-    return write_file(arguments.output, [&](std::ostream& out) { return write_png(out, picture); });
+    return write_file(arguments.output,
+                      [&](std::ostream& out) { return render::write_png(out, picture); });
 }
 
 } // namespace
 
-void add_render_command(CLI::App& root, Action& action, Methods const& methods)
+void add_render_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     // Shared with the callback, which outlives this.
     auto const arguments = std::make_shared<RenderArguments>();
@@ -107,7 +108,7 @@ void add_render_command(CLI::App& root, Action& action, Methods const& methods)
         ->required();
     command->add_option("-o,--output", arguments->output, "The picture")
         ->type_name("FILE.png")
-        ->check(picture_name())
+        ->check(options::picture_name())
         ->required();
     command->add_option("--size", arguments->size, "Width and height in pixels, 16 to 8192 each")
         ->type_name("WxH")
@@ -118,17 +119,17 @@ void add_render_command(CLI::App& root, Action& action, Methods const& methods)
                      "From which side, -360 to 360: 0 from where the user sits, growing around the "
                      "plant to the right")
         ->type_name("DEGREES")
-        ->check(number(-360, 360))
+        ->check(options::number(-360, 360))
         ->capture_default_str();
     command
         ->add_option("--elevation", arguments->elevation_deg,
                      "From how high above the horizon, 0 to 85")
         ->type_name("DEGREES")
-        ->check(number(0, 85))
+        ->check(options::number(0, 85))
         ->capture_default_str();
     command->callback([&action, arguments, kinds = methods.edits] {
         action = [arguments, kinds] { return run(*arguments, kinds); };
     });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

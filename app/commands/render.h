@@ -3,9 +3,9 @@
 #include "app/options/action.h"
 #include "app/tools/methods.h"
 
-namespace tractus {
+namespace tractus::commands {
 
 // tractus render FILE.glb -o FILE.png [--size WxH] [--azimuth DEG] [--elevation DEG]
-void add_render_command(CLI::App& root, Action& action, Methods const& methods);
+void add_render_command(CLI::App& root, options::Action& action, Methods const& methods);
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -12,12 +12,12 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::commands {
 
-void add_replay_command(CLI::App& root, Action& action, Methods const& methods)
+void add_replay_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     struct ReplayArguments {
-        JobOptions job;
+        batch::JobOptions job;
         std::string model;
         std::string rig;
         std::string height;
@@ -31,46 +31,46 @@ void add_replay_command(CLI::App& root, Action& action, Methods const& methods)
                      "The drawing: a .tractus-log, anybody's hid-recorder file, or strokes in "
                      "space: .tilt (Open Brush), .strokes or .txt")
         ->required();
-    add_plant_option(*command, arguments->model);
-    add_rig_option(*command, arguments->rig);
-    add_height_option(*command, arguments->height);
-    add_seed_option(*command, arguments->job.seed);
+    options::add_plant_option(*command, arguments->model);
+    options::add_rig_option(*command, arguments->rig);
+    options::add_height_option(*command, arguments->height);
+    options::add_seed_option(*command, arguments->job.seed);
     command
         ->add_option("--speed", arguments->job.drawing.speed,
                      "Replay at the pace of the hand, 1, or so many times as fast; without it, as "
                      "fast as the log can be read")
         ->type_name("X")
-        ->check(number(0.01, 1000));
+        ->check(options::number(0.01, 1000));
     command->add_option("--count", arguments->job.variations, "Plants in the collection, 1 to 100")
         ->type_name("N")
-        ->check(whole_number(1, 100))
+        ->check(options::whole_number(1, 100))
         ->capture_default_str();
-    add_growth_options(*command, arguments->job.growth, "usual, or as in a session");
-    add_age_option(*command, arguments->job.age);
+    options::add_growth_options(*command, arguments->job.growth, "usual, or as in a session");
+    options::add_age_option(*command, arguments->job.age);
     command->add_flag("--seasons", arguments->job.all_seasons,
                       "Show what was drawn also in spring, summer, autumn and winter");
-    add_folder_option(*command, arguments->job.folder);
-    add_glb_options(*command, arguments->job.glb);
+    options::add_folder_option(*command, arguments->job.folder);
+    options::add_glb_options(*command, arguments->job.glb);
     command
         ->add_option("--session", arguments->job.session,
                      "Keep what is drawn in a new session, each stroke as soon as it ends")
         ->type_name("FILE.tractus")
-        ->check(name_ending_in({ ".tractus" }));
-    command->footer(job_footer());
+        ->check(options::name_ending_in({ ".tractus" }));
+    command->footer(options::job_footer());
     command->callback([arguments, methods, &action] {
         action = [arguments, methods]() -> Result<void> {
             auto job = arguments->job;
             job.drawing.methods = methods;
             TRY(check_writable(job.folder / "report.txt"));
-            job.model = TRY(find_plant(arguments->model));
+            job.model = TRY(files::find_plant(arguments->model));
             if (!arguments->rig.empty())
                 job.drawing.rig = arguments->rig;
             if (!arguments->height.empty())
                 job.drawing.height = arguments->height;
-            Progress progress;
-            return print_out(print_report(TRY(run_job(job, progress))));
+            terminal::Progress progress;
+            return terminal::print_out(batch::print_report(TRY(batch::run_job(job, progress))));
         };
     });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -18,7 +18,7 @@
 #include <memory>
 #include <set>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -42,27 +42,27 @@ std::string date_text(std::chrono::sys_seconds time)
 
 // A session as it can be read, and why not all of it can.
 struct ReadSession {
-    SessionContents contents;
+    session::SessionContents contents;
     Result<void> whole {};
 };
 
 // Where a file is damaged what is whole of it is shown all the same.
 Result<ReadSession> read_what_is_whole(SessionArguments const& arguments)
 {
-    auto contents = read_session(arguments.file, arguments.kinds);
+    auto contents = session::read_session(arguments.file, arguments.kinds);
     if (contents)
         return ReadSession { *std::move(contents) };
     auto const damage = contents.error();
-    auto const salvaged = salvage_session(arguments.file, arguments.kinds);
+    auto const salvaged = session::salvage_session(arguments.file, arguments.kinds);
     if (!salvaged)
         return tl::unexpected(damage);
-    return ReadSession { contents_of(*salvaged), tl::unexpected(damage) };
+    return ReadSession { session::contents_of(*salvaged), tl::unexpected(damage) };
 }
 
 Result<void> print_info(SessionArguments const& arguments)
 {
     auto const [contents, whole] = TRY(read_what_is_whole(arguments));
-    auto const [scene, edits, unknown, skipped_steps] = TRY(fold_session(contents));
+    auto const [scene, edits, unknown, skipped_steps] = TRY(batch::fold_session(contents));
     std::set<Timestamp> strokes; // One that shapes several branches counts once.
     std::size_t orphans = 0;
     std::size_t segments = 0;
@@ -103,7 +103,7 @@ Result<void> print_info(SessionArguments const& arguments)
         line("edits not known", fmt::format("{} ({})", unknown.count, unknown.first));
     if (skipped_steps > 0)
         line("steps that need more", skipped_steps);
-    TRY(print_out(text));
+    TRY(terminal::print_out(text));
     return whole;
 }
 
@@ -114,7 +114,7 @@ Result<void> print_log(SessionArguments const& arguments)
     for (auto const& [step, edit, made, place] : contents.edits)
         text += fmt::format("{:>5}  step {:<5} {:<23}  {}{}\n", place.number, step, date_text(made),
                             edit.describe(), step > contents.step ? " (undone)" : "");
-    TRY(print_out(text));
+    TRY(terminal::print_out(text));
     return whole;
 }
 
@@ -134,7 +134,7 @@ std::string print_numbers(std::vector<std::int64_t> const& numbers)
     return text + (text.empty() ? "" : " and ") + ranges.back();
 }
 
-std::string print_lost(SalvagedSession const& session)
+std::string print_lost(session::SalvagedSession const& session)
 {
     auto const last = session.rows.back().place.number;
     auto text = session.missing.empty()
@@ -149,7 +149,7 @@ std::string print_lost(SalvagedSession const& session)
     return text;
 }
 
-bool has_beginning(SalvagedSession const& session)
+bool has_beginning(session::SalvagedSession const& session)
 {
     auto const& first = session.rows.front();
     return first.step == 0 && first.record.kind.starts_with("load_");
@@ -158,33 +158,35 @@ bool has_beginning(SalvagedSession const& session)
 Result<void> repair(SessionArguments const& arguments)
 {
     TRY(check_writable(arguments.repaired));
-    auto const session = TRY(salvage_session(arguments.file, arguments.kinds));
+    auto const session = TRY(session::salvage_session(arguments.file, arguments.kinds));
     std::vector<Edit> beginning;
     if (!arguments.plant.empty()) {
-        auto const model = TRY(find_model(arguments.plant));
-        beginning.push_back(TRY(load_plant_edit(model)));
+        auto const model = TRY(files::find_model(arguments.plant));
+        beginning.push_back(TRY(io::load_plant_edit(model)));
     } else if (!has_beginning(session)) {
-        print_warning(fmt::format("the plant itself is lost: give it with --plant, {} it was",
-                                  session.origin.plant));
+        terminal::print_warning(fmt::format(
+            "the plant itself is lost: give it with --plant, {} it was", session.origin.plant));
     }
-    TRY(write_repaired(session, beginning, arguments.repaired));
-    return print_out(fmt::format("{}: {} edits\n{}", arguments.repaired.string(),
-                                 session.rows.size() + beginning.size(), print_lost(session)));
+    TRY(session::write_repaired(session, beginning, arguments.repaired));
+    return terminal::print_out(fmt::format("{}: {} edits\n{}", arguments.repaired.string(),
+                                           session.rows.size() + beginning.size(),
+                                           print_lost(session)));
 }
 
 Result<void> export_files(SessionArguments const& arguments)
 {
     TRY(check_writable(arguments.folder / "strokes.txt"));
     std::string text;
-    for (auto const& file : TRY(export_session(arguments.file, arguments.folder, arguments.kinds)))
+    for (auto const& file :
+         TRY(batch::export_session(arguments.file, arguments.folder, arguments.kinds)))
         text += fmt::format("wrote {}\n", file.string());
-    return print_out(text);
+    return terminal::print_out(text);
 }
 
 using Run = Result<void> (*)(SessionArguments const&);
 
 CLI::App& add_part(CLI::App& command, std::string const& name, std::string const& description,
-                   std::pair<Action&, Run> const& run,
+                   std::pair<options::Action&, Run> const& run,
                    std::shared_ptr<SessionArguments> const& arguments)
 {
     auto* const part = command.add_subcommand(name, description);
@@ -197,7 +199,7 @@ CLI::App& add_part(CLI::App& command, std::string const& name, std::string const
 
 } // namespace
 
-void add_session_command(CLI::App& root, Action& action, Methods const& methods)
+void add_session_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     // Shared with the callbacks, which outlive this.
     auto const arguments = std::make_shared<SessionArguments>();
@@ -215,7 +217,7 @@ void add_session_command(CLI::App& root, Action& action, Methods const& methods)
         .add_option("-o,--output", arguments->repaired,
                     "The new session; the old one stays as it is")
         ->type_name("NEW.tractus")
-        ->check(name_ending_in({ ".tractus" }))
+        ->check(options::name_ending_in({ ".tractus" }))
         ->required();
     to_repair
         .add_option("--plant", arguments->plant,
@@ -240,4 +242,4 @@ void add_session_command(CLI::App& root, Action& action, Methods const& methods)
         "session in the place of a model.");
 }
 
-} // namespace tractus
+} // namespace tractus::commands

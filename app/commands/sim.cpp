@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -42,13 +42,13 @@ Result<void> play_through_uhid(SimArguments const& arguments)
     auto const log = TRY(load_sim_play(arguments.play));
     auto const chosen = TRY(choose_devices(log, arguments));
     std::vector<std::unique_ptr<sim::KernelDevice>> devices;
-    std::vector<std::unique_ptr<DevicePart>> parts;
-    DevicePlay play;
+    std::vector<std::unique_ptr<play::DevicePart>> parts;
+    play::DevicePlay play;
     for (auto const index : chosen) {
         auto device = TRY(sim::UhidDevice::create(log.devices[index], sim::remember_features()));
-        print_error(fmt::format("playing {}\n", log.devices[index].name));
+        terminal::print_error(fmt::format("playing {}\n", log.devices[index].name));
         parts.push_back(
-            std::make_unique<ReportPart>(*device, reports_of(log, index, arguments.rate_hz)));
+            std::make_unique<play::ReportPart>(*device, reports_of(log, index, arguments.rate_hz)));
         play.devices.push_back(device.get());
         play.parts.push_back(parts.back().get());
         devices.push_back(std::move(device));
@@ -56,7 +56,7 @@ Result<void> play_through_uhid(SimArguments const& arguments)
     return run_sim_play(std::move(play), arguments.play);
 }
 
-void add_uhid_command(CLI::App& sim, Action& action)
+void add_uhid_command(CLI::App& sim, options::Action& action)
 {
     auto* const command
         = sim.add_subcommand("uhid", "As HID devices of this computer, through /dev/uhid");
@@ -71,7 +71,7 @@ void add_uhid_command(CLI::App& sim, Action& action)
                      "Send each device's reports in even steps, so many per second, and not as "
                      "they were recorded")
         ->type_name("HZ")
-        ->check(number(0.01, 1e6));
+        ->check(options::number(0.01, 1e6));
     command->footer(
         "The kernel and every program take the devices for real ones; \"tractus devices\" lists\n"
         "them. Reports are sent from when somebody reads each of the devices, and when the last\n"
@@ -82,7 +82,7 @@ void add_uhid_command(CLI::App& sim, Action& action)
 
 } // namespace
 
-void add_sim_command(CLI::App& root, Action& action)
+void add_sim_command(CLI::App& root, options::Action& action)
 {
     auto* const command
         = root.add_subcommand("sim", "Play a tablet and a height sensor to the kernel");
@@ -92,4 +92,4 @@ void add_sim_command(CLI::App& root, Action& action)
     add_sim_converter_commands(*command, action);
 }
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -2,8 +2,8 @@
 
 #include "app/options/action.h"
 
-namespace tractus {
+namespace tractus::commands {
 
-void add_sim_command(CLI::App& root, Action& action);
+void add_sim_command(CLI::App& root, options::Action& action);
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -37,7 +37,7 @@ constexpr Duration kEncoderRest = std::chrono::seconds(2);
 // The height of a recording, for a converter that is asked for it, from when it is asked first: the
 // kernel's own driver may have the converter open without reading it. And a fault when its time
 // comes. It rests where the heights begin and end for a while, if it is to.
-class HeightPart final : public DevicePart {
+class HeightPart final : public play::DevicePart {
 public:
     explicit HeightPart(sim::HeightCurve heights, Duration rest = Duration(0))
         : heights_(std::move(heights))
@@ -88,7 +88,7 @@ private:
 Result<void> play_part(sim::KernelDevice& device, HeightPart& part,
                        SimPlayArguments const& arguments)
 {
-    DevicePlay play;
+    play::DevicePlay play;
     play.devices = { &device };
     play.parts = { &part };
     return run_sim_play(std::move(play), arguments);
@@ -98,7 +98,7 @@ Result<void> play_mcp2221a(SimPlayArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments));
     HeightPart part(TRY(sim::HeightCurve::read(log)));
-    auto const device = TRY(tractus::sim::play_mcp2221a([&part] { return part.fraction_now(); }));
+    auto const device = TRY(sim::play_mcp2221a([&part] { return part.fraction_now(); }));
     return play_part(*device, part, arguments);
 }
 
@@ -143,7 +143,7 @@ Result<void> play_cp2112(SimConvertersArguments const& arguments)
     return play_part(*device, part, arguments.play);
 }
 
-void add_mcp2221a_command(CLI::App& sim, Action& action)
+void add_mcp2221a_command(CLI::App& sim, options::Action& action)
 {
     auto* const command = sim.add_subcommand(
         "mcp2221a", "A Microchip MCP2221A that measures a recording's heights, through /dev/uhid");
@@ -156,7 +156,7 @@ void add_mcp2221a_command(CLI::App& sim, Action& action)
         [arguments, &action] { action = [arguments] { return play_mcp2221a(*arguments); }; });
 }
 
-void add_desk_command(CLI::App& sim, Action& action)
+void add_desk_command(CLI::App& sim, options::Action& action)
 {
     auto* const command = sim.add_subcommand(
         "desk", "A LINAK standing desk that moves as a recording's surface, through /dev/uhid");
@@ -169,7 +169,7 @@ void add_desk_command(CLI::App& sim, Action& action)
         [arguments, &action] { action = [arguments] { return play_desk(*arguments); }; });
 }
 
-void add_cp2112_command(CLI::App& sim, Action& action)
+void add_cp2112_command(CLI::App& sim, options::Action& action)
 {
     auto* const command = sim.add_subcommand(
         "cp2112", "An MCP3208 on the GPIO lines of a CP2112 that measures a recording's heights");
@@ -180,20 +180,20 @@ void add_cp2112_command(CLI::App& sim, Action& action)
                      "The lines that CLK, DIN, DOUT and CS of the MCP3208 are wired to")
         ->type_name("CLK DIN DOUT CS")
         ->expected(4)
-        ->check(whole_number(0, 7))
+        ->check(options::whole_number(0, 7))
         ->capture_default_str();
     command
         ->add_option("--channel", arguments->channel,
                      "The channel that has the height; each other one, C, has (C + 1) / 10 of "
                      "full scale")
         ->type_name("C")
-        ->check(whole_number(0, 7))
+        ->check(options::whole_number(0, 7))
         ->capture_default_str();
     command
         ->add_option("--fail-after", arguments->fail_after_s,
                      "From then on the lines cannot be read, as if the cable were bad")
         ->type_name("SECONDS")
-        ->check(number(0, 1e6));
+        ->check(options::number(0, 1e6));
     command->footer(
         "The kernel's driver hid-cp2112 makes a gpiochip of it, labelled cp2112_gpio. Then the\n"
         "station's address of channel 0 is gpio:cp2112_gpio:0,1,2,3:mcp3208:0. Needs root, or the\n"
@@ -202,7 +202,7 @@ void add_cp2112_command(CLI::App& sim, Action& action)
         [arguments, &action] { action = [arguments] { return play_cp2112(*arguments); }; });
 }
 
-void add_encoder_command(CLI::App& sim, Action& action)
+void add_encoder_command(CLI::App& sim, options::Action& action)
 {
     auto* const command = sim.add_subcommand(
         "encoder",
@@ -213,13 +213,13 @@ void add_encoder_command(CLI::App& sim, Action& action)
     command->add_option("--lines", arguments->lines, "The lines that A and B are wired to")
         ->type_name("A B")
         ->expected(2)
-        ->check(whole_number(0, 7))
+        ->check(options::whole_number(0, 7))
         ->capture_default_str();
     command
         ->add_option("--counts", arguments->counts,
                      "How far it counts over the full scale of the recording's sensor")
         ->type_name("N")
-        ->check(whole_number(1, 1000000))
+        ->check(options::whole_number(1, 1000000))
         ->capture_default_str();
     command->footer(
         "The kernel's driver hid-cp2112 makes a gpiochip of it, whose lines it looks at 25 times\n"
@@ -232,7 +232,7 @@ void add_encoder_command(CLI::App& sim, Action& action)
 
 } // namespace
 
-void add_sim_converter_commands(CLI::App& sim, Action& action)
+void add_sim_converter_commands(CLI::App& sim, options::Action& action)
 {
     add_mcp2221a_command(sim, action);
     add_desk_command(sim, action);
@@ -240,4 +240,4 @@ void add_sim_converter_commands(CLI::App& sim, Action& action)
     add_encoder_command(sim, action);
 }
 
-} // namespace tractus
+} // namespace tractus::commands

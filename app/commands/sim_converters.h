@@ -2,9 +2,9 @@
 
 #include "app/options/action.h"
 
-namespace tractus {
+namespace tractus::commands {
 
 // "tractus sim mcp2221a", "desk", "cp2112" and "encoder"; `sim` is the command above.
-void add_sim_converter_commands(CLI::App& sim, Action& action);
+void add_sim_converter_commands(CLI::App& sim, options::Action& action);
 
-} // namespace tractus
+} // namespace tractus::commands

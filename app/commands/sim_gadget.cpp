@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -34,12 +34,12 @@ struct SimGadgetArguments {
 // Functions that are played on the gadget, which outlives them.
 struct Functions {
     std::vector<std::unique_ptr<sim::GadgetHid>> pens;
-    std::vector<std::unique_ptr<ReportPart>> pen_parts;
-    std::unique_ptr<PlayedHeightSensor> sensor;
+    std::vector<std::unique_ptr<play::ReportPart>> pen_parts;
+    std::unique_ptr<play::PlayedHeightSensor> sensor;
 
-    DevicePlay play() const
+    play::DevicePlay play() const
     {
-        DevicePlay play;
+        play::DevicePlay play;
         for (auto const& pen : pens)
             play.devices.push_back(pen.get());
         for (auto const& part : pen_parts)
@@ -93,7 +93,7 @@ Result<void> add_pens(Functions& functions, sim::UsbGadget& gadget, drivers::Log
         auto pen = TRY(
             sim::GadgetHid::add_to(gadget, fmt::format("pen{}", device), log.devices[device]));
         functions.pen_parts.push_back(
-            std::make_unique<ReportPart>(*pen, reports_of(log, device, rate_hz)));
+            std::make_unique<play::ReportPart>(*pen, reports_of(log, device, rate_hz)));
         functions.pens.push_back(std::move(pen));
     }
     return {};
@@ -110,7 +110,7 @@ Result<void> play_gadget(SimGadgetArguments const& arguments)
     TRY(add_pens(functions, *gadget, log, pens, arguments.rate_hz));
     if (arguments.what != "pen") {
         auto heights = TRY(sim::HeightCurve::read(log));
-        functions.sensor = TRY(PlayedHeightSensor::add_to(*gadget, std::move(heights)));
+        functions.sensor = TRY(play::PlayedHeightSensor::add_to(*gadget, std::move(heights)));
     }
     TRY(gadget->plug_in(arguments.port));
     return run_sim_play(functions.play(), arguments.play);
@@ -118,7 +118,7 @@ Result<void> play_gadget(SimGadgetArguments const& arguments)
 
 } // namespace
 
-void add_sim_gadget_command(CLI::App& sim, Action& action)
+void add_sim_gadget_command(CLI::App& sim, options::Action& action)
 {
     auto* const command = sim.add_subcommand(
         "gadget", "As a USB device, on this computer's USB device port: a test rig one can hold");
@@ -132,7 +132,7 @@ void add_sim_gadget_command(CLI::App& sim, Action& action)
                      "Send the pen's reports in even steps, so many per second, and not as they "
                      "were recorded; the host takes at most 1000")
         ->type_name("HZ")
-        ->check(number(0.01, 1000));
+        ->check(options::number(0.01, 1000));
     command
         ->add_option("--port", arguments->port,
                      "The port to plug in, as /sys/class/udc lists them; without it, the first "
@@ -161,4 +161,4 @@ void add_sim_gadget_command(CLI::App& sim, Action& action)
         [arguments, &action] { action = [arguments] { return play_gadget(*arguments); }; });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -2,9 +2,9 @@
 
 #include "app/options/action.h"
 
-namespace tractus {
+namespace tractus::commands {
 
 // "tractus sim gadget"; `sim` is the command above.
-void add_sim_gadget_command(CLI::App& sim, Action& action);
+void add_sim_gadget_command(CLI::App& sim, options::Action& action);
 
-} // namespace tractus
+} // namespace tractus::commands

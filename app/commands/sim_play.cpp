@@ -14,7 +14,7 @@
 #include <memory>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -29,19 +29,19 @@ Result<drivers::Log> simulate(SimPlayArguments const& arguments)
 {
     auto const text = TRY(read_text_file(arguments.script));
     auto const script = TRY(sim::parse_gesture_script(text, arguments.script));
-    auto const model = TRY(find_model(arguments.model));
-    auto const edit = TRY(load_plant_edit(model));
+    auto const model = TRY(files::find_model(arguments.model));
+    auto const edit = TRY(io::load_plant_edit(model));
     auto const scene = TRY(apply_edit({}, edit, make_load_options()));
     std::ostringstream recording;
-    TRY(write_simulated_recording(recording, script, scene, {}));
+    TRY(play::write_simulated_recording(recording, script, scene, {}));
     return drivers::parse_log(recording.str(), arguments.script);
 }
 
-DevicePlay::Then what_then(SimPlayArguments const& arguments)
+play::DevicePlay::Then what_then(SimPlayArguments const& arguments)
 {
     if (arguments.repeat)
-        return DevicePlay::Then::Repeat;
-    return arguments.stay ? DevicePlay::Then::Stay : DevicePlay::Then::Leave;
+        return play::DevicePlay::Then::Repeat;
+    return arguments.stay ? play::DevicePlay::Then::Stay : play::DevicePlay::Then::Leave;
 }
 
 } // namespace
@@ -81,10 +81,10 @@ Result<drivers::Log> load_sim_play(SimPlayArguments const& arguments)
     return log;
 }
 
-std::function<NextReport()> reports_of(drivers::Log const& log, std::size_t device,
-                                       std::optional<double> rate_hz)
+std::function<play::NextReport()> reports_of(drivers::Log const& log, std::size_t device,
+                                             std::optional<double> rate_hz)
 {
-    return [&log, device, rate_hz]() -> NextReport {
+    return [&log, device, rate_hz]() -> play::NextReport {
         // Shared, since functions are copied.
         auto const source = std::make_shared<drivers::LogSource>(log, device);
         return [&log, source, rate_hz,
@@ -98,23 +98,24 @@ std::function<NextReport()> reports_of(drivers::Log const& log, std::size_t devi
     };
 }
 
-Result<void> run_sim_play(DevicePlay play, SimPlayArguments const& arguments)
+Result<void> run_sim_play(play::DevicePlay play, SimPlayArguments const& arguments)
 {
     play.then = what_then(arguments);
-    play.on_begin = [] { print_error("somebody reads: playing; Ctrl-C unplugs\n"); };
-    print_error("plugged in, waiting for a program to read; Ctrl-C unplugs\n");
+    play.on_begin = [] { terminal::print_error("somebody reads: playing; Ctrl-C unplugs\n"); };
+    terminal::print_error("plugged in, waiting for a program to read; Ctrl-C unplugs\n");
     std::signal(SIGINT, ask_to_unplug);
     std::signal(SIGTERM, ask_to_unplug);
     std::signal(SIGHUP, ask_to_unplug);
-    TRY(play_parts(play, unplug_asked));
+    TRY(play::play_parts(play, unplug_asked));
     std::uint64_t lost = 0;
     for (auto const* const device : play.devices)
         lost += device->lost_count();
-    print_error(lost ? fmt::format("unplugged; {} reports came too fast, or while nobody read, and "
-                                   "were lost\n",
-                                   lost)
-                     : "unplugged; nothing was lost\n");
+    terminal::print_error(
+        lost ? fmt::format("unplugged; {} reports came too fast, or while nobody read, and "
+                           "were lost\n",
+                           lost)
+             : "unplugged; nothing was lost\n");
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::commands {
 
 // Options that the ways of "tractus sim" that play a recording or a script share.
 struct SimPlayArguments {
@@ -29,11 +29,11 @@ Result<drivers::Log> load_sim_play(SimPlayArguments const& arguments);
 
 // The reports of one of the log's devices, their times since the log's first report; or in even
 // steps, so many per second. The log must outlive them.
-std::function<NextReport()> reports_of(drivers::Log const& log, std::size_t device,
-                                       std::optional<double> rate_hz);
+std::function<play::NextReport()> reports_of(drivers::Log const& log, std::size_t device,
+                                             std::optional<double> rate_hz);
 
 // Plays until it is over or a signal asks to stop, and says on standard error when it begins and
 // how it went.
-Result<void> run_sim_play(DevicePlay play, SimPlayArguments const& arguments);
+Result<void> run_sim_play(play::DevicePlay play, SimPlayArguments const& arguments);
 
-} // namespace tractus
+} // namespace tractus::commands

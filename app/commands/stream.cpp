@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -36,50 +36,51 @@ struct StreamArguments {
     Methods methods;
 };
 
-Result<StreamOutput> open_stream_output(StreamArguments const& arguments, Bounds const& volume_mm)
+Result<stream::StreamOutput> open_stream_output(StreamArguments const& arguments,
+                                                Bounds const& volume_mm)
 {
-    auto const what
-        = arguments.strokes_only ? StreamOutput::What::Strokes : StreamOutput::What::All;
+    auto const what = arguments.strokes_only ? stream::StreamOutput::What::Strokes
+                                             : stream::StreamOutput::What::All;
     if (arguments.socket.empty())
-        return StreamOutput::open(print_out, volume_mm, what);
-    auto output = TRY(StreamOutput::open_socket(arguments.socket, volume_mm, what));
-    print_error(fmt::format("streaming at {}\n", arguments.socket));
+        return stream::StreamOutput::open(terminal::print_out, volume_mm, what);
+    auto output = TRY(stream::StreamOutput::open_socket(arguments.socket, volume_mm, what));
+    terminal::print_error(fmt::format("streaming at {}\n", arguments.socket));
     return output;
 }
 
 // Warns of reports that nobody can use.
-void warn_of_losses(Station const& station)
+void warn_of_losses(station::Station const& station)
 {
     auto const& counts = station.counts();
     if (counts.broken_reports > 0)
-        print_warning(fmt::format("{} reports could not be decoded, the first: {}",
-                                  counts.broken_reports, counts.first_broken));
+        terminal::print_warning(fmt::format("{} reports could not be decoded, the first: {}",
+                                            counts.broken_reports, counts.first_broken));
     for (auto const& sentence : calib::describe_faults(station.height_monitor(), {}))
-        print_warning(sentence);
+        terminal::print_warning(sentence);
 }
 
 Result<void> stream_recording(StreamArguments const& arguments)
 {
     auto const log = TRY(drivers::read_log(arguments.log));
     if (auto const warnings = drivers::summarize_warnings(log); !warnings.empty())
-        print_warning(warnings);
-    ReplayOptions options { .methods = arguments.methods };
+        terminal::print_warning(warnings);
+    station::ReplayOptions options { .methods = arguments.methods };
     if (!arguments.rig.empty())
         options.rig = TRY(calib::load_rig(arguments.rig));
     if (!arguments.height.empty())
         options.height = TRY(calib::parse_height_scenario(arguments.height));
-    auto replay = TRY(LogReplay::create(log, options));
+    auto replay = TRY(station::LogReplay::create(log, options));
     for (auto const& sentence : replay.left_out())
-        print_warning(sentence);
+        terminal::print_warning(sentence);
     // Catches signals before there is a socket to be taken away.
     auto const& stop = stop_on_signals();
     auto output = TRY(open_stream_output(arguments, replay.station().volume_mm()));
-    TRY(stream_log(replay, output, arguments.speed, stop));
+    TRY(stream::stream_log(replay, output, arguments.speed, stop));
     warn_of_losses(replay.station());
     return {};
 }
 
-bool has_sensor_of_height(LiveDevices const& devices)
+bool has_sensor_of_height(devices::LiveDevices const& devices)
 {
     auto const& infos = devices.infos();
     return std::any_of(infos.begin(), infos.end(), [](auto const& info) {
@@ -89,20 +90,20 @@ bool has_sensor_of_height(LiveDevices const& devices)
 
 // The one that was named, the played log's, or else the user's own.
 Result<std::optional<calib::Rig>> find_stream_rig(StreamArguments const& arguments,
-                                                  LiveDevices const& devices)
+                                                  devices::LiveDevices const& devices)
 {
     if (!arguments.rig.empty())
         return TRY(calib::load_rig(arguments.rig));
     if (!devices.rig_text().empty())
         return TRY(calib::parse_rig(devices.rig_text(), "the log's rig"));
     std::error_code ignored;
-    if (auto const own = user_rig_path(); std::filesystem::exists(own, ignored))
+    if (auto const own = files::user_rig_path(); std::filesystem::exists(own, ignored))
         return TRY(calib::load_rig(own));
     return std::optional<calib::Rig>();
 }
 
 // The size of the first tablet, where no rig tells it.
-calib::Rig rig_of_first_tablet(LiveDevices const& devices)
+calib::Rig rig_of_first_tablet(devices::LiveDevices const& devices)
 {
     calib::Rig rig;
     for (auto const& info : devices.infos())
@@ -113,8 +114,8 @@ calib::Rig rig_of_first_tablet(LiveDevices const& devices)
     return rig;
 }
 
-Result<StationOptions> live_station_options(StreamArguments const& arguments,
-                                            LiveDevices const& devices)
+Result<station::StationOptions> live_station_options(StreamArguments const& arguments,
+                                                     devices::LiveDevices const& devices)
 {
     auto const rig = TRY(find_stream_rig(arguments, devices));
     bool const has_sensor = has_sensor_of_height(devices);
@@ -122,16 +123,16 @@ Result<StationOptions> live_station_options(StreamArguments const& arguments,
         return fail(Fault::User,
                     "there is a height sensor but no calibration of it: give one with --rig, or "
                     "the surface's height with --height");
-    StationOptions options;
+    station::StationOptions options;
     options.rig = rig ? *rig : rig_of_first_tablet(devices);
     options.tools = arguments.methods.tools;
     if (has_sensor && arguments.height.empty())
         return options;
     calib::HeightScenario scenario;
     if (!arguments.height.empty())
-        scenario.constant_mm = TRY(constant_height_mm(arguments.height));
+        scenario.constant_mm = TRY(options::constant_height_mm(arguments.height));
     else
-        print_warning("there is no height sensor: all is drawn at height 0");
+        terminal::print_warning("there is no height sensor: all is drawn at height 0");
     options.scripted_height
         = calib::ScriptedHeight { .scenario = scenario, .first_pen = {}, .last_pen = {} };
     return options;
@@ -141,16 +142,17 @@ Result<void> stream_devices(StreamArguments const& arguments)
 {
     auto devices = TRY(open_devices(arguments.devices, "to draw with"));
     auto const options = TRY(live_station_options(arguments, devices));
-    auto station = TRY(Station::create(devices.infos(), options));
+    auto station = TRY(station::Station::create(devices.infos(), options));
     auto const& stop = stop_on_signals();
     auto output = TRY(open_stream_output(arguments, station.volume_mm()));
-    TRY(stream_live(devices, station, output, live_recording_by_the_clock(arguments.seconds),
-                    stop));
+    TRY(stream::stream_live(devices, station, output,
+                            devices::live_recording_by_the_clock(arguments.seconds), stop));
     warn_of_losses(station);
     if (auto const lost = devices.lost_count(); lost > 0)
-        print_warning(fmt::format("{} reports were lost, since the lines were not taken in time: "
-                                  "give --socket, which waits for nobody",
-                                  lost));
+        terminal::print_warning(
+            fmt::format("{} reports were lost, since the lines were not taken in time: "
+                        "give --socket, which waits for nobody",
+                        lost));
     return {};
 }
 
@@ -162,7 +164,7 @@ void add_stream_options(CLI::App& command, StreamArguments& arguments)
         .add_option("--device", arguments.devices,
                     fmt::format("What to read, each {}; without it, every pen and height sensor "
                                 "that is found",
-                                device_name_help()))
+                                devices::device_name_help()))
         ->type_name("DEVICE...")
         ->excludes(log);
     command
@@ -171,24 +173,24 @@ void add_stream_options(CLI::App& command, StreamArguments& arguments)
                     "standard output")
         ->type_name("PATH");
     command.add_flag("--strokes", arguments.strokes_only, "Finished strokes alone, no tips");
-    add_rig_option(command, arguments.rig);
-    add_height_option(command, arguments.height);
+    options::add_rig_option(command, arguments.rig);
+    options::add_height_option(command, arguments.height);
     command
         .add_option("--speed", arguments.speed,
                     "Stream a log at the pace of the hand, 1, or so many times as fast; without "
                     "it, as fast as it can be read")
         ->type_name("X")
-        ->check(number(0.01, 1000))
+        ->check(options::number(0.01, 1000))
         ->needs(log);
     command.add_option("--seconds", arguments.seconds, "How long; without it, until Ctrl-C")
         ->type_name("SECONDS")
-        ->check(number(0.001, 1e6))
+        ->check(options::number(0.001, 1e6))
         ->excludes(log);
 }
 
 } // namespace
 
-void add_stream_command(CLI::App& root, Action& action, Methods const& methods)
+void add_stream_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<StreamArguments>();
     arguments->methods = methods;
@@ -210,4 +212,4 @@ void add_stream_command(CLI::App& root, Action& action, Methods const& methods)
     });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -3,9 +3,9 @@
 #include "app/options/action.h"
 #include "app/tools/methods.h"
 
-namespace tractus {
+namespace tractus::commands {
 
 // `tractus stream [LOG]`: tips and strokes as lines for other programs.
-void add_stream_command(CLI::App& root, Action& action, Methods const& methods);
+void add_stream_command(CLI::App& root, options::Action& action, Methods const& methods);
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 static std::vector<std::string> words_of(ToolKinds kinds)
 {
@@ -18,13 +18,13 @@ static std::vector<std::string> words_of(ToolKinds kinds)
     return words;
 }
 
-void add_tools_command(CLI::App& root, Action& action, Methods const& methods)
+void add_tools_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     auto word = std::make_shared<std::string>();
     auto* const command = root.add_subcommand(
         "tools", "List what a pen can mean: the words of a recording's tool lines, and the keys");
     command->add_option("TOOL", *word, "Only this one, by its word")
-        ->check(one_of(words_of(methods.tools)));
+        ->check(options::one_of(words_of(methods.tools)));
     command->footer(
         "Words in [brackets] may stand behind a tool's own, one of each pair of brackets.");
     command->callback([word, methods, &action] {
@@ -33,9 +33,9 @@ void add_tools_command(CLI::App& root, Action& action, Methods const& methods)
             for (auto const* const kind : methods.tools)
                 if (word->empty() || *word == kind->word)
                     text += describe_tool(*kind);
-            return print_out(text);
+            return terminal::print_out(text);
         };
     });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -14,14 +14,14 @@
 #include <algorithm>
 #include <memory>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
 struct VaryArguments {
-    CollectionOptions collection;
+    batch::CollectionOptions collection;
     std::string model;
-    DrawingArguments drawing;
+    options::DrawingArguments drawing;
     std::string ages = "1";
     std::string stand = "grid";
     std::string shard = "1/1";
@@ -34,25 +34,25 @@ Result<void> vary(VaryArguments const& arguments, Methods const& methods)
     auto options = arguments.collection;
     bool const is_one_file = options.output.extension() == ".glb";
     TRY(check_writable(is_one_file ? options.output : options.output / "plant.glb"));
-    options.model = TRY(find_model(arguments.model));
+    options.model = TRY(files::find_model(arguments.model));
     options.kinds = methods.edits;
-    options.drawing = drawing_options(arguments.drawing, methods);
-    auto const [youngest, oldest] = parse_range(arguments.ages).value();
+    options.drawing = options::drawing_options(arguments.drawing, methods);
+    auto const [youngest, oldest] = options::parse_range(arguments.ages).value();
     options.ages = { youngest, oldest };
-    auto const [number, parts] = parse_part(arguments.shard).value();
+    auto const [number, parts] = options::parse_part(arguments.shard).value();
     options.shard = { number, parts };
     options.mesh.min_sides = std::min(options.mesh.min_sides, options.mesh.max_sides);
     if (arguments.stand == "scatter")
-        options.stand = Stand::Scatter;
+        options.stand = batch::Stand::Scatter;
     options.has_wind = arguments.wind != "none";
     if (arguments.wind == "uv")
-        options.glb.wind = GlbOptions::Wind::TextureCoordinates;
+        options.glb.wind = exports::GlbOptions::Wind::TextureCoordinates;
     if (arguments.wind == "colour")
-        options.glb.wind = GlbOptions::Wind::Colours;
+        options.glb.wind = exports::GlbOptions::Wind::Colours;
     if (arguments.nodes)
-        options.glb.organs = GlbOptions::Organs::Nodes;
-    Progress progress;
-    return print_out(print_report(TRY(make_collection(options, progress))));
+        options.glb.organs = exports::GlbOptions::Organs::Nodes;
+    terminal::Progress progress;
+    return terminal::print_out(batch::print_report(TRY(batch::make_collection(options, progress))));
 }
 
 void add_output_options(CLI::App& command, VaryArguments& arguments)
@@ -66,32 +66,32 @@ void add_output_options(CLI::App& command, VaryArguments& arguments)
         .add_option("--sheet", arguments.collection.sheet,
                     "Also draw a picture of small pictures of the plants, of at most 48")
         ->type_name("FILE.png")
-        ->check(name_ending_in({ ".png" }));
+        ->check(options::name_ending_in({ ".png" }));
     command
         .add_option("--construction", arguments.collection.construction,
                     "How much what was sketched differs, too: a rule's angles, construction lines, "
                     "how an outlined tree's branches stand; 0 not at all, 1 as plants of a kind do")
         ->type_name("SPREAD")
-        ->check(number(0, 4))
+        ->check(options::number(0, 4))
         ->capture_default_str();
     command
         .add_option("--shard", arguments.shard,
                     "Makes the I-th of N parts of the collection, so that many machines share it")
         ->type_name("I/N")
-        ->check(part_of(1'000'000))
+        ->check(options::part_of(1'000'000))
         ->capture_default_str();
     command
         .add_option("--sides", arguments.collection.mesh.max_sides,
                     "Sides of the thickest branches, 3 to 64")
         ->type_name("N")
-        ->check(whole_number(3, 64))
+        ->check(options::whole_number(3, 64))
         ->capture_default_str();
     command
         .add_option("--lods", arguments.collection.details,
                     "Coarser levels of each plant, for being seen from afar (MSFT_lod): each has "
                     "half the triangles of the one before, and the last is a billboard")
         ->type_name("N")
-        ->check(whole_number(0, kMostDetails))
+        ->check(options::whole_number(0, batch::kMostDetails))
         ->capture_default_str();
     command
         .add_option("--wind", arguments.wind,
@@ -99,15 +99,15 @@ void add_output_options(CLI::App& command, VaryArguments& arguments)
                     "phase and bend of their branch): none, attributes (_PIVOT and so on), uv "
                     "(TEXCOORD_1 to _4) or colour (COLOR_0)")
         ->type_name("CHANNELS")
-        ->check(one_of({ "none", "attributes", "uv", "colour" }))
+        ->check(options::one_of({ "none", "attributes", "uv", "colour" }))
         ->capture_default_str();
-    auto* const organs = add_glb_options(command, arguments.collection.glb);
+    auto* const organs = options::add_glb_options(command, arguments.collection.glb);
     command.add_flag("--nodes", arguments.nodes, "Means --organs nodes")->excludes(organs);
 }
 
 } // namespace
 
-void add_vary_command(CLI::App& root, Action& action, Methods const& methods)
+void add_vary_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<VaryArguments>();
     auto* const command = root.add_subcommand(
@@ -119,25 +119,26 @@ void add_vary_command(CLI::App& root, Action& action, Methods const& methods)
             "measured tree (.csv, .txt, .ply, .mtg), a session with what was drawn in it "
             "(.tractus), or one of ours by its name")
         ->required();
-    add_drawing_options(*command, arguments->drawing, "plants vary by chance alone");
+    options::add_drawing_options(*command, arguments->drawing, "plants vary by chance alone");
     command
         ->add_option("--count", arguments->collection.count, "Plants in the collection, all parts")
         ->type_name("N")
-        ->check(whole_number(1, 4'000'000'000))
+        ->check(options::whole_number(1, 4'000'000'000))
         ->capture_default_str();
-    add_seed_option(*command, arguments->collection.seed);
-    add_growth_options(*command, arguments->collection.growth, "usual, or as in a session");
+    options::add_seed_option(*command, arguments->collection.seed);
+    options::add_growth_options(*command, arguments->collection.growth,
+                                "usual, or as in a session");
     command
         ->add_option("--ages", arguments->ages,
                      "How old the plants are, from the youngest to the oldest: above 0, and 1 is "
                      "full-grown")
         ->type_name("A..B")
-        ->check(number_range(0.01, 1))
+        ->check(options::number_range(0.01, 1))
         ->capture_default_str();
     command
         ->add_option("--spread", arguments->stand,
                      "How they stand: grid, in rows, or scatter, turned and out of line")
-        ->check(one_of({ "grid", "scatter" }))
+        ->check(options::one_of({ "grid", "scatter" }))
         ->type_name("HOW")
         ->capture_default_str();
     add_output_options(*command, *arguments);
@@ -151,4 +152,4 @@ void add_vary_command(CLI::App& root, Action& action, Methods const& methods)
     });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

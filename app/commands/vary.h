@@ -3,8 +3,8 @@
 #include "app/options/action.h"
 #include "app/tools/methods.h"
 
-namespace tractus {
+namespace tractus::commands {
 
-void add_vary_command(CLI::App& root, Action& action, Methods const& methods);
+void add_vary_command(CLI::App& root, options::Action& action, Methods const& methods);
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -20,7 +20,7 @@
 #include <thread>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -37,13 +37,13 @@ struct WatchArguments {
 
 Timestamp now()
 {
-    return Timestamp(read_clocks().monotonic);
+    return Timestamp(diagnosis::read_clocks().monotonic);
 }
 
 // The devices and what is known of them, and a recording while one is made.
 class Watch {
 public:
-    explicit Watch(LiveDevices devices)
+    explicit Watch(devices::LiveDevices devices)
         : devices_(std::move(devices))
     {
         for (auto const& info : devices_.infos())
@@ -70,10 +70,10 @@ public:
 
     std::vector<std::string> lines(std::size_t width) const
     {
-        std::vector<DeviceReading> readings;
+        std::vector<diagnosis::DeviceReading> readings;
         for (auto const& monitor : monitors_)
             readings.push_back(monitor.reading());
-        return watch_lines(readings, width);
+        return devices::watch_lines(readings, width);
     }
 
     // Begins a recording in the working folder, or ends it.
@@ -87,7 +87,7 @@ public:
         }
         recording_ = fmt::format("watch-{:%Y-%m-%d-%H%M%S}.tractus-log",
                                  fmt::localtime(std::time(nullptr)));
-        auto recorder = LiveRecorder::create(
+        auto recorder = devices::LiveRecorder::create(
             recording_,
             { .devices = devices_.infos(), .rig_text = devices_.rig_text(), .start = now() });
         if (!recorder) {
@@ -107,10 +107,10 @@ public:
     }
 
 private:
-    LiveDevices devices_;
-    std::vector<DeviceMonitor> monitors_; // One per device.
-    std::vector<LiveReport> reports_;     // Kept for its memory.
-    std::optional<LiveRecorder> recorder_;
+    devices::LiveDevices devices_;
+    std::vector<diagnosis::DeviceMonitor> monitors_; // One per device.
+    std::vector<devices::LiveReport> reports_;       // Kept for its memory.
+    std::optional<devices::LiveRecorder> recorder_;
     std::string recording_; // The recording's file.
     std::string status_;
 };
@@ -120,11 +120,11 @@ Result<void> print_lines(std::vector<std::string> const& lines)
     std::string text;
     for (auto const& line : lines)
         text += line + "\n";
-    return print_out(text);
+    return terminal::print_out(text);
 }
 
 // True if the person wants to end.
-Result<bool> take_keys(Terminal& terminal, Watch& watch)
+Result<bool> take_keys(terminal::Terminal& terminal, Watch& watch)
 {
     while (auto const key = terminal.key()) {
         if (*key == 'q')
@@ -138,9 +138,9 @@ Result<bool> take_keys(Terminal& terminal, Watch& watch)
 Result<void> run(WatchArguments const& arguments)
 {
     Watch watch(TRY(open_devices(arguments.devices, "to watch")));
-    std::optional<Terminal> terminal;
-    if (is_terminal())
-        terminal = TRY(Terminal::open());
+    std::optional<terminal::Terminal> terminal;
+    if (terminal::is_terminal())
+        terminal = TRY(terminal::Terminal::open());
     auto const& stop = stop_on_signals();
     auto const begin = now();
     auto next = begin + (terminal ? Duration(0) : kPlainPeriod);
@@ -161,14 +161,14 @@ Result<void> run(WatchArguments const& arguments)
                 TRY(print_lines(watch.lines(kPlainWidth)));
         }
         if (!had_reports)
-            std::this_thread::sleep_for(kPollRest);
+            std::this_thread::sleep_for(devices::kPollRest);
     }
     return {};
 }
 
 } // namespace
 
-void add_watch_command(CLI::App& root, Action& action)
+void add_watch_command(CLI::App& root, options::Action& action)
 {
     auto arguments = std::make_shared<WatchArguments>();
     auto* const command = root.add_subcommand(
@@ -177,14 +177,14 @@ void add_watch_command(CLI::App& root, Action& action)
         "DEVICE", arguments->devices,
         fmt::format("What to watch, each {}; without it, every pen and height sensor "
                     "that is found",
-                    device_name_help()));
+                    devices::device_name_help()));
     command->add_option("--seconds", arguments->seconds, "How long; without it, until q or Ctrl-C")
         ->type_name("SECONDS")
-        ->check(number(0.001, 1e6));
+        ->check(options::number(0.001, 1e6));
     command->footer(
         "In a terminal, r begins and ends a recording in the working folder, and q ends. Where\n"
         "the output is no terminal, the same lines are printed each second and at the end.");
     command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

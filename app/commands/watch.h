@@ -2,9 +2,9 @@
 
 #include "app/options/action.h"
 
-namespace tractus {
+namespace tractus::commands {
 
 // `tractus watch [DEVICE...]`: what devices send, live in the terminal.
-void add_watch_command(CLI::App& root, Action& action);
+void add_watch_command(CLI::App& root, options::Action& action);
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -35,7 +35,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace {
 
@@ -64,7 +64,7 @@ struct WindowArguments {
     int frames = 0;
     std::string screenshot;
     std::string film;
-    int film_rate = WindowOptions().film_rate;
+    int film_rate = window::WindowOptions().film_rate;
 };
 
 std::string window_title(std::string const& hand, std::string const& drawing)
@@ -75,7 +75,7 @@ std::string window_title(std::string const& hand, std::string const& drawing)
 // Where a drawing has to be of something.
 Result<std::filesystem::path> model_of(WindowArguments const& arguments)
 {
-    return find_plant(arguments.model.empty() ? kUsualModel : arguments.model);
+    return files::find_plant(arguments.model.empty() ? kUsualModel : arguments.model);
 }
 
 // What a program looks at, or a film, is the same for everybody.
@@ -86,33 +86,34 @@ bool keeps_look(WindowArguments const& arguments)
 }
 
 // As the arguments say, else as the person chose it last.
-WindowLook look_for(WindowArguments const& arguments)
+window::WindowLook look_for(WindowArguments const& arguments)
 {
-    WindowLook look;
+    window::WindowLook look;
     if (keeps_look(arguments)) {
         if (auto const kept = load_look(user_look_path()))
             look = *kept;
         else
-            print_warning(fmt::format("{}: the window looks as usual", kept.error().message));
+            terminal::print_warning(
+                fmt::format("{}: the window looks as usual", kept.error().message));
     }
     look.is_light = arguments.is_light.value_or(look.is_light);
     look.is_left_handed = arguments.is_left_handed.value_or(look.is_left_handed);
     return look;
 }
 
-WindowOptions window_options(WindowArguments const& arguments, std::string title)
+window::WindowOptions window_options(WindowArguments const& arguments, std::string title)
 {
-    WindowOptions options;
+    window::WindowOptions options;
     options.title = std::move(title);
     if (arguments.fills_display || !arguments.display.empty())
         options.full_screen = arguments.display;
     options.is_on_stage = arguments.is_on_stage;
     options.look = look_for(arguments);
     if (keeps_look(arguments))
-        options.keep_look = [warned = false](WindowLook const& look) mutable {
+        options.keep_look = [warned = false](window::WindowLook const& look) mutable {
             auto const saved = save_look(user_look_path(), look);
             if (!saved && !std::exchange(warned, true))
-                print_warning(saved.error().message);
+                terminal::print_warning(saved.error().message);
         };
     options.scale = arguments.scale;
     options.frames = arguments.frames;
@@ -126,28 +127,28 @@ WindowOptions window_options(WindowArguments const& arguments, std::string title
 Result<void> show_replay(WindowArguments const& arguments)
 {
     auto const model = TRY(model_of(arguments));
-    ReplayOptions options { .methods = arguments.methods };
-    auto scene = TRY(scene_of_plant(model, arguments.methods.edits));
+    station::ReplayOptions options { .methods = arguments.methods };
+    auto scene = TRY(controllers::scene_of_plant(model, arguments.methods.edits));
     if (!arguments.rig.empty())
         options.rig = TRY(calib::load_rig(arguments.rig));
     if (!arguments.height.empty())
         options.height = TRY(calib::parse_height_scenario(arguments.height));
     auto const log = TRY(drivers::read_log(arguments.log));
-    std::optional<Session> session;
+    std::optional<session::Session> session;
     if (!arguments.session.empty()) {
         std::string trouble;
-        session
-            = TRY(open_or_begin({ model, arguments.session }, arguments.methods.edits, trouble));
+        session = TRY(controllers::open_or_begin({ model, arguments.session },
+                                                 arguments.methods.edits, trouble));
         if (!trouble.empty())
-            print_warning(trouble);
+            terminal::print_warning(trouble);
     }
     drivers::ClosingSignals const signals; // Held until the window is closed and all is kept.
-    auto window = TRY(ReplayWindow::create(log, options, std::move(scene),
-                                           std::filesystem::current_path(), std::move(session)));
+    auto window = TRY(controllers::ReplayWindow::create(
+        log, options, std::move(scene), std::filesystem::current_path(), std::move(session)));
     auto const name = std::filesystem::path(log.name).filename().string();
     auto const on = arguments.session.empty() ? model : std::filesystem::path(arguments.session);
     auto const title = window_title(name, on.empty() ? "an empty sheet" : on.stem().string());
-    return run_window(window, window_options(arguments, title));
+    return window::run_window(window, window_options(arguments, title));
 }
 
 // Nothing was asked for that a window could begin with, or end with.
@@ -162,9 +163,11 @@ bool begins_with_start_page(WindowArguments const& arguments)
 
 // Opens what was asked for, kept in its session; else in a new one, of which the person is told.
 // Returns its name; of the start page none.
-Result<std::string> open_first_drawing(WindowArguments const& arguments, LiveWindowOptions& options)
+Result<std::string> open_first_drawing(WindowArguments const& arguments,
+                                       controllers::LiveWindowOptions& options)
 {
-    auto start = std::make_unique<StartPageController>(start_page_of_user(arguments.methods));
+    auto start = std::make_unique<controllers::StartPageController>(
+        controllers::start_page_of_user(arguments.methods));
     options.start_page = std::move(start);
     options.unnamed = std::make_shared<std::filesystem::path>();
     if (begins_with_start_page(arguments)) {
@@ -172,26 +175,28 @@ Result<std::string> open_first_drawing(WindowArguments const& arguments, LiveWin
         return std::string();
     }
     auto const model = TRY(model_of(arguments));
-    auto drawing = TRY(open_drawing({ model, arguments.session }, arguments.methods.edits));
+    auto drawing
+        = TRY(controllers::open_drawing({ model, arguments.session }, arguments.methods.edits));
     options.scene = std::move(drawing.scene);
     options.session = std::move(drawing.session);
     options.model = drawing.model;
     *options.unnamed = drawing.unnamed;
     if (!drawing.trouble.empty())
-        print_warning(drawing.trouble);
+        terminal::print_warning(drawing.trouble);
     if (!drawing.unnamed.empty())
-        TRY(print_out(fmt::format("What is drawn is kept in {}\n", drawing.unnamed.string())));
+        TRY(terminal::print_out(
+            fmt::format("What is drawn is kept in {}\n", drawing.unnamed.string())));
     return drawing.name;
 }
 
 // A hand that draws now has no end at which a movement could be over.
-Result<void> draw_in_window(LiveDevices devices, LiveWindowOptions options,
-                            WindowOptions const& how)
+Result<void> draw_in_window(devices::LiveDevices devices, controllers::LiveWindowOptions options,
+                            window::WindowOptions const& how)
 {
     // Held until the window is closed and all is kept.
     drivers::ClosingSignals const signals;
-    auto window = TRY(LiveWindow::create(std::move(devices), std::move(options)));
-    return run_window(window, how);
+    auto window = TRY(controllers::LiveWindow::create(std::move(devices), std::move(options)));
+    return window::run_window(window, how);
 }
 
 struct Clock {
@@ -207,27 +212,28 @@ Clock clock_for(WindowArguments const& arguments)
     return { [counted] { return *counted; }, counted };
 }
 
-Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices, Clock const& clock)
+Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices devices,
+                          Clock const& clock)
 {
-    LiveWindowOptions options { .methods = arguments.methods };
+    controllers::LiveWindowOptions options { .methods = arguments.methods };
     options.rig_file
-        = arguments.rig.empty() ? user_rig_path() : std::filesystem::path(arguments.rig);
+        = arguments.rig.empty() ? files::user_rig_path() : std::filesystem::path(arguments.rig);
     std::error_code ignored;
     if (!arguments.rig.empty()
         || (arguments.played.empty() && devices.rig_text().empty()
             && std::filesystem::exists(options.rig_file, ignored)))
         options.rig = TRY(calib::load_rig(options.rig_file));
     if (!arguments.height.empty())
-        options.height_mm = TRY(constant_height_mm(arguments.height));
+        options.height_mm = TRY(options::constant_height_mm(arguments.height));
     // Last, since it may begin a file.
     auto const drawing = TRY(open_first_drawing(arguments, options));
     options.folder = std::filesystem::current_path();
-    if (auto const folder = user_folder(); !folder.empty()) {
+    if (auto const folder = files::user_folder(); !folder.empty()) {
         options.cards = folder / "cards";
         options.leaves = folder / "leaves";
     }
-    options.picture_folders = user_picture_folders();
-    options.cache = user_cache_folder();
+    options.picture_folders = files::user_picture_folders();
+    options.cache = files::user_cache_folder();
     options.picture = arguments.picture;
     options.recording = arguments.recording;
     options.socket = arguments.socket;
@@ -239,7 +245,7 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
     auto how = window_options(arguments, drawing.empty() ? "tractus" : window_title(name, drawing));
     auto const tidy_up = [unnamed = options.unnamed] {
         if (!unnamed->empty())
-            remove_if_nothing_was_drawn(*unnamed);
+            controllers::remove_if_nothing_was_drawn(*unnamed);
     };
     how.when_display_has_gone = tidy_up;
     auto const done = draw_in_window(std::move(devices), std::move(options), how);
@@ -250,7 +256,7 @@ Result<void> show_devices(WindowArguments const& arguments, LiveDevices devices,
 // A session is gone on with, a plant is drawn on; anything else is a recording.
 Result<WindowArguments> sort_out(WindowArguments arguments)
 {
-    if (is_session_file(arguments.file)) {
+    if (batch::is_session_file(arguments.file)) {
         std::error_code ignored;
         if (!std::filesystem::exists(arguments.file, ignored))
             return fail(
@@ -305,9 +311,9 @@ Result<void> prepare_film(WindowArguments const& arguments)
 // Opens what was asked for; else the devices that are there; else a mouse.
 Result<void> open_window(WindowArguments const& arguments)
 {
-    return_large_blocks();
+    batch::return_large_blocks();
     if (!arguments.picture.empty()) // Else the person would learn of it in the window.
-        TRY(load_back_picture(arguments.picture, Vec2(1, 1)));
+        TRY(controllers::load_back_picture(arguments.picture, Vec2(1, 1)));
     if (!arguments.screenshot.empty())
         TRY(check_writable(arguments.screenshot));
     if (!arguments.film.empty())
@@ -316,12 +322,13 @@ Result<void> open_window(WindowArguments const& arguments)
         return show_replay(arguments);
     auto const clock = clock_for(arguments);
     if (!arguments.played.empty())
-        return show_devices(arguments, TRY(LiveDevices::play_log(arguments.played, clock.now)),
-                            clock);
+        return show_devices(
+            arguments, TRY(devices::LiveDevices::play_log(arguments.played, clock.now)), clock);
     if (!arguments.devices.empty())
-        return show_devices(arguments, TRY(LiveDevices::open_named(arguments.devices)), clock);
-    auto const found = find_pens_and_height_sensors();
-    auto devices = found.empty() ? LiveDevices::start({}) : open_found(found);
+        return show_devices(arguments, TRY(devices::LiveDevices::open_named(arguments.devices)),
+                            clock);
+    auto const found = devices::find_pens_and_height_sensors();
+    auto devices = found.empty() ? devices::LiveDevices::start({}) : open_found(found);
     return show_devices(arguments, TRY(std::move(devices)), clock);
 }
 
@@ -329,9 +336,9 @@ Result<void> open_window(WindowArguments const& arguments)
 void add_drawing_options(CLI::App& command, WindowArguments& arguments)
 {
     command
-        .add_option(
-            "--device", arguments.devices,
-            fmt::format("What to read in place of what is found, each {}", device_name_help()))
+        .add_option("--device", arguments.devices,
+                    fmt::format("What to read in place of what is found, each {}",
+                                devices::device_name_help()))
         ->type_name("DEVICE...");
     command
         .add_option("--log", arguments.played,
@@ -350,7 +357,7 @@ void add_drawing_options(CLI::App& command, WindowArguments& arguments)
                     "or one that is gone on with; without it, a new one named after the plant and "
                     "the time, in ~/.local/share/tractus")
         ->type_name("FILE.tractus")
-        ->check(name_ending_in({ ".tractus" }));
+        ->check(options::name_ending_in({ ".tractus" }));
 }
 
 // How the window looks, and for how long.
@@ -381,16 +388,16 @@ void add_look_options(CLI::App& command, WindowArguments& arguments)
         .add_option("--scale", arguments.scale,
                     "How large letters and buttons are; 0 takes the display's own scale")
         ->type_name("X")
-        ->check(number(0, 8));
+        ->check(options::number(0, 8));
     command
         .add_option("--frames", arguments.frames,
                     "Close after so many frames of 1/60 s; 0 stays open")
         ->type_name("N")
-        ->check(whole_number(0, 1'000'000'000))
+        ->check(options::whole_number(0, 1'000'000'000))
         ->capture_default_str();
     command.add_option("--screenshot", arguments.screenshot, "Write the last frame as a PNG")
         ->type_name("FILE.png")
-        ->check(picture_name());
+        ->check(options::picture_name());
     command
         .add_option("--film", arguments.film,
                     "Write the window as pictures, 00001.png and on, into this new or empty "
@@ -399,14 +406,14 @@ void add_look_options(CLI::App& command, WindowArguments& arguments)
         ->type_name("FOLDER");
     command.add_option("--film-rate", arguments.film_rate, "Pictures for a second of --film")
         ->type_name("N")
-        ->check(whole_number(1, 60))
+        ->check(options::whole_number(1, 60))
         ->capture_default_str()
         ->needs("--film");
 }
 
 } // namespace
 
-void add_window_command(CLI::App& root, Action& action, Methods const& methods)
+void add_window_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<WindowArguments>();
     arguments->methods = methods;
@@ -421,7 +428,7 @@ void add_window_command(CLI::App& root, Action& action, Methods const& methods)
         "the height sensor that are found, and with the mouse in place of what is "
         "missing");
     add_drawing_options(*command, *arguments);
-    add_plant_option(*command, arguments->model)->required(false);
+    options::add_plant_option(*command, arguments->model)->required(false);
     command
         ->add_flag("--start-page", arguments->wants_start_page,
                    "Begin with the page on which one chooses, also with --log, --record, --frames "
@@ -437,8 +444,8 @@ void add_window_command(CLI::App& root, Action& action, Methods const& methods)
                      "Tell other programs at a local socket of this name what is drawn, as "
                      "\"tractus stream\" does, and what grows by it")
         ->type_name("PATH");
-    add_rig_option(*command, arguments->rig);
-    add_height_option(*command, arguments->height);
+    options::add_rig_option(*command, arguments->rig);
+    options::add_height_option(*command, arguments->height);
     add_look_options(*command, *arguments);
     command->footer(
         "Begins with a page on which one chooses: an empty sheet, a model, or a drawing to go\n"
@@ -453,4 +460,4 @@ void add_window_command(CLI::App& root, Action& action, Methods const& methods)
     });
 }
 
-} // namespace tractus
+} // namespace tractus::commands

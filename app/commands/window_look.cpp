@@ -7,7 +7,7 @@
 #include <array>
 #include <fmt/format.h>
 
-namespace tractus {
+namespace tractus::commands {
 
 namespace fs = std::filesystem;
 
@@ -29,25 +29,25 @@ Result<bool> is_second(calib::TomlTable& table, std::string_view key,
 
 fs::path user_look_path()
 {
-    auto const folder = user_folder();
+    auto const folder = files::user_folder();
     return folder.empty() ? fs::path() : folder / "window.toml";
 }
 
-Result<WindowLook> load_look(fs::path const& path)
+Result<window::WindowLook> load_look(fs::path const& path)
 {
     std::error_code ignored;
     if (path.empty() || !fs::exists(path, ignored))
-        return WindowLook();
+        return window::WindowLook();
     auto const text = TRY(read_file(path));
     auto table = TRY(calib::TomlTable::parse(text, path.string()));
-    WindowLook look;
+    window::WindowLook look;
     look.is_light = TRY(is_second(table, "colors", kColors));
     look.is_left_handed = TRY(is_second(table, "hand", kHands));
     TRY(table.refuse_unknown_keys());
     return look;
 }
 
-Result<void> save_look(fs::path const& path, WindowLook const& look)
+Result<void> save_look(fs::path const& path, window::WindowLook const& look)
 {
     TRY(make_folder(path.parent_path()));
     return write_file(path,
@@ -57,4 +57,4 @@ Result<void> save_look(fs::path const& path, WindowLook const& look)
                                   kHands[look.is_left_handed ? 1 : 0]));
 }
 
-} // namespace tractus
+} // namespace tractus::commands

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-namespace tractus {
+namespace tractus::commands {
 
 // The file that keeps how somebody wants the window to look: window.toml in user_folder(). Empty
 // where the user has no home.
@@ -13,9 +13,9 @@ std::filesystem::path user_look_path();
 
 // Reads such a file; the usual look where there is none. Fails, as the user's fault, naming the
 // file, the line and what is wrong there.
-Result<WindowLook> load_look(std::filesystem::path const& path);
+Result<window::WindowLook> load_look(std::filesystem::path const& path);
 
 // Writes it, and its folder if that is not there.
-Result<void> save_look(std::filesystem::path const& path, WindowLook const& look);
+Result<void> save_look(std::filesystem::path const& path, window::WindowLook const& look);
 
-} // namespace tractus
+} // namespace tractus::commands

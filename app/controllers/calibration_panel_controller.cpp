@@ -7,20 +7,20 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::controllers {
 
 Result<CalibrationPanelController>
 CalibrationPanelController::create(std::vector<drivers::DeviceInfo> devices,
                                    CalibrationPanelControllerOptions options)
 {
-    auto controller = TRY(CalibrationController::create(devices, options.controller));
+    auto controller = TRY(calibration::CalibrationController::create(devices, options.controller));
     return CalibrationPanelController(std::move(devices), std::move(options),
                                       std::move(controller));
 }
 
-CalibrationPanelController::CalibrationPanelController(std::vector<drivers::DeviceInfo> devices,
-                                                       CalibrationPanelControllerOptions options,
-                                                       CalibrationController controller)
+CalibrationPanelController::CalibrationPanelController(
+    std::vector<drivers::DeviceInfo> devices, CalibrationPanelControllerOptions options,
+    calibration::CalibrationController controller)
     : devices_(std::move(devices))
     , options_(std::move(options))
     , controller_(std::move(controller))
@@ -29,7 +29,7 @@ CalibrationPanelController::CalibrationPanelController(std::vector<drivers::Devi
     show_reading();
 }
 
-void CalibrationPanelController::push(LiveReport const& report)
+void CalibrationPanelController::push(devices::LiveReport const& report)
 {
     if (report.report.size > 0)
         controller_.push(report.device, report.report.received, report.report.bytes());
@@ -44,24 +44,24 @@ void CalibrationPanelController::advance()
         else
             refuse(controller_.refusal());
     }
-    bool const waits = takes_captures(controller_.procedure()) && !was_capturing_;
+    bool const waits = calibration::takes_captures(controller_.procedure()) && !was_capturing_;
     if (controller_.take_pen_rest() && waits)
         capture(controller_.pen()->time, view_.proposed_mm); // However late we notice it.
     show_reading();
 }
 
-void CalibrationPanelController::perform(CalibrationCommand const& command)
+void CalibrationPanelController::perform(calibration::CalibrationCommand const& command)
 {
     std::visit([&](auto const& kind) { perform_kind(kind); }, command);
     show_reading();
 }
 
-void CalibrationPanelController::perform_kind(ChooseProcedure const& command)
+void CalibrationPanelController::perform_kind(calibration::ChooseProcedure const& command)
 {
     auto options = options_.controller;
     options.procedure = command.procedure;
     options.rig = outcome_ ? outcome_->rig : controller_.rig();
-    auto controller = CalibrationController::create(devices_, options);
+    auto controller = calibration::CalibrationController::create(devices_, options);
     if (!controller)
         return refuse(controller.error().message);
     options_.controller = std::move(options);
@@ -73,31 +73,31 @@ void CalibrationPanelController::perform_kind(ChooseProcedure const& command)
     propose();
 }
 
-void CalibrationPanelController::perform_kind(CaptureAt const& command)
+void CalibrationPanelController::perform_kind(calibration::CaptureAt const& command)
 {
     capture(options_.now(), command.ruler_mm);
 }
 
-void CalibrationPanelController::perform_kind(UndoCapture const&)
+void CalibrationPanelController::perform_kind(calibration::UndoCapture const&)
 {
     if (command(options_.now(), "undo"))
         fit();
 }
 
-void CalibrationPanelController::perform_kind(BeginMovement const&)
+void CalibrationPanelController::perform_kind(calibration::BeginMovement const&)
 {
     is_moving_ = command(options_.now(), "begin");
     propose();
 }
 
-void CalibrationPanelController::perform_kind(EndMovement const&)
+void CalibrationPanelController::perform_kind(calibration::EndMovement const&)
 {
     is_moving_ = false;
     if (command(options_.now(), "end"))
         fit();
 }
 
-void CalibrationPanelController::perform_kind(KeepRig const&)
+void CalibrationPanelController::perform_kind(calibration::KeepRig const&)
 {
     if (!outcome_)
         return;
@@ -109,7 +109,7 @@ void CalibrationPanelController::perform_kind(KeepRig const&)
     view_.is_refusal = false;
 }
 
-void CalibrationPanelController::perform_kind(PressWithPen const&)
+void CalibrationPanelController::perform_kind(calibration::PressWithPen const&)
 {
     command(options_.now(), "press");
 }
@@ -139,7 +139,7 @@ void CalibrationPanelController::fit()
     view_.slipped.clear();
     auto outcome = controller_.finish(options_.date);
     if (!outcome) {
-        if (!takes_captures(controller_.procedure())
+        if (!calibration::takes_captures(controller_.procedure())
             || controller_.captures().size() >= kFewCaptures)
             refuse(outcome.error().message);
         return;
@@ -149,20 +149,21 @@ void CalibrationPanelController::fit()
     if (auto const& height_fit = outcome_->height_fit) {
         view_.residuals_mm = height_fit->residuals_mm;
         view_.slipped = height_fit->slipped;
-        view_.plots
-            = height_plots(*height_fit, controller_.captures(), outcome_->rig.full_scale_counts);
+        view_.plots = calibration::height_plots(*height_fit, controller_.captures(),
+                                                outcome_->rig.full_scale_counts);
     }
 }
 
 // Proposes what to do next.
 void CalibrationPanelController::propose()
 {
-    auto const heights = options_.heights_mm.empty() ? proposed_heights_mm(controller_.procedure())
-                                                     : options_.heights_mm;
+    auto const heights = options_.heights_mm.empty()
+        ? calibration::proposed_heights_mm(controller_.procedure())
+        : options_.heights_mm;
     auto const next = controller_.captures().size();
     view_.is_refusal = false;
-    if (!takes_captures(controller_.procedure())) {
-        auto const words = movement_words(controller_.procedure());
+    if (!calibration::takes_captures(controller_.procedure())) {
+        auto const words = calibration::movement_words(controller_.procedure());
         view_.message = is_moving_ ? fmt::format("{}, then press End.", words.during)
                                    : fmt::format("{}, then press Begin.", words.before);
     } else if (next < heights.size()) {
@@ -179,7 +180,7 @@ void CalibrationPanelController::show_reading()
 {
     auto const reading = controller_.reading();
     view_.procedure = controller_.procedure();
-    view_.reading = was_capturing_ ? "capturing …" : describe_reading(controller_);
+    view_.reading = was_capturing_ ? "capturing …" : calibration::describe_reading(controller_);
     view_.is_on_rail = reading && reading->is_on_rail;
     view_.is_capturing = was_capturing_;
     view_.may_capture = reading && reading->is_at_rest && !was_capturing_;
@@ -194,4 +195,4 @@ void CalibrationPanelController::refuse(std::string const& why)
     view_.is_refusal = true;
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -12,34 +12,34 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::controllers {
 
 struct CalibrationPanelControllerOptions {
-    CalibrationController::Options controller {};
+    calibration::CalibrationController::Options controller {};
     std::vector<double> heights_mm {}; // To propose, in this order; empty: those of the procedure.
     std::string date {};               // Today's.
     std::function<Timestamp()> now {};
 
     // Writes what was found out; what it did, or why it could not.
-    std::function<Result<std::string>(CalibrationOutcome const&)> keep {};
+    std::function<Result<std::string>(calibration::CalibrationOutcome const&)> keep {};
 };
 
 // Contents of the window while a person calibrates devices: the reading, the captures and, from the
 // second one on, the fit and its plots. A pen that rests on the tablet captures the proposed
 // height. What one procedure found out is what the next begins with; nothing is written before the
 // person asks for it.
-class CalibrationPanelController final : public CalibrationModel {
+class CalibrationPanelController final : public calibration::CalibrationModel {
 public:
     // Fails as CalibrationController::create does.
     static Result<CalibrationPanelController> create(std::vector<drivers::DeviceInfo> devices,
                                                      CalibrationPanelControllerOptions options);
 
     // Takes what a device has sent; advance() draws conclusions from all that has come.
-    void push(LiveReport const& report);
+    void push(devices::LiveReport const& report);
     void advance();
 
-    CalibrationView const& view() const override { return view_; }
-    void perform(CalibrationCommand const& command) override;
+    calibration::CalibrationView const& view() const override { return view_; }
+    void perform(calibration::CalibrationCommand const& command) override;
 
     // The rig that was kept since the last call.
     std::optional<calib::Rig> take_kept_rig() { return std::exchange(kept_, std::nullopt); }
@@ -47,16 +47,19 @@ public:
 private:
     CalibrationPanelController(std::vector<drivers::DeviceInfo> devices,
                                CalibrationPanelControllerOptions options,
-                               CalibrationController controller);
+                               calibration::CalibrationController controller);
 
-    void perform_kind(ChooseProcedure const& command);
-    void perform_kind(ProposeHeight const& command) { view_.proposed_mm = command.height_mm; }
-    void perform_kind(CaptureAt const& command);
-    void perform_kind(UndoCapture const&);
-    void perform_kind(BeginMovement const&);
-    void perform_kind(EndMovement const&);
-    void perform_kind(KeepRig const&);
-    void perform_kind(PressWithPen const&);
+    void perform_kind(calibration::ChooseProcedure const& command);
+    void perform_kind(calibration::ProposeHeight const& command)
+    {
+        view_.proposed_mm = command.height_mm;
+    }
+    void perform_kind(calibration::CaptureAt const& command);
+    void perform_kind(calibration::UndoCapture const&);
+    void perform_kind(calibration::BeginMovement const&);
+    void perform_kind(calibration::EndMovement const&);
+    void perform_kind(calibration::KeepRig const&);
+    void perform_kind(calibration::PressWithPen const&);
 
     void capture(Timestamp time, double ruler_mm);
     bool command(Timestamp time,
@@ -68,12 +71,12 @@ private:
 
     std::vector<drivers::DeviceInfo> devices_;
     CalibrationPanelControllerOptions options_;
-    CalibrationController controller_;
-    std::optional<CalibrationOutcome> outcome_; // Outcome of everything so far.
+    calibration::CalibrationController controller_;
+    std::optional<calibration::CalibrationOutcome> outcome_; // Outcome of everything so far.
     std::optional<calib::Rig> kept_;
     bool was_capturing_ = false;
     bool is_moving_ = false;
-    CalibrationView view_;
+    calibration::CalibrationView view_;
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -2,16 +2,16 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::controllers {
 
-Result<CalibrationWindow> CalibrationWindow::create(LiveDevices devices,
+Result<CalibrationWindow> CalibrationWindow::create(devices::LiveDevices devices,
                                                     CalibrationPanelControllerOptions options)
 {
     auto panel = TRY(CalibrationPanelController::create(devices.infos(), std::move(options)));
     return CalibrationWindow(std::move(devices), std::move(panel));
 }
 
-CalibrationWindow::CalibrationWindow(LiveDevices devices, CalibrationPanelController panel)
+CalibrationWindow::CalibrationWindow(devices::LiveDevices devices, CalibrationPanelController panel)
     : devices_(std::move(devices))
     , panel_(std::move(panel))
 {
@@ -26,4 +26,4 @@ void CalibrationWindow::advance(Duration)
     panel_.advance();
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -7,27 +7,27 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // A window that is there to calibrate, and for nothing else.
-class CalibrationWindow final : public WindowModel {
+class CalibrationWindow final : public view::WindowModel {
 public:
     // Fails as CalibrationPanelController::create does.
-    static Result<CalibrationWindow> create(LiveDevices devices,
+    static Result<CalibrationWindow> create(devices::LiveDevices devices,
                                             CalibrationPanelControllerOptions options);
 
     void advance(Duration real_step) override;
-    WindowState const& state() const override { return state_; }
-    void perform(WindowCommand const&) override { }
-    CalibrationModel* calibration() override { return &panel_; }
+    view::WindowState const& state() const override { return state_; }
+    void perform(view::WindowCommand const&) override { }
+    calibration::CalibrationModel* calibration() override { return &panel_; }
 
 private:
-    CalibrationWindow(LiveDevices devices, CalibrationPanelController panel);
+    CalibrationWindow(devices::LiveDevices devices, CalibrationPanelController panel);
 
-    LiveDevices devices_;
+    devices::LiveDevices devices_;
     CalibrationPanelController panel_;
-    std::vector<LiveReport> reports_; // Kept for its memory.
-    WindowState state_;               // Nothing but the calibration is shown.
+    std::vector<devices::LiveReport> reports_; // Kept for its memory.
+    view::WindowState state_;                  // Nothing but the calibration is shown.
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

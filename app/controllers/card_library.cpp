@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
@@ -98,4 +98,4 @@ Result<void> CardLibrary::remove(std::string const& name) const
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

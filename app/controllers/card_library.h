@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // A person's own cards: text files NAME.card in a folder, one for each.
 class CardLibrary {
@@ -39,4 +39,4 @@ private:
     std::filesystem::path folder_;
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

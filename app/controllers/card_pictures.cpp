@@ -18,7 +18,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
@@ -28,17 +28,17 @@ namespace {
 constexpr std::uintmax_t kLargestFile_bytes = 32'000'000;
 constexpr double kLongest_s = 5;
 
-std::optional<Image> read_image(fs::path const& file, std::size_t most_bytes = 4'000'000)
+std::optional<render::Image> read_image(fs::path const& file, std::size_t most_bytes = 4'000'000)
 {
     auto const bytes = read_file(file, most_bytes);
     if (!bytes)
         return std::nullopt;
-    auto image = read_picture(*bytes);
+    auto image = render::read_picture(*bytes);
     return image ? std::optional(*std::move(image)) : std::nullopt;
 }
 
 // As large as a card shows it.
-std::optional<Image> small_picture(fs::path const& file)
+std::optional<render::Image> small_picture(fs::path const& file)
 {
     auto const image = read_image(file, kMostPictureBytes);
     if (!image || image->width() == 0)
@@ -46,18 +46,18 @@ std::optional<Image> small_picture(fs::path const& file)
     double const scale
         = std::min(1.0, static_cast<double>(CardPictures::kWidth_px) / image->width());
     auto const side = [&](int length) { return std::max(1, static_cast<int>(scale * length)); };
-    return resized(*image, side(image->width()), side(image->height()));
+    return render::resized(*image, side(image->width()), side(image->height()));
 }
 
 // On white, in the middle.
-std::optional<Image> card_of_grammar(fs::path const& file)
+std::optional<render::Image> card_of_grammar(fs::path const& file)
 {
-    constexpr Color kPaper { 250, 250, 248, 255 };
+    constexpr render::Color kPaper { 250, 250, 248, 255 };
     auto const leaf = picture_of_grammar(file, CardPictures::kHeight_px, kPaper);
     if (!leaf)
         return std::nullopt;
-    Image card(CardPictures::kWidth_px, CardPictures::kHeight_px, kPaper);
-    paste(card, *leaf, (card.width() - leaf->width()) / 2, 0);
+    render::Image card(CardPictures::kWidth_px, CardPictures::kHeight_px, kPaper);
+    render::paste(card, *leaf, (card.width() - leaf->width()) / 2, 0);
     return card;
 }
 
@@ -84,7 +84,7 @@ KeptName kept_name(fs::path const& file)
 }
 
 // In place of those of earlier states. A folder that takes none is no reason to say anything.
-void keep(Image const& picture, fs::path const& folder, KeptName const& name)
+void keep(render::Image const& picture, fs::path const& folder, KeptName const& name)
 {
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
@@ -93,8 +93,8 @@ void keep(Image const& picture, fs::path const& folder, KeptName const& name)
             std::error_code ignored;
             fs::remove(entry->path(), ignored);
         }
-    static_cast<void>(write_file(folder / name.whole,
-                                 [&](std::ostream& out) { return write_png(out, picture); }));
+    static_cast<void>(write_file(
+        folder / name.whole, [&](std::ostream& out) { return render::write_png(out, picture); }));
 }
 
 } // namespace
@@ -133,7 +133,7 @@ CardPictures::Made CardPictures::make(fs::path const& file, std::stop_token cons
 {
     Made made { file, nullptr };
     bool const has_none_beside_it
-        = is_session_file(file) || is_picture_file(file) || is_grammar(file);
+        = batch::is_session_file(file) || is_picture_file(file) || is_grammar(file);
     auto image
         = has_none_beside_it ? std::nullopt : read_image(fs::path(file).replace_extension(".png"));
     auto const name = kept_name(file);
@@ -147,11 +147,11 @@ CardPictures::Made CardPictures::make(fs::path const& file, std::stop_token cons
             keep(*image, kept_in_, name);
     }
     if (image)
-        made.picture = std::make_shared<Image const>(*std::move(image));
+        made.picture = std::make_shared<render::Image const>(*std::move(image));
     return made;
 }
 
-std::optional<Image> CardPictures::draw(fs::path const& file, std::stop_token const& stop)
+std::optional<render::Image> CardPictures::draw(fs::path const& file, std::stop_token const& stop)
 {
     std::error_code error;
     if (fs::file_size(file, error) > kLargestFile_bytes || error || cannot_draw_)
@@ -159,24 +159,24 @@ std::optional<Image> CardPictures::draw(fs::path const& file, std::stop_token co
     auto const scene = scene_of_plant(file, kinds_, { .max_seconds = kLongest_s });
     if (!scene || scene->plants.empty() || stop.stop_requested())
         return std::nullopt;
-    auto const plant = shown_plants(*scene);
+    auto const plant = batch::shown_plants(*scene);
     if (!plant || plant->segment_count() == 0 || stop.stop_requested())
         return std::nullopt;
     auto const mesh = mesh::make_mesh(*plant, {}, stop);
     if (stop.stop_requested())
         return std::nullopt;
     if (!drawing_) {
-        auto thread = PictureThread::create();
+        auto thread = batch::PictureThread::create();
         cannot_draw_ = !thread;
         if (!thread)
             return std::nullopt;
-        drawing_ = std::make_unique<PictureThread>(*std::move(thread));
+        drawing_ = std::make_unique<batch::PictureThread>(*std::move(thread));
     }
-    std::optional<Image> picture;
-    drawing_->draw([&](PictureMaker& maker) {
+    std::optional<render::Image> picture;
+    drawing_->draw([&](batch::PictureMaker& maker) {
         picture = maker.plant(mesh, { .width_px = kWidth_px, .height_px = kHeight_px });
     });
     return picture;
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

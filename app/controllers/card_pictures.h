@@ -10,9 +10,11 @@
 #include <optional>
 #include <stop_token>
 
-namespace tractus {
-
+namespace tractus::batch {
 class PictureThread;
+}
+
+namespace tractus::controllers {
 
 // Small pictures of models, sessions and pictures, for the cards of a page: the one that lies
 // beside a model (MODEL.png), else one that was made before and is kept in a folder, else a new
@@ -36,7 +38,7 @@ public:
     // cannot be read, nothing is drawn in it, or it is too much to be looked at in passing.
     struct Made {
         std::filesystem::path file;
-        std::shared_ptr<Image const> picture; // Shared with nobody.
+        std::shared_ptr<render::Image const> picture; // Shared with nobody.
     };
     std::optional<Made> take();
 
@@ -47,15 +49,17 @@ public:
 
 private:
     Made make(std::filesystem::path const& file, std::stop_token const& stop);
-    std::optional<Image> draw(std::filesystem::path const& file, std::stop_token const& stop);
+    std::optional<render::Image> draw(std::filesystem::path const& file,
+                                      std::stop_token const& stop);
 
     EditKinds kinds_;
     std::filesystem::path kept_in_;
     std::deque<std::filesystem::path> waiting_;
     bool is_making_ = false;
-    std::unique_ptr<PictureThread> drawing_;     // The job's; null until a picture has to be drawn.
+    std::unique_ptr<batch::PictureThread>
+        drawing_;                                // The job's; null until a picture has to be drawn.
     bool cannot_draw_ = false;                   // Likewise.
     NewestJob<std::filesystem::path, Made> job_; // Last: it uses the others.
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

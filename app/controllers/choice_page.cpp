@@ -8,7 +8,7 @@
 #include <deque>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
@@ -98,7 +98,7 @@ void ChoicePage::open(Choices choices)
     for (auto& [title, of_group] : choices.groups) {
         if (of_group.empty())
             continue;
-        StartCards cards { .title = std::move(title) };
+        view::StartCards cards { .title = std::move(title) };
         auto& files = files_.emplace_back();
         for (auto& choice : of_group) {
             if (!choice.file.empty())
@@ -153,4 +153,4 @@ void ChoicePage::leave()
     ++state_.revision;
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // What a page beside the drawing offers: files, and what stands for none.
 struct Choices {
@@ -41,7 +41,7 @@ struct LeavesInDocument {
 Choices leaf_choices(std::filesystem::path const& folder, LeavesInDocument const& document = {});
 
 // A page on which one of them is chosen, with their pictures. Belongs to one thread.
-class ChoicePage final : public StartPageModel {
+class ChoicePage final : public view::StartPageModel {
 public:
     // `small_pictures` is the folder where pictures for the cards are kept; empty: nowhere.
     explicit ChoicePage(std::filesystem::path const& small_pictures);
@@ -59,7 +59,7 @@ public:
         return std::exchange(chosen_, std::nullopt);
     }
 
-    StartPageState const& state() const override { return state_; }
+    view::StartPageState const& state() const override { return state_; }
     void choose(std::size_t group, std::size_t card) override;
     void leave() override;
 
@@ -67,10 +67,10 @@ private:
     void show_picture(CardPictures::Made const& made);
 
     bool is_open_ = false;
-    StartPageState state_;
+    view::StartPageState state_;
     std::vector<std::vector<std::filesystem::path>> files_ {}; // As the state's cards are.
     std::optional<std::filesystem::path> chosen_ {};
     CardPictures pictures_;
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

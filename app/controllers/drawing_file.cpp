@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 static Result<std::vector<Edit>> edits_of_plant(fs::path const& plant, EditKinds kinds)
 {
     if (plant.empty())
-        return std::vector<Edit> { BeginEmpty {} };
-    if (is_session_file(plant))
-        return session_edits(plant, kinds);
-    auto edit = TRY(load_plant_edit(plant));
+        return std::vector<Edit> { session::BeginEmpty {} };
+    if (batch::is_session_file(plant))
+        return batch::session_edits(plant, kinds);
+    auto edit = TRY(io::load_plant_edit(plant));
     return std::vector<Edit> { std::move(edit) };
 }
 
@@ -29,19 +29,21 @@ Result<Scene> scene_of_plant(fs::path const& plant, EditKinds kinds, ModelCost c
 {
     if (plant.empty())
         return Scene {};
-    if (is_session_file(plant))
-        return load_session_scene(plant, kinds, cost);
-    auto const edit = TRY(load_plant_edit(plant));
+    if (batch::is_session_file(plant))
+        return batch::load_session_scene(plant, kinds, cost);
+    auto const edit = TRY(io::load_plant_edit(plant));
     return apply_edit({}, edit, make_load_options(cost));
 }
 
-Result<Session> open_or_begin(WantedDrawing const& wanted, EditKinds kinds, std::string& trouble)
+Result<session::Session> open_or_begin(WantedDrawing const& wanted, EditKinds kinds,
+                                       std::string& trouble)
 {
     std::error_code ignored;
     if (!fs::exists(wanted.session, ignored))
-        return begin_session(wanted.session, TRY(edits_of_plant(wanted.plant, kinds)), kinds);
-    auto session = TRY(
-        Session::open(wanted.session, session_by_the_clock(kinds, [] { return load_options(); })));
+        return batch::begin_session(wanted.session, TRY(edits_of_plant(wanted.plant, kinds)),
+                                    kinds);
+    auto session = TRY(session::Session::open(
+        wanted.session, session::session_by_the_clock(kinds, [] { return load_options(); })));
     if (auto const said = session.unknown().sentence(); !said.empty())
         trouble = fmt::format("{}: {}", wanted.session.string(), said);
     else if (session.is_derived_anew())
@@ -56,7 +58,7 @@ static Result<OpenedDrawing> begin_unnamed(WantedDrawing wanted, EditKinds kinds
 {
     OpenedDrawing opened;
     auto const name = wanted.plant.empty() ? std::string("drawing") : wanted.plant.stem().string();
-    auto const begin = [&]() -> Result<Session> {
+    auto const begin = [&]() -> Result<session::Session> {
         auto const now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
         wanted.session = TRY(unnamed_session_path(name, now));
         return open_or_begin(wanted, kinds, opened.trouble);
@@ -92,4 +94,4 @@ Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, EditKinds kinds)
     return opened;
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // What a person wants to draw on, and where it is kept.
 struct WantedDrawing {
@@ -24,7 +24,7 @@ struct WantedDrawing {
 struct OpenedDrawing {
     std::string name {}; // Of its file, for people.
     Scene scene {};      // Where nothing keeps it, which `trouble` explains.
-    std::optional<Session> session {};
+    std::optional<session::Session> session {};
     std::filesystem::path
         unnamed {};                 // The session's file, if it is a new one that nobody has named.
     std::filesystem::path model {}; // The file of its model in cpfg's language; empty: it has none.
@@ -36,10 +36,11 @@ struct OpenedDrawing {
 Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, EditKinds kinds);
 
 // The session in the file, or a new one of the plant. `trouble` becomes what of it is unknown.
-Result<Session> open_or_begin(WantedDrawing const& wanted, EditKinds kinds, std::string& trouble);
+Result<session::Session> open_or_begin(WantedDrawing const& wanted, EditKinds kinds,
+                                       std::string& trouble);
 
 // The scene of a plant as it would begin. Fails like load_plant_edit() and load_session_scene().
 Result<Scene> scene_of_plant(std::filesystem::path const& plant, EditKinds kinds,
                              ModelCost const& cost = {});
 
-} // namespace tractus
+} // namespace tractus::controllers

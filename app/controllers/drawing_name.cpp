@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 #include <optional>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::string file_name_of(std::string name)
     return name;
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

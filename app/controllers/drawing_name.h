@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // A file's stem as a name for people: "lombardy_poplar" is "Lombardy poplar".
 std::string name_in_words(std::string stem);
@@ -22,4 +22,4 @@ Result<std::string> name_as_typed(std::string_view typed);
 // A name as a part of a file's name.
 std::string file_name_of(std::string name);
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <system_error>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
@@ -52,4 +52,4 @@ Result<fs::path> keep_leaf(fs::path const& grammar, fs::path const& folder)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // Writes the grammars of the leaves that are drawn in a document below a folder, for pages that
 // show files: one for each leaf, in the order of the plants. One that cannot be written is left
@@ -30,4 +30,4 @@ Result<std::filesystem::path> write_shown_leaf(std::string const& name, std::str
 Result<std::filesystem::path> keep_leaf(std::filesystem::path const& grammar,
                                         std::filesystem::path const& folder);
 
-} // namespace tractus
+} // namespace tractus::controllers

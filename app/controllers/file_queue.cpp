@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::controllers {
 
 static Result<FileQueue::Written> write_wanted(WantedFile const& file)
 {
@@ -58,4 +58,4 @@ void FileQueue::settle()
     }
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

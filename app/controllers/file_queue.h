@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // A file that somebody wants to have.
 struct WantedFile {
@@ -51,4 +51,4 @@ private:
     NewestJob<WantedFile, Result<Written>> job_;
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -5,26 +5,27 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace {
 
-constexpr Color kPaper { 250, 250, 248, 255 };
+constexpr render::Color kPaper { 250, 250, 248, 255 };
 constexpr double kLastMonth = 12.99;
 constexpr double kSeasonSpread = 0.08; // Of ages, as plants have it in a season.
 
 struct Number {
     char const* text;
-    double LeafDamage::*number;
+    double lsystem::LeafDamage::*number;
     double most;
     double step;
 };
-constexpr std::array<Number, 5> kNumbers { { { "spots {:.0f} %", &LeafDamage::spots, 1, 0.01 },
-                                             { "mildew {:.0f} %", &LeafDamage::mildew, 1, 0.01 },
-                                             { "mines {:.1f}", &LeafDamage::mines, 6, 0.5 },
-                                             { "larvae {:.1f}", &LeafDamage::larvae, 8, 0.5 },
-                                             { "withered {:.0f} %", &LeafDamage::withered, 1,
-                                               0.01 } } };
+constexpr std::array<Number, 5> kNumbers {
+    { { "spots {:.0f} %", &lsystem::LeafDamage::spots, 1, 0.01 },
+      { "mildew {:.0f} %", &lsystem::LeafDamage::mildew, 1, 0.01 },
+      { "mines {:.1f}", &lsystem::LeafDamage::mines, 6, 0.5 },
+      { "larvae {:.1f}", &lsystem::LeafDamage::larvae, 8, 0.5 },
+      { "withered {:.0f} %", &lsystem::LeafDamage::withered, 1, 0.01 } }
+};
 constexpr std::size_t kAge = 0; // Sliders; those of the numbers follow.
 constexpr std::size_t kSeason = 1;
 constexpr std::size_t kFirstNumber = 2;
@@ -35,9 +36,9 @@ double in_steps(double value, double step)
     return std::round(std::round(value / step) * step * 100) / 100;
 }
 
-StartStudy::Picture picture(char const* title, Image image)
+view::StartStudy::Picture picture(char const* title, render::Image image)
 {
-    return { title, std::make_shared<Image const>(std::move(image)) };
+    return { title, std::make_shared<render::Image const>(std::move(image)) };
 }
 
 std::string said_of_age(double age, std::optional<Season> const& season)
@@ -74,7 +75,7 @@ void LeafPage::open(Subject subject)
     subject_ = std::make_shared<Subject const>(std::move(subject));
     state_.title = subject_->title;
     state_.note.clear();
-    state_.study = StartStudy { .accept = "Put on the plant" };
+    state_.study = view::StartStudy { .accept = "Put on the plant" };
     state_.study->details.resize(4);
     state_.study->others.resize(6);
     show_sliders();
@@ -162,10 +163,10 @@ void LeafPage::accept()
 {
     if (!is_open_)
         return;
-    accepted_ = DressActivePlant { .leaves = wanted_.leaves,
-                                   .drawn = wanted_.drawn,
-                                   .age = wanted_.age,
-                                   .damage = wanted_.damage };
+    accepted_ = view::DressActivePlant { .leaves = wanted_.leaves,
+                                         .drawn = wanted_.drawn,
+                                         .age = wanted_.age,
+                                         .damage = wanted_.damage };
     if (season_ != subject_->season)
         accepted_->season.emplace(season_);
     is_open_ = false;
@@ -179,4 +180,4 @@ void LeafPage::leave()
     ++state_.revision;
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

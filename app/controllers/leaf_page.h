@@ -11,11 +11,11 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // A page that shows the leaves of one grammar at any age and with any damage before a plant has
 // them. They are painted in the background while sliders move. Belongs to one thread.
-class LeafPage final : public StartPageModel {
+class LeafPage final : public view::StartPageModel {
 public:
     struct Subject {
         std::string title {}; // "Oak".
@@ -34,7 +34,7 @@ public:
     void settle();
 
     // The leaves as they were accepted: the page is closed then.
-    std::optional<DressActivePlant> take_accepted()
+    std::optional<view::DressActivePlant> take_accepted()
     {
         return std::exchange(accepted_, std::nullopt);
     }
@@ -42,7 +42,7 @@ public:
     // Whether it was left without that since the last call.
     bool take_left() { return std::exchange(is_left_, false); }
 
-    StartPageState const& state() const override { return state_; }
+    view::StartPageState const& state() const override { return state_; }
     void choose(std::size_t, std::size_t) override { }
     void slide(std::size_t slider, double value) override;
     void accept() override;
@@ -61,12 +61,12 @@ private:
 
     bool is_open_ = false;
     bool is_left_ = false;
-    StartPageState state_;
+    view::StartPageState state_;
     std::shared_ptr<Subject const> subject_ {}; // As it was opened.
     Dressing wanted_ {};
     std::optional<Season> season_ {};
-    std::optional<DressActivePlant> accepted_ {};
+    std::optional<view::DressActivePlant> accepted_ {};
     NewestJob<Wanted, Result<LeafStudy>> job_;
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::controllers {
 
-void LiveCards::show(WindowState& state)
+void LiveCards::show(view::WindowState& state)
 {
     auto const& kind = state.hand.kind();
     if (std::exchange(shown_, &kind) != &kind)
@@ -13,13 +13,13 @@ void LiveCards::show(WindowState& state)
             = cards_label(kind) ? library_.cards_of(state.tools, kind) : std::vector<ToolCard>();
 }
 
-void LiveCards::show_again(WindowState& state)
+void LiveCards::show_again(view::WindowState& state)
 {
     shown_ = nullptr;
     show(state);
 }
 
-void LiveCards::perform(KeepCard const&, WindowState& state)
+void LiveCards::perform(view::KeepCard const&, view::WindowState& state)
 {
     auto const name = library_.keep(state.hand);
     state.status
@@ -27,7 +27,7 @@ void LiveCards::perform(KeepCard const&, WindowState& state)
     show_again(state);
 }
 
-void LiveCards::perform(RenameCard const& command, WindowState& state)
+void LiveCards::perform(view::RenameCard const& command, view::WindowState& state)
 {
     auto const done = library_.rename(command.from, command.to);
     state.status = done ? fmt::format("{} is called {} now", command.from, command.to)
@@ -35,7 +35,7 @@ void LiveCards::perform(RenameCard const& command, WindowState& state)
     show_again(state);
 }
 
-void LiveCards::perform(RemoveCard const& command, WindowState& state)
+void LiveCards::perform(view::RemoveCard const& command, view::WindowState& state)
 {
     auto const done = library_.remove(command.name);
     state.status = done ? fmt::format("{} is gone; what was drawn with it stays", command.name)
@@ -43,4 +43,4 @@ void LiveCards::perform(RemoveCard const& command, WindowState& state)
     show_again(state);
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

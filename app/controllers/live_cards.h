@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // A person's own cards as a window shows them, and what is done with them there. States say in the
 // status what was done, or why not.
@@ -18,12 +18,12 @@ public:
     }
 
     // Shows the cards of the kind in hand, as the folder has them when that is taken in hand.
-    void show(WindowState& state);
-    void show_again(WindowState& state); // Reads the folder anew.
+    void show(view::WindowState& state);
+    void show_again(view::WindowState& state); // Reads the folder anew.
 
-    void perform(KeepCard const&, WindowState& state);
-    void perform(RenameCard const& command, WindowState& state);
-    void perform(RemoveCard const& command, WindowState& state);
+    void perform(view::KeepCard const&, view::WindowState& state);
+    void perform(view::RenameCard const& command, view::WindowState& state);
+    void perform(view::RemoveCard const& command, view::WindowState& state);
 
 private:
     CardLibrary library_;
@@ -31,4 +31,4 @@ private:
     ToolKind const* shown_ = nullptr; // The kind whose cards are shown.
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

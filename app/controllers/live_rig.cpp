@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::controllers {
 
-static bool has_pen(LiveDevices const& devices)
+static bool has_pen(devices::LiveDevices const& devices)
 {
     return std::any_of(devices.infos().begin(), devices.infos().end(), [](auto const& info) {
         return drivers::make_pen_decoder(info).has_value();
@@ -18,7 +18,7 @@ static bool has_pen(LiveDevices const& devices)
 }
 
 // Traits that the first tablet tells.
-static std::optional<drivers::PenTraits> first_tablet(LiveDevices const& devices)
+static std::optional<drivers::PenTraits> first_tablet(devices::LiveDevices const& devices)
 {
     for (auto const& info : devices.infos())
         if (auto const decoder = drivers::make_pen_decoder(info))
@@ -26,14 +26,14 @@ static std::optional<drivers::PenTraits> first_tablet(LiveDevices const& devices
     return std::nullopt;
 }
 
-bool has_height_sensor(LiveDevices const& devices)
+bool has_height_sensor(devices::LiveDevices const& devices)
 {
     return std::any_of(devices.infos().begin(), devices.infos().end(), [](auto const& info) {
         return !drivers::make_pen_decoder(info) && drivers::make_height_decoder(info);
     });
 }
 
-Result<MouseParts> add_mouse(LiveDevices& devices, LiveWindowOptions const& options)
+Result<MouseParts> add_mouse(devices::LiveDevices& devices, LiveWindowOptions const& options)
 {
     constexpr double kFirstSurface_mm = 100; // Some of the plant is below it, and to be seen.
     if (!options.mouse)
@@ -49,13 +49,13 @@ Result<MouseParts> add_mouse(LiveDevices& devices, LiveWindowOptions const& opti
     return parts;
 }
 
-bool lacks_calibration(LiveDevices const& devices, LiveWindowOptions const& options)
+bool lacks_calibration(devices::LiveDevices const& devices, LiveWindowOptions const& options)
 {
     return !options.rig && devices.rig_text().empty() && !options.height_mm
         && has_height_sensor(devices);
 }
 
-Result<calib::Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions const& options,
+Result<calib::Rig> choose_rig(devices::LiveDevices const& devices, LiveWindowOptions const& options,
                               MouseParts const& mouse)
 {
     if (mouse.pen && mouse.height)
@@ -80,7 +80,7 @@ Result<calib::Rig> choose_rig(LiveDevices const& devices, LiveWindowOptions cons
     return rig;
 }
 
-std::optional<std::string> size_note(LiveDevices const& devices, calib::Rig const& rig)
+std::optional<std::string> size_note(devices::LiveDevices const& devices, calib::Rig const& rig)
 {
     auto const tablet = first_tablet(devices);
     if (rig.surface_mm || !tablet || !tablet->is_size_assumed)
@@ -90,4 +90,4 @@ std::optional<std::string> size_note(LiveDevices const& devices, calib::Rig cons
                        rig.tablet_size_mm.x(), rig.tablet_size_mm.y());
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -10,7 +10,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace {
 
@@ -18,14 +18,14 @@ constexpr double kMousePressure = 0.5; // Pressure of a hand that draws without 
 
 } // namespace
 
-Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions options)
+Result<LiveWindow> LiveWindow::create(devices::LiveDevices devices, LiveWindowOptions options)
 {
     CHECK(options.now && !options.methods.tools.empty());
-    StationOptions station_options;
+    station::StationOptions station_options;
     station_options.tools = options.methods.tools;
     station_options.layers = options.methods.layers;
     bool const has_sensor = has_height_sensor(devices);
-    bool const lacks_calibration = tractus::lacks_calibration(devices, options);
+    bool const lacks_calibration = controllers::lacks_calibration(devices, options);
     auto const mouse = TRY(add_mouse(devices, options));
     station_options.rig = TRY(choose_rig(devices, options, mouse));
     if (!mouse.height && (options.height_mm || !has_sensor || lacks_calibration))
@@ -35,7 +35,7 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
             .first_pen = {},
             .last_pen = {},
         };
-    auto station = TRY(Station::create(devices.infos(), station_options));
+    auto station = TRY(station::Station::create(devices.infos(), station_options));
     LiveWindow window(std::move(devices), std::move(options), std::move(station_options),
                       std::move(station));
     window.view().state().mouse_draws = mouse.pen;
@@ -44,19 +44,19 @@ Result<LiveWindow> LiveWindow::create(LiveDevices devices, LiveWindowOptions opt
     if (auto const note = size_note(window.devices_, window.station_options_.rig))
         window.view().state().status = *note;
     if (lacks_calibration)
-        window.perform(OpenCalibration {});
+        window.perform(view::OpenCalibration {});
     if (!window.options_.recording.empty())
         TRY(window.start_recording(window.options_.recording));
     if (!window.options_.socket.empty())
-        window.stream_ = TRY(StreamOutput::open_socket(
-            window.options_.socket, window.station_.volume_mm(), StreamOutput::What::All));
+        window.stream_ = TRY(stream::StreamOutput::open_socket(
+            window.options_.socket, window.station_.volume_mm(), stream::StreamOutput::What::All));
     if (!window.options_.picture.empty()) // A step of the recording, too.
-        window.perform(LayPictureFile { window.options_.picture });
+        window.perform(view::LayPictureFile { window.options_.picture });
     return window;
 }
 
-LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
-                       StationOptions station_options, Station station)
+LiveWindow::LiveWindow(devices::LiveDevices devices, LiveWindowOptions options,
+                       station::StationOptions station_options, station::Station station)
     : devices_(std::move(devices))
     , options_(std::move(options))
     , station_options_(std::move(station_options))
@@ -64,7 +64,7 @@ LiveWindow::LiveWindow(LiveDevices devices, LiveWindowOptions options,
     , controller_(std::in_place, station_, std::exchange(options_.session, std::nullopt),
                   std::exchange(options_.scene, {}), options_.folder)
     , cards_(options_.cards)
-    , states_(devices_.infos().size(), LiveDevices::State::Connected)
+    , states_(devices_.infos().size(), devices::LiveDevices::State::Connected)
 {
     view().state().is_live = true;
     view().state().playing = false;
@@ -122,7 +122,7 @@ void LiveWindow::advance(Duration real_step)
     controller_->show(station_, options_.now());
     view().pass(real_step);
     if (auto hand = controller_->take_hand())
-        perform_kind(ChooseTool { *std::move(hand) });
+        perform_kind(view::ChooseTool { *std::move(hand) });
     record_steps();
     view().show_pen(std::exchange(moments_, {}));
     cards_.show(view().state());
@@ -219,12 +219,12 @@ void LiveWindow::tell_device_changes()
             continue;
         auto const& name = devices_.infos()[i].name;
         switch (state) {
-        case LiveDevices::State::Connected:
+        case devices::LiveDevices::State::Connected:
             view().state().status = fmt::format("{} is back", name);
             break;
-        case LiveDevices::State::Away: // See tell_who_is_away().
+        case devices::LiveDevices::State::Away: // See tell_who_is_away().
             break;
-        case LiveDevices::State::Ended:
+        case devices::LiveDevices::State::Ended:
             view().state().status = fmt::format("{} is over", name);
             break;
         }
@@ -235,7 +235,7 @@ void LiveWindow::tell_device_changes()
 void LiveWindow::tell_who_is_away()
 {
     for (std::size_t i = 0; i < states_.size(); ++i) {
-        if (states_[i] != LiveDevices::State::Away)
+        if (states_[i] != devices::LiveDevices::State::Away)
             continue;
         auto const refusal = devices_.refusal(i);
         view().state().trouble = refusal.empty()
@@ -258,10 +258,11 @@ void LiveWindow::tell_what_is_lost()
 Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
 {
     auto const now = options_.now();
-    recorder_ = TRY(LiveRecorder::create(path,
-                                         { .devices = devices_.infos(),
-                                           .rig_text = calib::print_rig(station_options_.rig),
-                                           .start = now }));
+    recorder_
+        = TRY(devices::LiveRecorder::create(path,
+                                            { .devices = devices_.infos(),
+                                              .rig_text = calib::print_rig(station_options_.rig),
+                                              .start = now }));
     (void)controller_->finish(station_, now);
     (void)controller_->take_done(); // Steps from before are not of the recording.
     recorded_from_stroke_ = controller_->document().stroke_count();
@@ -298,7 +299,7 @@ void LiveWindow::flush_recording()
     view().state().status = fmt::format("The recording has stopped: {}", flushed.error().message);
 }
 
-void LiveWindow::perform_kind(SetRecording const& command)
+void LiveWindow::perform_kind(view::SetRecording const& command)
 {
     if (command.is_on == recorder_.has_value())
         return;
@@ -318,18 +319,18 @@ void LiveWindow::perform_kind(SetRecording const& command)
                      : stopped.error().message;
 }
 
-void LiveWindow::perform(WindowCommand const& command)
+void LiveWindow::perform(view::WindowCommand const& command)
 {
     std::visit([this](auto const& kind) { perform_kind(kind); }, command);
 }
 
-void LiveWindow::perform_kind(Restart const&)
+void LiveWindow::perform_kind(view::Restart const&)
 {
     controller_->begin_again(station_, "The plant is as its model gives it");
 }
 
 // Takes the present station's place, with what is in the hand.
-void LiveWindow::go_on_with(Station station)
+void LiveWindow::go_on_with(station::Station station)
 {
     auto const tools = station_.tools_to_go_on_with();
     station_ = std::move(station);
@@ -338,45 +339,45 @@ void LiveWindow::go_on_with(Station station)
         station_.set_tool(options_.now(), tool);
 }
 
-void LiveWindow::perform_kind(ChooseTool const& command)
+void LiveWindow::perform_kind(view::ChooseTool const& command)
 {
     station_.set_tool(options_.now(), command.tool);
     record_tool_changes();
     controller_->show(station_, options_.now());
 }
 
-void LiveWindow::perform_kind(AdjustTool const& command)
+void LiveWindow::perform_kind(view::AdjustTool const& command)
 {
     auto const before = station_.tool();
-    if (command.slider == ChangeGrowth::Slider::Moving)
+    if (command.slider == view::ChangeGrowth::Slider::Moving)
         return controller_->preview_following(before, command.tool);
-    perform_kind(ChooseTool { command.tool });
+    perform_kind(view::ChooseTool { command.tool });
     controller_->let_follow(before, command.tool, station_);
 }
 
-void LiveWindow::perform_kind(TakeLikeDrawn const&)
+void LiveWindow::perform_kind(view::TakeLikeDrawn const&)
 {
     auto const hand = station_.tool();
     auto* const like_drawn = hand.kind().like_drawn;
     auto const tool = like_drawn ? like_drawn(hand, scene()) : std::nullopt;
     if (tool)
-        return perform_kind(ChooseTool { *tool });
+        return perform_kind(view::ChooseTool { *tool });
     view().state().status = "The plant that takes what is drawn was drawn in another way";
 }
 
-void LiveWindow::perform_kind(SetPressingAreas const& command)
+void LiveWindow::perform_kind(view::SetPressingAreas const& command)
 {
     pressing_areas_ = command.areas;
     station_.set_pressing_areas(command.areas);
 }
 
-void LiveWindow::perform_kind(PressInstead const&)
+void LiveWindow::perform_kind(view::PressInstead const&)
 {
     station_.press_instead();
     record_tool_changes();
 }
 
-void LiveWindow::perform_kind(MoveMousePen const& command)
+void LiveWindow::perform_kind(view::MoveMousePen const& command)
 {
     if (!options_.mouse)
         return;
@@ -390,13 +391,13 @@ void LiveWindow::perform_kind(MoveMousePen const& command)
     options_.mouse->move_pen(pens);
 }
 
-void LiveWindow::perform_kind(MoveSurface const& command)
+void LiveWindow::perform_kind(view::MoveSurface const& command)
 {
     if (options_.mouse)
         options_.mouse->move_surface(command.by_mm);
 }
 
-void LiveWindow::perform_kind(WatchDevices const& command)
+void LiveWindow::perform_kind(view::WatchDevices const& command)
 {
     diagnosis_.reset();
     if (command.watched)
@@ -419,19 +420,19 @@ void LiveWindow::show_devices()
     ++view().state().devices_revision;
 }
 
-void LiveWindow::perform_kind(OpenCalibration const&)
+void LiveWindow::perform_kind(view::OpenCalibration const&)
 {
     if (!view().state().may_calibrate)
         return;
     auto panel = CalibrationPanelController::create(
         devices_.infos(),
         { .controller = { .rig = station_options_.rig },
-          .date = today(),
+          .date = calibration::today(),
           .now = options_.now,
-          .keep = [file = options_.rig_file](CalibrationOutcome const& outcome) {
+          .keep = [file = options_.rig_file](calibration::CalibrationOutcome const& outcome) {
               std::error_code ignored; // Saving fails, and says why.
               std::filesystem::create_directories(file.parent_path(), ignored);
-              return save_calibration(outcome, file);
+              return calibration::save_calibration(outcome, file);
           } });
     if (panel)
         calibration_ = *std::move(panel);
@@ -439,7 +440,7 @@ void LiveWindow::perform_kind(OpenCalibration const&)
         view().state().status = panel.error().message;
 }
 
-void LiveWindow::perform_kind(CloseCalibration const&)
+void LiveWindow::perform_kind(view::CloseCalibration const&)
 {
     calibration_.reset();
     ++view().state().live_revision; // The views are seen again.
@@ -460,7 +461,7 @@ void LiveWindow::use_rig(calib::Rig const& rig)
     auto options = station_options_;
     options.rig = rig;
     options.scripted_height.reset();
-    auto station = Station::create(devices_.infos(), options);
+    auto station = station::Station::create(devices_.infos(), options);
     if (!station) {
         view().state().status = station.error().message;
         return;
@@ -474,7 +475,7 @@ void LiveWindow::use_rig(calib::Rig const& rig)
     controller_->show_again(station_,
                             kept ? "The pen draws by the new calibration" : kept.error().message);
     if (recorder_) // Its header has the old one.
-        perform_kind(SetRecording { false });
+        perform_kind(view::SetRecording { false });
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -28,7 +28,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::controllers {
 
 struct LiveWindowOptions {
     Methods methods {}; // Methods that can be used.
@@ -44,7 +44,7 @@ struct LiveWindowOptions {
     std::filesystem::path recording {}; // The new log of all that comes; empty: none at first.
     // Keeps what is drawn; the pen works on its scene in place of the one above. LiveWindow::create
     // takes it over.
-    std::optional<Session> session {};
+    std::optional<session::Session> session {};
     std::function<Timestamp()> now {}; // The clock of the reports.
     // The time that `now` tells, where it goes on by each advance()'s step and by nothing else.
     std::shared_ptr<Timestamp> counted_time {};
@@ -73,13 +73,13 @@ struct LiveWindowOptions {
 
 // Contents of the station's window while somebody draws: devices are read on threads of their own,
 // and each advance() takes what they have sent. Devices may go away and come back meanwhile.
-class LiveWindow final : public WindowModel {
+class LiveWindow final : public view::WindowModel {
 public:
     // Fails like Station::create, LiveRecorder::create and LineServer::listen. Without a height
     // sensor and a height the surface lies on the controller; so it does where there is a height
     // sensor and nothing is known of what its readings mean, and the window opens with calibrating
     // it. Where that cannot be kept, it fails, as the user's fault.
-    static Result<LiveWindow> create(LiveDevices devices, LiveWindowOptions options);
+    static Result<LiveWindow> create(devices::LiveDevices devices, LiveWindowOptions options);
     LiveWindow(LiveWindow&&) = default;
     LiveWindow& operator=(LiveWindow&&) = delete;
     ~LiveWindow() override; // Closes, if that was not done.
@@ -88,12 +88,15 @@ public:
     void settle() override;
     bool may_close() override { return controller_->may_close(finish()); }
     Result<void> close() override;
-    WindowState const& state() const override { return controller_->view().state(); }
-    void perform(WindowCommand const& command) override;
-    StartPageModel* start_page() override;
-    CalibrationModel* calibration() override { return calibration_ ? &*calibration_ : nullptr; }
+    view::WindowState const& state() const override { return controller_->view().state(); }
+    void perform(view::WindowCommand const& command) override;
+    view::StartPageModel* start_page() override;
+    calibration::CalibrationModel* calibration() override
+    {
+        return calibration_ ? &*calibration_ : nullptr;
+    }
 
-    Station const& station() const { return station_; }
+    station::Station const& station() const { return station_; }
     Document const& document() const { return controller_->document(); }
     // The scene that is shown.
     Scene const& scene() const { return *controller_->view().grown_scene(); }
@@ -101,36 +104,36 @@ public:
 private:
     enum class ChoiceOf { Picture, Leaves };
 
-    LiveWindow(LiveDevices devices, LiveWindowOptions options, StationOptions station_options,
-               Station station);
+    LiveWindow(devices::LiveDevices devices, LiveWindowOptions options,
+               station::StationOptions station_options, station::Station station);
 
-    void perform_kind(SetPlaying const&) { } // A hand has no pause,
-    void perform_kind(SetSpeed const&) { }   // nor another speed.
-    void perform_kind(Restart const&);
-    void perform_kind(ChooseTool const& command);
-    void perform_kind(AdjustTool const& command);
-    void perform_kind(TakeLikeDrawn const&);
-    void perform_kind(KeepCard const& command) { cards_.perform(command, view().state()); }
-    void perform_kind(RenameCard const& command) { cards_.perform(command, view().state()); }
-    void perform_kind(RemoveCard const& command) { cards_.perform(command, view().state()); }
-    void perform_kind(SetPressingAreas const& command);
-    void perform_kind(PressInstead const&);
-    void perform_kind(MoveMousePen const& command);
-    void perform_kind(MoveSurface const& command);
-    void perform_kind(SetRecording const& command);
-    void perform_kind(WatchDevices const& command);
-    void perform_kind(OpenCalibration const&);
-    void perform_kind(CloseCalibration const&);
-    void perform_kind(OpenStartPage const&);
-    void perform_kind(OpenPictures const&);
-    void perform_kind(OpenLeaves const&);
-    void perform_kind(LayPictureFile const& command);
+    void perform_kind(view::SetPlaying const&) { } // A hand has no pause,
+    void perform_kind(view::SetSpeed const&) { }   // nor another speed.
+    void perform_kind(view::Restart const&);
+    void perform_kind(view::ChooseTool const& command);
+    void perform_kind(view::AdjustTool const& command);
+    void perform_kind(view::TakeLikeDrawn const&);
+    void perform_kind(view::KeepCard const& command) { cards_.perform(command, view().state()); }
+    void perform_kind(view::RenameCard const& command) { cards_.perform(command, view().state()); }
+    void perform_kind(view::RemoveCard const& command) { cards_.perform(command, view().state()); }
+    void perform_kind(view::SetPressingAreas const& command);
+    void perform_kind(view::PressInstead const&);
+    void perform_kind(view::MoveMousePen const& command);
+    void perform_kind(view::MoveSurface const& command);
+    void perform_kind(view::SetRecording const& command);
+    void perform_kind(view::WatchDevices const& command);
+    void perform_kind(view::OpenCalibration const&);
+    void perform_kind(view::CloseCalibration const&);
+    void perform_kind(view::OpenStartPage const&);
+    void perform_kind(view::OpenPictures const&);
+    void perform_kind(view::OpenLeaves const&);
+    void perform_kind(view::LayPictureFile const& command);
     template<typename Command> void perform_kind(Command const& command)
     {
         controller_->perform(command, station_);
     }
 
-    StationView& view() { return controller_->view(); }
+    view::StationView& view() { return controller_->view(); }
     Result<void> finish();
     std::string leave_drawing();
     void go_on_with(OpenedDrawing drawing);
@@ -149,7 +152,7 @@ private:
     void show_devices();
     void calibrate();
     void use_rig(calib::Rig const& rig);
-    void go_on_with(Station station);
+    void go_on_with(station::Station station);
     void record_tool_changes();
     void record_steps();
     void tell_device_changes();
@@ -159,10 +162,10 @@ private:
     Result<void> stop_recording();
     void flush_recording();
 
-    LiveDevices devices_;
+    devices::LiveDevices devices_;
     LiveWindowOptions options_;
-    StationOptions station_options_; // To begin again.
-    Station station_;
+    station::StationOptions station_options_; // To begin again.
+    station::Station station_;
     std::optional<StationController> controller_; // Of the drawing at hand; never without.
     LiveCards cards_;
     std::unique_ptr<ChoicePage> choices_;        // Null before it is opened,
@@ -170,19 +173,19 @@ private:
     std::vector<DrawnLeafFile> drawn_leaves_ {}; // The document's, among the choices,
     std::filesystem::path kept_leaf_ {};         // as this one that it wears; may be empty.
     std::unique_ptr<LeafPage> leaf_page_;        // Null before it is opened.
-    std::optional<FollowedModel> model_;         // Its file, where somebody may write it.
-    std::optional<LiveRecorder> recorder_;
-    std::optional<StreamOutput> stream_; // No value: nobody wants to be told.
-    std::vector<PenMoment> moments_;     // What the pen did and is not shown yet.
+    std::optional<io::FollowedModel> model_;     // Its file, where somebody may write it.
+    std::optional<devices::LiveRecorder> recorder_;
+    std::optional<stream::StreamOutput> stream_; // No value: nobody wants to be told.
+    std::vector<station::PenMoment> moments_;    // What the pen did and is not shown yet.
     // Number of the recording's first stroke in the document.
     std::size_t recorded_from_stroke_ = 0;
-    std::optional<LiveDiagnosis> diagnosis_; // While the devices are watched.
-    Timestamp next_look_ {};                 // Time of the next look at what it found.
+    std::optional<devices::LiveDiagnosis> diagnosis_; // While the devices are watched.
+    Timestamp next_look_ {};                          // Time of the next look at what it found.
     std::optional<CalibrationPanelController> calibration_; // While a person calibrates.
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
-    std::vector<LiveReport> reports_;        // Kept for its memory.
-    std::vector<LiveDevices::State> states_; // States that the person was told.
-    std::uint64_t lost_reports_ = 0;         // Likewise.
+    std::vector<devices::LiveReport> reports_;        // Kept for its memory.
+    std::vector<devices::LiveDevices::State> states_; // States that the person was told.
+    std::uint64_t lost_reports_ = 0;                  // Likewise.
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -10,9 +10,9 @@
 #include <utility>
 
 // The pages that the window shows in place of the drawing, and what is chosen there.
-namespace tractus {
+namespace tractus::controllers {
 
-StartPageModel* LiveWindow::start_page()
+view::StartPageModel* LiveWindow::start_page()
 {
     if (leaf_page_ && leaf_page_->is_open())
         return leaf_page_.get();
@@ -26,7 +26,7 @@ bool LiveWindow::drawings_are_open() const
     return options_.start_page && options_.start_page->is_open();
 }
 
-void LiveWindow::perform_kind(OpenStartPage const&)
+void LiveWindow::perform_kind(view::OpenStartPage const&)
 {
     if (!options_.start_page || drawings_are_open() || !controller_->may_close(finish()))
         return;
@@ -38,7 +38,7 @@ void LiveWindow::perform_kind(OpenStartPage const&)
 std::string LiveWindow::leave_drawing()
 {
     if (recorder_)
-        perform_kind(SetRecording { false });
+        perform_kind(view::SetRecording { false });
     auto const written = controller_->finish_files();
     auto const& session = controller_->document().session();
     auto const file = session.is_in_file() ? session.path() : std::filesystem::path();
@@ -54,7 +54,7 @@ std::string LiveWindow::leave_drawing()
     }
     if (file.empty())
         return {};
-    bool const is_listed = file.parent_path() == user_folder();
+    bool const is_listed = file.parent_path() == files::user_folder();
     return fmt::format("The drawing is kept as {}", (is_listed ? file.filename() : file).string());
 }
 
@@ -104,15 +104,15 @@ void LiveWindow::follow_start_page()
         return;
     go_on_with(std::move(chosen->drawing));
     if (chosen->tool)
-        perform_kind(ChooseTool { *chosen->tool });
+        perform_kind(view::ChooseTool { *chosen->tool });
 }
 
-void LiveWindow::perform_kind(OpenPictures const&)
+void LiveWindow::perform_kind(view::OpenPictures const&)
 {
     open_choices(ChoiceOf::Picture, picture_choices(options_.picture_folders));
 }
 
-void LiveWindow::perform_kind(OpenLeaves const&)
+void LiveWindow::perform_kind(view::OpenLeaves const&)
 {
     open_choices(ChoiceOf::Leaves, leaf_choices(options_.leaves, leaves_in_document()));
 }
@@ -195,7 +195,7 @@ void LiveWindow::follow_leaf_page()
     if (auto const accepted = leaf_page_->take_accepted())
         perform_kind(*accepted);
     else if (leaf_page_->take_left())
-        perform_kind(OpenLeaves {});
+        perform_kind(view::OpenLeaves {});
 }
 
 void LiveWindow::open_choices(ChoiceOf what, Choices choices)
@@ -217,9 +217,9 @@ void LiveWindow::follow_choices()
     bool const is_drawn
         = std::ranges::find(drawn_leaves_, *file, &DrawnLeafFile::file) != drawn_leaves_.end();
     if (choice_of_ == ChoiceOf::Picture)
-        perform_kind(LayPictureFile { *file });
+        perform_kind(view::LayPictureFile { *file });
     else if (file->empty())
-        perform_kind(DressActivePlant {});
+        perform_kind(view::DressActivePlant {});
     else if (is_drawn && is_drawn_leaf(scene(), scene().state.active))
         keep_drawn_leaf(*file);
     else
@@ -227,14 +227,14 @@ void LiveWindow::follow_choices()
 }
 
 // The pen places it next.
-void LiveWindow::perform_kind(LayPictureFile const& command)
+void LiveWindow::perform_kind(view::LayPictureFile const& command)
 {
     controller_->perform(command, station_);
     auto const tools = station_.tools();
     auto const placing = std::find_if(tools.begin(), tools.end(),
                                       [](ToolKind const* kind) { return kind->lays_pictures; });
     if (placing != tools.end() && &station_.tool().kind() != *placing)
-        perform_kind(ChooseTool { Tool(**placing) });
+        perform_kind(view::ChooseTool { Tool(**placing) });
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -13,7 +13,7 @@
 #include <thread>
 #include <utility>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace {
 
@@ -189,4 +189,4 @@ void MouseRig::set_surface(double height_mm)
     shared_->surface_mm.store(shared_->wanted_mm);
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -10,7 +10,7 @@
 #include <memory>
 #include <span>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // A tablet and a height sensor for people who have none, or only the tablet: a mouse is the pen,
 // its wheel or two keys move the surface. They are devices like others, so that what is drawn with
@@ -51,4 +51,4 @@ private:
     Timestamp last_move_ {};
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

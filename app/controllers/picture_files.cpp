@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
@@ -56,7 +56,7 @@ Result<LayPicture> load_back_picture(fs::path const& file, Vec2 const& tablet_mm
 {
     constexpr double kShare = 0.9; // Share of the tablet.
     auto bytes = TRY(read_file(file, kMostPictureBytes));
-    auto const image = read_picture(bytes);
+    auto const image = render::read_picture(bytes);
     if (!image)
         return fail(Fault::User, fmt::format("{}: {}", file.string(), image.error().message));
     double const aspect = static_cast<double>(image->width()) / image->height();
@@ -66,4 +66,4 @@ Result<LayPicture> load_back_picture(fs::path const& file, Vec2 const& tablet_mm
     return edit;
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // By its name.
 bool is_picture_file(std::filesystem::path const& file);
@@ -23,4 +23,4 @@ std::vector<std::filesystem::path> pictures_in(std::filesystem::path const& fold
 // or shown, or that is larger than a drawing keeps.
 Result<LayPicture> load_back_picture(std::filesystem::path const& file, Vec2 const& tablet_mm);
 
-} // namespace tractus
+} // namespace tractus::controllers

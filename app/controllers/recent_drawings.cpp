@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 #include <system_error>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 using std::chrono::sys_seconds;
@@ -71,15 +71,15 @@ std::vector<RecentDrawing> recent_drawings(fs::path const& folder, std::size_t m
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error))
-        if (is_session_file(entry->path()))
+        if (batch::is_session_file(entry->path()))
             found.emplace_back(written_last(entry->path()), entry->path());
     std::sort(found.begin(), found.end(), std::greater<>());
     found.resize(std::min(found.size(), most));
     std::vector<RecentDrawing> recent;
     for (auto const& [time, file] : found)
         recent.push_back(
-            { file, name_of_drawing(file, session_name(file)), time_in_words(time, now) });
+            { file, name_of_drawing(file, session::session_name(file)), time_in_words(time, now) });
     return recent;
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // A session that somebody has drawn in.
 struct RecentDrawing {
@@ -26,4 +26,4 @@ std::chrono::sys_seconds written_last(std::filesystem::path const& file);
 // "Today, 14:03", "Yesterday, 9:12", "24 November, 18:40", "3 March 2025": in local time.
 std::string time_in_words(std::chrono::sys_seconds time, std::chrono::sys_seconds now);
 
-} // namespace tractus
+} // namespace tractus::controllers

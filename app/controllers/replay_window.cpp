@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::controllers {
 
-Result<ReplayWindow> ReplayWindow::create(drivers::Log const& log, ReplayOptions options,
+Result<ReplayWindow> ReplayWindow::create(drivers::Log const& log, station::ReplayOptions options,
                                           Scene scene, std::filesystem::path pictures,
-                                          std::optional<Session> session)
+                                          std::optional<session::Session> session)
 {
-    auto replay = TRY(LogReplay::create(log, options));
+    auto replay = TRY(station::LogReplay::create(log, options));
     StationController controller(replay.station(), std::move(session), std::move(scene),
                                  std::move(pictures));
     return ReplayWindow(log, std::move(options), std::move(replay), std::move(controller));
 }
 
-ReplayWindow::ReplayWindow(drivers::Log const& log, ReplayOptions options, LogReplay replay,
-                           StationController controller)
+ReplayWindow::ReplayWindow(drivers::Log const& log, station::ReplayOptions options,
+                           station::LogReplay replay, StationController controller)
     : log_(&log)
     , options_(std::move(options))
     , replay_(std::move(replay))
@@ -70,31 +70,31 @@ void ReplayWindow::advance(Duration real_step)
         = length_s > 0 ? std::clamp(to_seconds(now_ - replay_.begin()) / length_s, 0.0, 1.0) : 1;
 }
 
-void ReplayWindow::perform(WindowCommand const& command)
+void ReplayWindow::perform(view::WindowCommand const& command)
 {
     std::visit([this](auto const& kind) { perform_kind(kind); }, command);
 }
 
-void ReplayWindow::perform_kind(SetPlaying const& command)
+void ReplayWindow::perform_kind(view::SetPlaying const& command)
 {
     if (command.playing && now_ >= replay_.end())
-        perform_kind(Restart {});
+        perform_kind(view::Restart {});
     view().state().playing = command.playing;
 }
 
-void ReplayWindow::perform_kind(SetSpeed const& command)
+void ReplayWindow::perform_kind(view::SetSpeed const& command)
 {
     view().state().speed = std::clamp(command.speed, 0.25, 4.0);
 }
 
-void ReplayWindow::perform_kind(Restart const&)
+void ReplayWindow::perform_kind(view::Restart const&)
 {
     auto& state = view().state();
     if (auto const kept = finish(); !kept) {
         state.status = kept.error().message;
         return;
     }
-    auto again = LogReplay::create(*log_, options_);
+    auto again = station::LogReplay::create(*log_, options_);
     if (!again) {
         state.status = again.error().message;
         return;
@@ -108,4 +108,4 @@ void ReplayWindow::perform_kind(Restart const&)
     controller_.begin_again(replay_.station(), "The hand begins again", Document::Growth::AsItIs);
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

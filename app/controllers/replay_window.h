@@ -9,18 +9,18 @@
 #include <filesystem>
 #include <optional>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // Contents of the station's window while a log is replayed at the pace of the hand that drew it:
 // the hand, its strokes, what is selected, and the plant, which is grown anew after each stroke.
-class ReplayWindow final : public WindowModel {
+class ReplayWindow final : public view::WindowModel {
 public:
     // The log must outlive the window. `pictures` is the folder in which saved pictures appear. A
     // session keeps what is drawn, on its scene in place of `scene`. Fails like
     // LogReplay::create.
-    static Result<ReplayWindow> create(drivers::Log const& log, ReplayOptions options, Scene scene,
-                                       std::filesystem::path pictures,
-                                       std::optional<Session> session = {});
+    static Result<ReplayWindow> create(drivers::Log const& log, station::ReplayOptions options,
+                                       Scene scene, std::filesystem::path pictures,
+                                       std::optional<session::Session> session = {});
 
     ReplayWindow(ReplayWindow&&) = default;
     ReplayWindow& operator=(ReplayWindow&&) = delete;
@@ -30,51 +30,51 @@ public:
     void settle() override { controller_.settle(replay_.station(), now_); }
     bool may_close() override { return controller_.may_close(finish()); }
     Result<void> close() override;
-    WindowState const& state() const override { return controller_.view().state(); }
-    void perform(WindowCommand const& command) override;
+    view::WindowState const& state() const override { return controller_.view().state(); }
+    void perform(view::WindowCommand const& command) override;
 
 private:
     Result<void> finish();
-    ReplayWindow(drivers::Log const& log, ReplayOptions options, LogReplay replay,
+    ReplayWindow(drivers::Log const& log, station::ReplayOptions options, station::LogReplay replay,
                  StationController controller);
 
-    void perform_kind(SetPlaying const& command);
-    void perform_kind(SetSpeed const& command);
-    void perform_kind(Restart const&);
-    void perform_kind(ChooseTool const&) { } // The recording chooses.
-    void perform_kind(AdjustTool const&) { }
-    void perform_kind(TakeLikeDrawn const&) { }
-    void perform_kind(KeepCard const&) { }
-    void perform_kind(RenameCard const&) { }
-    void perform_kind(RemoveCard const&) { }
-    void perform_kind(OpenPictures const&) { }
-    void perform_kind(LayPictureFile const&) { }
-    void perform_kind(DragDrawnGlyph const&) { }
-    void perform_kind(OpenLeaves const&) { }
-    void perform_kind(DressActivePlant const&) { }
-    void perform_kind(NameDrawing const&) { } // It is a recording's.
-    void perform_kind(SaveCopy const&) { }
-    void perform_kind(SetPressingAreas const&) { } // The hand was elsewhere.
-    void perform_kind(PressInstead const&) { }
-    void perform_kind(MoveMousePen const&) { }
-    void perform_kind(MoveSurface const&) { }
-    void perform_kind(SetRecording const&) { }  // It is recorded.
-    void perform_kind(WatchDevices const&) { }  // None is read.
-    void perform_kind(OpenStartPage const&) { } // It has an end of its own.
-    void perform_kind(OpenCalibration const&) { }
-    void perform_kind(CloseCalibration const&) { }
+    void perform_kind(view::SetPlaying const& command);
+    void perform_kind(view::SetSpeed const& command);
+    void perform_kind(view::Restart const&);
+    void perform_kind(view::ChooseTool const&) { } // The recording chooses.
+    void perform_kind(view::AdjustTool const&) { }
+    void perform_kind(view::TakeLikeDrawn const&) { }
+    void perform_kind(view::KeepCard const&) { }
+    void perform_kind(view::RenameCard const&) { }
+    void perform_kind(view::RemoveCard const&) { }
+    void perform_kind(view::OpenPictures const&) { }
+    void perform_kind(view::LayPictureFile const&) { }
+    void perform_kind(view::DragDrawnGlyph const&) { }
+    void perform_kind(view::OpenLeaves const&) { }
+    void perform_kind(view::DressActivePlant const&) { }
+    void perform_kind(view::NameDrawing const&) { } // It is a recording's.
+    void perform_kind(view::SaveCopy const&) { }
+    void perform_kind(view::SetPressingAreas const&) { } // The hand was elsewhere.
+    void perform_kind(view::PressInstead const&) { }
+    void perform_kind(view::MoveMousePen const&) { }
+    void perform_kind(view::MoveSurface const&) { }
+    void perform_kind(view::SetRecording const&) { }  // It is recorded.
+    void perform_kind(view::WatchDevices const&) { }  // None is read.
+    void perform_kind(view::OpenStartPage const&) { } // It has an end of its own.
+    void perform_kind(view::OpenCalibration const&) { }
+    void perform_kind(view::CloseCalibration const&) { }
     template<typename Command> void perform_kind(Command const& command)
     {
         controller_.perform(command, replay_.station());
     }
 
-    StationView& view() { return controller_.view(); }
+    view::StationView& view() { return controller_.view(); }
 
-    drivers::Log const* log_; // Not owned.
-    ReplayOptions options_;   // To begin again.
-    LogReplay replay_;
+    drivers::Log const* log_;        // Not owned.
+    station::ReplayOptions options_; // To begin again.
+    station::LogReplay replay_;
     Timestamp now_; // Time of the log.
     StationController controller_;
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
@@ -51,12 +51,12 @@ std::string said_of_model(fs::path const& model)
 StartPageOptions start_page_of_user(Methods const& methods)
 {
     StartPageOptions options { .kinds = methods.edits, .tools = methods.tools };
-    if (auto const ours = find_resource("models"))
+    if (auto const ours = files::find_resource("models"))
         options.models.push_back(*ours);
-    options.sessions = user_folder();
+    options.sessions = files::user_folder();
     if (!options.sessions.empty())
         options.models.push_back(options.sessions / "models");
-    options.pictures = user_cache_folder();
+    options.pictures = files::user_cache_folder();
     options.now
         = [] { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); };
     return options;
@@ -107,9 +107,10 @@ void StartPageController::open(std::string note)
 }
 
 // Pictures that the page has shown already, but for those of sessions, which were drawn in since.
-std::map<fs::path, std::shared_ptr<Image const>> StartPageController::pictures_of_models() const
+std::map<fs::path, std::shared_ptr<render::Image const>>
+StartPageController::pictures_of_models() const
 {
-    std::map<fs::path, std::shared_ptr<Image const>> pictures;
+    std::map<fs::path, std::shared_ptr<render::Image const>> pictures;
     for (std::size_t group = 0; group < meanings_.size(); ++group)
         for (std::size_t i = 0; i < meanings_[group].size(); ++i)
             if (auto const& picture = state_.groups[group].cards[i].picture; picture)
@@ -118,7 +119,7 @@ std::map<fs::path, std::shared_ptr<Image const>> StartPageController::pictures_o
     return pictures;
 }
 
-void StartPageController::add_group(StartCards cards, std::vector<Meaning> meanings)
+void StartPageController::add_group(view::StartCards cards, std::vector<Meaning> meanings)
 {
     if (cards.cards.empty())
         return;
@@ -129,7 +130,7 @@ void StartPageController::add_group(StartCards cards, std::vector<Meaning> meani
 // The first tool of each method makes a plant.
 void StartPageController::list_sheets()
 {
-    StartCards cards { .title = "An empty sheet" };
+    view::StartCards cards { .title = "An empty sheet" };
     std::vector<Meaning> meanings;
     std::set<std::string_view> methods;
     for (auto const* const kind : options_.tools) {
@@ -144,7 +145,7 @@ void StartPageController::list_sheets()
 
 void StartPageController::list_models()
 {
-    StartCards cards { .title = "From a model" };
+    view::StartCards cards { .title = "From a model" };
     std::vector<Meaning> meanings;
     for (auto const& folder : options_.models)
         for (auto const& model : models_in(folder)) {
@@ -157,7 +158,7 @@ void StartPageController::list_models()
 
 void StartPageController::list_recent()
 {
-    StartCards cards { .title = "Recent drawings", .title_of_others = "Earlier drawings" };
+    view::StartCards cards { .title = "Recent drawings", .title_of_others = "Earlier drawings" };
     std::vector<Meaning> meanings;
     for (auto const& drawing : recent_drawings(options_.sessions, kMostRecent, options_.now())) {
         cards.cards.push_back({ .title = drawing.name, .detail = drawing.time });
@@ -220,4 +221,4 @@ void StartPageController::settle()
     opening_.settle();
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::controllers {
 
 struct StartPageOptions {
     EditKinds kinds {}; // Kinds of edits that sessions may have.
@@ -34,7 +34,7 @@ StartPageOptions start_page_of_user(Methods const& methods);
 
 // Contents of the start page: empty sheets, models and the newest sessions. What is chosen is
 // opened in the background, as pictures are made. Belongs to one thread.
-class StartPageController final : public StartPageModel {
+class StartPageController final : public view::StartPageModel {
 public:
     static constexpr std::size_t kMostRecent = 12;
 
@@ -58,7 +58,7 @@ public:
     // Waits until pictures and what was chosen are there to be taken.
     void settle();
 
-    StartPageState const& state() const override { return state_; }
+    view::StartPageState const& state() const override { return state_; }
     void choose(std::size_t group, std::size_t card) override;
 
 private:
@@ -67,20 +67,21 @@ private:
         std::optional<Tool> tool {};
     };
 
-    void add_group(StartCards cards, std::vector<Meaning> meanings);
+    void add_group(view::StartCards cards, std::vector<Meaning> meanings);
     void list_sheets();
     void list_models();
     void list_recent();
-    std::map<std::filesystem::path, std::shared_ptr<Image const>> pictures_of_models() const;
+    std::map<std::filesystem::path, std::shared_ptr<render::Image const>>
+    pictures_of_models() const;
     void show_picture(CardPictures::Made const& made);
 
     StartPageOptions options_;
     bool is_open_ = false;
-    StartPageState state_;
+    view::StartPageState state_;
     std::vector<std::vector<Meaning>> meanings_; // As the state's cards are.
     std::optional<Tool> chosen_tool_;
     CardPictures pictures_;
     NewestJob<WantedDrawing, Result<OpenedDrawing>> opening_;
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

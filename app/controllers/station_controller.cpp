@@ -18,18 +18,19 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::controllers {
 
-static std::unique_ptr<Document> document_of(std::optional<Session> session, Scene scene)
+static std::unique_ptr<Document> document_of(std::optional<session::Session> session, Scene scene)
 {
     constexpr auto kWorking = Document::Working::OnItsThread;
     if (session)
-        return std::make_unique<Document>(*std::move(session), kWorking, following_edits);
-    return std::make_unique<Document>(std::move(scene), kWorking, following_edits);
+        return std::make_unique<Document>(*std::move(session), kWorking, batch::following_edits);
+    return std::make_unique<Document>(std::move(scene), kWorking, batch::following_edits);
 }
 
-StationController::StationController(Station const& station, std::optional<Session> session,
-                                     Scene scene, std::filesystem::path folder)
+StationController::StationController(station::Station const& station,
+                                     std::optional<session::Session> session, Scene scene,
+                                     std::filesystem::path folder)
     : document_(document_of(std::move(session), std::move(scene)))
     , view_(station, *document_)
     , folder_(std::move(folder))
@@ -39,13 +40,13 @@ StationController::StationController(Station const& station, std::optional<Sessi
     view_.state().status = document_->session().unknown().sentence();
 }
 
-void StationController::show(Station& station, Timestamp now)
+void StationController::show(station::Station& station, Timestamp now)
 {
     show_document(station, now);
     show_files();
 }
 
-void StationController::take_strokes(Station& station)
+void StationController::take_strokes(station::Station& station)
 {
     for (auto& stroke : station.take_strokes())
         document_->draw(std::move(stroke));
@@ -61,7 +62,7 @@ static std::optional<Tool> hand_after(Tool const& hand, Scene const& before, Sce
     return tool != hand ? tool : std::nullopt;
 }
 
-void StationController::show_document(Station& station, Timestamp now)
+void StationController::show_document(station::Station& station, Timestamp now)
 {
     now_ = now;
     take_strokes(station);
@@ -101,7 +102,7 @@ void StationController::show_files()
     view_.state().is_saving = files_->is_busy();
 }
 
-Result<void> StationController::finish(Station& station, Timestamp now)
+Result<void> StationController::finish(station::Station& station, Timestamp now)
 {
     if (!document_) // Moved from.
         return {};
@@ -141,7 +142,7 @@ Result<void> StationController::finish_files()
     return done;
 }
 
-void StationController::settle(Station& station, Timestamp now)
+void StationController::settle(station::Station& station, Timestamp now)
 {
     take_strokes(station);
     document_->settle();
@@ -153,31 +154,31 @@ void StationController::settle(Station& station, Timestamp now)
 
 std::filesystem::path StationController::new_file(std::string_view ending) const
 {
-    return dated_path(folder_, view_.grown_scene()->model_name, ending);
+    return files::dated_path(folder_, view_.grown_scene()->model_name, ending);
 }
 
-void StationController::show_again(Station const& station, std::string const& status)
+void StationController::show_again(station::Station const& station, std::string const& status)
 {
     view_.begin_again(station, *document_);
     view_.state().status = status;
 }
 
-void StationController::perform(Undo const&, Station& station)
+void StationController::perform(view::Undo const&, station::Station& station)
 {
     document_->undo();
     show_document(station, now_);
 }
 
-void StationController::perform(Redo const&, Station& station)
+void StationController::perform(view::Redo const&, station::Station& station)
 {
     document_->redo();
     show_document(station, now_);
 }
 
-void StationController::perform(TakeOrphansAway const&, Station& station)
+void StationController::perform(view::TakeOrphansAway const&, station::Station& station)
 {
     auto const without = [](Scene const& scene) -> Result<WantedStep::Change> {
-        auto edits = edits_without_orphans(scene);
+        auto edits = view::edits_without_orphans(scene);
         if (edits.empty())
             return fail(Fault::User, "nothing waits for a branch that the plant has lost");
         return WantedStep::Change { std::move(edits), "What had lost its branch is gone" };
@@ -187,7 +188,7 @@ void StationController::perform(TakeOrphansAway const&, Station& station)
 }
 
 // Read where the document is changed: a large picture takes its time.
-void StationController::perform(LayPictureFile const& command, Station& station)
+void StationController::perform(view::LayPictureFile const& command, station::Station& station)
 {
     auto const change = [file = command.file, tablet_mm = view_.state().surface_size_mm()](
                             Scene const&) -> Result<WantedStep::Change> {
@@ -199,12 +200,12 @@ void StationController::perform(LayPictureFile const& command, Station& station)
     show_document(station, now_);
 }
 
-void StationController::perform(DragDrawnGlyph const& command, Station& station)
+void StationController::perform(view::DragDrawnGlyph const& command, station::Station& station)
 {
     auto const* const kind = station.tool().kind().drawn_glyph;
     if (!kind)
         return;
-    if (command.slider == ChangeGrowth::Slider::Moving) {
+    if (command.slider == view::ChangeGrowth::Slider::Moving) {
         if (auto edits = kind->drag(*view_.grown_scene(), command.handle, command.to))
             view_.propose(*std::move(edits));
         else
@@ -229,7 +230,7 @@ static std::string leaves_in_words(Dressing const& wanted)
         : fmt::format("leaves of {}", std::filesystem::path(wanted.leaves).stem().string());
 }
 
-void StationController::perform(DressActivePlant const& command, Station& station)
+void StationController::perform(view::DressActivePlant const& command, station::Station& station)
 {
     Dressing const wanted { .leaves = leaves_of_grammar(command.leaves),
                             .drawn = command.drawn,
@@ -243,7 +244,7 @@ void StationController::perform(DressActivePlant const& command, Station& statio
         // In a season they have its age.
         if (auto const then = season.value_or(scene.state.season); then || season) {
             auto const dressed = TRY(apply_edits(scene, edits));
-            for (auto& edit : TRY(season_edits(dressed, then)))
+            for (auto& edit : TRY(batch::season_edits(dressed, then)))
                 edits.push_back(std::move(edit));
         }
         return WantedStep::Change { std::move(edits),
@@ -253,7 +254,7 @@ void StationController::perform(DressActivePlant const& command, Station& statio
     show_document(station, now_);
 }
 
-void StationController::begin_again(Station& station, std::string const& status,
+void StationController::begin_again(station::Station& station, std::string const& status,
                                     Document::Growth growth)
 {
     document_->begin_again(
@@ -261,7 +262,7 @@ void StationController::begin_again(Station& station, std::string const& status,
     show_document(station, now_);
 }
 
-void StationController::take_model(Result<LoadModel> model, Station& station)
+void StationController::take_model(Result<LoadModel> model, station::Station& station)
 {
     if (!model) {
         view_.state().status = model.error().message;
@@ -302,7 +303,7 @@ void StationController::preview_following(Tool const& before, Tool const& after)
     view_.propose(following(before, after, *view_.grown_scene()));
 }
 
-void StationController::let_follow(Tool const& before, Tool const& after, Station& station)
+void StationController::let_follow(Tool const& before, Tool const& after, station::Station& station)
 {
     if (following(before, after, *view_.grown_scene()).empty())
         return view_.propose({});
@@ -318,7 +319,7 @@ void StationController::let_follow(Tool const& before, Tool const& after, Statio
     show_document(station, now_);
 }
 
-void StationController::perform(NextVariation const&, Station& station)
+void StationController::perform(view::NextVariation const&, station::Station& station)
 {
     auto const next = [](SetGrowth growth) -> Result<WantedStep::Change> {
         ++growth.seed;
@@ -327,10 +328,10 @@ void StationController::perform(NextVariation const&, Station& station)
     set_growth(next, station);
 }
 
-void StationController::perform(ChangeGrowth const& command, Station& station)
+void StationController::perform(view::ChangeGrowth const& command, station::Station& station)
 {
-    if (command.slider == ChangeGrowth::Slider::Moving) {
-        auto const seen = growth_set_to(command.growth, document_->newest()->scene.growth);
+    if (command.slider == view::ChangeGrowth::Slider::Moving) {
+        auto const seen = view::growth_set_to(command.growth, document_->newest()->scene.growth);
         if (seen)
             view_.preview(*seen);
         else
@@ -338,20 +339,20 @@ void StationController::perform(ChangeGrowth const& command, Station& station)
         return;
     }
     auto const set = [wanted = command.growth](SetGrowth growth) -> Result<WantedStep::Change> {
-        growth = TRY(growth_set_to(wanted, std::move(growth)));
+        growth = TRY(view::growth_set_to(wanted, std::move(growth)));
         auto status = fmt::format("The plant {}", Edit(growth).describe());
         return WantedStep::Change { { growth }, std::move(status) };
     };
     set_growth(set, station);
 }
 
-void StationController::perform(ChangeSeason const& command, Station& station)
+void StationController::perform(view::ChangeSeason const& command, station::Station& station)
 {
-    if (command.slider == ChangeGrowth::Slider::Moving)
+    if (command.slider == view::ChangeGrowth::Slider::Moving)
         return view_.preview(command.season);
     auto const change
         = [season = command.season](Scene const& scene) -> Result<WantedStep::Change> {
-        auto edits = TRY(season_edits(scene, season));
+        auto edits = TRY(batch::season_edits(scene, season));
         auto status = season ? fmt::format("It is {}", month_name(season->month))
                              : std::string("No season: leaves as the models have them");
         return WantedStep::Change { std::move(edits), std::move(status) };
@@ -360,12 +361,12 @@ void StationController::perform(ChangeSeason const& command, Station& station)
     show_document(station, now_);
 }
 
-void StationController::perform(AskForCollection const& command, Station&)
+void StationController::perform(view::AskForCollection const& command, station::Station&)
 {
     view_.collect(command.count);
 }
 
-void StationController::perform(PickVariation const& command, Station& station)
+void StationController::perform(view::PickVariation const& command, station::Station& station)
 {
     auto const pick = [seed = command.seed](SetGrowth growth) -> Result<WantedStep::Change> {
         growth.seed = seed;
@@ -376,7 +377,8 @@ void StationController::perform(PickVariation const& command, Station& station)
 
 // `change` is asked when what was wanted before is done.
 void StationController::set_growth(
-    std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change, Station& station)
+    std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change,
+    station::Station& station)
 {
     document_->make({ [=](Scene const& scene) -> Result<WantedStep::Change> {
                          bool const is_empty = scene.plants.empty() && scene.base->axes.empty();
@@ -388,31 +390,32 @@ void StationController::set_growth(
     show_document(station, now_);
 }
 
-void StationController::perform(SavePicture const& command, Station&)
+void StationController::perform(view::SavePicture const& command, station::Station&)
 {
     save(".png",
          [picture = command.picture](std::filesystem::path const& path) -> Result<std::string> {
-             TRY(write_file(path, [&](std::ostream& out) { return write_png(out, picture); }));
+             TRY(write_file(path,
+                            [&](std::ostream& out) { return render::write_png(out, picture); }));
              return std::string();
          });
 }
 
-void StationController::perform(ExportPlant const& command, Station&)
+void StationController::perform(view::ExportPlant const& command, station::Station&)
 {
     constexpr std::array kEndings { ".glb", ".obj", ".mtg" };
     save(kEndings.at(static_cast<std::size_t>(command.format)),
          [scene = view_.grown_scene(),
           organs = command.organs](std::filesystem::path const& path) -> Result<std::string> {
-             PlantFileOptions options { .glb = { .organs = organs } };
+             batch::PlantFileOptions options { .glb = { .organs = organs } };
              std::string note;
-             options.glb.before_writing = [&](GlbSummary const& expected) {
-                 note = large_glb_size(expected).value_or("");
-                 if (!note.empty() && organs != GlbOptions::Organs::Instanced)
+             options.glb.before_writing = [&](exports::GlbSummary const& expected) {
+                 note = io::large_glb_size(expected).value_or("");
+                 if (!note.empty() && organs != exports::GlbOptions::Organs::Instanced)
                      note += "; with its leaves instanced it is smaller";
              };
-             auto const plant = TRY(shown_plants(*scene));
-             TRY(write_plant_file(plant, std::filesystem::path(scene->model_name).stem(), path,
-                                  options));
+             auto const plant = TRY(batch::shown_plants(*scene));
+             TRY(batch::write_plant_file(plant, std::filesystem::path(scene->model_name).stem(),
+                                         path, options));
              return note;
          });
 }
@@ -427,7 +430,7 @@ void StationController::show_name()
         state.drawing_name = name_of_drawing(session.path(), session.name());
 }
 
-void StationController::perform(NameDrawing const& command, Station&)
+void StationController::perform(view::NameDrawing const& command, station::Station&)
 {
     auto const named
         = [&]() -> Result<void> { return document_->set_name(TRY(name_as_typed(command.name))); }();
@@ -440,7 +443,7 @@ void StationController::perform(NameDrawing const& command, Station&)
 }
 
 // The copy is of all that was drawn until now.
-void StationController::perform(SaveCopy const& command, Station& station)
+void StationController::perform(view::SaveCopy const& command, station::Station& station)
 {
     auto const begin = [&]() -> Result<void> {
         auto const name = TRY(name_as_typed(command.name));
@@ -456,7 +459,7 @@ void StationController::perform(SaveCopy const& command, Station& station)
         files_->add({ std::move(path),
                       [name, from = document_->session().path()](
                           std::filesystem::path const& copy) -> Result<std::string> {
-                          TRY(copy_session(from, copy, name));
+                          TRY(session::copy_session(from, copy, name));
                           return std::string();
                       } });
         return {};
@@ -474,4 +477,4 @@ void StationController::save(std::string_view ending,
     files_->add({ std::move(path), std::move(write) });
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

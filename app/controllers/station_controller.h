@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // Applies what a person does to a drawing, wherever its station's reports come from: finished
 // strokes go to the document, and what is drawn and done is shown and can be undone.
@@ -22,24 +22,24 @@ class StationController {
 public:
     // Strokes work on the session's scene if there is one, else on `scene`. `folder` is where saved
     // pictures and exports appear.
-    StationController(Station const& station, std::optional<Session> session, Scene scene,
-                      std::filesystem::path folder);
+    StationController(station::Station const& station, std::optional<session::Session> session,
+                      Scene scene, std::filesystem::path folder);
 
-    StationView& view() { return view_; }
-    StationView const& view() const { return view_; }
+    view::StationView& view() { return view_; }
+    view::StationView const& view() const { return view_; }
     Document& document() { return *document_; }
     Document const& document() const { return *document_; }
 
     // Hands the station's finished strokes to the document, shows what has become of earlier ones,
     // and what has been done in the background meanwhile.
-    void show(Station& station, Timestamp now);
+    void show(station::Station& station, Timestamp now);
 
     // Does as show() when all that is under way is done, or cannot be done for now.
-    void settle(Station& station, Timestamp now);
+    void settle(station::Station& station, Timestamp now);
 
     // Waits until what was drawn, and what was done beside drawing, is kept. Fails, as the user's
     // fault, if something cannot be.
-    Result<void> finish(Station& station, Timestamp now);
+    Result<void> finish(station::Station& station, Timestamp now);
 
     // Whether a person who wants to leave may do so, given what finish() says: else the status
     // tells why not, and the next time they may all the same.
@@ -59,50 +59,50 @@ public:
     // A new file's name in the folder.
     std::filesystem::path new_file(std::string_view ending) const;
 
-    void perform(NextVariation const&, Station& station);
-    void perform(ChangeGrowth const& command, Station& station);
-    void perform(ChangeSeason const& command, Station& station);
-    void perform(AskForCollection const& command, Station& station);
-    void perform(PickVariation const& command, Station& station);
-    void perform(SavePicture const& command, Station& station);
-    void perform(ExportPlant const& command, Station& station);
-    void perform(NameDrawing const& command, Station& station);
-    void perform(SaveCopy const& command, Station& station);
-    void perform(Undo const&, Station& station);
-    void perform(Redo const&, Station& station);
-    void perform(TakeOrphansAway const&, Station& station);
-    void perform(LayPictureFile const& command, Station& station);
-    void perform(DragDrawnGlyph const& command, Station& station);
-    void perform(DressActivePlant const& command, Station& station);
+    void perform(view::NextVariation const&, station::Station& station);
+    void perform(view::ChangeGrowth const& command, station::Station& station);
+    void perform(view::ChangeSeason const& command, station::Station& station);
+    void perform(view::AskForCollection const& command, station::Station& station);
+    void perform(view::PickVariation const& command, station::Station& station);
+    void perform(view::SavePicture const& command, station::Station& station);
+    void perform(view::ExportPlant const& command, station::Station& station);
+    void perform(view::NameDrawing const& command, station::Station& station);
+    void perform(view::SaveCopy const& command, station::Station& station);
+    void perform(view::Undo const&, station::Station& station);
+    void perform(view::Redo const&, station::Station& station);
+    void perform(view::TakeOrphansAway const&, station::Station& station);
+    void perform(view::LayPictureFile const& command, station::Station& station);
+    void perform(view::DragDrawnGlyph const& command, station::Station& station);
+    void perform(view::DressActivePlant const& command, station::Station& station);
 
     // What has been drawn with a tool follows other numbers (ToolKind::follow): is only shown so,
     // or does as a step, if anything does.
     void preview_following(Tool const& before, Tool const& after);
-    void let_follow(Tool const& before, Tool const& after, Station& station);
+    void let_follow(Tool const& before, Tool const& after, station::Station& station);
 
     // The model of the active plant has been saved: the plant is that of its new text, with what
     // was drawn on it. Where it is none any more, the plant stays and `status` says why.
-    void take_model(Result<LoadModel> model, Station& station);
+    void take_model(Result<LoadModel> model, station::Station& station);
 
     // The document is as it began; where it is in no file `status` says so.
-    void begin_again(Station& station, std::string const& status,
+    void begin_again(station::Station& station, std::string const& status,
                      Document::Growth growth = Document::Growth::AsItBegan);
 
     // Shows another station, and what led to it.
-    void show_again(Station const& station, std::string const& status);
+    void show_again(station::Station const& station, std::string const& status);
 
 private:
     void show_name();
     void save(std::string_view ending,
               std::function<Result<std::string>(std::filesystem::path const&)> write);
-    void take_strokes(Station& station);
-    void show_document(Station& station, Timestamp now);
+    void take_strokes(station::Station& station);
+    void show_document(station::Station& station, Timestamp now);
     void show_files();
     void set_growth(std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change,
-                    Station& station);
+                    station::Station& station);
 
     std::unique_ptr<Document> document_; // On the heap, as this moves.
-    StationView view_;
+    view::StationView view_;
     std::vector<DoneStep> done_;      // Steps that are not taken yet.
     std::optional<Tool> hand_;        // Likewise.
     Timestamp now_ {};                // Time of the last show().
@@ -112,4 +112,4 @@ private:
     std::unique_ptr<FileQueue> files_ = std::make_unique<FileQueue>();
 };
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -5,13 +5,13 @@
 
 #include <fmt/chrono.h>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
 Result<fs::path> unnamed_session_path(std::string const& plant, std::chrono::sys_seconds now)
 {
-    auto const folder = TRY(make_user_folder("give --session, where a session is kept"));
+    auto const folder = TRY(files::make_user_folder("give --session, where a session is kept"));
     std::error_code error;
     auto const name = fmt::format("{}-{:%Y-%m-%d-%H%M}", plant,
                                   fmt::localtime(std::chrono::system_clock::to_time_t(now)));
@@ -23,11 +23,11 @@ Result<fs::path> unnamed_session_path(std::string const& plant, std::chrono::sys
 
 void remove_if_nothing_was_drawn(fs::path const& session)
 {
-    auto const contents = read_session(session, {});
+    auto const contents = session::read_session(session, {});
     std::error_code ignored;
     if (contents && contents->last_step() == 0)
         for (auto const* const ending : { "", "-wal", "-shm" }) // SQLite's files beside it, too.
             fs::remove(session.string() + ending, ignored);
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // Where a drawing is kept that nobody has named: a new session named after the plant and the time,
 // in the folder "tractus" of the user's data ($XDG_DATA_HOME, else ~/.local/share, as the XDG Base
@@ -19,4 +19,4 @@ Result<std::filesystem::path> unnamed_session_path(std::string const& plant,
 // Takes a session's file away again if nothing was ever drawn in it.
 void remove_if_nothing_was_drawn(std::filesystem::path const& session);
 
-} // namespace tractus
+} // namespace tractus::controllers

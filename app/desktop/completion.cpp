@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::desktop {
 
 namespace {
 
@@ -99,9 +99,9 @@ public:
     // Lists what an option or an argument may be; the words are put behind `prefix`.
     void values_of(CLI::Option& option, std::string const& prefix = {})
     {
-        for (auto const& text : words_offered_by(option))
+        for (auto const& text : options::words_offered_by(option))
             word(prefix + text);
-        if (!words_offered_by(option).empty())
+        if (!options::words_offered_by(option).empty())
             return;
         auto const kind = option.get_positional() ? option.get_name(true) : option.get_type_name();
         auto const has = [&](char const* part) { return kind.find(part) != std::string::npos; };
@@ -194,4 +194,4 @@ std::string print_completion(Completion const& completion)
     return lines;
 }
 
-} // namespace tractus
+} // namespace tractus::desktop

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::desktop {
 
 // Words that may stand next on a command line that is being typed: a shell offers them when Tab is
 // pressed.
@@ -30,4 +30,4 @@ Completion complete(CLI::App& root, std::vector<std::string> typed,
 // about, and at last ":files" or ":folders" if names of such may follow.
 std::string print_completion(Completion const& completion);
 
-} // namespace tractus
+} // namespace tractus::desktop

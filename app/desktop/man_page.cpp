@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-namespace tractus {
+namespace tractus::desktop {
 
 namespace {
 
@@ -94,7 +94,7 @@ std::string option_entry(CLI::Option const& option)
         names += fmt::format("{}\\fB\\-\\-{}\\fR", names.empty() ? "" : ", ", escaped(name));
     if (option.get_items_expected_max() > 0)
         names += fmt::format(" \\fI{}\\fR", escaped(option.get_type_name()));
-    return fmt::format(".TP\n{}\n{}\n", names, escaped(option_text(option)));
+    return fmt::format(".TP\n{}\n{}\n", names, escaped(options::option_text(option)));
 }
 
 // Arguments and options below a heading of the given kind, ".SH" or ".SS".
@@ -106,7 +106,7 @@ std::string entries(CLI::App const& command, char const* heading)
         text += fmt::format("{} ARGUMENTS\n", heading);
     for (auto const* option : positionals)
         text += fmt::format(".TP\n\\fI{}\\fR\n{}\n", escaped(option->get_name(true)),
-                            escaped(option_text(*option)));
+                            escaped(options::option_text(*option)));
     text += fmt::format("{} OPTIONS\n", heading);
     for (auto const* option : command.get_options({}))
         if (option->nonpositional())
@@ -173,4 +173,4 @@ std::string command_man_page(CLI::App const& command)
     return text + ".SH SEE ALSO\n.BR tractus (1)\n";
 }
 
-} // namespace tractus
+} // namespace tractus::desktop

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-namespace tractus {
+namespace tractus::desktop {
 
 // The manual page of the whole program, which names its commands, as groff's man macros have it.
 std::string program_man_page(CLI::App const& root);
@@ -14,4 +14,4 @@ std::string command_man_page(CLI::App const& command);
 // "tractus-vary" for the command vary of tractus; the program's own name for the program.
 std::string man_page_name(CLI::App const& command);
 
-} // namespace tractus
+} // namespace tractus::desktop

@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::devices {
 
 static char const* describe(LiveDevices::State state)
 {
@@ -26,11 +26,11 @@ void DeviceNews::tell(LiveDevices const& devices)
         auto const state = devices.state(i);
         auto const refusal = devices.refusal(i);
         if (std::exchange(told_[i].state, state) != state)
-            print_error(fmt::format("{} at {} {}\n", devices.infos()[i].name,
-                                    devices.infos()[i].location, describe(state)));
+            terminal::print_error(fmt::format("{} at {} {}\n", devices.infos()[i].name,
+                                              devices.infos()[i].location, describe(state)));
         if (std::exchange(told_[i].refusal, refusal) != refusal && !refusal.empty())
-            print_error(fmt::format("it is plugged in again, but {}\n", refusal));
+            terminal::print_error(fmt::format("it is plugged in again, but {}\n", refusal));
     }
 }
 
-} // namespace tractus
+} // namespace tractus::devices

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::devices {
 
 // Says on standard error which devices go away and come back, once each time.
 class DeviceNews {
@@ -28,4 +28,4 @@ private:
     std::vector<Told> told_;
 };
 
-} // namespace tractus
+} // namespace tractus::devices

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace tractus {
+namespace tractus::devices {
 
 static constexpr std::string_view kSimulated = "simulated";
 
@@ -87,16 +87,16 @@ Result<void> LiveDevices::add_real(drivers::DeviceInfo info,
 // The simulated rig is a log, too: what its devices sent while its hand drew the demo.
 Result<void> LiveDevices::add_log(std::string const& name)
 {
-    auto const demo = find_resource("demo/broadleaf.tractus-log");
+    auto const demo = files::find_resource("demo/broadleaf.tractus-log");
     if (name == kSimulated && !demo)
         return tl::unexpected(demo.error());
     auto read = TRY(drivers::read_log(name == kSimulated ? *demo : std::filesystem::path(name)));
     auto const log = std::make_shared<drivers::Log const>(std::move(read));
     if (rig_text_.empty())
         rig_text_ = log->rig_text;
-    auto const pace = pace_from_now(log->begin());
+    auto const pace = play::pace_from_now(log->begin());
     for (std::size_t i = 0; i < log->devices.size(); ++i)
-        TRY(add(open_paced(log, i, pace), nullptr));
+        TRY(add(play::open_paced(log, i, pace), nullptr));
     return {};
 }
 
@@ -107,14 +107,14 @@ Result<LiveDevices> LiveDevices::play_log(std::string const& name,
     auto const log = std::make_shared<drivers::Log const>(std::move(read));
     LiveDevices devices;
     devices.rig_text_ = log->rig_text;
-    Pace const pace {
+    play::Pace const pace {
         .data_begin = log->begin(),
         .real_begin = now(),
         .now = now,
         .wait = [](Duration) {}, // Readers ask for no patience.
     };
     for (std::size_t i = 0; i < log->devices.size(); ++i) {
-        auto source = open_paced(log, i, pace);
+        auto source = play::open_paced(log, i, pace);
         devices.infos_.push_back(source->info());
         devices.devices_.push_back({ std::move(source), nullptr, nullptr });
     }
@@ -174,4 +174,4 @@ std::uint64_t LiveDevices::lost_count() const
     return count;
 }
 
-} // namespace tractus
+} // namespace tractus::devices

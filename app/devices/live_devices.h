@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::devices {
 
 // How long a loop over devices rests where none has sent anything new.
 constexpr Duration kPollRest = std::chrono::milliseconds(2);
@@ -109,4 +109,4 @@ std::string_view device_name_help();
 // The devices that are of use by themselves: every pen tablet and height sensor that can be found.
 std::vector<drivers::DeviceInfo> find_pens_and_height_sensors();
 
-} // namespace tractus
+} // namespace tractus::devices

@@ -5,12 +5,12 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::devices {
 
 LiveDiagnosis::LiveDiagnosis(LiveDevices const& devices, Timestamp now)
     : begin_(now)
     , now_(now)
-    , of_machine_(diagnose_system(gather_system_facts()))
+    , of_machine_(diagnosis::diagnose_system(diagnosis::gather_system_facts()))
 {
     for (auto const& info : devices.infos())
         monitors_.emplace_back(info);
@@ -23,21 +23,21 @@ void LiveDiagnosis::pass_time(Timestamp now)
         monitor.pass_time(now);
 }
 
-std::vector<DeviceReading> LiveDiagnosis::readings() const
+std::vector<diagnosis::DeviceReading> LiveDiagnosis::readings() const
 {
-    std::vector<DeviceReading> readings;
+    std::vector<diagnosis::DeviceReading> readings;
     for (auto const& monitor : monitors_)
         readings.push_back(monitor.reading());
     return readings;
 }
 
-std::vector<Finding> LiveDiagnosis::findings() const
+std::vector<diagnosis::Finding> LiveDiagnosis::findings() const
 {
     auto findings = of_machine_;
     for (auto const& monitor : monitors_)
-        for (auto& finding : diagnose_device(monitor.reading(), now_ - begin_))
+        for (auto& finding : diagnosis::diagnose_device(monitor.reading(), now_ - begin_))
             findings.push_back(std::move(finding));
     return findings;
 }
 
-} // namespace tractus
+} // namespace tractus::devices

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::devices {
 
 // Diagnosis of the devices for a person who draws with them: their newest raw values, how regularly
 // they send, and what is the matter with them or with the machine.
@@ -18,14 +18,14 @@ public:
     void push(LiveReport const& report) { monitors_[report.device].push(report.report); }
     void pass_time(Timestamp now);
 
-    std::vector<DeviceReading> readings() const; // One for each device.
-    std::vector<Finding> findings() const;       // Empty if nothing is the matter.
+    std::vector<diagnosis::DeviceReading> readings() const; // One for each device.
+    std::vector<diagnosis::Finding> findings() const;       // Empty if nothing is the matter.
 
 private:
     Timestamp begin_;
     Timestamp now_;
-    std::vector<DeviceMonitor> monitors_;
-    std::vector<Finding> of_machine_;
+    std::vector<diagnosis::DeviceMonitor> monitors_;
+    std::vector<diagnosis::Finding> of_machine_;
 };
 
-} // namespace tractus
+} // namespace tractus::devices

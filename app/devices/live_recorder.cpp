@@ -8,7 +8,7 @@
 #include <fstream>
 #include <utility>
 
-namespace tractus {
+namespace tractus::devices {
 
 Result<void> check_new_file(std::filesystem::path const& path)
 {
@@ -91,4 +91,4 @@ Result<void> LiveRecorder::flush()
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::devices

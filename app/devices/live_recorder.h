@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::devices {
 
 // Fails, as the user's fault, if the file is there already: a recording cannot be made again, so it
 // is never written over.
@@ -62,4 +62,4 @@ private:
     std::uint64_t byte_count_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::devices

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace tractus {
+namespace tractus::devices {
 
 LiveRecordingOptions live_recording_by_the_clock(std::optional<double> seconds)
 {
@@ -41,4 +41,4 @@ Result<LiveRecordingCounts> record_live(LiveDevices& devices, LiveRecorder& reco
     return LiveRecordingCounts { recorder.report_count(), devices.lost_count() };
 }
 
-} // namespace tractus
+} // namespace tractus::devices

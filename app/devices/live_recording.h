@@ -10,7 +10,7 @@
 #include <functional>
 #include <optional>
 
-namespace tractus {
+namespace tractus::devices {
 
 struct LiveRecordingOptions {
     std::optional<double> seconds {}; // No value: until `stop` is set.
@@ -33,4 +33,4 @@ Result<LiveRecordingCounts> record_live(LiveDevices& devices, LiveRecorder& reco
                                         LiveRecordingOptions const& options,
                                         std::atomic<bool> const& stop);
 
-} // namespace tractus
+} // namespace tractus::devices

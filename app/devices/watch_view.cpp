@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::devices {
 
 namespace {
 
@@ -16,7 +16,7 @@ double milliseconds(Duration duration)
 }
 
 // The newest report, sixteen bytes to a line, beside the sample's fields.
-void append_report(DeviceReading const& reading, std::vector<std::string>& lines)
+void append_report(diagnosis::DeviceReading const& reading, std::vector<std::string>& lines)
 {
     auto const bytes = reading.last ? reading.last->bytes() : std::span<std::byte const> {};
     auto const byte_lines = (bytes.size() + kBytesPerLine - 1) / kBytesPerLine;
@@ -34,7 +34,7 @@ void append_report(DeviceReading const& reading, std::vector<std::string>& lines
 
 } // namespace
 
-std::string describe_pace(DeviceReading const& reading)
+std::string describe_pace(diagnosis::DeviceReading const& reading)
 {
     auto const& pace = reading.pace;
     if (reading.is_away)
@@ -48,7 +48,8 @@ std::string describe_pace(DeviceReading const& reading)
                        reading.broken_reports);
 }
 
-std::vector<std::string> watch_lines(std::span<DeviceReading const> readings, std::size_t width)
+std::vector<std::string> watch_lines(std::span<diagnosis::DeviceReading const> readings,
+                                     std::size_t width)
 {
     std::vector<std::string> lines;
     for (auto const& reading : readings) {
@@ -68,4 +69,4 @@ std::vector<std::string> watch_lines(std::span<DeviceReading const> readings, st
     return lines;
 }
 
-} // namespace tractus
+} // namespace tractus::devices

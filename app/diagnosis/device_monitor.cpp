@@ -8,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace tractus {
+namespace tractus::diagnosis {
 
 using namespace std::chrono_literals;
 
@@ -163,4 +163,4 @@ DeviceReading DeviceMonitor::reading() const
     return reading;
 }
 
-} // namespace tractus
+} // namespace tractus::diagnosis

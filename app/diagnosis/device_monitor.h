@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::diagnosis {
 
 // How regularly reports come, over the last second of them.
 struct ReportPace {
@@ -82,4 +82,4 @@ private:
     std::deque<Timestamp> recent_;               // Times of the last second's reports.
 };
 
-} // namespace tractus
+} // namespace tractus::diagnosis

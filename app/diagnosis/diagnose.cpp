@@ -15,7 +15,7 @@
 #include <fmt/core.h>
 #include <set>
 
-namespace tractus {
+namespace tractus::diagnosis {
 
 namespace {
 
@@ -403,4 +403,4 @@ std::vector<Finding> diagnose_clocks(ClockReading const& before, ClockReading co
     return findings;
 }
 
-} // namespace tractus
+} // namespace tractus::diagnosis

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::diagnosis {
 
 // Returns what is to be found without reading a device: permissions, drivers, unknown tablets,
 // libraries. Empty if nothing is the matter.
@@ -34,4 +34,4 @@ ClockReading read_clocks();
 // Returns what happened to the clocks between two readings. Empty if nothing did.
 std::vector<Finding> diagnose_clocks(ClockReading const& before, ClockReading const& after);
 
-} // namespace tractus
+} // namespace tractus::diagnosis

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-namespace tractus {
+namespace tractus::diagnosis {
 
 std::string_view name_of(FindingKind kind)
 {
@@ -61,4 +61,4 @@ std::string print_findings_json(std::span<Finding const> findings)
     return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-} // namespace tractus
+} // namespace tractus::diagnosis

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::diagnosis {
 
 // Troubles with the hardware and its way into the program.
 enum class FindingKind {
@@ -41,4 +41,4 @@ struct Finding {
 std::string print_findings(std::span<Finding const> findings);
 std::string print_findings_json(std::span<Finding const> findings);
 
-} // namespace tractus
+} // namespace tractus::diagnosis

@@ -14,7 +14,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::diagnosis {
 
 namespace fs = std::filesystem;
 
@@ -195,4 +195,4 @@ SystemFacts gather_system_facts(fs::path const& root)
     return facts;
 }
 
-} // namespace tractus
+} // namespace tractus::diagnosis

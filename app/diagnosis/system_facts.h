@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::diagnosis {
 
 // A device that list_devices() has found, and what the system says of it.
 struct DeviceFacts {
@@ -70,4 +70,4 @@ SystemFacts gather_system_facts(std::filesystem::path const& root = "/");
 // Whether a device may be opened: 0, or an errno.
 int opening_error(drivers::DeviceInfo const& info, std::filesystem::path const& root = "/");
 
-} // namespace tractus
+} // namespace tractus::diagnosis

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::diagnosis {
 
 static constexpr std::uint16_t kUsb = 3; // linux/input.h
 
@@ -102,4 +102,4 @@ std::string udev_rule_for(drivers::DeviceInfo const& info)
                        info.bus, info.vendor_id, info.product_id);
 }
 
-} // namespace tractus
+} // namespace tractus::diagnosis

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::diagnosis {
 
 // drivers/70-tractus.rules, as it was when the program was built.
 std::string_view udev_rules_text();
@@ -25,4 +25,4 @@ bool do_rules_permit(drivers::DeviceInfo const& info);
 // The one rule, in one line, that permits this device and no other model.
 std::string udev_rule_for(drivers::DeviceInfo const& info);
 
-} // namespace tractus
+} // namespace tractus::diagnosis

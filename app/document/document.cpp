@@ -22,13 +22,14 @@ void find_rest_shapes(Scene const& scene)
 } // namespace
 
 Document::Document(Scene scene, Working working, Follow follow)
-    : Document(Session::in_memory(std::move(scene),
-                                  session_by_the_clock({}, [] { return load_options(); })),
-               working, std::move(follow))
+    : Document(
+        session::Session::in_memory(
+            std::move(scene), session::session_by_the_clock({}, [] { return load_options(); })),
+        working, std::move(follow))
 {
 }
 
-Document::Document(Session session, Working working, Follow follow)
+Document::Document(session::Session session, Working working, Follow follow)
     : follow_(std::move(follow))
     , session_(std::move(session))
     , scene_(session_.scene())
@@ -267,7 +268,7 @@ Result<void> Document::may_travel() const
     return {};
 }
 
-void Document::travel(Result<void> (Session::*move)(), LoggedStep::What what,
+void Document::travel(Result<void> (session::Session::*move)(), LoggedStep::What what,
                       std::string const& status)
 {
     auto moved = may_travel();
@@ -284,12 +285,12 @@ void Document::travel(Result<void> (Session::*move)(), LoggedStep::What what,
 
 void Document::perform(Undo const&)
 {
-    travel(&Session::undo, LoggedStep::What::Undo, "Undone");
+    travel(&session::Session::undo, LoggedStep::What::Undo, "Undone");
 }
 
 void Document::perform(Redo const&)
 {
-    travel(&Session::redo, LoggedStep::What::Redo, "Done again");
+    travel(&session::Session::redo, LoggedStep::What::Redo, "Done again");
 }
 
 void Document::perform(Restart const& wanted)

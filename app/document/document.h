@@ -80,7 +80,7 @@ public:
 
     // Without a session, what is drawn stays in memory.
     Document(Scene scene, Working working, Follow follow = {});
-    Document(Session session, Working working, Follow follow = {});
+    Document(session::Session session, Working working, Follow follow = {});
     Document(Document const&) = delete;
     Document& operator=(Document const&) = delete;
 
@@ -121,7 +121,7 @@ public:
     bool is_settled() const;
     void settle();
 
-    Session const& session() const { return session_; } // While is_settled().
+    session::Session const& session() const { return session_; } // While is_settled().
 
     // Session::set_name(), when all that has come is done.
     Result<void> set_name(std::string name);
@@ -137,7 +137,8 @@ private:
     // A step that is part of the scene already.
     struct Step {
         std::vector<Edit> edits;
-        std::optional<Session::Prepared> prepared {}; // No value where earlier ones are unkept.
+        std::optional<session::Session::Prepared>
+            prepared {}; // No value where earlier ones are unkept.
     };
 
     void begin_working(Working working);
@@ -151,7 +152,8 @@ private:
     void perform(Undo const&);
     void perform(Redo const&);
     void perform(Restart const& wanted);
-    void travel(Result<void> (Session::*move)(), LoggedStep::What what, std::string const& status);
+    void travel(Result<void> (session::Session::*move)(), LoggedStep::What what,
+                std::string const& status);
     Result<void> may_travel() const;
     Result<Step> compute(std::vector<Edit> edits);
     void keep(Step step);
@@ -161,7 +163,7 @@ private:
 
     // The thread's that works.
     Follow follow_;
-    Session session_;
+    session::Session session_;
     Scene scene_;
     std::uint64_t revision_ = 0;
     std::uint64_t drawn_revision_ = 0;

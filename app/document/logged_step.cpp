@@ -45,7 +45,7 @@ std::string print_edits(std::vector<Edit> const& edits)
 {
     auto list = Json::array();
     for (auto const& edit : edits) {
-        auto const record = record_of(edit);
+        auto const record = session::record_of(edit);
         list.push_back({ { "kind", record.kind },
                          { "fields", Json::parse(record.fields) },
                          { "numbers", hex_of(record.numbers) } });
@@ -67,7 +67,7 @@ std::optional<std::vector<Edit>> read_edits(std::string_view text, EditKinds kin
         auto numbers = bytes_of(entry["numbers"].get<std::string>());
         if (!numbers)
             return std::nullopt;
-        edits.push_back(edit_or_unknown(
+        edits.push_back(session::edit_or_unknown(
             { entry["kind"].get<std::string>(), entry["fields"].dump(), *std::move(numbers) },
             kinds));
     }

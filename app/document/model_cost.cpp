@@ -32,13 +32,14 @@ public:
         if (is_full_)
             return;
         auto const shown = text.substr(0, kMaxPrinted - printed_);
-        print_error(printable(shown, "\n\t\r"));
+        terminal::print_error(printable(shown, "\n\t\r"));
         printed_ += shown.size();
         is_full_ = shown.size() < text.size();
         if (is_full_)
-            print_error(fmt::format("\nwarning: the model prints more than {} characters; the "
-                                    "rest is left out\n",
-                                    kMaxPrinted));
+            terminal::print_error(
+                fmt::format("\nwarning: the model prints more than {} characters; the "
+                            "rest is left out\n",
+                            kMaxPrinted));
     }
 
 private:

@@ -14,7 +14,7 @@ std::uint64_t machine_memory_mb();
 // Limits at which a model is stopped with an error. The defaults suit the machine: a model that
 // runs away must not take it down.
 struct ModelCost {
-    std::size_t max_modules = ModelLimits().max_modules;
+    std::size_t max_modules = lsystem::ModelLimits().max_modules;
     std::uint64_t max_memory_mb = machine_memory_mb() / 2; // The plant needs memory, too.
     double max_seconds = 600;                              // 0: as long as it takes.
 };

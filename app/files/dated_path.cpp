@@ -3,7 +3,7 @@
 #include <fmt/chrono.h>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::files {
 
 namespace fs = std::filesystem;
 
@@ -26,4 +26,4 @@ fs::path dated_path(fs::path const& folder, std::string_view plant, std::string_
                       std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
 }
 
-} // namespace tractus
+} // namespace tractus::files

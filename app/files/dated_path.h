@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::files {
 
 // A new file's name that nobody has to type: FOLDER/PLANT-YYYY-MM-DD-HHMMSS.ENDING, in local time,
 // with -2, -3 and so on before the ending where such a file is there already. `plant` is a model's
@@ -17,4 +17,4 @@ std::filesystem::path dated_path(std::filesystem::path const& folder, std::strin
 std::filesystem::path dated_path(std::filesystem::path const& folder, std::string_view plant,
                                  std::string_view ending);
 
-} // namespace tractus
+} // namespace tractus::files

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-namespace tractus {
+namespace tractus::files {
 
 namespace fs = std::filesystem;
 
@@ -58,4 +58,4 @@ Result<fs::path> find_plant(std::string_view name)
     return find_model(name);
 }
 
-} // namespace tractus
+} // namespace tractus::files

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::files {
 
 // A file or folder that comes with the program: "models/broadleaf.l", "demo". Looked for where the
 // program is installed (PREFIX/share/tractus beside PREFIX/bin), then in the source tree it was
@@ -24,4 +24,4 @@ Result<std::filesystem::path> find_plant(std::string_view name);
 // The names of ours, in alphabetical order; none where they are not installed.
 std::vector<std::string> model_names();
 
-} // namespace tractus
+} // namespace tractus::files

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace tractus {
+namespace tractus::files {
 
 namespace fs = std::filesystem;
 
@@ -92,4 +92,4 @@ fs::path user_rig_path()
     return folder.empty() ? folder : folder / "table.rig.toml";
 }
 
-} // namespace tractus
+} // namespace tractus::files

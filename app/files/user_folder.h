@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace tractus {
+namespace tractus::files {
 
 // Where the program keeps what a person did not name: $XDG_DATA_HOME/tractus, else
 // ~/.local/share/tractus (XDG Base Directory Specification). Empty where the user has no home.
@@ -28,4 +28,4 @@ std::vector<std::filesystem::path> user_picture_folders();
 // told another place. Empty where the user has no home.
 std::filesystem::path user_rig_path();
 
-} // namespace tractus
+} // namespace tractus::files

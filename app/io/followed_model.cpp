@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-namespace tractus {
+namespace tractus::io {
 
 static bool same_text(LoadModel const& one, LoadModel const& other)
 {
@@ -68,4 +68,4 @@ std::optional<Result<LoadModel>> FollowedModel::take_change(Timestamp now)
     return model;
 }
 
-} // namespace tractus
+} // namespace tractus::io

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::io {
 
 // A model that somebody writes while its plant is drawn on: its files are looked at for changes.
 // Files that count are the rules, the view and colours of the model's name, and what the model
@@ -46,4 +46,4 @@ private:
     Timestamp next_look_ {};
 };
 
-} // namespace tractus
+} // namespace tractus::io

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-namespace tractus {
+namespace tractus::io {
 
-std::optional<std::string> large_glb_size(GlbSummary const& summary)
+std::optional<std::string> large_glb_size(exports::GlbSummary const& summary)
 {
     if (summary.triangles <= kManyTriangles)
         return std::nullopt;
@@ -13,20 +13,21 @@ std::optional<std::string> large_glb_size(GlbSummary const& summary)
                        static_cast<double>(summary.bytes) / 1e6);
 }
 
-std::optional<std::string> large_glb_note(GlbSummary const& expected, GlbOptions const& options)
+std::optional<std::string> large_glb_note(exports::GlbSummary const& expected,
+                                          exports::GlbOptions const& options)
 {
     auto const size = large_glb_size(expected);
     if (!size)
         return std::nullopt;
-    auto const compressed = options.vertices == GlbOptions::Vertices::Compressed
+    auto const compressed = options.vertices == exports::GlbOptions::Vertices::Compressed
         ? std::string()
         : fmt::format("--compressed makes about {:.0f} MB for programs that know "
                       "EXT_meshopt_compression; ",
                       static_cast<double>(expected.compressed_bytes) / 1e6);
-    auto const* const quantized = options.vertices != GlbOptions::Vertices::Float
+    auto const* const quantized = options.vertices != exports::GlbOptions::Vertices::Float
         ? ""
         : "--quantized is smaller for programs that know KHR_mesh_quantization; ";
-    auto const* const instanced = options.organs == GlbOptions::Organs::Instanced
+    auto const* const instanced = options.organs == exports::GlbOptions::Organs::Instanced
         ? ""
         : "--organs instanced is smaller for programs that know EXT_mesh_gpu_instancing; ";
     return fmt::format("the .glb will have {}: {}{}{}\"tractus vary\" has --sides and --lods, and "
@@ -34,4 +35,4 @@ std::optional<std::string> large_glb_note(GlbSummary const& expected, GlbOptions
                        *size, compressed, quantized, instanced);
 }
 
-} // namespace tractus
+} // namespace tractus::io

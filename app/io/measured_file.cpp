@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tractus {
+namespace tractus::io {
 
 namespace {
 
@@ -88,4 +88,4 @@ Result<std::optional<LoadMeasured>> load_measured_edit(std::filesystem::path con
     return edit;
 }
 
-} // namespace tractus
+} // namespace tractus::io

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace tractus {
+namespace tractus::io {
 
 // Reads a plant that was measured, or that another program keeps, as an edit that holds all of its
 // file. The ending says that it is one, whatever its case, and the content which: .mtg (mtg.h),
@@ -19,4 +19,4 @@ namespace tractus {
 // (.mat).
 Result<std::optional<LoadMeasured>> load_measured_edit(std::filesystem::path const& path);
 
-} // namespace tractus
+} // namespace tractus::io

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::io {
 
 static constexpr std::size_t kMaxFileSize = std::size_t { 16 } << 20;
 
@@ -100,10 +100,10 @@ static Result<void> add_colors(std::optional<std::filesystem::path> const& file,
     return {};
 }
 
-Result<ModelSource> load_model_source(std::filesystem::path const& path,
-                                      ModelCompanions const& companions)
+Result<lsystem::ModelSource> load_model_source(std::filesystem::path const& path,
+                                               ModelCompanions const& companions)
 {
-    ModelSource source;
+    lsystem::ModelSource source;
     source.name = path.string();
     source.text = TRY(read_text_file(path, kMaxFileSize));
     auto view_path = path;
@@ -118,11 +118,12 @@ Result<ModelSource> load_model_source(std::filesystem::path const& path,
         return fail(Fault::User,
                     fmt::format("{}: colours are in .mat or .map files", colors.string()));
     // Colours come as on cpfg's command line. The first that names a colour counts: materials.
-    TRY(add_colors(colors_of(path, companions, ".mat"), material_file_statements,
+    TRY(add_colors(colors_of(path, companions, ".mat"), lsystem::material_file_statements,
                    source.view_text));
-    TRY(add_colors(colors_of(path, companions, ".map"), color_map_statements, source.view_text));
+    TRY(add_colors(colors_of(path, companions, ".map"), lsystem::color_map_statements,
+                   source.view_text));
     if (!companions.environment.empty()) {
-        TRY(parse_environment(companions.environment));
+        TRY(lsystem::parse_environment(companions.environment));
         source.view_text += "\nenvironment: " + companions.environment + '\n';
     }
     return source;
@@ -159,7 +160,7 @@ static std::vector<std::string> unused_companions(std::filesystem::path const& p
 void warn_of_unused_companions(std::filesystem::path const& path, ModelCompanions const& companions)
 {
     for (auto const& warning : unused_companions(path, companions))
-        print_warning(warning);
+        terminal::print_warning(warning);
 }
 
 bool leads_out_of_folder(std::filesystem::path const& name)
@@ -167,7 +168,7 @@ bool leads_out_of_folder(std::filesystem::path const& name)
     return name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end();
 }
 
-IncludeReader model_includes(std::filesystem::path const& path)
+lsystem::IncludeReader model_includes(std::filesystem::path const& path)
 {
     return [folder = path.parent_path()](std::string const& name) -> Result<std::string> {
         std::filesystem::path const file(name);
@@ -194,7 +195,7 @@ Result<LoadModel> load_model_edit(std::filesystem::path const& path,
             edit.includes[name] = *text;
         return text;
     };
-    TRY(compile_model(edit.source, record));
+    TRY(lsystem::compile_model(edit.source, record));
     return edit;
 }
 
@@ -205,7 +206,7 @@ static Result<std::vector<SkeletonPiece>> load_lines(std::filesystem::path const
     if (path.extension() == ".obj")
         return parse_obj_lines(path.string(), TRY(read_text_file(path, kMaxSkeletonSize)));
     if (path.extension() == ".glb")
-        return read_glb_lines(path.string(), TRY(read_file(path, kMaxSkeletonSize)));
+        return exports::read_glb_lines(path.string(), TRY(read_file(path, kMaxSkeletonSize)));
     if (path.extension() == ".gltf")
         return fail(Fault::User,
                     fmt::format("{}: glTF files are read in their binary form: export it as .glb",
@@ -227,10 +228,11 @@ Result<Edit> load_plant_edit(std::filesystem::path const& path, ModelCompanions 
     return model;
 }
 
-Result<Model> load_model(std::filesystem::path const& path, ModelCompanions const& companions)
+Result<lsystem::Model> load_model(std::filesystem::path const& path,
+                                  ModelCompanions const& companions)
 {
     auto const source = TRY(load_model_source(path, companions));
-    return compile_model(source, model_includes(path));
+    return lsystem::compile_model(source, model_includes(path));
 }
 
-} // namespace tractus
+} // namespace tractus::io

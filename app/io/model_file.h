@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::io {
 
 // Files that cpfg is given beside the rules on its command line; without them, those beside the
 // model.
@@ -22,8 +22,8 @@ struct ModelCompanions {
 // one. Colours that cpfg has in files of their own are read into the view: MODEL.mat and MODEL.map,
 // or the only ones in a folder that has no other model (a file without Lsystem: is none). Fails, as
 // the user's fault, if the rules cannot be read or such a file holds no colours.
-Result<ModelSource> load_model_source(std::filesystem::path const& path,
-                                      ModelCompanions const& companions = {});
+Result<lsystem::ModelSource> load_model_source(std::filesystem::path const& path,
+                                               ModelCompanions const& companions = {});
 
 // Prints a warning for each view and each file of colours beside the model that it does not use and
 // that is no other model's; none of a kind that somebody has chosen.
@@ -35,7 +35,7 @@ bool leads_out_of_folder(std::filesystem::path const& name);
 
 // Gives what a model includes (other rules, functions) from the model's folder. Names that lead out
 // of that folder are refused. What is not there may be made by a method (all_inputs.h).
-IncludeReader model_includes(std::filesystem::path const& path);
+lsystem::IncludeReader model_includes(std::filesystem::path const& path);
 
 // Reads a model and its companions as an edit, so that a scene holds the model's texts and needs no
 // file again. Fails like load_model_source(), and with what is wrong in the model's text.
@@ -50,6 +50,7 @@ Result<Edit> load_plant_edit(std::filesystem::path const& path,
                              ModelCompanions const& companions = {});
 
 // Reads and compiles a model and its companions. Fails like load_model_edit().
-Result<Model> load_model(std::filesystem::path const& path, ModelCompanions const& companions = {});
+Result<lsystem::Model> load_model(std::filesystem::path const& path,
+                                  ModelCompanions const& companions = {});
 
-} // namespace tractus
+} // namespace tractus::io

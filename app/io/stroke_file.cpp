@@ -7,7 +7,7 @@
 
 #include <span>
 
-namespace tractus {
+namespace tractus::io {
 
 bool is_stroke_file(std::filesystem::path const& path)
 {
@@ -42,16 +42,16 @@ bool is_written_of_strokes(std::filesystem::path const& path)
 }
 
 Result<void> write_strokes(std::filesystem::path const& path, std::span<Stroke const> strokes,
-                           StrokeView view)
+                           exports::StrokeView view)
 {
     return write_file(path, [&](std::ostream& out) -> Result<void> {
         if (path.extension() == ".glb")
-            return write_strokes_glb(out, strokes);
+            return exports::write_strokes_glb(out, strokes);
         if (path.extension() == ".svg")
-            return write_strokes_svg(out, strokes, view);
+            return exports::write_strokes_svg(out, strokes, view);
         out << print_strokes(strokes);
         return {};
     });
 }
 
-} // namespace tractus
+} // namespace tractus::io

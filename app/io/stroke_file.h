@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::io {
 
 // True for files that hold strokes in space instead of the reports of devices: .tilt (Open Brush,
 // Tilt Brush), .strokes and .txt (stroke_text.h). By the ending alone.
@@ -29,6 +29,6 @@ bool is_written_of_strokes(std::filesystem::path const& path);
 // Writes strokes as the file's ending says. `view` is for .svg alone. Fails, as the user's fault,
 // if the file cannot be written.
 Result<void> write_strokes(std::filesystem::path const& path, std::span<Stroke const> strokes,
-                           StrokeView view = StrokeView::Front);
+                           exports::StrokeView view = exports::StrokeView::Front);
 
-} // namespace tractus
+} // namespace tractus::io

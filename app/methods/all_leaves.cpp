@@ -62,11 +62,11 @@ Result<std::string> text_of_drawn(DocumentState const& state, ItemId leaf)
     return leaf::grammar_text(*sketch, "Drawn by pen");
 }
 
-Result<std::string> sheet_of(std::string const& grammar_text, LeafOrder const& order)
+Result<std::string> sheet_of(std::string const& grammar_text, lsystem::LeafOrder const& order)
 {
-    auto const name = parse_leaf_word(order.grammar).grammar;
+    auto const name = lsystem::parse_leaf_word(order.grammar).grammar;
     auto const grammar = TRY(leaf::parse_grammar(grammar_text, name));
-    return print_leaf_sheet(TRY(grow_leaf_sheet(grammar, order)));
+    return lsystem::print_leaf_sheet(TRY(grow_leaf_sheet(grammar, order)));
 }
 
 // The edits that keep a grammar and those of its leaves that have these names, as far as the
@@ -82,7 +82,7 @@ Result<std::vector<Edit>> keeping_edits(DocumentState const& state, std::string 
     for (auto const& name : names)
         if (!is_known || !state.leaf_sheets.contains(name))
             edits.emplace_back(
-                KeepLeaves { name, TRY(sheet_of(text, *parse_leaf_sheet_name(name))) });
+                KeepLeaves { name, TRY(sheet_of(text, *lsystem::parse_leaf_sheet_name(name))) });
     return edits;
 }
 
@@ -105,8 +105,9 @@ std::map<ItemId, std::set<std::string>> drawn_and_worn(DocumentState const& stat
 {
     std::map<ItemId, std::set<std::string>> worn;
     for (auto const& plant : state.plants) {
-        auto const order = parse_leaf_sheet_name(plant->leaves);
-        auto const grammar = order ? parse_leaf_word(order->grammar).grammar : std::string();
+        auto const order = lsystem::parse_leaf_sheet_name(plant->leaves);
+        auto const grammar
+            = order ? lsystem::parse_leaf_word(order->grammar).grammar : std::string();
         if (auto const leaf = drawn_leaf_of(grammar); leaf && find_plant(state, *leaf))
             worn[*leaf].insert(plant->leaves);
     }
@@ -148,7 +149,7 @@ Result<std::string> read_leaf_grammar(fs::path const& path)
 
 Dressing dressing_of_word(std::string const& word)
 {
-    auto [grammar, damage] = parse_leaf_word(word);
+    auto [grammar, damage] = lsystem::parse_leaf_word(word);
     return { .leaves = std::move(grammar), .damage = damage };
 }
 
@@ -179,8 +180,9 @@ Result<std::vector<Edit>> dressing_edits(Scene const& scene, ItemId plant, Dress
     if (dressing.leaves.empty() && dressing.drawn == 0)
         return std::vector<Edit> { DressPlant { plant, {} } };
     auto const [name, text] = TRY(grammar_of(scene.state, dressing));
-    LeafOrder const order { .grammar = leaf_word({ name, dressing.damage }), .age = dressing.age };
-    auto const sheet = leaf_sheet_name(order);
+    lsystem::LeafOrder const order { .grammar = lsystem::leaf_word({ name, dressing.damage }),
+                                     .age = dressing.age };
+    auto const sheet = lsystem::leaf_sheet_name(order);
     std::vector<Edit> edits;
     if (fs::path(name).extension() == ".leaf") {
         std::set<std::string> names { sheet };
@@ -197,10 +199,11 @@ Result<std::vector<Edit>> dressing_edits(Scene const& scene, ItemId plant, Dress
 std::optional<Dressing> worn_leaves(DocumentState const& state, ItemId plant)
 {
     auto const number = find_plant(state, plant);
-    auto const order = number ? parse_leaf_sheet_name(state.plants[*number]->leaves) : std::nullopt;
+    auto const order
+        = number ? lsystem::parse_leaf_sheet_name(state.plants[*number]->leaves) : std::nullopt;
     if (!order)
         return std::nullopt;
-    auto [grammar, damage] = parse_leaf_word(order->grammar);
+    auto [grammar, damage] = lsystem::parse_leaf_word(order->grammar);
     Dressing worn { .age = order->age, .damage = damage };
     auto const drawn = drawn_leaf_of(grammar);
     if (drawn && text_of_drawn(state, *drawn))
@@ -235,10 +238,10 @@ std::vector<Edit> edits_that_follow(Scene const& scene, std::vector<Edit> const&
 
 Result<std::string> sheet_for(Scene const& scene, std::string const& name)
 {
-    auto const order = parse_leaf_sheet_name(name);
+    auto const order = lsystem::parse_leaf_sheet_name(name);
     auto const& grammars = scene.state.leaf_grammars;
     auto const own
-        = order ? grammars.find(parse_leaf_word(order->grammar).grammar) : grammars.end();
+        = order ? grammars.find(lsystem::parse_leaf_word(order->grammar).grammar) : grammars.end();
     if (own != grammars.end())
         return sheet_of(*own->second, *order);
     if (auto made = TRY(make_input({}, name)))
@@ -247,12 +250,13 @@ Result<std::string> sheet_for(Scene const& scene, std::string const& name)
 }
 
 Result<LeafStudy> study_of_grammar(std::string const& text, std::string const& name,
-                                   LeafLook const& look, Color const& paper)
+                                   LeafLook const& look, render::Color const& paper)
 {
     return study_leaf(TRY(leaf::parse_grammar(text, name)), look, paper);
 }
 
-Result<Image> picture_of_grammar(fs::path const& grammar, int side, Color const& paper)
+Result<render::Image> picture_of_grammar(fs::path const& grammar, int side,
+                                         render::Color const& paper)
 {
     auto const text = TRY(read_leaf_text(grammar));
     return picture_of_leaf(TRY(leaf::parse_grammar(text, grammar.string())), side, paper);

@@ -44,7 +44,7 @@ struct Dressing {
     std::string leaves {};
     ItemId drawn = 0; // In place of them: those of a drawn leaf, which they follow from then on.
     double age = 0.5; // As of LeafOrder.
-    LeafDamage damage {};
+    lsystem::LeafDamage damage {};
 };
 
 // As people write it: "oak", "oak+spots=0.3" (leaf_word.h), "mine.leaf".
@@ -82,11 +82,11 @@ Result<std::string> sheet_for(Scene const& scene, std::string const& name);
 // A leaf of a grammar's text on paper, with its maps and others of its kind: see study_leaf().
 // Fails, as the user's fault, for a text that is none or gives no leaf.
 Result<LeafStudy> study_of_grammar(std::string const& text, std::string const& name,
-                                   LeafLook const& look, Color const& paper);
+                                   LeafLook const& look, render::Color const& paper);
 
 // A grown-up leaf of the grammar in a file, on paper, in a square of that side. Fails, as the
 // user's fault, for a file that is none or gives no leaf.
-Result<Image> picture_of_grammar(std::filesystem::path const& grammar, int side,
-                                 Color const& paper);
+Result<render::Image> picture_of_grammar(std::filesystem::path const& grammar, int side,
+                                         render::Color const& paper);
 
 } // namespace tractus

@@ -73,7 +73,7 @@ Methods all_methods()
     static auto const edits = [] {
         auto const core = core_edit_kinds();
         std::vector<EditKind const*> all(core.begin(), core.end());
-        all.push_back(&BeginEmpty::kKind);
+        all.push_back(&session::BeginEmpty::kKind);
         all.insert(all.end(),
                    { &sketch::GrowAlongStroke::kKind, &sketch::ChangeSketch::kKind,
                      &sketch::ShortenSketch::kKind, &sketch::RedrawSketch::kKind });

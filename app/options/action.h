@@ -5,10 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-namespace tractus {
+namespace tractus::options {
 
 // Action that the command line asked for: each command's parser sets it, main() runs it. An error
 // becomes one line on standard error and exit code 1.
 using Action = std::function<Result<void>()>;
 
-} // namespace tractus
+} // namespace tractus::options

@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::options {
 
 namespace {
 
@@ -165,4 +165,4 @@ CLI::Validator height_scenario()
                     }));
 }
 
-} // namespace tractus
+} // namespace tractus::options

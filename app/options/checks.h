@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::options {
 
 // Checks of options' values. A value that is refused is wrong usage, and the message says what
 // would be right. For CLI::Option::check().
@@ -52,4 +52,4 @@ CLI::Validator picture_name();
 // A height scenario, as parse_height_scenario reads it.
 CLI::Validator height_scenario();
 
-} // namespace tractus
+} // namespace tractus::options

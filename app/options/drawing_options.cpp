@@ -2,7 +2,7 @@
 
 #include "app/options/shared_options.h"
 
-namespace tractus {
+namespace tractus::options {
 
 void add_drawing_options(CLI::App& command, DrawingArguments& drawing, std::string const& without)
 {
@@ -17,12 +17,12 @@ void add_drawing_options(CLI::App& command, DrawingArguments& drawing, std::stri
     add_height_option(command, drawing.height)->needs(log);
 }
 
-std::optional<DrawingOptions> drawing_options(DrawingArguments const& drawing,
-                                              Methods const& methods)
+std::optional<batch::DrawingOptions> drawing_options(DrawingArguments const& drawing,
+                                                     Methods const& methods)
 {
     if (drawing.log.empty())
         return std::nullopt;
-    DrawingOptions options { .log = drawing.log, .methods = methods };
+    batch::DrawingOptions options { .log = drawing.log, .methods = methods };
     if (!drawing.rig.empty())
         options.rig = drawing.rig;
     if (!drawing.height.empty())
@@ -30,4 +30,4 @@ std::optional<DrawingOptions> drawing_options(DrawingArguments const& drawing,
     return options;
 }
 
-} // namespace tractus
+} // namespace tractus::options

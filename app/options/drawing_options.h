@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::options {
 
 // Options for what was drawn over a command's plant.
 struct DrawingArguments {
@@ -20,7 +20,7 @@ struct DrawingArguments {
 void add_drawing_options(CLI::App& command, DrawingArguments& drawing, std::string const& without);
 
 // No value where nothing was drawn.
-std::optional<DrawingOptions> drawing_options(DrawingArguments const& drawing,
-                                              Methods const& methods);
+std::optional<batch::DrawingOptions> drawing_options(DrawingArguments const& drawing,
+                                                     Methods const& methods);
 
-} // namespace tractus
+} // namespace tractus::options

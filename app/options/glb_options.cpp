@@ -7,15 +7,15 @@
 #include <algorithm>
 #include <string>
 
-namespace tractus {
+namespace tractus::options {
 
-CLI::Option* add_glb_options(CLI::App& command, GlbOptions& options)
+CLI::Option* add_glb_options(CLI::App& command, exports::GlbOptions& options)
 {
-    using Organs = GlbOptions::Organs;
-    options.before_writing = [&options, said = false](GlbSummary const& expected) mutable {
-        auto const note = large_glb_note(expected, options);
+    using Organs = exports::GlbOptions::Organs;
+    options.before_writing = [&options, said = false](exports::GlbSummary const& expected) mutable {
+        auto const note = io::large_glb_note(expected, options);
         if (note && !said)
-            print_warning(*note);
+            terminal::print_warning(*note);
         said |= note.has_value(); // Once for all files.
     };
     auto const choose = [&options](std::string const& word) {
@@ -26,11 +26,12 @@ CLI::Option* add_glb_options(CLI::App& command, GlbOptions& options)
     command.add_flag_callback(
         "--quantized",
         [&options] {
-            options.vertices = std::max(options.vertices, GlbOptions::Vertices::Quantized);
+            options.vertices = std::max(options.vertices, exports::GlbOptions::Vertices::Quantized);
         },
         "Write smaller vertices into a .glb, for readers that know KHR_mesh_quantization");
     command.add_flag_callback(
-        "--compressed", [&options] { options.vertices = GlbOptions::Vertices::Compressed; },
+        "--compressed",
+        [&options] { options.vertices = exports::GlbOptions::Vertices::Compressed; },
         "Write a .glb a third as large as with --quantized, which it implies, for readers that "
         "know EXT_meshopt_compression, too: three.js and Babylon.js, not Blender");
     return command
@@ -46,4 +47,4 @@ CLI::Option* add_glb_options(CLI::App& command, GlbOptions& options)
         ->default_str("merged");
 }
 
-} // namespace tractus
+} // namespace tractus::options

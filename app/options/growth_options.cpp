@@ -9,18 +9,18 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::options {
 
 static std::string preset_check(std::string const& name)
 {
-    auto const preset = growth_preset(name);
+    auto const preset = variation::growth_preset(name);
     return preset ? "" : preset.error().message;
 }
 
-void add_growth_options(CLI::App& command, GrowthOptions& growth, std::string const& without)
+void add_growth_options(CLI::App& command, batch::GrowthOptions& growth, std::string const& without)
 {
     std::vector<std::string> names;
-    for (auto const& preset : growth_presets())
+    for (auto const& preset : variation::growth_presets())
         names.emplace_back(preset.name);
     command
         .add_option(
@@ -87,4 +87,4 @@ void add_age_option(CLI::App& command, double& age)
         ->capture_default_str();
 }
 
-} // namespace tractus
+} // namespace tractus::options

@@ -6,12 +6,13 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::options {
 
 // "--growth NAME", "--variability X", "--leaves NAME" and the season's options: how a command's
 // plants grow. `without` ends a sentence: how they grow without a name. `growth` must live as long
 // as the command.
-void add_growth_options(CLI::App& command, GrowthOptions& growth, std::string const& without);
+void add_growth_options(CLI::App& command, batch::GrowthOptions& growth,
+                        std::string const& without);
 
 // "--season WHEN" and "--fallen X": the time of the year. `season` must live as long as the
 // command.
@@ -20,4 +21,4 @@ void add_season_options(CLI::App& command, std::optional<Season>& season);
 // "--age X": how old they are, all alike. `age` must live as long as the command.
 void add_age_option(CLI::App& command, double& age);
 
-} // namespace tractus
+} // namespace tractus::options

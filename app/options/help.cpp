@@ -4,7 +4,7 @@
 #include <set>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::options {
 
 static constexpr std::size_t kIndent = 24;
 static constexpr std::size_t kTextWidth = 80 - kIndent;
@@ -79,4 +79,4 @@ std::string HelpFormatter::make_subcommand(CLI::App const* command) const
     return out.str();
 }
 
-} // namespace tractus
+} // namespace tractus::options

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-namespace tractus {
+namespace tractus::options {
 
 // How --help looks: one column of options, one of sentences, within 80 columns, with defaults and
 // what goes with what at the end of each sentence.
@@ -20,4 +20,4 @@ public:
 // with.
 std::string option_text(CLI::Option const& option);
 
-} // namespace tractus
+} // namespace tractus::options

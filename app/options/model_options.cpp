@@ -2,7 +2,7 @@
 
 #include "app/options/checks.h"
 
-namespace tractus {
+namespace tractus::options {
 
 void add_model_options(CLI::App& command, ModelOptions& options)
 {
@@ -22,7 +22,7 @@ void add_model_options(CLI::App& command, ModelOptions& options)
         ->check(seed_number());
 }
 
-void add_companion_options(CLI::App& command, ModelCompanions& companions)
+void add_companion_options(CLI::App& command, io::ModelCompanions& companions)
 {
     command
         .add_option("--view", companions.view,
@@ -67,4 +67,4 @@ void add_cost_options(CLI::App& command, ModelCost& cost)
         ->capture_default_str();
 }
 
-} // namespace tractus
+} // namespace tractus::options

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::options {
 
 // Options that say which plant a command is about: MODEL, --steps and --seed mean the same
 // everywhere.
@@ -20,7 +20,7 @@ struct ModelOptions {
 };
 
 // --view, --colors and --environment. `companions` must live as long as the command.
-void add_companion_options(CLI::App& command, ModelCompanions& companions);
+void add_companion_options(CLI::App& command, io::ModelCompanions& companions);
 
 // Adds them to a command. `options` must live as long as the command.
 void add_model_options(CLI::App& command, ModelOptions& options);
@@ -29,4 +29,4 @@ void add_model_options(CLI::App& command, ModelOptions& options);
 // runs one.
 void add_cost_options(CLI::App& command, ModelCost& cost);
 
-} // namespace tractus
+} // namespace tractus::options

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::options {
 
 CLI::Option* add_plant_option(CLI::App& command, std::string& model)
 {
@@ -64,4 +64,4 @@ char const* job_footer()
            "report.txt, which is printed, too. The same seed gives the same plants.";
 }
 
-} // namespace tractus
+} // namespace tractus::options

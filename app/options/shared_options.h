@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace tractus {
+namespace tractus::options {
 
 // The options that several commands have, declared once, so that they are named, checked and
 // explained alike. Where the value is already set, the help shows it as the default.
@@ -40,4 +40,4 @@ template<typename Path> CLI::Option* add_folder_option(CLI::App& command, Path& 
 // Says what a job writes, for the end of a command's help.
 char const* job_footer();
 
-} // namespace tractus
+} // namespace tractus::options

@@ -10,7 +10,7 @@
 #include <poll.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::play {
 
 namespace {
 
@@ -186,4 +186,4 @@ Result<void> play_parts(DevicePlay const& play, std::atomic<bool> const& stop)
     return say_farewell(play, stop);
 }
 
-} // namespace tractus
+} // namespace tractus::play

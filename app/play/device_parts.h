@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::play {
 
 // Actions of a device at times of its own while it is played to the kernel. Times are of the
 // monotonic clock.
@@ -84,4 +84,4 @@ struct DevicePlay {
 // Fails as soon as a device or a part does.
 Result<void> play_parts(DevicePlay const& play, std::atomic<bool> const& stop);
 
-} // namespace tractus
+} // namespace tractus::play

@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-namespace tractus {
+namespace tractus::play {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::unique_ptr<drivers::ReportSource> open_paced(std::shared_ptr<drivers::Log c
     return std::make_unique<PacedSource>(std::move(log), device, std::move(pace));
 }
 
-} // namespace tractus
+} // namespace tractus::play

@@ -8,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-namespace tractus {
+namespace tractus::play {
 
 // How a log's time runs beside a person's.
 struct Pace {
@@ -35,4 +35,4 @@ Pace pace_from_now(Timestamp data_begin, double speed = 1);
 std::unique_ptr<drivers::ReportSource> open_paced(std::shared_ptr<drivers::Log const> log,
                                                   std::size_t device, Pace pace);
 
-} // namespace tractus
+} // namespace tractus::play

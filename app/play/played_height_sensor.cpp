@@ -5,7 +5,7 @@
 #include <chrono>
 #include <utility>
 
-namespace tractus {
+namespace tractus::play {
 
 namespace {
 
@@ -95,4 +95,4 @@ bool PlayedHeightSensor::is_over(Timestamp now) const
     return begin_ && now - *begin_ > heights_.end().time_since_epoch();
 }
 
-} // namespace tractus
+} // namespace tractus::play

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-namespace tractus {
+namespace tractus::play {
 
 // The station's own height sensor (firmware-notes/height-sensor-protocol.md) as a function of a USB
 // gadget, which measures the heights of a recording. It answers the host's requests, and sends its
@@ -41,4 +41,4 @@ private:
     Timestamp next_reading_ {}; // While the host wants frames.
 };
 
-} // namespace tractus
+} // namespace tractus::play

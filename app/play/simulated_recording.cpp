@@ -11,7 +11,7 @@
 #include <string>
 #include <variant>
 
-namespace tractus {
+namespace tractus::play {
 
 namespace {
 
@@ -109,4 +109,4 @@ Result<void> write_simulated_recording(std::ostream& out, sim::GestureScript con
     return log.flush();
 }
 
-} // namespace tractus
+} // namespace tractus::play

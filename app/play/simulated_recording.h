@@ -8,7 +8,7 @@
 
 #include <ostream>
 
-namespace tractus {
+namespace tractus::play {
 
 // The hand that does what a script says, in its own time: where a recording's pen was in truth.
 // Branches are traced as below. Fails, as the user's fault, naming the gesture, for a branch that
@@ -27,4 +27,4 @@ Result<sim::Hand> simulated_hand(sim::GestureScript const& script, Scene const& 
 Result<void> write_simulated_recording(std::ostream& out, sim::GestureScript const& script,
                                        Scene const& scene, ToolKinds tools);
 
-} // namespace tractus
+} // namespace tractus::play

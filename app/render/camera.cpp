@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tractus {
+namespace tractus::render {
 
 // The share of the picture that the framed shape may fill: the rest is air.
 static constexpr double kFill = 0.94;
@@ -165,4 +165,4 @@ Camera Framing::camera() const
                         : touching_camera(angles_, aspect_, reach_, box_);
 }
 
-} // namespace tractus
+} // namespace tractus::render

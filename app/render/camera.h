@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::render {
 
 // Where one looks from. World frame, millimetres.
 struct Camera {
@@ -62,4 +62,4 @@ private:
     Bounds box_;
 };
 
-} // namespace tractus
+} // namespace tractus::render

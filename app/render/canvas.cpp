@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::render {
 
 static constexpr GLint kSamples = 4;
 
@@ -60,4 +60,4 @@ Image Canvas::image() const
     return flipped(upside_down);
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -3,7 +3,7 @@
 #include "app/render/gl_objects.h"
 #include "app/render/image.h"
 
-namespace tractus {
+namespace tractus::render {
 
 // Surface that the renderer draws on: an off-screen picture with four samples to a pixel.
 class Canvas {
@@ -36,4 +36,4 @@ private:
     gl::Framebuffer resolved_;
 };
 
-} // namespace tractus
+} // namespace tractus::render

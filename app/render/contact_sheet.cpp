@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -65,4 +65,4 @@ Image contact_sheet(std::span<SheetTile const> tiles, SheetStyle const& style)
     return sheet;
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace tractus {
+namespace tractus::render {
 
 // One picture of a contact sheet. All tiles of a sheet have the same size.
 struct SheetTile {
@@ -34,4 +34,4 @@ TilePlace tile_place(int tile, Image const& first_picture, SheetStyle const& sty
 // No tiles give an empty picture.
 Image contact_sheet(std::span<SheetTile const> tiles, SheetStyle const& style = {});
 
-} // namespace tractus
+} // namespace tractus::render

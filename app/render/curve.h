@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::render {
 
 // A line in space to be drawn: a stroke, a branch of a skeleton, an indicator, a grid line.
 struct Curve {
@@ -30,4 +30,4 @@ struct Curve {
     bool fades = false; // Fades with the depth: see Stage::fade.
 };
 
-} // namespace tractus
+} // namespace tractus::render

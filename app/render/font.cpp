@@ -18,11 +18,11 @@ extern std::byte const tractus_font_end[];
 }
 // NOLINTEND(readability-identifier-naming)
 
-namespace tractus {
+namespace tractus::render {
 
 std::span<std::byte const> font_file()
 {
     return { tractus_font_begin, tractus_font_end };
 }
 
-} // namespace tractus
+} // namespace tractus::render

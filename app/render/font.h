@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <span>
 
-namespace tractus {
+namespace tractus::render {
 
 // The program's typeface, a TrueType file that the build puts into the program (DejaVu Sans), so
 // that captions and the window look the same on every machine.
 std::span<std::byte const> font_file();
 
-} // namespace tractus
+} // namespace tractus::render

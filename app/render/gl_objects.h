@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-namespace tractus::gl {
+namespace tractus::render::gl {
 
 // The one owner of an OpenGL object's name. Made, used and destroyed with the same context current.
 template<typename Kind> class Object {
@@ -73,4 +73,4 @@ inline void const* offset(std::size_t bytes)
     return reinterpret_cast<void const*>(bytes);
 }
 
-} // namespace tractus::gl
+} // namespace tractus::render::gl

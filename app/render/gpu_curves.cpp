@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -100,4 +100,4 @@ void GpuCurves::draw() const
     glBindVertexArray(0);
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace tractus {
+namespace tractus::render {
 
 // Curves on the graphics card: made once, drawn many times. Lives and dies with the context.
 class GpuCurves {
@@ -26,4 +26,4 @@ private:
     gl::VertexArray vertex_array_;
 };
 
-} // namespace tractus
+} // namespace tractus::render

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -198,7 +198,7 @@ Material const& material_of(mesh::Mesh const& mesh, mesh::TriangleMesh const& tr
 } // namespace
 
 GpuMesh::GpuMesh(mesh::Mesh const& mesh, Sky how)
-    : bounds_(tractus::mesh::bounds(mesh))
+    : bounds_(mesh::bounds(mesh))
 {
     auto const sky = how == Sky::Traced ? SkyVisibility(mesh) : SkyVisibility();
     for (auto const& surface : mesh.surfaces)
@@ -299,4 +299,4 @@ void GpuMesh::make_ground_texture(SkyVisibility const& sky)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::render {
 
 // A mesh on the graphics card: made once, drawn many times. Lives and dies with the context.
 class GpuMesh {
@@ -80,4 +80,4 @@ private:
     Vec2f ground_size_mm_ = Vec2f::Ones();
 };
 
-} // namespace tractus
+} // namespace tractus::render

@@ -1,6 +1,6 @@
 #include "app/render/gpu_picture.h"
 
-namespace tractus {
+namespace tractus::render {
 
 GpuPicture::GpuPicture(Image const& picture)
 {
@@ -15,4 +15,4 @@ GpuPicture::GpuPicture(Image const& picture)
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -3,7 +3,7 @@
 #include "app/render/gl_objects.h"
 #include "app/render/image.h"
 
-namespace tractus {
+namespace tractus::render {
 
 // A picture on the graphics card, smooth in any size. Lives and dies with the context.
 class GpuPicture {
@@ -16,4 +16,4 @@ private:
     gl::Texture texture_;
 };
 
-} // namespace tractus
+} // namespace tractus::render

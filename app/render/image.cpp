@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::render {
 
 Color color_from(Vec3f const& srgb)
 {
@@ -136,7 +136,9 @@ Result<void> write_png(std::ostream& out, Image const& picture)
             Fault::Station,
             fmt::format("cannot make a PNG of {} x {} pixels", picture.width(), picture.height()));
     std::vector<std::uint8_t> channels;
-    PngPicture png { picture.width(), picture.height(), 4, {}, PngPicture::Packing::Fast };
+    exports::PngPicture png {
+        picture.width(), picture.height(), 4, {}, exports::PngPicture::Packing::Fast
+    };
     if (opaque) {
         channels = without_alpha(picture);
         png.channels = 3;
@@ -146,11 +148,11 @@ Result<void> write_png(std::ostream& out, Image const& picture)
         auto const& pixels = picture.pixels();
         png.pixels = { reinterpret_cast<std::uint8_t const*>(pixels.data()), 4 * pixels.size() };
     }
-    auto const bytes = png_bytes(png);
+    auto const bytes = exports::png_bytes(png);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (!out)
         return fail(Fault::Station, "cannot write the PNG: the stream takes no more bytes");
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::render

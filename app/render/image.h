@@ -8,7 +8,7 @@
 #include <ostream>
 #include <vector>
 
-namespace tractus {
+namespace tractus::render {
 
 // A colour as people write it: sRGB, 0 to 255, straight (not premultiplied) alpha.
 struct Color {
@@ -66,4 +66,4 @@ Image resized(Image const& picture, int width, int height);
 // Fails, as the station's fault, if the stream refuses bytes or the picture is empty.
 Result<void> write_png(std::ostream& out, Image const& picture);
 
-} // namespace tractus
+} // namespace tractus::render

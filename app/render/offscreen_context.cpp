@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::render {
 
 struct OffscreenContext::Handles {
     EGLDisplay display = EGL_NO_DISPLAY;
@@ -115,4 +115,4 @@ Result<OffscreenContext> OffscreenContext::create()
     return OffscreenContext(std::move(handles));
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::render {
 
 // An OpenGL 3.3 core context without window or display, current on the thread that made it until
 // it is destroyed. It needs neither a graphics card nor a running display server: Mesa's software
@@ -26,4 +26,4 @@ private:
     std::unique_ptr<Handles> handles_;
 };
 
-} // namespace tractus
+} // namespace tractus::render

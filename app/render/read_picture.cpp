@@ -9,7 +9,7 @@
 #include <turbojpeg.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -123,4 +123,4 @@ Result<Image> read_picture(std::string_view bytes)
     return upright(TRY(read_jpeg(bytes)), orientation_of(bytes));
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -295,4 +295,4 @@ void Renderer::Parts::draw_curves(View const& view) const
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
 }
 
-} // namespace tractus
+} // namespace tractus::render

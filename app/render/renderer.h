@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::render {
 
 // Draws stages. The same in a window and off screen: it needs an OpenGL 3.3 core context, current
 // on the calling thread from create() to the renderer's end, and leaves no state behind that others
@@ -39,4 +39,4 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-} // namespace tractus
+} // namespace tractus::render

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -109,4 +109,4 @@ void Shader::set(char const* name, Eigen::Matrix4f const& value) const
     glUniformMatrix4fv(glGetUniformLocation(program_, name), 1, GL_FALSE, value.data());
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::render {
 
 // The pieces of GLSL that make up one program; each list is joined in order after "#version 330".
 struct ShaderSource {
@@ -46,4 +46,4 @@ private:
     GLuint program_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::render

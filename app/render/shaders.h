@@ -4,7 +4,7 @@
 
 // GLSL of the renderer, joined into programs by shader.h. Colours inside are linear light; every
 // fragment shader ends with display(), which makes screen colours of it.
-namespace tractus::shaders {
+namespace tractus::render::shaders {
 
 // Pieces that others build on.
 extern std::string_view const kColor;     // Linear light to and from screen colours.
@@ -34,4 +34,4 @@ extern std::string_view const kCurveShadowFragment;
 extern std::string_view const kPictureVertex; // A picture behind all else.
 extern std::string_view const kPictureFragment;
 
-} // namespace tractus::shaders
+} // namespace tractus::render::shaders

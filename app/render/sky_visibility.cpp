@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -196,4 +196,4 @@ SkyVisibility::GroundPicture SkyVisibility::ground() const
     return picture;
 }
 
-} // namespace tractus
+} // namespace tractus::render

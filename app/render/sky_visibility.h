@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::render {
 
 // How much of the sky each place in and around a plant sees through the plant's own leaves and
 // branches: the ambient light of a crown falls off towards its inside and below it.
@@ -44,4 +44,4 @@ private:
     std::vector<float> visibility_;                  // One per cell, at its centre.
 };
 
-} // namespace tractus
+} // namespace tractus::render

@@ -1,6 +1,6 @@
 #include "app/render/stage.h"
 
-namespace tractus {
+namespace tractus::render {
 
 Backdrop dark_backdrop()
 {
@@ -45,4 +45,4 @@ Bounds bounds(Stage const& stage)
     return sum;
 }
 
-} // namespace tractus
+} // namespace tractus::render

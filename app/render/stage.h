@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::render {
 
 // A mesh and where it stands. T_world_plant may turn, move and scale evenly.
 struct StagedMesh {
@@ -74,4 +74,4 @@ bool shows_ground(Stage const& stage);
 // The box around all meshes and curves. Empty for an empty stage.
 Bounds bounds(Stage const& stage);
 
-} // namespace tractus
+} // namespace tractus::render

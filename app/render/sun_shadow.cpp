@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -158,4 +158,4 @@ void SunShadow::apply(Shader const& shader) const
     shader.set("sun_map_side", static_cast<float>(side_));
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -4,7 +4,7 @@
 #include "app/render/shader.h"
 #include "app/render/stage.h"
 
-namespace tractus {
+namespace tractus::render {
 
 // View of the sun: a depth map for the shadows on plants, and made from it a map of how much of the
 // ground is hidden and from how far, whose coarser levels give the ground's shadow a blur that
@@ -43,4 +43,4 @@ private:
     float depth_mm_ = 1; // Depth from the near to the far plane.
 };
 
-} // namespace tractus
+} // namespace tractus::render

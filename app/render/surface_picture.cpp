@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -14,7 +14,7 @@ Vec3f mean_color(Image const& image)
 {
     std::array<double, 256> linear {};
     for (std::size_t i = 0; i < linear.size(); ++i)
-        linear[i] = linear_from_srgb(static_cast<double>(i) / 255);
+        linear[i] = exports::linear_from_srgb(static_cast<double>(i) / 255);
     Vec3 sum = Vec3::Zero();
     std::size_t count = 0;
     for (auto const& pixel : image.pixels()) {
@@ -62,4 +62,4 @@ SurfacePicture const* SurfacePictures::find_or_add(TextureSlot const& slot, Mean
     return place->second.get();
 }
 
-} // namespace tractus
+} // namespace tractus::render

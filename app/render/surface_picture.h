@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-namespace tractus {
+namespace tractus::render {
 
 // A picture on the graphics card, with mipmaps, rows as texture coordinates count them.
 struct SurfacePicture {
@@ -28,4 +28,4 @@ private:
     std::map<std::pair<TextureSlot, Meaning>, std::unique_ptr<SurfacePicture>> pictures_;
 };
 
-} // namespace tractus
+} // namespace tractus::render

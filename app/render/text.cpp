@@ -7,7 +7,7 @@
 #include <stb_truetype.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -125,4 +125,4 @@ double text_width_px(std::string_view text, TextStyle const& style)
         .width_px;
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace tractus {
+namespace tractus::render {
 
 // How one line of text is set.
 struct TextStyle {
@@ -20,4 +20,4 @@ void draw_text(Image& picture, Vec2 const& corner_px, std::string_view text,
 // Width of the line that draw_text() would draw, in pixels.
 double text_width_px(std::string_view text, TextStyle const& style);
 
-} // namespace tractus
+} // namespace tractus::render

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tractus {
+namespace tractus::session {
 
 namespace {
 
@@ -26,4 +26,4 @@ std::string described_as_empty(BeginEmpty const&)
 constexpr EditKind BeginEmpty::kKind
     = make_edit_kind<BeginEmpty, list_nothing, emptied, described_as_empty>("begin_empty");
 
-} // namespace tractus
+} // namespace tractus::session

@@ -2,7 +2,7 @@
 
 #include "engine/scene/edit_kind.h"
 
-namespace tractus {
+namespace tractus::session {
 
 // Takes all plants away: what a drawing begins with on an empty sheet. A session needs something at
 // step 0, where undo ends, and beginning again leads back there from any scene. A program that does
@@ -11,4 +11,4 @@ struct BeginEmpty {
     static EditKind const kKind;
 };
 
-} // namespace tractus
+} // namespace tractus::session

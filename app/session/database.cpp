@@ -8,7 +8,7 @@
 #include <sqlite3.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::session {
 
 namespace fs = std::filesystem;
 
@@ -243,4 +243,4 @@ tl::unexpected<Error> Database::error(int code) const
     }
 }
 
-} // namespace tractus
+} // namespace tractus::session

@@ -12,7 +12,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace tractus {
+namespace tractus::session {
 
 // One prepared statement of a Database, which must outlive it. Parameters and columns count from 0.
 class Statement {
@@ -87,4 +87,4 @@ private:
     std::unique_ptr<sqlite3, Close> database_;
 };
 
-} // namespace tractus
+} // namespace tractus::session

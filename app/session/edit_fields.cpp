@@ -7,7 +7,7 @@
 #include <limits>
 #include <variant>
 
-namespace tractus {
+namespace tractus::session {
 
 namespace {
 
@@ -425,4 +425,4 @@ Result<void> FieldReader::finish() const
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::session

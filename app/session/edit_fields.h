@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::session {
 
 // How the parts of an edit stand in JSON; see EditRecord. Keys keep their order.
 using Json = nlohmann::ordered_json;
@@ -133,4 +133,4 @@ private:
     std::string complaint_; // The first.
 };
 
-} // namespace tractus
+} // namespace tractus::session

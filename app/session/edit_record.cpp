@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::session {
 
 EditRecord record_of(Edit const& edit)
 {
@@ -42,4 +42,4 @@ Edit edit_or_unknown(EditRecord const& record, EditKinds kinds)
         return UnknownEdit { record.kind, record.fields, record.numbers, edit.error().message };
 }
 
-} // namespace tractus
+} // namespace tractus::session

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace tractus {
+namespace tractus::session {
 
 // An edit as a session keeps it: the same bytes on every machine, and every number exactly.
 struct EditRecord {
@@ -35,4 +35,4 @@ Result<Edit> edit_of(EditRecord const& record, EditKinds kinds);
 // session may come from a newer program, or from one with more methods.
 Edit edit_or_unknown(EditRecord const& record, EditKinds kinds);
 
-} // namespace tractus
+} // namespace tractus::session

@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::session {
 
 namespace fs = std::filesystem;
 
@@ -60,4 +60,4 @@ Result<void> make_session_file(fs::path const& path,
     return appear(made, path);
 }
 
-} // namespace tractus
+} // namespace tractus::session

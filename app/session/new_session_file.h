@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <functional>
 
-namespace tractus {
+namespace tractus::session {
 
 // Makes the file of a session that appears whole: `write` writes it under another name beside it.
 // Its folder is made, too. Fails, as the user's fault, if the file is there already or cannot be
@@ -14,4 +14,4 @@ Result<void>
 make_session_file(std::filesystem::path const& path,
                   std::function<Result<void>(std::filesystem::path const& made)> const& write);
 
-} // namespace tractus
+} // namespace tractus::session

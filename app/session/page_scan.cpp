@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::session {
 
 namespace {
 
@@ -150,4 +150,4 @@ ScannedSession scan_pages(std::string_view file, std::string_view log, EditKinds
     return std::move(best).finish();
 }
 
-} // namespace tractus
+} // namespace tractus::session

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::session {
 
 // Contents that can still be read of a session's file whose structure is damaged.
 struct ScannedSession {
@@ -33,4 +33,4 @@ struct ScannedSession {
 // A row of the oldest format, which has no checksum, is one if it is an edit of these kinds.
 ScannedSession scan_pages(std::string_view file, std::string_view log, EditKinds kinds);
 
-} // namespace tractus
+} // namespace tractus::session

@@ -8,7 +8,7 @@
 #include <functional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::session {
 
 namespace fs = std::filesystem;
 
@@ -107,7 +107,7 @@ Result<Session> Session::open(fs::path const& path, SessionOptions options)
     TRY(migrate(database, path));
     TRY(database.execute("COMMIT; BEGIN IMMEDIATE"));
     auto const summary = TRY(check_session(database, path.string(), options.kinds));
-    bool const is_of_older_language = summary.origin.language < kLanguageVersion;
+    bool const is_of_older_language = summary.origin.language < lsystem::kLanguageVersion;
     if (is_of_older_language)
         TRY(write_language(database));
     TRY(database.execute("COMMIT; BEGIN IMMEDIATE"));
@@ -221,4 +221,4 @@ Result<void> Session::set_name(std::string name)
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::session

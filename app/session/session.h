@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::session {
 
 struct SessionOptions {
     EditKinds kinds; // Kinds that a file may have; others are unknown.
@@ -108,4 +108,4 @@ private:
     std::string name_;
 };
 
-} // namespace tractus
+} // namespace tractus::session

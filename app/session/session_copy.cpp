@@ -4,7 +4,7 @@
 #include "app/session/new_session_file.h"
 #include "app/session/session_file.h"
 
-namespace tractus {
+namespace tractus::session {
 
 namespace fs = std::filesystem;
 
@@ -31,4 +31,4 @@ Result<void> copy_session(fs::path const& path, fs::path const& copy, std::strin
     });
 }
 
-} // namespace tractus
+} // namespace tractus::session

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace tractus {
+namespace tractus::session {
 
 // Returns what a person calls the session in a file; empty where it has no name, or cannot be read.
 std::string session_name(std::filesystem::path const& path);
@@ -16,4 +16,4 @@ std::string session_name(std::filesystem::path const& path);
 Result<void> copy_session(std::filesystem::path const& path, std::filesystem::path const& copy,
                           std::string const& name);
 
-} // namespace tractus
+} // namespace tractus::session

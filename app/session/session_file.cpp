@@ -7,7 +7,7 @@
 #include <utility>
 #include <zlib.h>
 
-namespace tractus {
+namespace tractus::session {
 
 namespace fs = std::filesystem;
 
@@ -366,7 +366,7 @@ Result<void> migrate(Database const& database, std::filesystem::path const& path
 
 Result<void> write_language(Database const& database)
 {
-    return write_meta(database, "language", std::int64_t { kLanguageVersion });
+    return write_meta(database, "language", std::int64_t { lsystem::kLanguageVersion });
 }
 
 Result<void> write_name(Database const& database, std::string const& name)
@@ -381,4 +381,4 @@ Result<void> write_cursor(Database const& database, std::size_t step)
     return write_meta(database, "step", static_cast<std::int64_t>(step));
 }
 
-} // namespace tractus
+} // namespace tractus::session

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::session {
 
 // A session's file (.tractus): SQLite 3 with two tables, to be looked at with its shell.
 //
@@ -148,4 +148,4 @@ Result<void> write_name(Database const& database, std::string const& name);
 // The last step that counts. Inside of a transaction.
 Result<void> write_cursor(Database const& database, std::size_t step);
 
-} // namespace tractus
+} // namespace tractus::session

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <utility>
 
-namespace tractus {
+namespace tractus::session {
 
 // Distances of the states that are kept: those of so many steps around the last that counts, and of
 // every so many farther away, up to a distance. Not all, since each has a list of all strokes,
@@ -196,4 +196,4 @@ bool SessionHistory::is_worth_keeping(std::size_t step) const
     return step == 0 || away <= kNear || (step % kEvery == 0 && away <= kFar);
 }
 
-} // namespace tractus
+} // namespace tractus::session

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::session {
 
 // The edits of a step, which somebody keeps.
 using ReadStep = std::function<Result<std::vector<SessionEdit>>(std::size_t step)>;
@@ -87,4 +87,4 @@ Result<DocumentState> begin_document(std::span<SessionEdit const> edits, SceneBu
 // be built.
 Result<Scene> build_scene(SceneBuilder& builder, DocumentState state);
 
-} // namespace tractus
+} // namespace tractus::session

@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace tractus {
+namespace tractus::session {
 
 namespace fs = std::filesystem;
 
@@ -142,4 +142,4 @@ Result<void> write_repaired(SalvagedSession const& session, std::vector<Edit> co
     return write_new_session(path, session.origin, rows, step_anew(session, anew));
 }
 
-} // namespace tractus
+} // namespace tractus::session

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::session {
 
 // Remains of a session that may be damaged anywhere.
 struct SalvagedSession {
@@ -38,4 +38,4 @@ SessionContents contents_of(SalvagedSession const& session);
 Result<void> write_repaired(SalvagedSession const& session, std::vector<Edit> const& beginning,
                             std::filesystem::path const& path);
 
-} // namespace tractus
+} // namespace tractus::session

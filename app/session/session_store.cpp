@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::session {
 
 using Tips = SharedVector<TipSample>;
 
@@ -152,7 +152,7 @@ void SessionStore::give_source(Edit& edit, EditPlace const& place) const
 Result<std::vector<SessionEdit>> SessionStore::read_step(std::size_t step) const
 {
     auto edits = TRY(file_->read([&](Database const& database) {
-        return tractus::read_step(database, step, file_->kinds());
+        return session::read_step(database, step, file_->kinds());
     }));
     for (auto& edit : edits)
         give_source(edit.edit, edit.place);
@@ -178,13 +178,13 @@ Result<void> SessionStore::write(NewStep const& step)
 Result<void> SessionStore::write_cursor(std::size_t step)
 {
     return file_->commit(
-        [&](Database const& database) { return tractus::write_cursor(database, step); });
+        [&](Database const& database) { return session::write_cursor(database, step); });
 }
 
 Result<void> SessionStore::write_name(std::string const& name)
 {
     return file_->commit(
-        [&](Database const& database) { return tractus::write_name(database, name); });
+        [&](Database const& database) { return session::write_name(database, name); });
 }
 
-} // namespace tractus
+} // namespace tractus::session

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::session {
 
 // The file of a session that somebody draws in. What is read of it has strokes that know where they
 // stand (SharedVector::source()), so that they need not stay in memory: they are read again from
@@ -55,4 +55,4 @@ private:
     std::shared_ptr<File> file_; // Shared with the sources of strokes; null when moved from.
 };
 
-} // namespace tractus
+} // namespace tractus::session

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace tractus {
+namespace tractus::session {
 
 namespace {
 
@@ -289,4 +289,4 @@ void SqlitePages::find_rows(std::function<bool(std::size_t columns)> const& acce
     }
 }
 
-} // namespace tractus
+} // namespace tractus::session

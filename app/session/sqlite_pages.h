@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::session {
 
 // A column of a row that was found.
 struct FoundColumn {
@@ -81,4 +81,4 @@ private:
     std::vector<bool> is_free_;
 };
 
-} // namespace tractus
+} // namespace tractus::session

@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-namespace tractus {
+namespace tractus::station {
 
 namespace {
 
@@ -221,4 +221,4 @@ Timestamp LogReplay::end() const
     return log_->end();
 }
 
-} // namespace tractus
+} // namespace tractus::station

@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-namespace tractus {
+namespace tractus::station {
 
 struct ReplayOptions {
     Methods methods {};               // What the log may name.
@@ -93,4 +93,4 @@ private:
     Result<void> outcome_ {};
 };
 
-} // namespace tractus
+} // namespace tractus::station

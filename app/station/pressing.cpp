@@ -1,6 +1,6 @@
 #include "app/station/pressing.h"
 
-namespace tractus {
+namespace tractus::station {
 
 namespace {
 
@@ -28,4 +28,4 @@ Tool const& pressing()
     return tool;
 }
 
-} // namespace tractus
+} // namespace tractus::station

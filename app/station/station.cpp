@@ -6,12 +6,12 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::station {
 
 static Bounds volume_of(StationOptions const& options)
 {
     Bounds volume_mm;
-    auto const T_world_tablet = tractus::calib::T_world_tablet(options.rig);
+    auto const T_world_tablet = calib::T_world_tablet(options.rig);
     auto const& size_mm = options.rig.tablet_size_mm;
     for (double const x : { 0.0, size_mm.x() })
         for (double const y : { 0.0, size_mm.y() })
@@ -241,7 +241,7 @@ void Station::push_height(Timestamp received, std::span<std::byte const> report)
             height_monitor_.push(height);
             if (height_monitor_.is_on_rail(height))
                 continue;
-            if (auto const height_mm = tractus::calib::height_mm(height_model_, height.counts)) {
+            if (auto const height_mm = calib::height_mm(height_model_, height.counts)) {
                 read_height_mm_ = height_mm;
                 read_height_time_ = height.time;
             }
@@ -423,4 +423,4 @@ void Station::count_broken(Error const& error)
         counts_.first_broken = error.message;
 }
 
-} // namespace tractus
+} // namespace tractus::station

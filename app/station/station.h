@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::station {
 
 struct StationOptions {
     calib::Rig rig;
@@ -220,4 +220,4 @@ private:
     StationCounts counts_;
 };
 
-} // namespace tractus
+} // namespace tractus::station

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::stream {
 
 // An open file descriptor, closed at its end.
 class SocketDescriptor {
@@ -228,4 +228,4 @@ std::size_t LineServer::waiting_bytes() const
     return most;
 }
 
-} // namespace tractus
+} // namespace tractus::stream

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::stream {
 
 // A local socket (AF_UNIX, a stream) from which any number of programs read the same lines, up to
 // kMostReaders at a time. It never waits for them: what a reader does not take at once waits for
@@ -56,4 +56,4 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-} // namespace tractus
+} // namespace tractus::stream

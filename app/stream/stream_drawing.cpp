@@ -6,14 +6,14 @@
 #include <chrono>
 #include <vector>
 
-namespace tractus {
+namespace tractus::stream {
 
 using namespace std::chrono_literals;
 
 static constexpr Duration kStreamRest = 2ms;
 
 // Nothing is kept of what is drawn, so that everything grows on an empty sheet.
-static Result<void> take(Station& station, StreamOutput& output)
+static Result<void> take(station::Station& station, StreamOutput& output)
 {
     static Scene const sheet;
     return output.take(station, sheet);
@@ -21,7 +21,7 @@ static Result<void> take(Station& station, StreamOutput& output)
 
 // Serves until a condition holds, or it is to stop.
 template<typename Condition>
-static void serve_until(StreamOutput& output, Pace const& pace, std::atomic<bool> const& stop,
+static void serve_until(StreamOutput& output, play::Pace const& pace, std::atomic<bool> const& stop,
                         Condition const& holds)
 {
     output.serve();
@@ -32,7 +32,7 @@ static void serve_until(StreamOutput& output, Pace const& pace, std::atomic<bool
 }
 
 // Streams all reports of the next moment of the log.
-static Result<void> stream_moment(LogReplay& replay, StreamOutput& output)
+static Result<void> stream_moment(station::LogReplay& replay, StreamOutput& output)
 {
     auto const time = replay.next_time();
     bool is_stroke_end = true;
@@ -43,12 +43,12 @@ static Result<void> stream_moment(LogReplay& replay, StreamOutput& output)
     return {};
 }
 
-Result<void> stream_log(LogReplay& replay, StreamOutput& output, std::optional<double> speed,
-                        std::atomic<bool> const& stop)
+Result<void> stream_log(station::LogReplay& replay, StreamOutput& output,
+                        std::optional<double> speed, std::atomic<bool> const& stop)
 {
-    auto pace = pace_from_now(replay.begin());
+    auto pace = play::pace_from_now(replay.begin());
     serve_until(output, pace, stop, [&] { return output.has_readers(); });
-    pace = pace_from_now(replay.begin(), speed.value_or(1));
+    pace = play::pace_from_now(replay.begin(), speed.value_or(1));
     while (!replay.is_over() && !stop) {
         if (speed)
             serve_until(output, pace, stop, [&] {
@@ -67,7 +67,7 @@ Result<void> stream_log(LogReplay& replay, StreamOutput& output, std::optional<d
 }
 
 // A second for readers to take the end.
-static void serve_rest(StreamOutput& output, LiveRecordingOptions const& options)
+static void serve_rest(StreamOutput& output, devices::LiveRecordingOptions const& options)
 {
     auto const end = options.now() + Duration(1s);
     output.serve();
@@ -77,12 +77,13 @@ static void serve_rest(StreamOutput& output, LiveRecordingOptions const& options
     }
 }
 
-Result<void> stream_live(LiveDevices& devices, Station& station, StreamOutput& output,
-                         LiveRecordingOptions const& options, std::atomic<bool> const& stop)
+Result<void> stream_live(devices::LiveDevices& devices, station::Station& station,
+                         StreamOutput& output, devices::LiveRecordingOptions const& options,
+                         std::atomic<bool> const& stop)
 {
     auto const start = options.now();
-    std::vector<LiveReport> reports;
-    DeviceNews news(devices);
+    std::vector<devices::LiveReport> reports;
+    devices::DeviceNews news(devices);
     for (bool goes_on = true; goes_on;) {
         goes_on = !stop && devices.any_left()
             && (!options.seconds || to_seconds(options.now() - start) < *options.seconds);
@@ -105,4 +106,4 @@ Result<void> stream_live(LiveDevices& devices, Station& station, StreamOutput& o
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::stream

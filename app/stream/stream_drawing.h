@@ -10,20 +10,21 @@
 #include <atomic>
 #include <optional>
 
-namespace tractus {
+namespace tractus::stream {
 
 // Streams what a log amounts to, at `speed` times the pace of the hand, or without it as fast as it
 // is read. A socket is waited at until somebody reads, and without a speed nothing is left out for
 // readers that are slow: the log waits for them. Ends when everything is read, or with `stop`, of
 // which nothing more is said. Fails if the log cannot be read to its end, or the output cannot be
 // written.
-Result<void> stream_log(LogReplay& replay, StreamOutput& output, std::optional<double> speed,
-                        std::atomic<bool> const& stop);
+Result<void> stream_log(station::LogReplay& replay, StreamOutput& output,
+                        std::optional<double> speed, std::atomic<bool> const& stop);
 
 // Streams what a person draws, until the time is over, `stop` is set or no device is left; the
 // stroke under way ends then. What goes away and comes back is named on standard error. No reader
 // of a socket is waited for, but for a second at the end. Fails if the output cannot be written.
-Result<void> stream_live(LiveDevices& devices, Station& station, StreamOutput& output,
-                         LiveRecordingOptions const& options, std::atomic<bool> const& stop);
+Result<void> stream_live(devices::LiveDevices& devices, station::Station& station,
+                         StreamOutput& output, devices::LiveRecordingOptions const& options,
+                         std::atomic<bool> const& stop);
 
-} // namespace tractus
+} // namespace tractus::stream

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
-namespace tractus {
+namespace tractus::stream {
 
 namespace {
 
@@ -54,7 +54,7 @@ std::string stream_line(Bounds const& volume_mm)
                        kStreamVersion, corners);
 }
 
-std::string tip_line(PenMoment const& moment)
+std::string tip_line(station::PenMoment const& moment)
 {
     auto text = fmt::format(
         R"({{"type":"tip","pen":{},"time_s":{},"position_mm":[{}],"pressure":{},)"
@@ -102,4 +102,4 @@ std::string end_line()
     return "{\"type\":\"end\"}\n";
 }
 
-} // namespace tractus
+} // namespace tractus::stream

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-namespace tractus {
+namespace tractus::stream {
 
 // Lines of `tractus stream` for other programs: one JSON object a line, in ASCII, each with its
 // line's end. app/manual/streaming.md describes them for whoever reads them; whatever is taken from
@@ -21,7 +21,7 @@ constexpr int kStreamVersion = 1;
 std::string stream_line(Bounds const& volume_mm);
 
 // Where a pen is now: with a height that later readings may correct.
-std::string tip_line(PenMoment const& moment);
+std::string tip_line(station::PenMoment const& moment);
 
 // A finished stroke, the `number`-th, whose tips are settled, and what it is for. It has tips.
 std::string stroke_line(std::size_t number, ToolStroke const& stroke);
@@ -36,4 +36,4 @@ std::string lost_line(std::size_t tips);
 // The last line.
 std::string end_line();
 
-} // namespace tractus
+} // namespace tractus::stream

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::stream {
 
 Result<StreamOutput> StreamOutput::open(Write write, Bounds const& volume_mm, What what)
 {
@@ -26,7 +26,7 @@ StreamOutput::StreamOutput(Write write, std::optional<LineServer> server, What w
 {
 }
 
-Result<void> StreamOutput::take(Station& station, Scene const& scene)
+Result<void> StreamOutput::take(station::Station& station, Scene const& scene)
 {
     auto const moments = station.take_moments();
     TRY(tell(moments, station, scene));
@@ -34,8 +34,8 @@ Result<void> StreamOutput::take(Station& station, Scene const& scene)
     return {};
 }
 
-Result<void> StreamOutput::tell(std::span<PenMoment const> moments, Station const& station,
-                                Scene const& scene)
+Result<void> StreamOutput::tell(std::span<station::PenMoment const> moments,
+                                station::Station const& station, Scene const& scene)
 {
     if (what_ == What::All)
         for (auto const& moment : moments)
@@ -98,4 +98,4 @@ Result<void> StreamOutput::put(std::string const& line, LineServer::Importance i
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::stream

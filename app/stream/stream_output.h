@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::stream {
 
 // Where lines of a stream go: standard output, which waits for its reader, or a local socket, which
 // does not (line_server.h).
@@ -31,11 +31,11 @@ public:
 
     // Takes what the station has done since it was taken last, in the order in which it was done.
     // What grows along strokes grows in `scene`. Fails as `write` does.
-    Result<void> take(Station& station, Scene const& scene);
+    Result<void> take(station::Station& station, Scene const& scene);
 
     // Tells what the station has done, whose moments were taken already. Strokes are left to
     // somebody else, who takes them before the next call.
-    Result<void> tell(std::span<PenMoment const> moments, Station const& station,
+    Result<void> tell(std::span<station::PenMoment const> moments, station::Station const& station,
                       Scene const& scene);
 
     // Lets readers of the socket in and gives them what they take now.
@@ -70,4 +70,4 @@ private:
     std::vector<Growing> growing_; // Those under way, one for each pen.
 };
 
-} // namespace tractus
+} // namespace tractus::stream

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace tractus::lines {
+namespace tractus::svg {
 
 std::string_view SvgNumbers::rest()
 {
@@ -46,4 +46,4 @@ std::optional<char> SvgNumbers::symbol()
     return text.front();
 }
 
-} // namespace tractus::lines
+} // namespace tractus::svg

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-namespace tractus::lines {
+namespace tractus::svg {
 
 // Reads the numbers in an SVG attribute, one after another: they stand apart by spaces and commas,
 // or by nothing where a sign or a second point begins the next one.
@@ -30,4 +30,4 @@ private:
     std::string_view rest_;
 };
 
-} // namespace tractus::lines
+} // namespace tractus::svg

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace tractus::lines {
+namespace tractus::svg {
 
 namespace {
 
@@ -270,4 +270,4 @@ std::optional<std::vector<Vec2>> parse_svg_points(std::string_view points)
     return result;
 }
 
-} // namespace tractus::lines
+} // namespace tractus::svg

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus::lines {
+namespace tractus::svg {
 
 namespace {
 
@@ -259,4 +259,4 @@ Result<nlohmann::json> svg_as_sketch(std::string_view text)
         TRY(read_svg_lines(text, { "stem", kAnotherStem, "left", "right", "inclination" })));
 }
 
-} // namespace tractus::lines
+} // namespace tractus::svg

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus::lines {
+namespace tractus::svg {
 
 // A line of an SVG drawing, upright and in millimetres.
 struct SvgLine {
@@ -33,4 +33,4 @@ Result<std::vector<SvgLine>> read_svg_lines(std::string_view text,
 // Fails, as the user's fault: text that is no SVG, a path that cannot be read, no line at all.
 Result<nlohmann::json> svg_as_sketch(std::string_view text);
 
-} // namespace tractus::lines
+} // namespace tractus::svg

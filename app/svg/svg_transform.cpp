@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus::lines {
+namespace tractus::svg {
 
 static Eigen::Affine2d matrix(std::vector<double> const& n)
 {
@@ -55,4 +55,4 @@ std::optional<Eigen::Affine2d> parse_svg_transform(std::string_view text)
     return result;
 }
 
-} // namespace tractus::lines
+} // namespace tractus::svg

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
-namespace tractus::lines {
+namespace tractus::svg {
 
 // An SVG attribute "transform": what is before it in the text is done last. No value if it is none.
 std::optional<Eigen::Affine2d> parse_svg_transform(std::string_view text);
 
-} // namespace tractus::lines
+} // namespace tractus::svg

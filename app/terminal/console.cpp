@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::terminal {
 
 void prepare_console()
 {
@@ -34,4 +34,4 @@ void print_error(std::string_view text)
     (void)std::fflush(stderr);
 }
 
-} // namespace tractus
+} // namespace tractus::terminal

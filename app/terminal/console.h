@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace tractus {
+namespace tractus::terminal {
 
 // Makes it safe to print and to write files, whoever started the program: a standard stream that is
 // closed stays one that cannot be used, rather than becoming the next file that is opened; and a
@@ -17,4 +17,4 @@ Result<void> print_out(std::string_view text);
 // Writes to standard error, at once. Where that cannot be written, nobody is there to be told.
 void print_error(std::string_view text);
 
-} // namespace tractus
+} // namespace tractus::terminal

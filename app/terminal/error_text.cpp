@@ -13,7 +13,7 @@
 #include <string_view>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::terminal {
 
 namespace {
 
@@ -168,4 +168,4 @@ void print_warning(std::string_view message)
     print_error(warning_text(message, error_style()));
 }
 
-} // namespace tractus
+} // namespace tractus::terminal

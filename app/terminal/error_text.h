@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::terminal {
 
 // How errors and warnings are shown to whoever reads them.
 enum class ErrorStyle {
@@ -28,4 +28,4 @@ std::string warning_text(std::string_view message, ErrorStyle style);
 // Writes a warning to standard error as it wants them.
 void print_warning(std::string_view message);
 
-} // namespace tractus
+} // namespace tractus::terminal

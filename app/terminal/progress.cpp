@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::terminal {
 
 static constexpr auto kQuiet = std::chrono::seconds(1);
 static constexpr auto kBetweenLines = std::chrono::milliseconds(1000);
@@ -63,4 +63,4 @@ void Progress::show()
     line_open_ = on_terminal_;
 }
 
-} // namespace tractus
+} // namespace tractus::terminal

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::terminal {
 
 // Tells whoever waits what is being done, and keeps the time that each stage took. A stage that is
 // over within a second says nothing. On a terminal the line is rewritten in place; elsewhere each
@@ -47,4 +47,4 @@ private:
     std::vector<StageTime> times_;
 };
 
-} // namespace tractus
+} // namespace tractus::terminal

@@ -6,7 +6,7 @@
 #include <ncurses.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::terminal {
 
 // Data that ncurses keeps of the terminal.
 struct Terminal::Screen {
@@ -81,4 +81,4 @@ std::optional<char> Terminal::key()
     return key > 0 && key < 128 ? std::optional(static_cast<char>(key)) : std::nullopt;
 }
 
-} // namespace tractus
+} // namespace tractus::terminal

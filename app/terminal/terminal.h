@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::terminal {
 
 // Whether somebody looks at standard output and can press keys.
 bool is_terminal();
@@ -39,4 +39,4 @@ private:
     std::unique_ptr<Screen> screen_;
 };
 
-} // namespace tractus
+} // namespace tractus::terminal

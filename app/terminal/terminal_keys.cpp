@@ -4,7 +4,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::terminal {
 
 struct TerminalKeys::Before {
     termios settings {};
@@ -42,4 +42,4 @@ bool TerminalKeys::is_terminal() const
     return before_ != nullptr;
 }
 
-} // namespace tractus
+} // namespace tractus::terminal

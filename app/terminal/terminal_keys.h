@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-namespace tractus {
+namespace tractus::terminal {
 
 // Keys as they are pressed, from standard input. At a terminal they come without waiting for Enter
 // and are not echoed, until this is destroyed; signals like Ctrl-C work as ever. From a pipe or a
@@ -25,4 +25,4 @@ private:
     std::unique_ptr<Before> before_; // How the terminal was; null if it is none.
 };
 
-} // namespace tractus
+} // namespace tractus::terminal

@@ -8,7 +8,7 @@ BentPlant::BentPlant(BuiltPlant const& plant)
     : plant_(plant)
 {
     static_cast<void>(shaper_.set_plant(plant));
-    place_nodes(*plant.base, *plant.rest, shaper_.shape(), nodes_mm_);
+    variation::place_nodes(*plant.base, *plant.rest, shaper_.shape(), nodes_mm_);
 }
 
 Vec3 BentPlant::begin_of(SegmentId segment) const

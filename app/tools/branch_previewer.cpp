@@ -48,7 +48,7 @@ void BranchPreviewer::lay(std::shared_ptr<Scene const> scene)
     scene_ = std::move(scene);
     readable_.reset();
     (void)shaper_.set_plant(*scene_); // Each stroke was checked when it was made.
-    place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), before_mm_);
+    variation::place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), before_mm_);
 }
 
 std::vector<SkeletonLine> BranchPreviewer::show(UnfinishedStroke const& stroke)
@@ -58,7 +58,7 @@ std::vector<SkeletonLine> BranchPreviewer::show(UnfinishedStroke const& stroke)
     auto const scene = drawn_scene(stroke, readable_scene());
     if (!scene || !shaper_.set_plant(*scene))
         return {};
-    place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), after_mm_);
+    variation::place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), after_mm_);
     return moved_lines(stroke.orders);
 }
 

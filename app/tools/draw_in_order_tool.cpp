@@ -28,7 +28,7 @@ static Result<std::vector<Edit>> draw_in_order(Tool const&, Stroke const& stroke
                     "the plant has no branches for a stroke to shape: load another model");
     return std::vector<Edit> {
         select_paths(scene, { std::move(next) }),
-        Associate { stroke, Propagation::Selected },
+        Associate { stroke, variation::Propagation::Selected },
     };
 }
 

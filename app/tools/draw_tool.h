@@ -9,8 +9,8 @@ namespace tractus {
 struct DrawTool {
     static ToolKind const kKind;
 
-    Propagation propagation = Propagation::Selected;
-    StrokeFit fit = StrokeFit::Start;
+    variation::Propagation propagation = variation::Propagation::Selected;
+    variation::StrokeFit fit = variation::StrokeFit::Start;
 };
 
 } // namespace tractus

@@ -74,7 +74,8 @@ std::optional<double> height_under(Vec3 const& eraser_mm, std::vector<TipSample>
     return under.height_mm();
 }
 
-std::optional<double> height_under(Vec3 const& eraser_mm, MotionIndicator const& indicator)
+std::optional<double> height_under(Vec3 const& eraser_mm,
+                                   variation::MotionIndicator const& indicator)
 {
     UnderEraser under(eraser_mm);
     under.look_at(indicator.start_mm, indicator.end_mm);
@@ -192,7 +193,7 @@ std::vector<TipRange> ranges_of(std::vector<bool> const& touched)
 
 // Whether what is left of an association's stroke still shapes its branches. A crumb smaller than
 // the eraser was not left on purpose, and its direction is chance.
-Result<bool> shapes_without(Scene const& scene, Association association,
+Result<bool> shapes_without(Scene const& scene, variation::Association association,
                             std::span<TipRange const> ranges)
 {
     auto tips = TRY(association.stroke.tips.in_memory());
@@ -203,7 +204,7 @@ Result<bool> shapes_without(Scene const& scene, Association association,
     if (!points || polyline_length_mm(*points) < kRadius_mm)
         return false;
     association.stroke = *std::move(rest);
-    return check_association(*scene.base, association).has_value();
+    return variation::check_association(*scene.base, association).has_value();
 }
 
 // Those that lose the same tips together, then those that go whole.

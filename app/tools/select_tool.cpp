@@ -29,31 +29,32 @@ void visit(OptionVisitor& visitor, SelectTool& tool)
     visitor.choice({ kSelectingWords }, tool.selecting);
 }
 
-Result<Selection> selection_of(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<variation::Selection> selection_of(Tool const& tool, Stroke const& stroke,
+                                          Scene const& scene)
 {
     auto const selecting = tool.get<SelectTool>()->selecting;
     auto const& plant = *scene.base;
     if (selecting == Selecting::Nothing)
-        return Selection {};
+        return variation::Selection {};
     if (selecting == Selecting::Invert)
-        return inverted(plant, scene.selection);
+        return variation::inverted(plant, scene.selection);
     ShownSkeleton const shown(scene, tool.angle());
     switch (selecting) {
     case Selecting::Ends: {
         auto const first = TRY(shown.segment_under(stroke.tips.front()));
         auto const last = TRY(shown.segment_under(stroke.tips.back()));
-        return Selection { TRY(path_by_ends(shown.tree(), first, last)) };
+        return variation::Selection { TRY(variation::path_by_ends(shown.tree(), first, last)) };
     }
     case Selecting::Order: {
         auto const segment = TRY(shown.segment_under(stroke.tips.back()));
-        return axes_of_order(plant, plant.axes[axis_of(plant, segment)].order);
+        return variation::axes_of_order(plant, plant.axes[axis_of(plant, segment)].order);
     }
     case Selecting::Alike:
-        return siblings_alike(plant, TRY(shown.segment_under(stroke.tips.back())));
+        return variation::siblings_alike(plant, TRY(shown.segment_under(stroke.tips.back())));
     case Selecting::Add:
-        return added(scene.selection, TRY(shown.paths_under(stroke)));
+        return variation::added(scene.selection, TRY(shown.paths_under(stroke)));
     case Selecting::Take:
-        return taken(scene.selection, TRY(shown.paths_under(stroke)));
+        return variation::taken(scene.selection, TRY(shown.paths_under(stroke)));
     default:
         return shown.paths_under(stroke);
     }

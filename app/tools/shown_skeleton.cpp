@@ -7,7 +7,7 @@
 namespace tractus {
 
 // Millimetres of the tablet: a line as thin as it is shown, and a hand that need not hit it.
-static constexpr PickOptions kPick { .line_half_width = 0.4, .finger = 2.5 };
+static constexpr variation::PickOptions kPick { .line_half_width = 0.4, .finger = 2.5 };
 
 // What picking needs of the plant, as strokes bend it. Each stroke was checked when it was drawn;
 // one that cannot be read now leaves the plant at rest.
@@ -19,27 +19,27 @@ static Plant bent_skeleton(BuiltPlant const& plant)
     bent.segment_material = plant.base->segment_material;
     SceneShaper shaper;
     static_cast<void>(shaper.set_plant(plant));
-    place_nodes(*plant.base, *plant.rest, shaper.shape(), bent.node_position_mm);
+    variation::place_nodes(*plant.base, *plant.rest, shaper.shape(), bent.node_position_mm);
     return bent;
 }
 
 ShownSkeleton::ShownSkeleton(Plant const& plant, SelectionAngle const& angle)
     : skeleton_(plant, skeleton_projection(fit_selection_view(plant, angle)))
-    , tree_(build_branch_tree(plant))
+    , tree_(variation::build_branch_tree(plant))
 {
 }
 
 ShownSkeleton::ShownSkeleton(BuiltPlant const& plant, SelectionAngle const& angle)
     : skeleton_(angle.shape == SelectionAngle::Shape::AsBent ? bent_skeleton(plant) : *plant.base,
                 skeleton_projection(fit_selection_view(*plant.base, angle)))
-    , tree_(build_branch_tree(*plant.base))
+    , tree_(variation::build_branch_tree(*plant.base))
 {
 }
 
-Result<Selection> ShownSkeleton::paths_under(Stroke const& stroke) const
+Result<variation::Selection> ShownSkeleton::paths_under(Stroke const& stroke) const
 {
-    PathSelection selection(tree_);
-    SelectionPen pen(skeleton_, tree_, selection, kPick);
+    variation::PathSelection selection(tree_);
+    variation::SelectionPen pen(skeleton_, tree_, selection, kPick);
     for (auto const& tip : stroke.tips)
         pen.move_to(tip.position_mm.head<2>());
     auto paths = pen.lift();
@@ -61,8 +61,8 @@ Result<SegmentId> ShownSkeleton::segment_under(TipSample const& tip) const
 
 ShownSkeleton::Touched ShownSkeleton::touched_by(std::span<TipSample const> tips) const
 {
-    PathSelection selection(tree_);
-    SelectionPen pen(skeleton_, tree_, selection, kPick);
+    variation::PathSelection selection(tree_);
+    variation::SelectionPen pen(skeleton_, tree_, selection, kPick);
     for (auto const& tip : tips)
         pen.move_to(tip.position_mm.head<2>());
     return { selection.selected(), selection.undetermined() };

@@ -25,7 +25,7 @@ public:
     ShownSkeleton(BuiltPlant const& plant, SelectionAngle const& angle);
 
     // The paths that a stroke chooses. Fails, as the user's fault, if it touches no branch.
-    Result<Selection> paths_under(Stroke const& stroke) const;
+    Result<variation::Selection> paths_under(Stroke const& stroke) const;
 
     // The segment under a tip. Fails, as the user's fault, if there is none.
     Result<SegmentId> segment_under(TipSample const& tip) const;
@@ -39,11 +39,11 @@ public:
     };
     Touched touched_by(std::span<TipSample const> tips) const;
 
-    BranchTree const& tree() const { return tree_; }
+    variation::BranchTree const& tree() const { return tree_; }
 
 private:
-    ProjectedSkeleton skeleton_;
-    BranchTree tree_;
+    variation::ProjectedSkeleton skeleton_;
+    variation::BranchTree tree_;
 };
 
 } // namespace tractus

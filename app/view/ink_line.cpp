@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace tractus {
+namespace tractus::view {
 
 namespace {
 
@@ -77,4 +77,4 @@ InkLine thinned(InkLine const& line)
     return thin;
 }
 
-} // namespace tractus
+} // namespace tractus::view

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::view {
 
 // The ink of a tool's stroke, a point for each tip: as wide as the pressure and the nib say, or as
 // what it erases.
@@ -19,4 +19,4 @@ inline constexpr double kThinned_mm = 0.05;
 // The same line with as few of its points as that allows, of which the first and the last are two.
 InkLine thinned(InkLine const& line);
 
-} // namespace tractus
+} // namespace tractus::view

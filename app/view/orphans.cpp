@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::view {
 
 // "segment 6 of branch 2 at segment 4 of stem 1", all counted from 1; of a branch that its source
 // names, "40 % of a branch that is gone"; in a part, "... of the plant 12 that was put on".
@@ -55,4 +55,4 @@ std::vector<Edit> edits_without_orphans(Scene const& scene)
     return edits;
 }
 
-} // namespace tractus
+} // namespace tractus::view

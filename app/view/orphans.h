@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::view {
 
 // The strokes and indicators of a scene whose branch its plant has lost, in order.
 std::vector<OrphanView> orphans_of(Scene const& scene);
@@ -13,4 +13,4 @@ std::vector<OrphanView> orphans_of(Scene const& scene);
 // What takes them away.
 std::vector<Edit> edits_without_orphans(Scene const& scene);
 
-} // namespace tractus
+} // namespace tractus::view

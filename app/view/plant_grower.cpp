@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace tractus {
+namespace tractus::view {
 
 namespace {
 
@@ -20,7 +20,7 @@ Result<mesh::Mesh> grow_mesh(BuiltPlant const& built, SetGrowth const& growth, S
     auto const plan = TRY(plan_growth(wanted, shaper, stop));
     if (stop.stop_requested())
         return mesh::Mesh {};
-    Grower grower(plan);
+    variation::Grower grower(plan);
     auto const& plant = grower.grow({ growth.seed, 0 }, growth.age, stop);
     if (stop.stop_requested())
         return mesh::Mesh {};
@@ -150,4 +150,4 @@ void PlantGrower::settle()
     worn_out_.settle();
 }
 
-} // namespace tractus
+} // namespace tractus::view

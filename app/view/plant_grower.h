@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::view {
 
 // The plants of a document as somebody wants to see them.
 struct WantedPlant {
@@ -85,4 +85,4 @@ private:
     Result<std::vector<Variation>> varied_;
 };
 
-} // namespace tractus
+} // namespace tractus::view

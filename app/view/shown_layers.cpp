@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tractus {
+namespace tractus::view {
 
 void ShownLayers::set_layers(Layers layers)
 {
@@ -75,4 +75,4 @@ void ShownLayers::see(Tool const& in_hand)
             seen_.push_back({ kept.layer, kept.lines_mm, strength });
 }
 
-} // namespace tractus
+} // namespace tractus::view

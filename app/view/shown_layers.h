@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace tractus {
+namespace tractus::view {
 
 // The layers of a document as time goes by: those that are seen for a while fade after each change
 // of their lines, and come back with the next.
@@ -45,4 +45,4 @@ private:
     std::vector<ShownLayer> seen_;
 };
 
-} // namespace tractus
+} // namespace tractus::view

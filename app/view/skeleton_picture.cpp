@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-namespace tractus {
+namespace tractus::view {
 
 using State = SkeletonLine::State;
 
@@ -53,7 +53,7 @@ static void add_other(BuiltPlant const& plant, DeskPlacement const& active,
     SceneShaper shaper;
     static_cast<void>(shaper.set_plant(plant)); // Each stroke was checked when it was drawn.
     std::vector<Vec3> nodes_mm;
-    place_nodes(*plant.base, *plant.rest, shaper.shape(), nodes_mm);
+    variation::place_nodes(*plant.base, *plant.rest, shaper.shape(), nodes_mm);
     for (auto const& axis : plant.base->axes) {
         if (axis.order >= orders)
             continue;
@@ -90,7 +90,7 @@ void SkeletonPicture::set_scene(std::shared_ptr<Scene const> scene)
     scene_ = std::move(scene);
     show_others();
     static_cast<void>(shaper_.set_plant(*scene_)); // As above.
-    place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), nodes_mm_);
+    variation::place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), nodes_mm_);
     if (is_same_plant)
         return;
     auto const& plant = *scene_->base;
@@ -175,4 +175,4 @@ std::vector<SkeletonLine> SkeletonPicture::lines(ShownSkeleton::Touched const& t
     return lines;
 }
 
-} // namespace tractus
+} // namespace tractus::view

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::view {
 
 // A scene's skeleton as lines of one state each. What it costs to make it anew depends on the
 // branches that are shown, and not on how many the plant has: for that something is kept between
@@ -53,4 +53,4 @@ private:
     std::vector<SkeletonLine> others_;
 };
 
-} // namespace tractus
+} // namespace tractus::view

@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::view {
 
 // A large button of the start page: something to begin with, or to go on with.
 struct StartCard {
     std::string title {};
     std::string detail {}; // A second line; may be empty.
     // Null: there is none, or not yet. Shared with who made it; nobody changes it.
-    std::shared_ptr<Image const> picture {};
+    std::shared_ptr<render::Image const> picture {};
     std::string icon {}; // Shown where there is no picture: lines as in ToolKind::icon.
     char key = 0;        // A capital letter that presses it; 0: none.
 };
@@ -33,8 +33,9 @@ struct StartCards {
 // One thing in place of the cards, shown large, with what can be changed about it.
 struct StartStudy {
     struct Picture {
-        std::string title {};                    // A word or two.
-        std::shared_ptr<Image const> picture {}; // A square, as of StartCard; null: not there yet.
+        std::string title {}; // A word or two.
+        std::shared_ptr<render::Image const>
+            picture {}; // A square, as of StartCard; null: not there yet.
     };
     struct Slider {
         std::string text {}; // What it says at its value.
@@ -79,4 +80,4 @@ public:
     virtual void leave() { }
 };
 
-} // namespace tractus
+} // namespace tractus::view

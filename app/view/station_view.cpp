@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace tractus {
+namespace tractus::view {
 
 // A tool is mostly in hand for many strokes, and what shows them keeps something between them.
 StationView::Preview StationView::Previewing::show(WantedPreview const& wanted)
@@ -32,7 +32,7 @@ StationView::Preview StationView::Previewing::show(WantedPreview const& wanted)
     return { last, previewer->note(), wanted.stroke };
 }
 
-StationView::StationView(Station const& station, Document const& document)
+StationView::StationView(station::Station const& station, Document const& document)
     : preview_(std::make_unique<NewestJob<WantedPreview, Preview>>(
         // Shared by the copies of the function, of which one is called.
         [previewing = std::make_shared<Previewing>()](WantedPreview const& wanted) {
@@ -52,7 +52,7 @@ StationView::StationView(Station const& station, Document const& document)
     show_scene(document.newest());
 }
 
-void StationView::show(Station const& station, Document const& document)
+void StationView::show(station::Station const& station, Document const& document)
 {
     finished_strokes_ = station.counts().strokes;
     show_grown();
@@ -83,7 +83,7 @@ void StationView::tell(DrawnStroke const& drawn)
                                            : drawn.said;
 }
 
-void StationView::begin_again(Station const& station, Document const& document)
+void StationView::begin_again(station::Station const& station, Document const& document)
 {
     shown_pen_samples_ = 0;
     finished_strokes_ = station.counts().strokes;
@@ -98,7 +98,7 @@ void StationView::begin_again(Station const& station, Document const& document)
     show_scene(document.newest());
 }
 
-void StationView::show_pen(std::vector<PenMoment> const& moments)
+void StationView::show_pen(std::vector<station::PenMoment> const& moments)
 {
     state_.pen_path.clear();
     for (auto const& moment : moments)
@@ -113,7 +113,7 @@ void StationView::show_pen(std::vector<PenMoment> const& moments)
 }
 
 // The surface follows its sensor while no pen is there or it rests, but not the sensor's noise.
-void StationView::show_surface(Station const& station)
+void StationView::show_surface(station::Station const& station)
 {
     constexpr double kSeen_mm = 0.5;
     auto const& tip = station.newest_tip();
@@ -136,7 +136,7 @@ void StationView::show_surface(Station const& station)
 }
 
 // Under way, and finished but not yet in the scene.
-void StationView::show_ink(Station const& station, std::vector<ToolStroke> const& waiting)
+void StationView::show_ink(station::Station const& station, std::vector<ToolStroke> const& waiting)
 {
     state_.live_ink.clear();
     for (auto const& [stroke, tool] : waiting)
@@ -153,7 +153,7 @@ void StationView::show_ink(Station const& station, std::vector<ToolStroke> const
         state_.live_ink.push_back(ink_line(ink, station.meaning_of(ink), nib_));
 }
 
-void StationView::show_live(Station const& station, Document const& document)
+void StationView::show_live(station::Station const& station, Document const& document)
 {
     // Without a sample of the pen there is nothing new to see: the hand rests, or is away.
     if (std::exchange(shown_pen_samples_, station.counts().pen_samples)
@@ -178,7 +178,7 @@ void StationView::show_live(Station const& station, Document const& document)
 }
 
 // The branches follow the ink as fast as they can.
-void StationView::show_preview(Station const& station)
+void StationView::show_preview(station::Station const& station)
 {
     auto const inks
         = station.is_pressing() ? std::vector<std::vector<TipSample>>() : station.inks();
@@ -193,7 +193,7 @@ void StationView::show_preview(Station const& station)
         propose_outcome(station);
 }
 
-void StationView::propose_outcome(Station const& station)
+void StationView::propose_outcome(station::Station const& station)
 {
     auto const ink = station.inks().front();
     auto const tool = station.meaning_of(ink);
@@ -224,7 +224,7 @@ void StationView::set_preview(Preview preview)
 }
 
 // While a pen selects, its path so far, and what is undetermined, are seen in their own colours.
-void StationView::show_selecting(Station const& station)
+void StationView::show_selecting(station::Station const& station)
 {
     auto const& tool = station.tool();
     auto* const marks = tool.kind().marks_branches;
@@ -349,8 +349,8 @@ void StationView::grow_plant(std::shared_ptr<Snapshot const> const& snapshot)
 void StationView::preview(SetGrowth const& growth)
 {
     state_.seed = growth.seed;
-    state_.growth
-        = { std::string(growth_preset_of(growth.parameters)), growth.variability, growth.age };
+    state_.growth = { std::string(variation::growth_preset_of(growth.parameters)),
+                      growth.variability, growth.age };
     grower_->grow({ grown_scene_, growth });
     state_.season = grown_scene_->state.season;
     state_.is_growing = true;
@@ -442,7 +442,7 @@ void StationView::take_picture()
 StationView::ReadPicture StationView::read(std::shared_ptr<std::string const> const& file)
 {
     constexpr int kLongest_px = 3000;
-    auto image = read_picture(*file);
+    auto image = render::read_picture(*file);
     if (!image)
         return { file, nullptr, image.error().message };
     int const longest = std::max(image->width(), image->height());
@@ -450,9 +450,9 @@ StationView::ReadPicture StationView::read(std::shared_ptr<std::string const> co
         auto const side = [&](int length) {
             return std::max(1, static_cast<int>(std::int64_t { length } * kLongest_px / longest));
         };
-        image = resized(*image, side(image->width()), side(image->height()));
+        image = render::resized(*image, side(image->width()), side(image->height()));
     }
-    return { file, std::make_shared<Image const>(*std::move(image)) };
+    return { file, std::make_shared<render::Image const>(*std::move(image)) };
 }
 
 void StationView::show_growth()
@@ -516,10 +516,10 @@ void StationView::show_grown()
 Result<SetGrowth> growth_set_to(GrowthView const& wanted, SetGrowth growth)
 {
     if (!wanted.preset.empty())
-        growth.parameters = TRY(growth_preset(wanted.preset));
+        growth.parameters = TRY(variation::growth_preset(wanted.preset));
     growth.variability = wanted.variability;
     growth.age = wanted.age;
     return growth;
 }
 
-} // namespace tractus
+} // namespace tractus::view

@@ -16,20 +16,20 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::view {
 
 // A station and the document that its strokes go to as the window shows them, wherever the reports
 // come from: the hand, its strokes, what is selected, and the plant, which is grown anew in the
 // background after each stroke. Whoever owns it says in state() what else is to be seen.
 class StationView {
 public:
-    StationView(Station const& station, Document const& document);
+    StationView(station::Station const& station, Document const& document);
 
     WindowState& state() { return state_; }
     WindowState const& state() const { return state_; }
 
     // What has changed since the last call.
-    void show(Station const& station, Document const& document);
+    void show(station::Station const& station, Document const& document);
 
     // So much of the window's time goes by: lines that are seen for a while fade.
     void pass(Duration step);
@@ -41,10 +41,10 @@ public:
     void settle();
 
     // What the pen did since the last call, for who lets it work the window. After show().
-    void show_pen(std::vector<PenMoment> const& moments);
+    void show_pen(std::vector<station::PenMoment> const& moments);
 
     // Another station in place of the one before, or one that has begun again.
-    void begin_again(Station const& station, Document const& document);
+    void begin_again(station::Station const& station, Document const& document);
 
     // What other growth was previewed is gone.
     void show_growth();
@@ -97,7 +97,7 @@ private:
     // A picture's file, read: null where it cannot be, for a reason.
     struct ReadPicture {
         std::shared_ptr<std::string const> file;
-        std::shared_ptr<Image const> image;
+        std::shared_ptr<render::Image const> image;
         std::string why {};
     };
     static ReadPicture read(std::shared_ptr<std::string const> const& file);
@@ -106,22 +106,22 @@ private:
     void show_picture(Scene const& scene);
     void show_drawn_glyph();
     void take_picture();
-    void propose_outcome(Station const& station);
+    void propose_outcome(station::Station const& station);
     void take_proposal();
     void show_in_place(std::shared_ptr<Scene const> const& scene);
-    void show_live(Station const& station, Document const& document);
-    void show_ink(Station const& station, std::vector<ToolStroke> const& waiting);
-    void show_surface(Station const& station);
+    void show_live(station::Station const& station, Document const& document);
+    void show_ink(station::Station const& station, std::vector<ToolStroke> const& waiting);
+    void show_surface(station::Station const& station);
     void show_scene(std::shared_ptr<Snapshot const> const& snapshot);
     void show_strokes(Scene const& scene);
     void show_layers(Scene const& scene);
     void see_layers();
     void show_variations();
-    void show_preview(Station const& station);
+    void show_preview(station::Station const& station);
     void take_preview();
     void set_preview(Preview preview);
     void list_orphans(Scene const& scene);
-    void show_selecting(Station const& station);
+    void show_selecting(station::Station const& station);
     void show_skeleton(ShownSkeleton::Touched const& touched = {});
     void grow_plant(std::shared_ptr<Snapshot const> const& snapshot);
 
@@ -170,4 +170,4 @@ private:
 // there is not.
 Result<SetGrowth> growth_set_to(GrowthView const& wanted, SetGrowth growth);
 
-} // namespace tractus
+} // namespace tractus::view

@@ -29,7 +29,7 @@
 #include <variant>
 #include <vector>
 
-namespace tractus {
+namespace tractus::view {
 
 // A line that the pen drew, or is drawing. World frame.
 struct InkLine {
@@ -68,7 +68,8 @@ struct ShownLayer {
 
 // The picture behind what is drawn.
 struct ShownPicture {
-    std::shared_ptr<Image const> image; // Never null, and not large. Shared; nobody changes it.
+    std::shared_ptr<render::Image const>
+        image; // Never null, and not large. Shared; nobody changes it.
     PicturePlace place {};
 };
 
@@ -108,8 +109,8 @@ struct RecordingView {
 
 // The devices that are read, and what is the matter with them or with the machine.
 struct DevicesView {
-    std::vector<DeviceReading> readings; // With the newest raw values.
-    std::vector<Finding> findings;       // Empty if nothing is the matter.
+    std::vector<diagnosis::DeviceReading> readings; // With the newest raw values.
+    std::vector<diagnosis::Finding> findings;       // Empty if nothing is the matter.
 };
 
 // All that the window shows at one moment. Each revision number changes when the values after it
@@ -238,7 +239,7 @@ struct PickVariation {
 // The receiver names the files after plant and date, writes them in the background, and says in the
 // status where to, or why not: see WindowState::is_saving.
 struct SavePicture {
-    Image picture; // The plant as the window sees it.
+    render::Image picture; // The plant as the window sees it.
 };
 // The plant as it grows now, at its age: what a slider only previews does not count.
 struct ExportPlant {
@@ -248,7 +249,7 @@ struct ExportPlant {
         Mtg, // Branches as botanists' programs read them.
     } format
         = Format::Glb;
-    GlbOptions::Organs organs = GlbOptions::Organs::Merged;
+    exports::GlbOptions::Organs organs = exports::GlbOptions::Organs::Merged;
 };
 // Begins a new log of all that the devices send and of every choice of a tool, named after plant
 // and date; or ends it. See WindowState::recording. Only if WindowState::is_live.
@@ -333,7 +334,7 @@ struct DressActivePlant {
     std::string leaves {}; // Their grammar's file, or its name in the document; empty: its own.
     ItemId drawn = 0;      // In place of it a drawn leaf, which they follow.
     double age = 0.5;
-    LeafDamage damage {};
+    lsystem::LeafDamage damage {};
     // The season of the document from then on; no value: as it is.
     std::optional<std::optional<Season>> season {};
 };
@@ -382,7 +383,7 @@ public:
     virtual StartPageModel* start_page() { return nullptr; }
 
     // The calibration to show in place of the state; null for none.
-    virtual CalibrationModel* calibration() { return nullptr; }
+    virtual calibration::CalibrationModel* calibration() { return nullptr; }
 };
 
-} // namespace tractus
+} // namespace tractus::view

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<ButtonRow> button_rows(std::span<ButtonWidth const> buttons, ButtonG
     return roomy.size() == narrow.size() ? roomy : narrow;
 }
 
-} // namespace tractus
+} // namespace tractus::window

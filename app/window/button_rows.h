@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::window {
 
 // Widths of a button in pixels: as it is usually, and with its letters just whole.
 struct ButtonWidth {
@@ -37,4 +37,4 @@ struct ButtonRow {
 std::vector<ButtonRow> button_rows(std::span<ButtonWidth const> buttons, ButtonGaps const& gaps,
                                    float room);
 
-} // namespace tractus
+} // namespace tractus::window

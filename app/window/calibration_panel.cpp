@@ -6,13 +6,15 @@
 #include <array>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
-constexpr std::array kProcedures { CalibrationProcedure::Height,  CalibrationProcedure::Travel,
-                                   CalibrationProcedure::Latency, CalibrationProcedure::Tilt,
-                                   CalibrationProcedure::Zero,    CalibrationProcedure::Check };
+constexpr std::array kProcedures {
+    calibration::CalibrationProcedure::Height,  calibration::CalibrationProcedure::Travel,
+    calibration::CalibrationProcedure::Latency, calibration::CalibrationProcedure::Tilt,
+    calibration::CalibrationProcedure::Zero,    calibration::CalibrationProcedure::Check
+};
 constexpr std::array<char const*, 6> kTitles { "Height", "Travel", "Latency",
                                                "Tilt",   "Zero",   "Check" };
 
@@ -20,22 +22,22 @@ constexpr ImGuiWindowFlags kPadded = ImGuiWindowFlags_AlwaysUseWindowPadding;
 
 Vec3f const kRefused { 0.93f, 0.40f, 0.33f };
 
-Vec3f color_of(PlotTone tone)
+Vec3f color_of(calibration::PlotTone tone)
 {
     switch (tone) {
-    case PlotTone::Model:
+    case calibration::PlotTone::Model:
         return theme::palette().assigned;
-    case PlotTone::FromBelow:
+    case calibration::PlotTone::FromBelow:
         return theme::palette().selected;
-    case PlotTone::FromAbove:
+    case calibration::PlotTone::FromAbove:
         return theme::palette().stroke;
-    case PlotTone::FromNowhere:
+    case calibration::PlotTone::FromNowhere:
         return theme::palette().unselected;
-    case PlotTone::Slipped:
+    case calibration::PlotTone::Slipped:
         return kRefused;
-    case PlotTone::Expected:
+    case calibration::PlotTone::Expected:
         return theme::palette().unselected;
-    case PlotTone::Measured:
+    case calibration::PlotTone::Measured:
         return theme::palette().selected;
     }
     return theme::palette().unselected;
@@ -44,7 +46,7 @@ Vec3f color_of(PlotTone tone)
 // A plot's frame on the screen.
 class Frame {
 public:
-    Frame(Plot const& plot, ImVec2 const& corner, ImVec2 const& size)
+    Frame(calibration::Plot const& plot, ImVec2 const& corner, ImVec2 const& size)
         : plot_(plot)
         , draw_(*ImGui::GetWindowDrawList())
         , letter_(ImGui::GetFontSize())
@@ -74,46 +76,46 @@ private:
     void draw_grid()
     {
         auto const dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-        for (double const x : ticks_between(plot_.low.x(), plot_.high.x(), 5)) {
+        for (double const x : calibration::ticks_between(plot_.low.x(), plot_.high.x(), 5)) {
             auto const at = place({ x, plot_.low.y() });
-            auto const text = tick_text(x);
+            auto const text = calibration::tick_text(x);
             draw_.AddLine(at, { at.x, low_.y }, theme::packed(theme::palette().grid));
             draw_.AddText({ at.x - ImGui::CalcTextSize(text.c_str()).x / 2, high_.y + 2 }, dim,
                           text.c_str());
         }
-        for (double const y : ticks_between(plot_.low.y(), plot_.high.y(), 5)) {
+        for (double const y : calibration::ticks_between(plot_.low.y(), plot_.high.y(), 5)) {
             auto const at = place({ plot_.low.x(), y });
-            auto const text = tick_text(y);
+            auto const text = calibration::tick_text(y);
             draw_.AddLine(at, { high_.x, at.y }, theme::packed(theme::palette().grid));
             draw_.AddText({ at.x - ImGui::CalcTextSize(text.c_str()).x - 6, at.y - letter_ / 2 },
                           dim, text.c_str());
         }
     }
 
-    void draw_series(PlotSeries const& series)
+    void draw_series(calibration::PlotSeries const& series)
     {
         auto const color = theme::packed(color_of(series.tone));
         switch (series.kind) {
-        case PlotSeries::Kind::Line:
+        case calibration::PlotSeries::Kind::Line:
             for (std::size_t i = 1; i < series.points.size(); ++i)
                 draw_.AddLine(place(series.points[i - 1]), place(series.points[i]), color, 2.5f);
             break;
-        case PlotSeries::Kind::Band:
+        case calibration::PlotSeries::Kind::Band:
             for (std::size_t i = 1; i < std::min(series.points.size(), series.upper.size()); ++i)
                 draw_.AddQuadFilled(place(series.points[i - 1]), place(series.points[i]),
                                     place(series.upper[i]), place(series.upper[i - 1]),
                                     theme::packed(color_of(series.tone), 0.22f));
             break;
-        case PlotSeries::Kind::Bars:
+        case calibration::PlotSeries::Kind::Bars:
             for (auto const& point : series.points)
                 draw_.AddRectFilled(place({ point.x() - 0.47 * series.bar_width, point.y() }),
                                     place({ point.x() + 0.47 * series.bar_width, 0 }), color);
             break;
-        case PlotSeries::Kind::Dots:
+        case calibration::PlotSeries::Kind::Dots:
             for (auto const& point : series.points)
                 draw_.AddCircleFilled(place(point), letter_ * 0.32f, color);
             break;
-        case PlotSeries::Kind::Crosses:
+        case calibration::PlotSeries::Kind::Crosses:
             for (auto const& point : series.points)
                 draw_cross(place(point), color);
             break;
@@ -143,7 +145,7 @@ private:
                       text.c_str());
     }
 
-    Plot const& plot_;
+    calibration::Plot const& plot_;
     ImDrawList& draw_;
     float letter_;
     ImVec2 low_;  // Upper left …
@@ -173,14 +175,14 @@ void same_line_if_room(float width, float gap)
 
 } // namespace
 
-void show_plot(Plot const& plot, ImVec2 const& size_px)
+void show_plot(calibration::Plot const& plot, ImVec2 const& size_px)
 {
     auto const corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy(size_px);
     Frame(plot, corner, size_px).draw();
 }
 
-bool CalibrationPanel::show(CalibrationModel& model, bool may_go_back)
+bool CalibrationPanel::show(calibration::CalibrationModel& model, bool may_go_back)
 {
     bool const wants_back = show_procedures(model, may_go_back);
     show_reading(model.view());
@@ -207,7 +209,7 @@ bool CalibrationPanel::show(CalibrationModel& model, bool may_go_back)
     return wants_back;
 }
 
-bool CalibrationPanel::show_procedures(CalibrationModel& model, bool may_go_back)
+bool CalibrationPanel::show_procedures(calibration::CalibrationModel& model, bool may_go_back)
 {
     ImVec2 const size(100 * scale_, theme::kButtonHeight_px * scale_);
     auto const present = model.view().procedure;
@@ -218,7 +220,7 @@ bool CalibrationPanel::show_procedures(CalibrationModel& model, bool may_go_back
         if (is_present)
             ImGui::PushStyleColor(ImGuiCol_Button, theme::imgui_color(theme::palette().assigned));
         if (ImGui::Button(kTitles[i], size) && !is_present)
-            model.perform(ChooseProcedure { kProcedures[i] });
+            model.perform(calibration::ChooseProcedure { kProcedures[i] });
         if (is_present)
             ImGui::PopStyleColor();
     }
@@ -229,7 +231,7 @@ bool CalibrationPanel::show_procedures(CalibrationModel& model, bool may_go_back
     return ImGui::Button("Back to drawing", back);
 }
 
-void CalibrationPanel::show_reading(CalibrationView const& view)
+void CalibrationPanel::show_reading(calibration::CalibrationView const& view)
 {
     ImGui::PushFont(title_font_);
     if (view.is_on_rail)
@@ -243,7 +245,7 @@ void CalibrationPanel::show_reading(CalibrationView const& view)
     ImGui::PopStyleColor();
 }
 
-void CalibrationPanel::show_controls(CalibrationModel& model)
+void CalibrationPanel::show_controls(calibration::CalibrationModel& model)
 {
     // A command may change the view under us: what is shown is taken first.
     auto const& view = model.view();
@@ -251,32 +253,33 @@ void CalibrationPanel::show_controls(CalibrationModel& model)
     bool const may_capture = view.may_capture;
     bool const may_keep = view.may_keep;
     bool const has_captures = !view.captures.empty();
-    bool const captures = takes_captures(view.procedure);
+    bool const captures = calibration::takes_captures(view.procedure);
     double const height_mm = view.proposed_mm;
     ImVec2 const size(150 * scale_, theme::kButtonHeight_px * scale_);
     if (captures) {
         show_height(model);
         ImGui::BeginDisabled(!may_capture);
         if (ImGui::Button("Capture", size))
-            model.perform(CaptureAt { height_mm });
+            model.perform(calibration::CaptureAt { height_mm });
         ImGui::EndDisabled();
         ImGui::SameLine();
         ImGui::BeginDisabled(!has_captures);
         if (ImGui::Button("Undo", size))
-            model.perform(UndoCapture {});
+            model.perform(calibration::UndoCapture {});
         ImGui::EndDisabled();
     } else if (ImGui::Button(is_moving ? "End" : "Begin", size)) {
-        is_moving ? model.perform(EndMovement {}) : model.perform(BeginMovement {});
+        is_moving ? model.perform(calibration::EndMovement {})
+                  : model.perform(calibration::BeginMovement {});
     }
     ImGui::SameLine();
     ImGui::BeginDisabled(!may_keep);
     if (ImGui::Button("Keep", size))
-        model.perform(KeepRig {});
+        model.perform(calibration::KeepRig {});
     ImGui::EndDisabled();
 }
 
 // Typed, or set with the pen.
-void CalibrationPanel::show_height(CalibrationModel& model) const
+void CalibrationPanel::show_height(calibration::CalibrationModel& model) const
 {
     double height_mm = model.view().proposed_mm;
     ImVec2 const size(64 * scale_, theme::kButtonHeight_px * scale_);
@@ -296,10 +299,10 @@ void CalibrationPanel::show_height(CalibrationModel& model) const
             height_mm += step_mm;
     }
     if (height_mm != model.view().proposed_mm)
-        model.perform(ProposeHeight { height_mm });
+        model.perform(calibration::ProposeHeight { height_mm });
 }
 
-void CalibrationPanel::show_captures(CalibrationView const& view)
+void CalibrationPanel::show_captures(calibration::CalibrationView const& view)
 {
     for (std::size_t i = 0; i < view.captures.size(); ++i) {
         auto const& capture = view.captures[i];
@@ -325,4 +328,4 @@ void CalibrationPanel::show_captures(CalibrationView const& view)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-namespace tractus {
+namespace tractus::window {
 
 // The calibration in the window: procedures, the live reading, captures with their residuals, and
 // the plots. Draws itself into the current ImGui window's room; what a person asks for goes to the
@@ -19,20 +19,20 @@ public:
     }
 
     // True if a person wants back to drawing, which `may_go_back` offers.
-    bool show(CalibrationModel& model, bool may_go_back);
+    bool show(calibration::CalibrationModel& model, bool may_go_back);
 
 private:
-    bool show_procedures(CalibrationModel& model, bool may_go_back);
-    void show_reading(CalibrationView const& view);
-    void show_controls(CalibrationModel& model);
-    void show_height(CalibrationModel& model) const;
-    void show_captures(CalibrationView const& view);
+    bool show_procedures(calibration::CalibrationModel& model, bool may_go_back);
+    void show_reading(calibration::CalibrationView const& view);
+    void show_controls(calibration::CalibrationModel& model);
+    void show_height(calibration::CalibrationModel& model) const;
+    void show_captures(calibration::CalibrationView const& view);
 
     ImFont* title_font_ = nullptr;
     float scale_ = 1;
 };
 
 // One plot at ImGui's cursor.
-void show_plot(Plot const& plot, ImVec2 const& size_px);
+void show_plot(calibration::Plot const& plot, ImVec2 const& size_px);
 
-} // namespace tractus
+} // namespace tractus::window

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -39,7 +39,7 @@ std::size_t column_count(float width, float scale)
 
 // Groups whose first cards are wanted most have these in what is left of a row, or in one of their
 // own.
-std::vector<CardSection> sections_of(std::span<StartCards const> groups, std::size_t columns)
+std::vector<CardSection> sections_of(std::span<view::StartCards const> groups, std::size_t columns)
 {
     std::vector<CardSection> sections;
     std::vector<CardSection> later;
@@ -64,7 +64,7 @@ std::vector<CardSection> sections_of(std::span<StartCards const> groups, std::si
 
 } // namespace
 
-CardGrid arrange_cards(std::span<StartCards const> groups, float width, float scale)
+CardGrid arrange_cards(std::span<view::StartCards const> groups, float width, float scale)
 {
     auto const columns = column_count(width, scale);
     float const gap = kGap_px * scale;
@@ -119,4 +119,4 @@ std::size_t neighbour(CardGrid const& grid, std::size_t from, Direction directio
     return best;
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::window {
 
 // Where cards stand on a page, in pixels from its upper left corner.
 struct CardGrid {
@@ -32,11 +32,11 @@ struct CardGrid {
 
 // Sets cards into columns of one width, as many as are wide enough for a pen and for their words,
 // each group under its title. `scale` is the display's.
-CardGrid arrange_cards(std::span<StartCards const> groups, float width, float scale);
+CardGrid arrange_cards(std::span<view::StartCards const> groups, float width, float scale);
 
 enum class Direction { Left, Right, Up, Down };
 
 // The place, by its number, that an arrow key leads to from another; itself where there is none.
 std::size_t neighbour(CardGrid const& grid, std::size_t from, Direction direction);
 
-} // namespace tractus
+} // namespace tractus::window

@@ -7,7 +7,7 @@
 #include <imgui_stdlib.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -19,7 +19,7 @@ constexpr float kGreatestShare = 0.5f; // Of the height above the bar.
 constexpr float kTyped_px = 220;
 
 // The own card that the hand is, or null.
-ToolCard const* card_in_hand(WindowState const& state)
+ToolCard const* card_in_hand(view::WindowState const& state)
 {
     auto const card = card_of(state.hand);
     auto const found = std::find_if(state.cards.begin(), state.cards.end(),
@@ -29,7 +29,7 @@ ToolCard const* card_in_hand(WindowState const& state)
 
 } // namespace
 
-WindowPart CardsPanel::show(WindowModel& model, Workbench& bench, Controls const& controls,
+WindowPart CardsPanel::show(view::WindowModel& model, Workbench& bench, Controls const& controls,
                             WindowPart const& bar)
 {
     auto const& state = model.state();
@@ -49,7 +49,7 @@ WindowPart CardsPanel::show(WindowModel& model, Workbench& bench, Controls const
     if (auto const* const own = card_in_hand(state))
         show_own(model, bench, controls, *own);
     if (controls.button("Keep this one", 180))
-        model.perform(KeepCard {});
+        model.perform(view::KeepCard {});
     ImGui::SameLine();
     if (controls.button("Close##cards", 96))
         bench.cards_are_shown = false;
@@ -61,7 +61,7 @@ WindowPart CardsPanel::show(WindowModel& model, Workbench& bench, Controls const
 }
 
 // What does not fit is reached by dragging.
-void CardsPanel::show_cards(WindowModel& model, Workbench& bench, float width_px)
+void CardsPanel::show_cards(view::WindowModel& model, Workbench& bench, float width_px)
 {
     auto const& hand = model.state().hand;
     auto cards = ready_cards(hand);
@@ -121,7 +121,7 @@ bool CardsPanel::show_card(ToolCard const& card, bool is_on) const
 
 // What can be done with the own card in the hand.
 // With the pen alone, the name has a panel with keys.
-void CardsPanel::show_own(WindowModel& model, Workbench& bench, Controls const& controls,
+void CardsPanel::show_own(view::WindowModel& model, Workbench& bench, Controls const& controls,
                           ToolCard const& card)
 {
     if (std::exchange(named_, card.name) != card.name)
@@ -137,10 +137,10 @@ void CardsPanel::show_own(WindowModel& model, Workbench& bench, Controls const& 
     if (is_pressed && typed_ == name)
         return bench.ask_name({ Workbench::AskedName::Of::Card, name });
     if (is_pressed || is_entered)
-        return model.perform(RenameCard { name, typed_ });
+        return model.perform(view::RenameCard { name, typed_ });
     ImGui::SameLine();
     if (controls.button("Remove##card", 110))
-        model.perform(RemoveCard { name });
+        model.perform(view::RemoveCard { name });
 }
 
-} // namespace tractus
+} // namespace tractus::window

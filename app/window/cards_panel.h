@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace tractus {
+namespace tractus::window {
 
 // A panel above the bar with the cards of the kind in hand, the ready ones and a person's own, each
 // with its glyph if the kind has one. A press takes a card into the hand; the hand can be kept as a
@@ -19,13 +19,13 @@ public:
 
     // Shows it for the tool in hand above `bar`, and takes `bench.cards_are_shown` back when it is
     // closed or there are none. Returns where it is.
-    WindowPart show(WindowModel& model, Workbench& bench, Controls const& controls,
+    WindowPart show(view::WindowModel& model, Workbench& bench, Controls const& controls,
                     WindowPart const& bar);
 
 private:
-    void show_cards(WindowModel& model, Workbench& bench, float width_px);
+    void show_cards(view::WindowModel& model, Workbench& bench, float width_px);
     bool show_card(ToolCard const& card, bool is_on) const;
-    void show_own(WindowModel& model, Workbench& bench, Controls const& controls,
+    void show_own(view::WindowModel& model, Workbench& bench, Controls const& controls,
                   ToolCard const& card);
 
     float scale_ = 1;
@@ -34,4 +34,4 @@ private:
     std::string typed_ {};
 };
 
-} // namespace tractus
+} // namespace tractus::window

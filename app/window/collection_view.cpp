@@ -7,41 +7,42 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
 constexpr std::size_t kVariations = 12;
 constexpr int kSheetColumns = 4;
 constexpr int kSheetRows = 3;
-constexpr ViewAngles kSheetAngles { .azimuth_rad = 0.45, .elevation_rad = 0.22 };
+constexpr render::ViewAngles kSheetAngles { .azimuth_rad = 0.45, .elevation_rad = 0.22 };
 
 } // namespace
 
-void CollectionView::draw(VariationView const& variation, Picture& picture, Renderer& renderer,
-                          ImVec2 const& size_px) const
+void CollectionView::draw(view::VariationView const& variation, Picture& picture,
+                          render::Renderer& renderer, ImVec2 const& size_px) const
 {
     bool changed = picture.mesh != variation.mesh.get();
     auto const& canvas = picture.canvas.sized(size_px, changed);
     if (!changed)
         return;
     picture.mesh = variation.mesh.get();
-    GpuMesh const on_card(*variation.mesh);
-    Stage stage;
-    stage.backdrop = is_light_ ? Backdrop() : dark_backdrop();
+    render::GpuMesh const on_card(*variation.mesh);
+    render::Stage stage;
+    stage.backdrop = is_light_ ? render::Backdrop() : render::dark_backdrop();
     stage.meshes.push_back({ &on_card });
     double const aspect = static_cast<double>(canvas.width()) / canvas.height();
-    Framing framing(kSheetAngles, aspect);
+    render::Framing framing(kSheetAngles, aspect);
     framing.add(*variation.mesh);
     renderer.draw(stage, framing.camera(), canvas);
 }
 
-void CollectionView::begin(WindowModel& model)
+void CollectionView::begin(view::WindowModel& model)
 {
-    model.perform(AskForCollection { kVariations });
+    model.perform(view::AskForCollection { kVariations });
 }
 
-void CollectionView::show(WindowModel& model, Renderer& renderer, ImVec2 const& size_px)
+void CollectionView::show(view::WindowModel& model, render::Renderer& renderer,
+                          ImVec2 const& size_px)
 {
     auto const& state = model.state();
     if (std::exchange(is_light_, theme::palette().is_light) != is_light_)
@@ -78,7 +79,7 @@ void CollectionView::show(WindowModel& model, Renderer& renderer, ImVec2 const& 
                        name.c_str());
     }
     if (picked)
-        model.perform(PickVariation { *picked });
+        model.perform(view::PickVariation { *picked });
 }
 
-} // namespace tractus
+} // namespace tractus::window

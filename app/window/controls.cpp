@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -34,7 +34,7 @@ constexpr std::array<std::pair<char const*, Shown>, 5> kViews { { { "All", Shown
 
 } // namespace
 
-WindowPart Controls::show(WindowModel& model, Workbench& bench, float left_px, float right_px)
+WindowPart Controls::show(view::WindowModel& model, Workbench& bench, float left_px, float right_px)
 {
     auto const& display = ImGui::GetIO().DisplaySize;
     auto const& state = model.state();
@@ -152,7 +152,7 @@ bool Controls::button(char const* text, float width, bool is_on) const
     return is_pressed;
 }
 
-void Controls::show_status(WindowState const& state) const
+void Controls::show_status(view::WindowState const& state) const
 {
     if (state.trouble.empty())
         ImGui::TextUnformatted(
@@ -169,7 +169,7 @@ void Controls::show_status(WindowState const& state) const
 }
 
 // At the right end of the status: what is seen while one draws.
-void Controls::show_recording(RecordingView const& recording)
+void Controls::show_recording(view::RecordingView const& recording)
 {
     auto const text = fmt::format("recording {} · {:.1f} MB", recording.file,
                                   static_cast<double>(recording.bytes) / 1e6);
@@ -196,7 +196,7 @@ static bool is_set_by_glyph(Meaning const& meaning)
 }
 
 // What the tool in hand may mean.
-std::vector<BarButton> Controls::tool_meanings(WindowModel& model, Workbench& bench)
+std::vector<BarButton> Controls::tool_meanings(view::WindowModel& model, Workbench& bench)
 {
     std::vector<BarButton> buttons;
     auto const& state = model.state();
@@ -204,7 +204,7 @@ std::vector<BarButton> Controls::tool_meanings(WindowModel& model, Workbench& be
         buttons.push_back({ .text = kOpenPicture,
                             .width = button_width(kOpenPicture),
                             .begins_group = true,
-                            .press = [&model] { model.perform(OpenPictures {}); } });
+                            .press = [&model] { model.perform(view::OpenPictures {}); } });
     for (auto const& meaning :
          meanings_of(state.tools, bench.hand(state), bench.remembered(state))) {
         bool const is_on_glyph = meaning.number && is_set_by_glyph(meaning);
@@ -230,7 +230,7 @@ std::vector<BarButton> Controls::tool_meanings(WindowModel& model, Workbench& be
     if (state.hand.kind().like_drawn)
         buttons.push_back({ .text = kLikeDrawn,
                             .width = button_width(kLikeDrawn),
-                            .press = [&model] { model.perform(TakeLikeDrawn {}); } });
+                            .press = [&model] { model.perform(view::TakeLikeDrawn {}); } });
     return buttons;
 }
 
@@ -247,12 +247,13 @@ std::vector<BarButton> Controls::view_meanings(Workbench& bench)
              { "Whole plant", 150, false, false, [&bench] { bench.whole_is_wished = true; } } };
 }
 
-std::vector<BarButton> Controls::main_buttons(WindowModel& model, Workbench& bench, Views views)
+std::vector<BarButton> Controls::main_buttons(view::WindowModel& model, Workbench& bench,
+                                              Views views)
 {
     auto buttons = model.state().is_live ? tool_buttons(model, bench) : play_buttons(model);
     if (model.state().has_session) {
-        buttons.push_back({ "Undo", 88, false, true, [&model] { model.perform(Undo {}); } });
-        buttons.push_back({ "Redo", 88, false, false, [&model] { model.perform(Redo {}); } });
+        buttons.push_back({ "Undo", 88, false, true, [&model] { model.perform(view::Undo {}); } });
+        buttons.push_back({ "Redo", 88, false, false, [&model] { model.perform(view::Redo {}); } });
     }
     for (auto const& [name, shown] : kViews) {
         if (views == Views::Next && bench.shown == shown)
@@ -275,7 +276,7 @@ std::vector<BarButton> Controls::main_buttons(WindowModel& model, Workbench& ben
     return buttons;
 }
 
-std::vector<BarButton> Controls::tool_buttons(WindowModel& model, Workbench& bench)
+std::vector<BarButton> Controls::tool_buttons(view::WindowModel& model, Workbench& bench)
 {
     std::vector<BarButton> buttons;
     auto const& state = model.state();
@@ -289,16 +290,16 @@ std::vector<BarButton> Controls::tool_buttons(WindowModel& model, Workbench& ben
     return buttons;
 }
 
-std::vector<BarButton> Controls::play_buttons(WindowModel& model)
+std::vector<BarButton> Controls::play_buttons(view::WindowModel& model)
 {
     bool const playing = model.state().playing;
     return { { playing ? "Pause" : "Play", 150, false, true,
-               [&model, playing] { model.perform(SetPlaying { !playing }); } },
-             { "Restart", 150, false, false, [&model] { model.perform(Restart {}); } } };
+               [&model, playing] { model.perform(view::SetPlaying { !playing }); } },
+             { "Restart", 150, false, false, [&model] { model.perform(view::Restart {}); } } };
 }
 
 // Beside the last button if there is room.
-void Controls::show_speed(WindowModel& model) const
+void Controls::show_speed(view::WindowModel& model) const
 {
     constexpr float kLeast_px = 240;
     ImGui::SameLine(0, kGroupGap_px * scale_);
@@ -309,8 +310,8 @@ void Controls::show_speed(WindowModel& model) const
     theme::push_button_frame(scale_);
     if (ImGui::SliderFloat("##speed", &speed, 0.25f, 4, "speed %.2f x",
                            ImGuiSliderFlags_Logarithmic))
-        model.perform(SetSpeed { static_cast<double>(speed) });
+        model.perform(view::SetSpeed { static_cast<double>(speed) });
     ImGui::PopStyleVar();
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -7,10 +7,13 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::render {
+class Renderer;
+}
+
+namespace tractus::window {
 
 class PlantView;
-class Renderer;
 
 // A part of the window, in pixels.
 struct WindowPart {
@@ -43,15 +46,15 @@ public:
     float height_px() const { return height_px_; }
 
     // Shows the bar from `left_px` to `right_px`; returns where it is.
-    WindowPart show(WindowModel& model, Workbench& bench, float left_px, float right_px);
+    WindowPart show(view::WindowModel& model, Workbench& bench, float left_px, float right_px);
 
     bool button(char const* text, float width, bool is_on = false) const;
 
 private:
     static constexpr float kFirstHeight_px = 180; // As two rows need.
 
-    void show_status(WindowState const& state) const;
-    static void show_recording(RecordingView const& recording);
+    void show_status(view::WindowState const& state) const;
+    static void show_recording(view::RecordingView const& recording);
     void show_meanings(std::vector<BarButton> const& buttons, float main_height_px) const;
     float height_of(std::vector<BarButton> const& buttons) const;
     ButtonGaps gaps() const;
@@ -59,17 +62,18 @@ private:
     std::vector<ButtonRow> rows_of(std::vector<BarButton> const& buttons) const;
     void show_rows(std::vector<BarButton> const& buttons) const;
     float least_width_px(BarButton const& button) const;
-    void show_speed(WindowModel& model) const;
-    static std::vector<BarButton> tool_meanings(WindowModel& model, Workbench& bench);
+    void show_speed(view::WindowModel& model) const;
+    static std::vector<BarButton> tool_meanings(view::WindowModel& model, Workbench& bench);
     static std::vector<BarButton> view_meanings(Workbench& bench);
     // A button for each view, or where they take too many rows one that goes to the next.
     enum class Views { Each, Next };
-    static std::vector<BarButton> main_buttons(WindowModel& model, Workbench& bench, Views views);
-    static std::vector<BarButton> tool_buttons(WindowModel& model, Workbench& bench);
-    static std::vector<BarButton> play_buttons(WindowModel& model);
+    static std::vector<BarButton> main_buttons(view::WindowModel& model, Workbench& bench,
+                                               Views views);
+    static std::vector<BarButton> tool_buttons(view::WindowModel& model, Workbench& bench);
+    static std::vector<BarButton> play_buttons(view::WindowModel& model);
 
     float scale_ = 1;
     float height_px_ = kFirstHeight_px;
 };
 
-} // namespace tractus
+} // namespace tractus::window

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -32,7 +32,7 @@ ImVec4 color_of_trouble()
 
 } // namespace
 
-void DevicesPanel::show(DevicesView const& view) const
+void DevicesPanel::show(view::DevicesView const& view) const
 {
     for (auto const& reading : view.readings)
         show_reading(reading);
@@ -43,7 +43,7 @@ void DevicesPanel::show(DevicesView const& view) const
         show_finding(finding);
 }
 
-void DevicesPanel::show_reading(DeviceReading const& reading) const
+void DevicesPanel::show_reading(diagnosis::DeviceReading const& reading) const
 {
     auto const dim = ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
     ImGui::PushFont(title_font_);
@@ -53,7 +53,7 @@ void DevicesPanel::show_reading(DeviceReading const& reading) const
                              reading.info.vendor_id, reading.info.product_id,
                              reading.description.text),
                  dim);
-    show_wrapped(describe_pace(reading), reading.is_away ? color_of_trouble() : dim);
+    show_wrapped(devices::describe_pace(reading), reading.is_away ? color_of_trouble() : dim);
     for (auto const& [name, value] : reading.fields) {
         ImGui::TextDisabled("%s", name.c_str());
         ImGui::SameLine(170 * scale_);
@@ -68,7 +68,7 @@ void DevicesPanel::show_reading(DeviceReading const& reading) const
     ImGui::Dummy({ 1, ImGui::GetFontSize() * 0.5f });
 }
 
-void DevicesPanel::show_finding(Finding const& finding)
+void DevicesPanel::show_finding(diagnosis::Finding const& finding)
 {
     show_wrapped(finding.subject, color_of_trouble());
     ImGui::TextWrapped("%s", finding.what.c_str());
@@ -77,4 +77,4 @@ void DevicesPanel::show_finding(Finding const& finding)
     ImGui::Dummy({ 1, ImGui::GetFontSize() * 0.3f });
 }
 
-} // namespace tractus
+} // namespace tractus::window

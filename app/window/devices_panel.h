@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-namespace tractus {
+namespace tractus::window {
 
 // The devices that are read, live: what each is, how regularly it sends, its newest bytes and what
 // they mean; and what is the matter with them or with the machine, and what to do about it. Draws
@@ -18,14 +18,14 @@ public:
     {
     }
 
-    void show(DevicesView const& view) const;
+    void show(view::DevicesView const& view) const;
 
 private:
-    void show_reading(DeviceReading const& reading) const;
-    static void show_finding(Finding const& finding);
+    void show_reading(diagnosis::DeviceReading const& reading) const;
+    static void show_finding(diagnosis::Finding const& finding);
 
     ImFont* title_font_ = nullptr;
     float scale_ = 1;
 };
 
-} // namespace tractus
+} // namespace tractus::window

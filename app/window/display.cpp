@@ -4,7 +4,7 @@
 #include <cctype>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -71,4 +71,4 @@ Result<std::size_t> find_display(std::span<Display const> displays, std::string_
                             which, list));
 }
 
-} // namespace tractus
+} // namespace tractus::window

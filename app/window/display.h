@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::window {
 
 // A screen that the window may fill.
 struct Display {
@@ -27,4 +27,4 @@ std::optional<std::size_t> tablet_display(std::span<Display const> displays, Vec
 // fault, naming those that there are, for none or several.
 Result<std::size_t> find_display(std::span<Display const> displays, std::string_view which);
 
-} // namespace tractus
+} // namespace tractus::window

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -24,7 +24,7 @@ constexpr float kReach_px = 22;        // and of where a pen takes it;
 constexpr float kSmallRadius_px = 8;   // of one of many.
 constexpr float kSmallReach_px = 14;
 
-using Slider = ChangeGrowth::Slider;
+using Slider = view::ChangeGrowth::Slider;
 
 // The tool's number that the handle asks for; no value: none.
 std::optional<std::size_t> number_of(Tool const& tool, Glyph::Handle const& handle)
@@ -41,7 +41,7 @@ std::optional<std::size_t> number_of(Tool const& tool, Glyph::Handle const& hand
 
 } // namespace
 
-std::optional<WindowPart> GlyphPanel::show(WindowModel& model, Workbench& bench,
+std::optional<WindowPart> GlyphPanel::show(view::WindowModel& model, Workbench& bench,
                                            Controls const& controls, WindowPart const& pad)
 {
     auto const& state = model.state();
@@ -93,7 +93,7 @@ void GlyphPanel::say_what_is_shown(Glyph const& glyph) const
     ImGui::SetWindowFontScale(1);
 }
 
-void GlyphPanel::show_glyph(WindowModel& model, Workbench& bench, Glyph const& glyph,
+void GlyphPanel::show_glyph(view::WindowModel& model, Workbench& bench, Glyph const& glyph,
                             GlyphSquare const& square)
 {
     draw_glyph(glyph, square, scale_);
@@ -119,7 +119,7 @@ void GlyphPanel::draw_labels(Glyph const& glyph, GlyphSquare const& square) cons
 }
 
 // What a pen, or the mouse, does to a handle in this frame.
-void GlyphPanel::take_hand(WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
+void GlyphPanel::take_hand(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
                            GlyphSquare const& square)
 {
     auto const at = square.to_px(handle.place);
@@ -153,32 +153,33 @@ void GlyphPanel::take_hand(WindowModel& model, Workbench& bench, Glyph::Handle c
              square.to_frame({ pointer.x + off_px_.x, pointer.y + off_px_.y }));
 }
 
-void GlyphPanel::press(WindowModel& model, Workbench& bench, Glyph::Handle const& handle) const
+void GlyphPanel::press(view::WindowModel& model, Workbench& bench,
+                       Glyph::Handle const& handle) const
 {
     auto const& hand = bench.hand(model.state());
     if (hand.kind().glyph)
         return bench.adjust(model, hand.dragged(handle.id, handle.place), Slider::Released);
-    model.perform(DragDrawnGlyph { handle.id, handle.place });
+    model.perform(view::DragDrawnGlyph { handle.id, handle.place });
 }
 
-void GlyphPanel::move(WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
+void GlyphPanel::move(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
                       Vec2 const& to)
 {
     auto const& hand = bench.hand(model.state());
     moved_to_ = to;
     if (!hand.kind().glyph)
-        model.perform(DragDrawnGlyph { handle.id, to, Slider::Moving });
+        model.perform(view::DragDrawnGlyph { handle.id, to, Slider::Moving });
     else if (auto const dragged = hand.dragged(handle.id, to); dragged != hand)
         bench.adjust(model, dragged, Slider::Moving);
 }
 
-void GlyphPanel::let_go(WindowModel& model, Workbench& bench, Glyph::Handle const& handle)
+void GlyphPanel::let_go(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle)
 {
     auto const& hand = bench.hand(model.state());
     auto const to = std::exchange(moved_to_, std::nullopt);
     if (!hand.kind().glyph) {
         if (to)
-            model.perform(DragDrawnGlyph { handle.id, *to });
+            model.perform(view::DragDrawnGlyph { handle.id, *to });
     } else if (bench.adjusted) {
         bench.adjust(model, hand, Slider::Released);
     } else if (auto const number = number_of(hand, handle)) {
@@ -202,4 +203,4 @@ void GlyphPanel::draw_handle(Glyph::Handle const& handle, GlyphSquare const& squ
                   ImGui::GetColorU32(ImGuiCol_Text), handle.sign);
 }
 
-} // namespace tractus
+} // namespace tractus::window

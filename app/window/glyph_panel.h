@@ -7,7 +7,7 @@
 #include <imgui.h>
 #include <optional>
 
-namespace tractus {
+namespace tractus::window {
 
 // The tool in hand, or what has been drawn with it, as a small drawing in a corner of the pad,
 // whose handles are dragged by pen or mouse (app/tools/glyph.h). What has been drawn is shown as it
@@ -21,18 +21,19 @@ public:
 
     // Shows it in the upper right corner of `pad`, if the tool has one and there is room. Returns
     // where it is; no value: nowhere.
-    std::optional<WindowPart> show(WindowModel& model, Workbench& bench, Controls const& controls,
-                                   WindowPart const& pad);
+    std::optional<WindowPart> show(view::WindowModel& model, Workbench& bench,
+                                   Controls const& controls, WindowPart const& pad);
 
 private:
     void say_what_is_shown(Glyph const& glyph) const;
-    void show_glyph(WindowModel& model, Workbench& bench, Glyph const& glyph,
+    void show_glyph(view::WindowModel& model, Workbench& bench, Glyph const& glyph,
                     GlyphSquare const& square);
-    void take_hand(WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
+    void take_hand(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
                    GlyphSquare const& square);
-    void press(WindowModel& model, Workbench& bench, Glyph::Handle const& handle) const;
-    void move(WindowModel& model, Workbench& bench, Glyph::Handle const& handle, Vec2 const& to);
-    void let_go(WindowModel& model, Workbench& bench, Glyph::Handle const& handle);
+    void press(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle) const;
+    void move(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
+              Vec2 const& to);
+    void let_go(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle);
     void draw_labels(Glyph const& glyph, GlyphSquare const& square) const;
     void draw_handle(Glyph::Handle const& handle, GlyphSquare const& square) const;
 
@@ -43,4 +44,4 @@ private:
     std::optional<Vec2> moved_to_ {};     // Place of the handle that is held, if it has moved.
 };
 
-} // namespace tractus
+} // namespace tractus::window

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace tractus {
+namespace tractus::window {
 
 ImVec2 GlyphSquare::to_px(Vec2 const& place) const
 {
@@ -36,4 +36,4 @@ void draw_glyph(Glyph const& glyph, GlyphSquare const& square, float scale)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-namespace tractus {
+namespace tractus::window {
 
 // Where a glyph's frame is in the window, in pixels.
 struct GlyphSquare {
@@ -18,4 +18,4 @@ struct GlyphSquare {
 // Draws the glyph's lines into ImGui's window, at a display's scale.
 void draw_glyph(Glyph const& glyph, GlyphSquare const& square, float scale);
 
-} // namespace tractus
+} // namespace tractus::window

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::window {
 
 // The window system's mouse at one moment.
 struct MouseMoment {
@@ -39,4 +39,4 @@ struct HandInput {
     bool holds(char letter) const { return held.find(letter) != std::string::npos; }
 };
 
-} // namespace tractus
+} // namespace tractus::window

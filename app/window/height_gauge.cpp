@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::window {
 
 static constexpr float kAboveScale_px = 6;
 
-void draw_height_gauge(WindowState const& state, ImVec2 const& corner, ImVec2 const& size,
+void draw_height_gauge(view::WindowState const& state, ImVec2 const& corner, ImVec2 const& size,
                        Side side)
 {
     auto* const draw = ImGui::GetWindowDrawList();
@@ -53,4 +53,4 @@ void draw_height_gauge(WindowState const& state, ImVec2 const& corner, ImVec2 co
     draw->AddText({ left, y + mark }, theme::packed(theme::palette().indicator), kOutside);
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -4,13 +4,13 @@
 
 #include <imgui.h>
 
-namespace tractus {
+namespace tractus::window {
 
 enum class Side { Left, Right };
 
 // A ruler of the surface's calibrated range with a mark at its present height. Draws over the
 // current ImGui window; `corner` is the upper left one, `side` the edge of the view that it is at.
-void draw_height_gauge(WindowState const& state, ImVec2 const& corner, ImVec2 const& size,
+void draw_height_gauge(view::WindowState const& state, ImVec2 const& corner, ImVec2 const& size,
                        Side side);
 
-} // namespace tractus
+} // namespace tractus::window

@@ -15,7 +15,7 @@
 #include <span>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -247,15 +247,15 @@ void Host::end_frame()
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-Image Host::back_buffer() const
+render::Image Host::back_buffer() const
 {
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
-    Image upside_down(width, height);
+    render::Image upside_down(width, height);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     glReadBuffer(GL_BACK);
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.pixels().data());
-    auto picture = flipped(upside_down);
+    auto picture = render::flipped(upside_down);
     for (auto& pixel : picture.pixels())
         pixel.alpha = 255; // A window's own alpha says nothing.
     return picture;
@@ -354,4 +354,4 @@ void Host::fill_monitor(GLFWmonitor* monitor)
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -17,7 +17,7 @@
 struct GLFWmonitor;
 struct GLFWwindow;
 
-namespace tractus {
+namespace tractus::window {
 
 // GLFW's library, its window with an OpenGL 3.3 core context, and ImGui in it, in the order in
 // which they come and, backwards, go.
@@ -37,7 +37,7 @@ public:
     // keyboard did up to this frame.
     HandInput begin_frame(std::optional<float> step_s);
     void end_frame(); // Draws; the picture is in the back buffer.
-    Image back_buffer() const;
+    render::Image back_buffer() const;
     void show_frame();
 
     float scale() const { return scale_; }
@@ -90,4 +90,4 @@ private:
     ImFont* title_font_ = nullptr;
 };
 
-} // namespace tractus
+} // namespace tractus::window

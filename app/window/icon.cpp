@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::window {
 
 void draw_icon(char const* icon, ImVec2 const& foot, float size, float line_width)
 {
@@ -24,4 +24,4 @@ void draw_icon(char const* icon, ImVec2 const& foot, float size, float line_widt
     stroke();
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -1,6 +1,6 @@
 #include "app/window/imgui_mouse.h"
 
-namespace tractus {
+namespace tractus::window {
 
 #if IMGUI_VERSION_NUM >= 18700 // Debian 13 has such a one, Debian 12 an older.
 
@@ -38,4 +38,4 @@ void show_imgui_press(MouseMoment const& change)
 
 #endif
 
-} // namespace tractus
+} // namespace tractus::window

@@ -2,7 +2,7 @@
 
 #include "app/window/hand_input.h"
 
-namespace tractus {
+namespace tractus::window {
 
 // For this frame ImGui's mouse is here, in the place of the window system's. Between the backend's
 // beginning of a frame and ImGui's.
@@ -12,4 +12,4 @@ void put_imgui_mouse(ImVec2 const& place_px, bool is_down);
 // by now. At the same point of a frame.
 void show_imgui_press(MouseMoment const& change);
 
-} // namespace tractus
+} // namespace tractus::window

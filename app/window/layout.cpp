@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -54,7 +54,7 @@ WindowPart Layout::beside_menu() const
     return part;
 }
 
-void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
+void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPointer const& pen,
                   HandInput const& input)
 {
     begin_frame(model, input);
@@ -110,7 +110,8 @@ void Layout::show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
 }
 
 // The pen draws wherever it is; nothing is seen of that but what grows.
-void Layout::show_stage(WindowModel& model, Renderer& renderer, HandInput const& input)
+void Layout::show_stage(view::WindowModel& model, render::Renderer& renderer,
+                        HandInput const& input)
 {
     auto const& state = model.state();
     auto const whole = whole_window();
@@ -129,7 +130,7 @@ void Layout::show_stage(WindowModel& model, Renderer& renderer, HandInput const&
 }
 
 // All of the window is to be pressed.
-void Layout::show_start(WindowModel& model)
+void Layout::show_start(view::WindowModel& model)
 {
     auto const whole = whole_window();
     pen_area_ = fit_pen_area(model.state().volume_mm, { 0, 0 }, { whole.width, whole.height });
@@ -140,7 +141,7 @@ void Layout::show_start(WindowModel& model)
 }
 
 // All of the window is to be pressed, and the pen's rest elsewhere is the calibration's.
-void Layout::show_calibration(WindowModel& model, PenPointer const& pen)
+void Layout::show_calibration(view::WindowModel& model, PenPointer const& pen)
 {
     auto const whole = whole_window();
     auto const& state = model.state();
@@ -150,14 +151,14 @@ void Layout::show_calibration(WindowModel& model, PenPointer const& pen)
     bool const is_beside_drawing = state.is_live;
     bool const wants_back = calibration_.show(calibration, is_beside_drawing);
     if (pen.leads() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsAnyItemHovered())
-        calibration.perform(PressWithPen {});
+        calibration.perform(calibration::PressWithPen {});
     covered_.push_back(whole);
     tell_pressing_areas(model);
     if (wants_back)
-        model.perform(CloseCalibration {});
+        model.perform(view::CloseCalibration {});
 }
 
-void Layout::show_menu(WindowModel& model, Renderer& renderer)
+void Layout::show_menu(view::WindowModel& model, render::Renderer& renderer)
 {
     if (bench_.menu_is_open())
         covered_.push_back(menu_.show(model, bench_, controls_, room_for_menu(), [&] {
@@ -165,7 +166,7 @@ void Layout::show_menu(WindowModel& model, Renderer& renderer)
         }));
     bool const watches = bench_.menu == Workbench::MenuPage::Devices;
     if (std::exchange(devices_are_watched_, watches) != watches)
-        model.perform(WatchDevices { watches });
+        model.perform(view::WatchDevices { watches });
 }
 
 void Layout::fulfil_view_wishes()
@@ -186,7 +187,7 @@ void Layout::fulfil_view_wishes()
 }
 
 // With the views as they are at first, and what the page has put in the hand.
-void Layout::begin_drawing(WindowModel& model)
+void Layout::begin_drawing(view::WindowModel& model)
 {
     start_.leave();
     bench_.shown = Shown::All;
@@ -199,7 +200,7 @@ void Layout::begin_drawing(WindowModel& model)
 }
 
 // A person with a tablet begins where it draws.
-void Layout::begin_frame(WindowModel& model, HandInput const& input)
+void Layout::begin_frame(view::WindowModel& model, HandInput const& input)
 {
     auto const& state = model.state();
     auto const* const page = model.start_page();
@@ -215,7 +216,7 @@ void Layout::begin_frame(WindowModel& model, HandInput const& input)
     if (takes_pictures && !input.dropped.empty()) {
         if (auto* const pictures = model.start_page())
             pictures->leave();
-        model.perform(LayPictureFile { input.dropped.front() });
+        model.perform(view::LayPictureFile { input.dropped.front() });
     }
     if (!std::exchange(has_begun_, true) && state.is_live && !state.mouse_draws)
         bench_.shown = Shown::Pad;
@@ -237,7 +238,8 @@ void Layout::begin_frame(WindowModel& model, HandInput const& input)
             take_shortcut(press, model, bench_, ring_);
 }
 
-void Layout::show_views(WindowModel& model, Renderer& renderer, HandInput const& input)
+void Layout::show_views(view::WindowModel& model, render::Renderer& renderer,
+                        HandInput const& input)
 {
     auto const& state = model.state();
     if (!state.mouse_draws || !bench_.draws(state))
@@ -290,7 +292,7 @@ void Layout::show_title(WindowPart const& part, char const* title, char const* d
     ImGui::TextDisabled("%s", detail);
 }
 
-void Layout::show_pad(WindowModel& model, Renderer& renderer, WindowPart const& part,
+void Layout::show_pad(view::WindowModel& model, render::Renderer& renderer, WindowPart const& part,
                       HandInput const& input)
 {
     auto const& state = model.state();
@@ -318,7 +320,8 @@ void Layout::show_pad(WindowModel& model, Renderer& renderer, WindowPart const& 
 }
 
 // Within what is seen of the pad.
-void Layout::show_gauge(WindowState const& state, WindowPart const& part, PenArea const& area) const
+void Layout::show_gauge(view::WindowState const& state, WindowPart const& part,
+                        PenArea const& area) const
 {
     float const width = kGaugeWidth_px * scale_;
     bool const fills_window = bench_.shown == Shown::Pad;
@@ -332,7 +335,7 @@ void Layout::show_gauge(WindowState const& state, WindowPart const& part, PenAre
 }
 
 // Where it shares the window only the plant need be seen, not all of the tablet.
-PenArea Layout::skeleton_area(WindowState const& state, WindowPart const& part) const
+PenArea Layout::skeleton_area(view::WindowState const& state, WindowPart const& part) const
 {
     auto area = fit_pen_area(state.volume_mm, { part.left, part.top }, { part.width, part.height });
     if (bench_.shown != Shown::All)
@@ -345,8 +348,8 @@ PenArea Layout::skeleton_area(WindowState const& state, WindowPart const& part) 
     return area;
 }
 
-void Layout::show_skeleton(WindowModel& model, Renderer& renderer, WindowPart const& part,
-                           HandInput const& input)
+void Layout::show_skeleton(view::WindowModel& model, render::Renderer& renderer,
+                           WindowPart const& part, HandInput const& input)
 {
     auto const& state = model.state();
     auto const area = skeleton_area(state, part);
@@ -369,14 +372,16 @@ void Layout::show_skeleton(WindowModel& model, Renderer& renderer, WindowPart co
                          { part.left + 14 * scale_, above_controls().height - 12 * scale_ });
 }
 
-void Layout::show_plant(WindowState const& state, Renderer& renderer, WindowPart const& part)
+void Layout::show_plant(view::WindowState const& state, render::Renderer& renderer,
+                        WindowPart const& part)
 {
     ImGui::SetCursorScreenPos({ part.left, part.top });
     plant_.show(state, renderer, { part.width, part.height }, bench_.drag);
     show_title(part, "Plant", fmt::format("seed {}", state.seed).c_str());
 }
 
-void Layout::show_collection(WindowModel& model, Renderer& renderer, WindowPart const& part)
+void Layout::show_collection(view::WindowModel& model, render::Renderer& renderer,
+                             WindowPart const& part)
 {
     if (!std::exchange(collection_is_shown_, true))
         CollectionView::begin(model);
@@ -404,7 +409,7 @@ WindowPart Layout::room_for_menu() const
 }
 
 // The tools, and what a person who draws wants as often.
-std::vector<RingEntry> Layout::ring_entries(WindowModel& model)
+std::vector<RingEntry> Layout::ring_entries(view::WindowModel& model)
 {
     std::vector<RingEntry> entries;
     auto const& state = model.state();
@@ -412,8 +417,8 @@ std::vector<RingEntry> Layout::ring_entries(WindowModel& model)
         entries.push_back({ choice.text, choice.tool.kind().icon,
                             [this, &model, tool = choice.tool] { bench_.choose(model, tool); } });
     entries.push_back({ "View", "", [this] { bench_.choose_view_tool(); } });
-    entries.push_back({ "Undo", "", [&model] { model.perform(Undo {}); } });
-    entries.push_back({ "Redo", "", [&model] { model.perform(Redo {}); } });
+    entries.push_back({ "Undo", "", [&model] { model.perform(view::Undo {}); } });
+    entries.push_back({ "Redo", "", [&model] { model.perform(view::Redo {}); } });
     if (bench_.is_on_stage)
         entries.push_back({ "Off\nstage", "", [this] { bench_.is_on_stage = false; } });
     else
@@ -421,7 +426,7 @@ std::vector<RingEntry> Layout::ring_entries(WindowModel& model)
     return entries;
 }
 
-void Layout::show_ring(WindowModel& model, PenPointer const& pen)
+void Layout::show_ring(view::WindowModel& model, PenPointer const& pen)
 {
     auto const& state = model.state();
     if (!state.is_live)
@@ -430,7 +435,7 @@ void Layout::show_ring(WindowModel& model, PenPointer const& pen)
         = !pen.leads() && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && pad_is_pointed_at_;
     if (!ring_.is_open() && (mouse_asks || pen.asks_for_ring())) {
         ring_.open(pen.leads() ? pen.place_px() : ImGui::GetIO().MousePos, scale_);
-        model.perform(PressInstead {}); // A long touch is none of the plant's.
+        model.perform(view::PressInstead {}); // A long touch is none of the plant's.
     }
     bool const let_go
         = pen.leads() ? pen.has_let_barrel_go() : ImGui::IsMouseReleased(ImGuiMouseButton_Right);
@@ -443,16 +448,16 @@ void Layout::show_ring(WindowModel& model, PenPointer const& pen)
 }
 
 // Selecting goes by the skeleton as it is shown now.
-void Layout::follow_angle(WindowModel& model) const
+void Layout::follow_angle(view::WindowModel& model) const
 {
     auto const& state = model.state();
     if (!state.is_live || !Workbench::selects(state) || state.hand.angle() == bench_.angle
         || state.pen.touching)
         return;
-    model.perform(ChooseTool { state.hand.seen_from(bench_.angle) });
+    model.perform(view::ChooseTool { state.hand.seen_from(bench_.angle) });
 }
 
-void Layout::tell_pressing_areas(WindowModel& model)
+void Layout::tell_pressing_areas(view::WindowModel& model)
 {
     auto const& state = model.state();
     if (!state.is_live || state.mouse_draws)
@@ -471,7 +476,7 @@ void Layout::tell_pressing_areas(WindowModel& model)
     if (std::equal(areas.begin(), areas.end(), told_areas_.begin(), told_areas_.end(), is_same))
         return;
     told_areas_ = areas;
-    model.perform(SetPressingAreas { std::move(areas) });
+    model.perform(view::SetPressingAreas { std::move(areas) });
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::window {
 
 // The window's contents: the views, side by side or one of them over all of it, and above them the
 // bar of controls, the menu and the ring of tools. Draws one ImGui frame at a time; what a person
@@ -44,7 +44,7 @@ public:
     PenArea const& pen_area() const { return pen_area_; }
 
     // `input`: since the last frame.
-    void show(WindowModel& model, Renderer& renderer, PenPointer const& pen,
+    void show(view::WindowModel& model, render::Renderer& renderer, PenPointer const& pen,
               HandInput const& input);
 
     // Since the last call.
@@ -53,30 +53,33 @@ public:
     Workbench& bench() { return bench_; }
 
 private:
-    void begin_frame(WindowModel& model, HandInput const& input);
-    void show_calibration(WindowModel& model, PenPointer const& pen);
-    void show_start(WindowModel& model);
-    void begin_drawing(WindowModel& model);
-    void show_stage(WindowModel& model, Renderer& renderer, HandInput const& input);
-    void show_menu(WindowModel& model, Renderer& renderer);
-    void show_views(WindowModel& model, Renderer& renderer, HandInput const& input);
-    void show_pad(WindowModel& model, Renderer& renderer, WindowPart const& part,
+    void begin_frame(view::WindowModel& model, HandInput const& input);
+    void show_calibration(view::WindowModel& model, PenPointer const& pen);
+    void show_start(view::WindowModel& model);
+    void begin_drawing(view::WindowModel& model);
+    void show_stage(view::WindowModel& model, render::Renderer& renderer, HandInput const& input);
+    void show_menu(view::WindowModel& model, render::Renderer& renderer);
+    void show_views(view::WindowModel& model, render::Renderer& renderer, HandInput const& input);
+    void show_pad(view::WindowModel& model, render::Renderer& renderer, WindowPart const& part,
                   HandInput const& input);
-    void show_gauge(WindowState const& state, WindowPart const& part, PenArea const& area) const;
-    void show_skeleton(WindowModel& model, Renderer& renderer, WindowPart const& part,
+    void show_gauge(view::WindowState const& state, WindowPart const& part,
+                    PenArea const& area) const;
+    void show_skeleton(view::WindowModel& model, render::Renderer& renderer, WindowPart const& part,
                        HandInput const& input);
-    void show_plant(WindowState const& state, Renderer& renderer, WindowPart const& part);
-    void show_collection(WindowModel& model, Renderer& renderer, WindowPart const& part);
+    void show_plant(view::WindowState const& state, render::Renderer& renderer,
+                    WindowPart const& part);
+    void show_collection(view::WindowModel& model, render::Renderer& renderer,
+                         WindowPart const& part);
     void show_title(WindowPart const& part, char const* title, char const* detail) const;
     void fulfil_view_wishes();
-    std::vector<RingEntry> ring_entries(WindowModel& model);
-    void show_ring(WindowModel& model, PenPointer const& pen);
-    void tell_pressing_areas(WindowModel& model);
-    void follow_angle(WindowModel& model) const;
+    std::vector<RingEntry> ring_entries(view::WindowModel& model);
+    void show_ring(view::WindowModel& model, PenPointer const& pen);
+    void tell_pressing_areas(view::WindowModel& model);
+    void follow_angle(view::WindowModel& model) const;
     WindowPart above_controls() const;
     WindowPart beside_menu() const;
     WindowPart room_for_menu() const;
-    PenArea skeleton_area(WindowState const& state, WindowPart const& part) const;
+    PenArea skeleton_area(view::WindowState const& state, WindowPart const& part) const;
     WindowPart whole_window() const;
 
     ImFont* title_font_ = nullptr;
@@ -108,4 +111,4 @@ private:
     bool goes_back_to_drawing_ = false; // The page that is shown is beside a drawing.
 };
 
-} // namespace tractus
+} // namespace tractus::window

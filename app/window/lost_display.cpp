@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 static std::function<Result<void>()>& lost_display_action()
 {
@@ -21,8 +21,9 @@ static int end_without_display(::Display* /*display*/)
 {
     if (auto const action = std::exchange(lost_display_action(), nullptr)) {
         auto const done = action();
-        print_error(done ? std::string("error: the display has gone\n")
-                         : fmt::format("error: the display has gone; {}\n", done.error().message));
+        terminal::print_error(
+            done ? std::string("error: the display has gone\n")
+                 : fmt::format("error: the display has gone; {}\n", done.error().message));
     }
     std::_Exit(1); // Destructors would ask the display that has gone to take the window away.
 }
@@ -33,4 +34,4 @@ void on_lost_display(std::function<Result<void>()> action)
     XSetIOErrorHandler(end_without_display);
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 static constexpr float kLastMonth = 12.99f;
 
@@ -33,8 +33,8 @@ float Menu::width_px(float room_px) const
     return std::min(kMenuWidth_px * scale_, std::max(left_px, room_px / 2));
 }
 
-WindowPart Menu::show(WindowModel& model, Workbench& bench, Controls const& controls,
-                      WindowPart const& room, std::function<Image()> const& picture)
+WindowPart Menu::show(view::WindowModel& model, Workbench& bench, Controls const& controls,
+                      WindowPart const& room, std::function<render::Image()> const& picture)
 {
     using Page = Workbench::MenuPage;
     float const width = width_px(room.width);
@@ -79,24 +79,24 @@ void Menu::show_pages(Workbench& bench, Controls const& controls) const
     ImGui::Dummy({ 1, 8 * scale_ });
 }
 
-void Menu::show_keeping(WindowModel& model, Workbench& bench, Controls const& controls,
-                        std::function<Image()> const& picture)
+void Menu::show_keeping(view::WindowModel& model, Workbench& bench, Controls const& controls,
+                        std::function<render::Image()> const& picture)
 {
-    using Format = ExportPlant::Format;
+    using Format = view::ExportPlant::Format;
     constexpr std::array<std::pair<char const*, Format>, 3> kFormats {
         { { "Export .glb", Format::Glb }, { ".obj", Format::Obj }, { ".mtg", Format::Mtg } }
     };
     bool const records = model.state().recording.is_on;
     if (model.state().is_live
         && controls.button(records ? "End recording" : "Record", item_px(), records))
-        model.perform(SetRecording { !records });
+        model.perform(view::SetRecording { !records });
     if (controls.button("Save picture", item_px()))
-        model.perform(SavePicture { picture() });
+        model.perform(view::SavePicture { picture() });
     for (auto const& [text, format] : kFormats) {
         if (format != Format::Glb)
             ImGui::SameLine();
         if (controls.button(text, item_px(format == Format::Glb ? 2 : 4)))
-            model.perform(ExportPlant { format, organs_ });
+            model.perform(view::ExportPlant { format, organs_ });
     }
     show_organs(controls);
     show_leaving(model, controls);
@@ -111,16 +111,16 @@ void Menu::show_keeping(WindowModel& model, Workbench& bench, Controls const& co
 }
 
 // What ends with the drawing, or with what was drawn.
-void Menu::show_leaving(WindowModel& model, Controls const& controls) const
+void Menu::show_leaving(view::WindowModel& model, Controls const& controls) const
 {
     bool const may_begin_anew = model.state().may_begin_anew;
     if (model.state().is_live && controls.button("Start again", item_px(may_begin_anew ? 2 : 1)))
-        model.perform(Restart {});
+        model.perform(view::Restart {});
     if (!may_begin_anew)
         return;
     ImGui::SameLine();
     if (controls.button("New ...", item_px(2)))
-        model.perform(OpenStartPage {});
+        model.perform(view::OpenStartPage {});
 }
 
 // How the leaves of a .glb are written, and for whom that is.
@@ -128,10 +128,10 @@ void Menu::show_organs(Controls const& controls)
 {
     struct Choice {
         char const* text;
-        GlbOptions::Organs organs;
+        exports::GlbOptions::Organs organs;
         char const* reason;
     };
-    using Organs = GlbOptions::Organs;
+    using Organs = exports::GlbOptions::Organs;
     constexpr std::array<Choice, 3> kChoices { {
         { "Merged", Organs::Merged, ".glb: leaves in one mesh, which every program opens." },
         { "Instanced", Organs::Instanced,
@@ -149,11 +149,11 @@ void Menu::show_organs(Controls const& controls)
             ImGui::TextWrapped("%s", choice.reason);
 }
 
-void Menu::show_devices(WindowModel& model, Controls const& controls)
+void Menu::show_devices(view::WindowModel& model, Controls const& controls)
 {
     auto const& state = model.state();
     if (state.may_calibrate && controls.button("Calibrate", item_px()))
-        model.perform(OpenCalibration {});
+        model.perform(view::OpenCalibration {});
     if (state.mouse_draws)
         ImGui::TextWrapped("There is no tablet: the mouse is the pen.");
     if (state.mouse_moves_surface)
@@ -165,7 +165,8 @@ void Menu::show_devices(WindowModel& model, Controls const& controls)
 }
 
 // The tablet's own display is marked: there the ink lies under the pen's tip.
-void Menu::show_displays(WindowState const& state, Workbench& bench, Controls const& controls) const
+void Menu::show_displays(view::WindowState const& state, Workbench& bench,
+                         Controls const& controls) const
 {
     auto const tablets = state.is_live && !state.mouse_draws
         ? tablet_display(bench.displays, state.surface_size_mm())
@@ -183,7 +184,8 @@ void Menu::show_displays(WindowState const& state, Workbench& bench, Controls co
     }
 }
 
-void Menu::show_window(WindowState const& state, Workbench& bench, Controls const& controls) const
+void Menu::show_window(view::WindowState const& state, Workbench& bench,
+                       Controls const& controls) const
 {
     show_displays(state, bench, controls);
     if (controls.button("On stage", item_px()))
@@ -200,17 +202,17 @@ void Menu::show_window(WindowState const& state, Workbench& bench, Controls cons
         bench.wants_to_close = true;
 }
 
-void Menu::show_plant(WindowModel& model, Controls const& controls)
+void Menu::show_plant(view::WindowModel& model, Controls const& controls)
 {
     bool const takes_leaves = model.state().is_live;
     if (controls.button("Another one", item_px(takes_leaves ? 2 : 1)))
-        model.perform(NextVariation {});
+        model.perform(view::NextVariation {});
     if (takes_leaves) {
         ImGui::SameLine();
         if (controls.button("Leaves...", item_px(2)))
-            model.perform(OpenLeaves {});
+            model.perform(view::OpenLeaves {});
     }
-    ChangeGrowth change { .growth = model.state().growth };
+    view::ChangeGrowth change { .growth = model.state().growth };
     auto& growth = change.growth;
     bool is_released = false;
     bool moves = show_slider("##age", "age %.2f", 1, growth.age, is_released);
@@ -218,19 +220,20 @@ void Menu::show_plant(WindowModel& model, Controls const& controls)
         |= show_slider("##variability", growth.variability < 0.01 ? "as drawn" : "variability %.2f",
                        4, growth.variability, is_released);
     if (moves || is_released) {
-        change.slider = is_released ? ChangeGrowth::Slider::Released : ChangeGrowth::Slider::Moving;
+        change.slider = is_released ? view::ChangeGrowth::Slider::Released
+                                    : view::ChangeGrowth::Slider::Moving;
         model.perform(change);
     }
     show_season(model);
     bool is_left = true;
-    for (auto const& preset : growth_presets()) {
+    for (auto const& preset : variation::growth_presets()) {
         std::string const name(preset.name);
         if (!std::exchange(is_left, !is_left))
             ImGui::SameLine();
         if (!controls.button(name.c_str(), item_px(2), growth.preset == name))
             continue;
         growth.preset = name;
-        change.slider = ChangeGrowth::Slider::Released;
+        change.slider = view::ChangeGrowth::Slider::Released;
         model.perform(change);
     }
     if (model.state().orphans.empty())
@@ -240,12 +243,12 @@ void Menu::show_plant(WindowModel& model, Controls const& controls)
     for (auto const& orphan : model.state().orphans)
         ImGui::TextWrapped("%s: %s", orphan.name.c_str(), orphan.place.c_str());
     if (controls.button("Take them away", item_px()))
-        model.perform(TakeOrphansAway {});
+        model.perform(view::TakeOrphansAway {});
 }
 
 // The slider's left end is no season: leaves as the models have them. It stays where it was let go
 // until the plant is there, for which leaves may have to be grown.
-void Menu::show_season(WindowModel& model)
+void Menu::show_season(view::WindowModel& model)
 {
     Season const none { .month = 0 };
     auto const shown = model.state().season.value_or(none);
@@ -264,8 +267,10 @@ void Menu::show_season(WindowModel& model)
     if (season.month < 1)
         season = none;
     wanted_season_ = season;
-    auto const slider = is_released ? ChangeGrowth::Slider::Released : ChangeGrowth::Slider::Moving;
-    model.perform(ChangeSeason { season == none ? std::nullopt : std::optional(season), slider });
+    auto const slider
+        = is_released ? view::ChangeGrowth::Slider::Released : view::ChangeGrowth::Slider::Moving;
+    model.perform(
+        view::ChangeSeason { season == none ? std::nullopt : std::optional(season), slider });
 }
 
 // True while the slider moves.
@@ -284,4 +289,4 @@ bool Menu::show_slider(char const* name, char const* text, float greatest, doubl
     return moves;
 }
 
-} // namespace tractus
+} // namespace tractus::window

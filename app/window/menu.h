@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-namespace tractus {
+namespace tractus::window {
 
 // The panel beside the views with what is not needed at each stroke, on a few pages: how the plant
 // grows, what is kept of the work, the devices, the window itself.
@@ -25,20 +25,22 @@ public:
 
     // Shows it at the right edge of `room`, or the left one for a left hand; returns where it is.
     // `picture`: of the plant as it is seen, for a file.
-    WindowPart show(WindowModel& model, Workbench& bench, Controls const& controls,
-                    WindowPart const& room, std::function<Image()> const& picture);
+    WindowPart show(view::WindowModel& model, Workbench& bench, Controls const& controls,
+                    WindowPart const& room, std::function<render::Image()> const& picture);
 
 private:
     void show_pages(Workbench& bench, Controls const& controls) const;
-    void show_plant(WindowModel& model, Controls const& controls);
-    void show_season(WindowModel& model);
-    void show_keeping(WindowModel& model, Workbench& bench, Controls const& controls,
-                      std::function<Image()> const& picture);
-    void show_leaving(WindowModel& model, Controls const& controls) const;
+    void show_plant(view::WindowModel& model, Controls const& controls);
+    void show_season(view::WindowModel& model);
+    void show_keeping(view::WindowModel& model, Workbench& bench, Controls const& controls,
+                      std::function<render::Image()> const& picture);
+    void show_leaving(view::WindowModel& model, Controls const& controls) const;
     void show_organs(Controls const& controls);
-    void show_devices(WindowModel& model, Controls const& controls);
-    void show_window(WindowState const& state, Workbench& bench, Controls const& controls) const;
-    void show_displays(WindowState const& state, Workbench& bench, Controls const& controls) const;
+    void show_devices(view::WindowModel& model, Controls const& controls);
+    void show_window(view::WindowState const& state, Workbench& bench,
+                     Controls const& controls) const;
+    void show_displays(view::WindowState const& state, Workbench& bench,
+                       Controls const& controls) const;
     bool show_slider(char const* name, char const* text, float greatest, double& value,
                      bool& is_released) const;
 
@@ -48,7 +50,7 @@ private:
     float row_px_ = 0; // As wide as the panel is inside.
     DevicesPanel devices_;
     std::optional<Season> wanted_season_; // Of month 0: none. No value: the one that is shown.
-    GlbOptions::Organs organs_ = GlbOptions::Organs::Merged; // Of the next .glb.
+    exports::GlbOptions::Organs organs_ = exports::GlbOptions::Organs::Merged; // Of the next .glb.
 };
 
-} // namespace tractus
+} // namespace tractus::window

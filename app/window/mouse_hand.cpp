@@ -2,14 +2,15 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
-void MouseHand::hold(WindowModel& model, PenArea const& area, std::span<MouseMoment const> path)
+void MouseHand::hold(view::WindowModel& model, PenArea const& area,
+                     std::span<MouseMoment const> path)
 {
     bool const holds = ImGui::IsItemActive() || is_down_;
     if (!holds && !ImGui::IsItemHovered())
         return let_go(model);
-    MoveMousePen move;
+    view::MoveMousePen move;
     for (auto const& moment : path) {
         is_down_ = holds && moment.is_down;
         move.path.push_back({ area.to_mm(moment.place_px), true, is_down_ });
@@ -22,11 +23,11 @@ void MouseHand::hold(WindowModel& model, PenArea const& area, std::span<MouseMom
         model.perform(move);
 }
 
-void MouseHand::let_go(WindowModel& model)
+void MouseHand::let_go(view::WindowModel& model)
 {
     is_down_ = false;
     if (std::exchange(is_in_range_, false))
-        model.perform(MoveMousePen { { {} } });
+        model.perform(view::MoveMousePen { { {} } });
 }
 
-} // namespace tractus
+} // namespace tractus::window

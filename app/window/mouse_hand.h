@@ -6,21 +6,21 @@
 
 #include <span>
 
-namespace tractus {
+namespace tractus::window {
 
 // Holds the mouse as a pen over a part of the window, where there is no tablet.
 class MouseHand {
 public:
     // What the mouse did since the last frame, over ImGui's last item, which shows `area`. A touch
     // that begins there is the pen's until it ends, wherever it goes.
-    void hold(WindowModel& model, PenArea const& area, std::span<MouseMoment const> path);
+    void hold(view::WindowModel& model, PenArea const& area, std::span<MouseMoment const> path);
 
     // Over nothing of the kind.
-    void let_go(WindowModel& model);
+    void let_go(view::WindowModel& model);
 
 private:
     bool is_in_range_ = false;
     bool is_down_ = false; // And began on the area.
 };
 
-} // namespace tractus
+} // namespace tractus::window

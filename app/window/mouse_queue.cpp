@@ -1,6 +1,6 @@
 #include "app/window/mouse_queue.h"
 
-namespace tractus {
+namespace tractus::window {
 
 MouseQueue::Part MouseQueue::take_part()
 {
@@ -19,4 +19,4 @@ MouseQueue::Part MouseQueue::take_part()
     return part;
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::window {
 
 // What the mouse did, handed out in parts of at most one press or release, one a frame. So a frame
 // that took long shows nobody a click in the wrong place, or none.
@@ -25,4 +25,4 @@ private:
     bool is_down_ = false; // As was last handed out.
 };
 
-} // namespace tractus
+} // namespace tractus::window

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <imgui.h>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -39,15 +39,15 @@ Words words_of(AskedName::Of of)
     return {};
 }
 
-void perform(WindowModel& model, AskedName const& asked, std::string const& name)
+void perform(view::WindowModel& model, AskedName const& asked, std::string const& name)
 {
     switch (asked.of) {
     case AskedName::Of::Drawing:
-        return model.perform(NameDrawing { name });
+        return model.perform(view::NameDrawing { name });
     case AskedName::Of::Copy:
-        return model.perform(SaveCopy { name });
+        return model.perform(view::SaveCopy { name });
     case AskedName::Of::Card:
-        return model.perform(RenameCard { asked.now, name });
+        return model.perform(view::RenameCard { asked.now, name });
     }
 }
 
@@ -82,7 +82,7 @@ void append_letter(std::string& text, unsigned int letter)
 
 } // namespace
 
-WindowPart NamePanel::show(WindowModel& model, Workbench& bench, Controls const& controls,
+WindowPart NamePanel::show(view::WindowModel& model, Workbench& bench, Controls const& controls,
                            WindowPart const& bar)
 {
     bool const is_new = asked_ != bench.asked_name;
@@ -113,7 +113,7 @@ WindowPart NamePanel::show(WindowModel& model, Workbench& bench, Controls const&
     return { corner.x, corner.y, size.x, size.y };
 }
 
-void NamePanel::show_name(WindowModel& model, Workbench& bench, Controls const& controls,
+void NamePanel::show_name(view::WindowModel& model, Workbench& bench, Controls const& controls,
                           float width)
 {
     auto const words = words_of(asked_->of);
@@ -186,4 +186,4 @@ void NamePanel::press(char key)
     types_capitals_ = false;
 }
 
-} // namespace tractus
+} // namespace tractus::window

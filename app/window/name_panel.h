@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::window {
 
 // A panel above the bar for a name, of the drawing, of a copy of it or of a card: typed on keys
 // that a pen can press, or on a keyboard.
@@ -19,11 +19,12 @@ public:
 
     // Shows it for `bench.asked_name` above `bar`, and takes that back when it is done or closed.
     // Returns where it is.
-    WindowPart show(WindowModel& model, Workbench& bench, Controls const& controls,
+    WindowPart show(view::WindowModel& model, Workbench& bench, Controls const& controls,
                     WindowPart const& bar);
 
 private:
-    void show_name(WindowModel& model, Workbench& bench, Controls const& controls, float width);
+    void show_name(view::WindowModel& model, Workbench& bench, Controls const& controls,
+                   float width);
     void show_typed(char const* question, float width);
     void show_keys(Controls const& controls, float width);
     void show_row(std::string_view keys, Controls const& controls, float width);
@@ -36,4 +37,4 @@ private:
     bool types_capitals_ = true;
 };
 
-} // namespace tractus
+} // namespace tractus::window

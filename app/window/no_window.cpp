@@ -1,6 +1,6 @@
 #include "app/window/window.h"
 
-namespace tractus {
+namespace tractus::window {
 
 Result<void> run_window(WindowModel&, WindowOptions const&)
 {
@@ -9,4 +9,4 @@ Result<void> run_window(WindowModel&, WindowOptions const&)
                 "use `tractus demo -o DIR` or `tractus replay`, which write pictures");
 }
 
-} // namespace tractus
+} // namespace tractus::window

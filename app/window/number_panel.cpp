@@ -10,7 +10,7 @@
 #include <imgui_stdlib.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -41,7 +41,7 @@ std::string range_of(NumberOption const& option)
 
 } // namespace
 
-WindowPart NumberPanel::show(WindowModel& model, Workbench& bench, Controls const& controls,
+WindowPart NumberPanel::show(view::WindowModel& model, Workbench& bench, Controls const& controls,
                              WindowPart const& bar)
 {
     auto const numbers = chosen_numbers(bench.hand(model.state()));
@@ -83,7 +83,7 @@ WindowPart NumberPanel::show(WindowModel& model, Workbench& bench, Controls cons
 }
 
 // A slider that moves only shows what it would do.
-void NumberPanel::adjust(WindowModel& model, Workbench& bench, ChosenNumber const& chosen,
+void NumberPanel::adjust(view::WindowModel& model, Workbench& bench, ChosenNumber const& chosen,
                          std::size_t number)
 {
     auto const wanted = std::exchange(wanted_, std::nullopt);
@@ -92,7 +92,8 @@ void NumberPanel::adjust(WindowModel& model, Workbench& bench, ChosenNumber cons
     bool const changes = wanted && *wanted != chosen.value;
     if (!changes && !(is_released && bench.adjusted))
         return;
-    auto const slider = moves ? ChangeGrowth::Slider::Moving : ChangeGrowth::Slider::Released;
+    auto const slider
+        = moves ? view::ChangeGrowth::Slider::Moving : view::ChangeGrowth::Slider::Released;
     bench.adjust(model,
                  with_number(bench.hand(model.state()), number, wanted.value_or(chosen.value)),
                  slider);
@@ -172,4 +173,4 @@ void NumberPanel::change_to(NumberOption const& option, double value)
     wanted_ = std::clamp(value, option.least, option.greatest);
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::window {
 
 // A panel above the bar for one number of the tool in hand, with its unit and range: dragged on a
 // slider, stepped, or typed on keys that a pen can press, or on a keyboard.
@@ -18,7 +18,7 @@ public:
 
     // Shows it for `bench.asked_number` above `bar`, and takes that back when it is closed or the
     // tool in hand has no such number. Returns where it is.
-    WindowPart show(WindowModel& model, Workbench& bench, Controls const& controls,
+    WindowPart show(view::WindowModel& model, Workbench& bench, Controls const& controls,
                     WindowPart const& bar);
 
 private:
@@ -27,7 +27,7 @@ private:
     void press_key(char key);
     void take_typed(NumberOption const& option);
     void change_to(NumberOption const& option, double value);
-    void adjust(WindowModel& model, Workbench& bench, ChosenNumber const& chosen,
+    void adjust(view::WindowModel& model, Workbench& bench, ChosenNumber const& chosen,
                 std::size_t number);
 
     float scale_ = 1;
@@ -40,4 +40,4 @@ private:
     bool is_released_ = false;        // Likewise.
 };
 
-} // namespace tractus
+} // namespace tractus::window

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <imgui.h>
 
-namespace tractus {
+namespace tractus::window {
 
 bool Orbit::take_input(float scale, float height_px, ViewDrag drag)
 {
@@ -44,9 +44,9 @@ void Orbit::look_at_whole()
     moved_.setZero();
 }
 
-Camera Orbit::camera(Bounds const& box, double aspect) const
+render::Camera Orbit::camera(Bounds const& box, double aspect) const
 {
-    auto camera = framing_camera(box, angles_, aspect);
+    auto camera = render::framing_camera(box, angles_, aspect);
     Vec3 const to_target_mm = camera.target_mm - camera.eye_mm;
     double const height_mm
         = 2 * to_target_mm.norm() * std::tan(camera.field_of_view_rad / 2); // Of the picture.
@@ -58,4 +58,4 @@ Camera Orbit::camera(Bounds const& box, double aspect) const
     return camera;
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -3,7 +3,7 @@
 #include "app/render/camera.h"
 #include "app/window/workbench.h"
 
-namespace tractus {
+namespace tractus::window {
 
 // Where a person looks at the plant from: changed by dragging and the wheel over the last drawn
 // item, and by what the view tool's buttons wish for.
@@ -17,12 +17,12 @@ public:
     void look_at_whole();     // Neither moved nor zoomed; from the same side.
 
     // A view of the box from there.
-    Camera camera(Bounds const& box, double aspect) const;
+    render::Camera camera(Bounds const& box, double aspect) const;
 
 private:
-    ViewAngles angles_ { .azimuth_rad = 0.45, .elevation_rad = 0.22 };
+    render::ViewAngles angles_ { .azimuth_rad = 0.45, .elevation_rad = 0.22 };
     double zoom_ = 1;
     Vec2 moved_ = Vec2::Zero(); // The picture, right and up, in heights of it at zoom 1.
 };
 
-} // namespace tractus
+} // namespace tractus::window

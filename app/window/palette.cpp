@@ -1,6 +1,6 @@
 #include "app/window/palette.h"
 
-namespace tractus::theme {
+namespace tractus::window::theme {
 
 namespace {
 
@@ -58,4 +58,4 @@ void use_light_palette(bool is_light)
     present() = is_light ? &kLight : &kDark;
 }
 
-} // namespace tractus::theme
+} // namespace tractus::window::theme

@@ -2,7 +2,7 @@
 
 #include "engine/base/vectors.h"
 
-namespace tractus::theme {
+namespace tractus::window::theme {
 
 // Colours that people with any kind of colour vision tell apart (Okabe and Ito 2008, "Color
 // universal design"), sRGB, 0 to 1.
@@ -28,4 +28,4 @@ struct Palette {
 Palette const& palette();
 void use_light_palette(bool is_light);
 
-} // namespace tractus::theme
+} // namespace tractus::window::theme

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::window {
 
 ImVec2 PenArea::to_px(Vec2 const& place_mm) const
 {
@@ -41,4 +41,4 @@ PenArea fit_pen_area(Bounds const& volume_mm, ImVec2 const& corner_px, ImVec2 co
     return area;
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -5,7 +5,7 @@
 
 #include <imgui.h>
 
-namespace tractus {
+namespace tractus::window {
 
 // Where on the window the surface's active area is shown, so that the pen's tip and what it points
 // at go together: its aspect is kept, and its rotation is already in the world frame's x and y.
@@ -26,4 +26,4 @@ struct PenArea {
 PenArea fit_pen_area(Bounds const& volume_mm, ImVec2 const& corner_px, ImVec2 const& size_px,
                      double air = 1);
 
-} // namespace tractus
+} // namespace tractus::window

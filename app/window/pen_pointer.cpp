@@ -4,9 +4,9 @@
 
 #include <cfloat>
 
-namespace tractus {
+namespace tractus::window {
 
-void PenPointer::feed(WindowState const& state, PenArea const& area, float step_s)
+void PenPointer::feed(view::WindowState const& state, PenArea const& area, float step_s)
 {
     asks_for_ring_ = false;
     has_let_barrel_go_ = false;
@@ -64,4 +64,4 @@ void PenPointer::watch_rest(float step_s)
     pen_.pressing = true; // As the station will say when it hears of it.
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -5,7 +5,7 @@
 
 #include <deque>
 
-namespace tractus {
+namespace tractus::window {
 
 // Lets the pen that the station reads work the window: its tip is the pointer, its touch the mouse
 // button, as far as the station says that it presses. While it is in range the window system's own
@@ -17,7 +17,7 @@ public:
 
     // Takes what the pen did and puts ImGui's mouse where it points, by the area that the last
     // frame showed. Once in each frame, before ImGui's begins.
-    void feed(WindowState const& state, PenArea const& area, float step_s);
+    void feed(view::WindowState const& state, PenArea const& area, float step_s);
 
     // The pen is the pointer now.
     bool leads() const { return leads_; }
@@ -34,8 +34,8 @@ private:
     void take_next();
     void watch_rest(float step_s);
 
-    std::deque<PenView> path_; // Not shown to ImGui yet.
-    PenView pen_;              // As ImGui has it.
+    std::deque<view::PenView> path_; // Not shown to ImGui yet.
+    view::PenView pen_;              // As ImGui has it.
     bool leads_ = false;
     ImVec2 place_px_ { 0, 0 };
     bool asks_for_ring_ = false;
@@ -45,4 +45,4 @@ private:
     bool rests_ = false;             // It never left that place.
 };
 
-} // namespace tractus
+} // namespace tractus::window

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <imgui_internal.h>
 
-namespace tractus {
+namespace tractus::window {
 
 std::string as_sentence(std::string message)
 {
@@ -20,7 +20,7 @@ std::string as_sentence(std::string message)
 }
 
 // Where the view shows a line.
-static ImRect box_of(InkLine const& ink, PenArea const& area)
+static ImRect box_of(view::InkLine const& ink, PenArea const& area)
 {
     ImRect box;
     box.Min = box.Max = area.to_px(ink.points.front().position_mm.head<2>().cast<double>());
@@ -29,7 +29,7 @@ static ImRect box_of(InkLine const& ink, PenArea const& area)
     return box;
 }
 
-void draw_refusal(WindowState const& state, PenArea const& area, ImVec2 const& corner_px,
+void draw_refusal(view::WindowState const& state, PenArea const& area, ImVec2 const& corner_px,
                   ImVec2 const& size_px)
 {
     if (!state.refused || state.refused->surface != state.hand.kind().surface
@@ -55,4 +55,4 @@ void draw_refusal(WindowState const& state, PenArea const& area, ImVec2 const& c
                   words.c_str(), nullptr, wrap);
 }
 
-} // namespace tractus
+} // namespace tractus::window

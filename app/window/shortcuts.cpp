@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -36,15 +36,15 @@ void take_escape(Workbench& bench, ToolRing& ring)
         bench.wants_to_close = true;
 }
 
-void take_undo_key(WindowModel& model, bool is_redo)
+void take_undo_key(view::WindowModel& model, bool is_redo)
 {
     if (is_redo)
-        model.perform(Redo {});
+        model.perform(view::Redo {});
     else
-        model.perform(Undo {});
+        model.perform(view::Undo {});
 }
 
-void take_tool_key(char key, WindowModel& model, Workbench& bench)
+void take_tool_key(char key, view::WindowModel& model, Workbench& bench)
 {
     auto const& state = model.state();
     if (!state.is_live)
@@ -72,12 +72,13 @@ std::pair<std::string, std::string> tool_keys(ToolKinds tools)
 
 } // namespace
 
-void take_shortcut(KeyPress const& press, WindowModel& model, Workbench& bench, ToolRing& ring)
+void take_shortcut(KeyPress const& press, view::WindowModel& model, Workbench& bench,
+                   ToolRing& ring)
 {
     if (press.has_control && press.key == 'Z')
         return take_undo_key(model, press.has_shift);
     if (press.has_control && press.key == 'N')
-        return model.perform(OpenStartPage {});
+        return model.perform(view::OpenStartPage {});
     if (press.has_control && press.key != 'Q')
         return;
     switch (press.key) {
@@ -90,7 +91,7 @@ void take_shortcut(KeyPress const& press, WindowModel& model, Workbench& bench, 
         bench.wants_to_close = true;
         return;
     case 'N':
-        return model.perform(NextVariation {});
+        return model.perform(view::NextVariation {});
     case 'V':
         return bench.show_next();
     case 'F':
@@ -100,16 +101,16 @@ void take_shortcut(KeyPress const& press, WindowModel& model, Workbench& bench, 
     }
 }
 
-void take_calibration_shortcut(KeyPress const& press, WindowModel& model, Workbench& bench)
+void take_calibration_shortcut(KeyPress const& press, view::WindowModel& model, Workbench& bench)
 {
     bool const is_beside_drawing = model.state().is_live;
     if (press.key == KeyPress::kEscape && is_beside_drawing)
-        model.perform(CloseCalibration {});
+        model.perform(view::CloseCalibration {});
     else if (press.key == KeyPress::kEscape || press.key == 'Q')
         bench.wants_to_close = true;
 }
 
-void move_surface_as_wished(WindowModel& model, HandInput const& input, bool wheel_counts)
+void move_surface_as_wished(view::WindowModel& model, HandInput const& input, bool wheel_counts)
 {
     if (!model.state().mouse_moves_surface)
         return;
@@ -124,7 +125,7 @@ void move_surface_as_wished(WindowModel& model, HandInput const& input, bool whe
     if (input.holds('S'))
         by_mm -= kKeySpeed_mm_s * step_s;
     if (by_mm != 0)
-        model.perform(MoveSurface { by_mm });
+        model.perform(view::MoveSurface { by_mm });
 }
 
 WindowPart show_shortcuts(ToolKinds tools, ImGuiWindowFlags flags, float scale)
@@ -165,4 +166,4 @@ WindowPart show_shortcuts(ToolKinds tools, ImGuiWindowFlags flags, float scale)
     return { corner.x, corner.y, size.x, size.y };
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -3,7 +3,7 @@
 #include "app/window/palette.h"
 #include "app/window/theme.h"
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -52,11 +52,11 @@ void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px)
     add(states.selected, palette.selected, "selected");
 }
 
-void draw_selecting_ink(WindowState const& state, PenArea const& area)
+void draw_selecting_ink(view::WindowState const& state, PenArea const& area)
 {
     auto* const draw = ImGui::GetWindowDrawList();
     std::vector<ImVec2> places;
-    auto const add = [&](InkLine const& ink, float opacity) {
+    auto const add = [&](view::InkLine const& ink, float opacity) {
         places.clear();
         for (auto const& point : ink.points)
             places.push_back(area.to_px(point.position_mm.head<2>().cast<double>()));
@@ -72,4 +72,4 @@ void draw_selecting_ink(WindowState const& state, PenArea const& area)
                               theme::packed(theme::palette().ink, 0.8f));
 }
 
-} // namespace tractus
+} // namespace tractus::window

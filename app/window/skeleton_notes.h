@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 
-namespace tractus {
+namespace tractus::window {
 
 // What is written and drawn over the skeleton's view, into the current ImGui window.
 
@@ -14,6 +14,6 @@ namespace tractus {
 void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px);
 
 // What a pen that selects has drawn, and where it is.
-void draw_selecting_ink(WindowState const& state, PenArea const& area);
+void draw_selecting_ink(view::WindowState const& state, PenArea const& area);
 
-} // namespace tractus
+} // namespace tractus::window

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -68,7 +68,7 @@ std::pair<std::string, std::string> in_two_lines(std::string const& text, float 
 
 } // namespace
 
-void StartView::show(StartPageModel& page, Workbench& bench, Controls const& controls)
+void StartView::show(view::StartPageModel& page, Workbench& bench, Controls const& controls)
 {
     show_head(page, bench, controls);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
@@ -83,7 +83,8 @@ void StartView::show(StartPageModel& page, Workbench& bench, Controls const& con
     ImGui::PopStyleColor();
 }
 
-void StartView::show_head(StartPageModel& page, Workbench& bench, Controls const& controls) const
+void StartView::show_head(view::StartPageModel& page, Workbench& bench,
+                          Controls const& controls) const
 {
     auto const& state = page.state();
     constexpr std::array kWidths_px { 96.0f, 150.0f, 96.0f };
@@ -120,7 +121,7 @@ void StartView::show_head(StartPageModel& page, Workbench& bench, Controls const
         page.leave();
 }
 
-void StartView::show_cards(StartPageModel& page)
+void StartView::show_cards(view::StartPageModel& page)
 {
     auto const& state = page.state();
     auto const origin = ImGui::GetCursorPos();
@@ -187,7 +188,7 @@ void StartView::scroll_to_focus() const
         ImGui::SetScrollY(bottom - ImGui::GetWindowHeight());
 }
 
-bool StartView::show_card(StartCard const& card, ImVec2 const& size_px, bool has_focus)
+bool StartView::show_card(view::StartCard const& card, ImVec2 const& size_px, bool has_focus)
 {
     auto const corner = ImGui::GetCursorScreenPos();
     bool const is_pressed = ImGui::Button("##card", size_px);
@@ -204,7 +205,7 @@ bool StartView::show_card(StartCard const& card, ImVec2 const& size_px, bool has
 }
 
 // Most of a picture that is higher than the card's: it loses more ground than sky.
-void StartView::draw_picture(StartCard const& card, ImVec2 const& corner)
+void StartView::draw_picture(view::StartCard const& card, ImVec2 const& corner)
 {
     auto* const draw = ImGui::GetWindowDrawList();
     float const border = kBorder_px * scale_;
@@ -227,7 +228,7 @@ void StartView::draw_picture(StartCard const& card, ImVec2 const& corner)
                           { 1, sky + shown }, ImGui::GetColorU32({ 1, 1, 1, 1 }), rounding);
 }
 
-void StartView::draw_words(StartCard const& card, ImVec2 const& corner) const
+void StartView::draw_words(view::StartCard const& card, ImVec2 const& corner) const
 {
     float const left = corner.x + kCardAir_px * scale_;
     float const top = corner.y + grid_.picture_height + 4 * scale_;
@@ -265,17 +266,18 @@ void StartView::draw_fitted(std::string const& text, ImVec2 const& place, float 
                                         shown.c_str());
 }
 
-GLuint StartView::texture_of(std::shared_ptr<Image const> const& picture)
+GLuint StartView::texture_of(std::shared_ptr<render::Image const> const& picture)
 {
     auto found = textures_.find(picture.get());
     if (found == textures_.end())
-        found = textures_.emplace(picture.get(), Texture { picture, GpuPicture(*picture) }).first;
+        found = textures_.emplace(picture.get(), Texture { picture, render::GpuPicture(*picture) })
+                    .first;
     return found->second.on_card.texture();
 }
 
-void StartView::take_key(KeyPress const& press, StartPageModel& page, Workbench& bench)
+void StartView::take_key(KeyPress const& press, view::StartPageModel& page, Workbench& bench)
 {
-    static std::vector<StartCards> const no_cards;
+    static std::vector<view::StartCards> const no_cards;
     bool const has_study = page.state().study.has_value();
     auto const& groups = has_study ? no_cards : page.state().groups;
     if (has_study && press.key == KeyPress::kEnter)
@@ -312,4 +314,4 @@ void StartView::leave()
     focus_.reset();
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -13,7 +13,7 @@
 #include <memory>
 #include <optional>
 
-namespace tractus {
+namespace tractus::window {
 
 // The start page, over the whole window: cards in a grid, to be pressed with the pen, the mouse or
 // the keys, and above them what the window itself offers. What does not fit is reached by dragging,
@@ -29,29 +29,29 @@ public:
     }
 
     // In the current ImGui window.
-    void show(StartPageModel& page, Workbench& bench, Controls const& controls);
+    void show(view::StartPageModel& page, Workbench& bench, Controls const& controls);
 
     // The letter of a card presses it; arrows go from card to card, and Enter presses.
-    void take_key(KeyPress const& press, StartPageModel& page, Workbench& bench);
+    void take_key(KeyPress const& press, view::StartPageModel& page, Workbench& bench);
 
     // Forgets its pictures: it is not shown any more.
     void leave();
 
 private:
     struct Texture {
-        std::shared_ptr<Image const> picture; // Shared with the page; nobody changes it.
-        GpuPicture on_card;
+        std::shared_ptr<render::Image const> picture; // Shared with the page; nobody changes it.
+        render::GpuPicture on_card;
     };
 
-    void show_head(StartPageModel& page, Workbench& bench, Controls const& controls) const;
-    void show_cards(StartPageModel& page);
-    bool show_card(StartCard const& card, ImVec2 const& size_px, bool has_focus);
-    void draw_picture(StartCard const& card, ImVec2 const& corner);
-    void draw_words(StartCard const& card, ImVec2 const& corner) const;
+    void show_head(view::StartPageModel& page, Workbench& bench, Controls const& controls) const;
+    void show_cards(view::StartPageModel& page);
+    bool show_card(view::StartCard const& card, ImVec2 const& size_px, bool has_focus);
+    void draw_picture(view::StartCard const& card, ImVec2 const& corner);
+    void draw_words(view::StartCard const& card, ImVec2 const& corner) const;
     float words_width() const;
     void draw_fitted(std::string const& text, ImVec2 const& place, float size_px,
                      ImU32 color) const;
-    GLuint texture_of(std::shared_ptr<Image const> const& picture);
+    GLuint texture_of(std::shared_ptr<render::Image const> const& picture);
     void scroll(bool& presses_count);
     void scroll_to_focus() const;
 
@@ -62,7 +62,7 @@ private:
     std::optional<std::size_t> focus_; // A place in it, by the keys.
     bool focus_has_moved_ = false;     // Since the last frame.
     bool scrolls_ = false;             // The touch under way.
-    std::map<Image const*, Texture> textures_;
+    std::map<render::Image const*, Texture> textures_;
 };
 
-} // namespace tractus
+} // namespace tractus::window

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -33,7 +33,7 @@ std::string as_format(std::string const& text)
 
 } // namespace
 
-void StudyView::show(StartPageModel& page, Controls const& controls)
+void StudyView::show(view::StartPageModel& page, Controls const& controls)
 {
     auto const study = *page.state().study; // The page may make another one below.
     auto const corner = ImGui::GetCursorScreenPos();
@@ -56,7 +56,7 @@ void StudyView::show(StartPageModel& page, Controls const& controls)
     theme::scroll_by_dragging();
 }
 
-void StudyView::show_pictures(StartStudy const& study, ImVec2 const& corner, float unit)
+void StudyView::show_pictures(view::StartStudy const& study, ImVec2 const& corner, float unit)
 {
     shown_.resize(1 + study.details.size() + study.others.size());
     std::size_t place = 0;
@@ -71,7 +71,7 @@ void StudyView::show_pictures(StartStudy const& study, ImVec2 const& corner, flo
                      kOther * unit);
 }
 
-void StudyView::show_picture(StartStudy::Picture const& picture, std::size_t place,
+void StudyView::show_picture(view::StartStudy::Picture const& picture, std::size_t place,
                              ImVec2 const& corner, float side)
 {
     auto* const draw = ImGui::GetWindowDrawList();
@@ -98,7 +98,7 @@ void StudyView::show_picture(StartStudy::Picture const& picture, std::size_t pla
 }
 
 // `height`: so high shall they be together, if they can; 0: as high as buttons.
-void StudyView::show_sliders(StartPageModel& page, Controls const& controls, float width,
+void StudyView::show_sliders(view::StartPageModel& page, Controls const& controls, float width,
                              float height)
 {
     auto const study = *page.state().study;
@@ -120,7 +120,7 @@ void StudyView::show_sliders(StartPageModel& page, Controls const& controls, flo
 }
 
 // True while it moves.
-bool StudyView::slider(std::size_t number, StartStudy::Slider& slider, float width,
+bool StudyView::slider(std::size_t number, view::StartStudy::Slider& slider, float width,
                        float height) const
 {
     auto value = static_cast<float>(slider.value);
@@ -138,4 +138,4 @@ bool StudyView::slider(std::size_t number, StartStudy::Slider& slider, float wid
     return moves;
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::window {
 
 // A page's study: a large picture with details beside it and others below, and sliders that change
 // them. In a narrow window the sliders are below the pictures.
@@ -21,7 +21,7 @@ public:
     }
 
     // In the current ImGui window. The page has a study.
-    void show(StartPageModel& page, Controls const& controls);
+    void show(view::StartPageModel& page, Controls const& controls);
 
     // Forgets its pictures.
     void leave() { shown_.clear(); }
@@ -29,18 +29,20 @@ public:
 private:
     // A picture on the graphics card; the same place has another when the page has.
     struct Shown {
-        std::shared_ptr<Image const> picture; // Shared with the page; nobody changes it.
-        std::optional<GpuPicture> texture;
+        std::shared_ptr<render::Image const> picture; // Shared with the page; nobody changes it.
+        std::optional<render::GpuPicture> texture;
     };
 
-    void show_pictures(StartStudy const& study, ImVec2 const& corner, float unit);
-    void show_picture(StartStudy::Picture const& picture, std::size_t place, ImVec2 const& corner,
-                      float side);
-    void show_sliders(StartPageModel& page, Controls const& controls, float width, float height);
-    bool slider(std::size_t number, StartStudy::Slider& slider, float width, float height) const;
+    void show_pictures(view::StartStudy const& study, ImVec2 const& corner, float unit);
+    void show_picture(view::StartStudy::Picture const& picture, std::size_t place,
+                      ImVec2 const& corner, float side);
+    void show_sliders(view::StartPageModel& page, Controls const& controls, float width,
+                      float height);
+    bool slider(std::size_t number, view::StartStudy::Slider& slider, float width,
+                float height) const;
 
     float scale_ = 1;
     std::vector<Shown> shown_;
 };
 
-} // namespace tractus
+} // namespace tractus::window

@@ -2,7 +2,7 @@
 
 #include "app/render/font.h"
 
-namespace tractus::theme {
+namespace tractus::window::theme {
 
 namespace {
 
@@ -10,7 +10,7 @@ ImFont* add_font(float size_px)
 {
     static constexpr ImWchar kRanges[] { 0x20,   0xff,   0x2010, 0x2030, 0x2190,
                                          0x21ff, 0x25a0, 0x25ff, 0 };
-    auto const file = font_file();
+    auto const file = render::font_file();
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false; // The program's own bytes; ImGui only reads them.
     auto* const bytes = const_cast<std::byte*>(file.data());
@@ -111,4 +111,4 @@ ImFont* apply(float scale)
     return add_font(kTitleSize_px * scale);
 }
 
-} // namespace tractus::theme
+} // namespace tractus::window::theme

@@ -5,7 +5,7 @@
 #include <imgui.h>
 
 // How the window looks.
-namespace tractus::theme {
+namespace tractus::window::theme {
 
 constexpr float kTextSize_px = 22; // Readable at arm's length on a 24-inch screen.
 constexpr float kTitleSize_px = 26;
@@ -34,4 +34,4 @@ void scroll_by_dragging();
 // display's). Returns the larger typeface for titles.
 ImFont* apply(float scale);
 
-} // namespace tractus::theme
+} // namespace tractus::window::theme

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::optional<std::size_t> ToolRing::show(std::span<RingEntry const> entries, bo
     return chosen;
 }
 
-} // namespace tractus
+} // namespace tractus::window

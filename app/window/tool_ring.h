@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-namespace tractus {
+namespace tractus::window {
 
 // Something that the ring offers.
 struct RingEntry {
@@ -41,4 +41,4 @@ private:
     float scale_ = 1;
 };
 
-} // namespace tractus
+} // namespace tractus::window

@@ -6,16 +6,16 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
-using Point = Curve::Point;
+using Point = render::Curve::Point;
 
-Curve line(Vec3f const& from, Vec3f const& to, Vec3f const& color, float width_px)
+render::Curve line(Vec3f const& from, Vec3f const& to, Vec3f const& color, float width_px)
 {
-    Curve curve;
-    curve.look = Curve::Look::Flat;
+    render::Curve curve;
+    curve.look = render::Curve::Look::Flat;
     curve.points = { { from, color, width_px }, { to, color, width_px } };
     return curve;
 }
@@ -32,7 +32,7 @@ float grid_step_mm(float extent_mm)
     return power * 10;
 }
 
-void add_surface_grid(WindowState const& state, std::vector<Curve>& curves)
+void add_surface_grid(view::WindowState const& state, std::vector<render::Curve>& curves)
 {
     Vec3f const low = state.volume_mm.min_mm.cast<float>();
     Vec3f const high = state.volume_mm.max_mm.cast<float>();
@@ -47,7 +47,7 @@ void add_surface_grid(WindowState const& state, std::vector<Curve>& curves)
 }
 
 // The floor's rim and the edges that lead down to it.
-void add_volume(WindowState const& state, std::vector<Curve>& curves)
+void add_volume(view::WindowState const& state, std::vector<render::Curve>& curves)
 {
     Vec3f const low = state.volume_mm.min_mm.cast<float>();
     Vec3f const high = state.volume_mm.max_mm.cast<float>();
@@ -79,15 +79,16 @@ Vec3f ink_color(InkStyle::Look look, Vec3f const& color)
     return color;
 }
 
-void add_ink(std::vector<InkLine> const& lines, Vec3f const& color, std::vector<Curve>& curves)
+void add_ink(std::vector<view::InkLine> const& lines, Vec3f const& color,
+             std::vector<render::Curve>& curves)
 {
     for (auto const& ink : lines) {
         auto& curve = curves.emplace_back();
-        curve.width_unit = Curve::WidthUnit::Millimetres;
-        curve.look = Curve::Look::Flat;
+        curve.width_unit = render::Curve::WidthUnit::Millimetres;
+        curve.look = render::Curve::Look::Flat;
         curve.fades = true;
         if (ink.look == InkStyle::Look::Arrow)
-            curve.end = Curve::End::Arrow;
+            curve.end = render::Curve::End::Arrow;
         for (auto const& point : ink.points)
             curve.points.push_back(
                 { point.position_mm, ink_color(ink.look, color), point.width_mm });
@@ -123,7 +124,7 @@ std::vector<std::vector<Vec3f>> dashes(std::vector<Vec3f> const& points_mm, floa
 }
 
 // Faint and dashed: it is there to be seen beside the reason, and is nothing of the plant.
-void add_refused(RefusedStroke const& refused, std::vector<Curve>& curves)
+void add_refused(view::RefusedStroke const& refused, std::vector<render::Curve>& curves)
 {
     Vec3f const color = 0.5f * theme::palette().ink + 0.5f * theme::palette().pad_background;
     std::vector<Vec3f> points_mm;
@@ -132,13 +133,13 @@ void add_refused(RefusedStroke const& refused, std::vector<Curve>& curves)
     constexpr float kDash_mm = 4;
     for (auto const& part_mm : dashes(points_mm, kDash_mm, kDash_mm)) {
         auto& curve = curves.emplace_back();
-        curve.look = Curve::Look::Flat;
+        curve.look = render::Curve::Look::Flat;
         for (auto const& point_mm : part_mm)
             curve.points.push_back({ point_mm, color, 2 });
     }
 }
 
-void add_pen(WindowState const& state, std::vector<Curve>& curves)
+void add_pen(view::WindowState const& state, std::vector<render::Curve>& curves)
 {
     if (!state.pen.in_range)
         return;
@@ -187,7 +188,7 @@ float width_px(SkeletonLine const& line, float widest)
     return is_plain ? plain : plain * 1.3f + 1.5f;
 }
 
-void add_ground_ring(std::vector<SkeletonLine> const& skeleton, std::vector<Curve>& curves)
+void add_ground_ring(std::vector<SkeletonLine> const& skeleton, std::vector<render::Curve>& curves)
 {
     float radius = 0;
     for (auto const& line : skeleton)
@@ -198,7 +199,7 @@ void add_ground_ring(std::vector<SkeletonLine> const& skeleton, std::vector<Curv
     constexpr int kPieces = 72;
     for (float const share : { 0.35f, 0.7f }) {
         auto& ring = curves.emplace_back();
-        ring.look = Curve::Look::Flat;
+        ring.look = render::Curve::Look::Flat;
         for (int i = 0; i <= kPieces; ++i) {
             float const angle = static_cast<float>(i) * static_cast<float>(2 * kPi) / kPieces;
             ring.points.push_back({ Vec3f(std::cos(angle), std::sin(angle), 0) * (radius * share),
@@ -207,11 +208,11 @@ void add_ground_ring(std::vector<SkeletonLine> const& skeleton, std::vector<Curv
     }
 }
 
-void add_flat_line(WindowState const& state, SkeletonLine const& line, Vec3f const& color,
-                   std::vector<Curve>& curves)
+void add_flat_line(view::WindowState const& state, SkeletonLine const& line, Vec3f const& color,
+                   std::vector<render::Curve>& curves)
 {
     auto& curve = curves.emplace_back();
-    curve.look = Curve::Look::Flat;
+    curve.look = render::Curve::Look::Flat;
     curve.points.reserve(line.points_mm.size());
     auto const T_pad_plant = pad_of_world(state) * state.T_world_plant;
     for (auto const& point : line.points_mm)
@@ -242,9 +243,9 @@ std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
 }
 
 // World frame, widths in millimetres.
-std::vector<Curve> layer_curves(WindowState const& state)
+std::vector<render::Curve> layer_curves(view::WindowState const& state)
 {
-    std::vector<Curve> curves;
+    std::vector<render::Curve> curves;
     for (auto const& [layer, lines_mm, strength] : state.layers) {
         auto const& style = layer->style;
         auto const share = static_cast<float>(strength);
@@ -254,7 +255,7 @@ std::vector<Curve> layer_curves(WindowState const& state)
             for (auto const& part_mm : with_pattern(line_mm, style)) {
                 auto& curve = curves.emplace_back();
                 if (style.end == LayerStyle::End::Arrow)
-                    curve.end = Curve::End::Arrow;
+                    curve.end = render::Curve::End::Arrow;
                 for (auto const& point_mm : part_mm)
                     curve.points.push_back({ point_mm, color, static_cast<float>(style.width_mm) });
             }
@@ -266,12 +267,12 @@ constexpr float kLayerWidth_px_per_mm = 1.45f; // In the skeleton's view.
 
 } // namespace
 
-bool draws_on_paper(WindowState const& state)
+bool draws_on_paper(view::WindowState const& state)
 {
     return state.hand.kind().surface == Surface::Paper;
 }
 
-Eigen::Affine3f pad_of_world(WindowState const& state)
+Eigen::Affine3f pad_of_world(view::WindowState const& state)
 {
     Eigen::Affine3f T_pad_world = Eigen::Affine3f::Identity();
     if (!draws_on_paper(state))
@@ -305,9 +306,9 @@ Vec3f layer_color(LayerStyle const& style)
     return palette.unselected;
 }
 
-std::vector<Curve> pad_skeleton_curves(WindowState const& state)
+std::vector<render::Curve> pad_skeleton_curves(view::WindowState const& state)
 {
-    std::vector<Curve> curves;
+    std::vector<render::Curve> curves;
     for (auto const& line : state.skeleton) {
         bool const is_plain = line.state == SkeletonLine::State::Unselected
             || line.state == SkeletonLine::State::Other;
@@ -319,9 +320,9 @@ std::vector<Curve> pad_skeleton_curves(WindowState const& state)
     return curves;
 }
 
-std::vector<Curve> pad_preview_curves(WindowState const& state)
+std::vector<render::Curve> pad_preview_curves(view::WindowState const& state)
 {
-    std::vector<Curve> curves;
+    std::vector<render::Curve> curves;
     for (auto const& line : state.preview)
         add_flat_line(state, line,
                       0.45f * state_color(line.state) + 0.55f * theme::palette().pad_background,
@@ -329,13 +330,13 @@ std::vector<Curve> pad_preview_curves(WindowState const& state)
     return curves;
 }
 
-std::vector<Curve> pad_stroke_curves(WindowState const& state)
+std::vector<render::Curve> pad_stroke_curves(view::WindowState const& state)
 {
-    std::vector<Curve> curves;
+    std::vector<render::Curve> curves;
     add_ink(state.strokes, theme::palette().stroke, curves);
     for (auto& curve : layer_curves(state)) {
-        curve.width_unit = Curve::WidthUnit::Millimetres;
-        curve.look = Curve::Look::Flat;
+        curve.width_unit = render::Curve::WidthUnit::Millimetres;
+        curve.look = render::Curve::Look::Flat;
         curve.fades = true;
         curves.push_back(std::move(curve));
     }
@@ -346,9 +347,9 @@ std::vector<Curve> pad_stroke_curves(WindowState const& state)
     return curves;
 }
 
-std::vector<Curve> pad_live_curves(WindowState const& state)
+std::vector<render::Curve> pad_live_curves(view::WindowState const& state)
 {
-    std::vector<Curve> curves;
+    std::vector<render::Curve> curves;
     add_volume(state, curves);
     add_surface_grid(state, curves);
     auto const surface = state.hand.kind().surface;
@@ -360,7 +361,7 @@ std::vector<Curve> pad_live_curves(WindowState const& state)
     return curves;
 }
 
-Stage::Fade pad_fade(WindowState const& state)
+render::Stage::Fade pad_fade(view::WindowState const& state)
 {
     auto const range = static_cast<float>(state.volume_mm.max_mm.z() - state.volume_mm.min_mm.z());
     return { .color = theme::palette().pad_background,
@@ -369,7 +370,7 @@ Stage::Fade pad_fade(WindowState const& state)
              .range_mm = std::max(range, 1.0f) };
 }
 
-SkeletonStates skeleton_states(WindowState const& state)
+SkeletonStates skeleton_states(view::WindowState const& state)
 {
     SkeletonStates states;
     for (auto const& line : state.skeleton) {
@@ -383,10 +384,10 @@ SkeletonStates skeleton_states(WindowState const& state)
     return states;
 }
 
-std::vector<Curve> preview_curves(WindowState const& state)
+std::vector<render::Curve> preview_curves(view::WindowState const& state)
 {
     float const widest = widest_mm(state.skeleton);
-    std::vector<Curve> curves;
+    std::vector<render::Curve> curves;
     for (auto const& line : state.preview) {
         auto& curve = curves.emplace_back();
         curve.points.reserve(line.points_mm.size());
@@ -396,12 +397,12 @@ std::vector<Curve> preview_curves(WindowState const& state)
     return curves;
 }
 
-std::vector<Curve> growing_curves(WindowState const& state)
+std::vector<render::Curve> growing_curves(view::WindowState const& state)
 {
-    std::vector<Curve> curves;
+    std::vector<render::Curve> curves;
     for (auto const& line : state.preview) {
         auto& curve = curves.emplace_back();
-        curve.width_unit = Curve::WidthUnit::Millimetres;
+        curve.width_unit = render::Curve::WidthUnit::Millimetres;
         curve.points.reserve(line.points_mm.size());
         for (auto const& point : line.points_mm)
             curve.points.push_back({ point, theme::palette().growing, line.width_mm });
@@ -409,9 +410,9 @@ std::vector<Curve> growing_curves(WindowState const& state)
     return curves;
 }
 
-std::vector<Curve> skeleton_curves(WindowState const& state)
+std::vector<render::Curve> skeleton_curves(view::WindowState const& state)
 {
-    std::vector<Curve> curves;
+    std::vector<render::Curve> curves;
     add_ground_ring(state.skeleton, curves);
     float const widest = widest_mm(state.skeleton);
     for (auto const& line : state.skeleton) {
@@ -431,4 +432,4 @@ std::vector<Curve> skeleton_curves(WindowState const& state)
     return curves;
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -7,14 +7,14 @@
 #include <numbers>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
 constexpr double kPadFieldOfView_rad = 0.75;
 constexpr double kAboveSurface_mm = 0.25; // Ink lies on the surface; half its width would vanish.
 
-Backdrop plain_backdrop()
+render::Backdrop plain_backdrop()
 {
     return { .top = theme::palette().pad_background,
              .bottom = theme::palette().pad_background,
@@ -23,13 +23,14 @@ Backdrop plain_backdrop()
 }
 
 // Straight down through the surface, whose area is seen as large as `area` has it.
-Camera pad_camera(WindowState const& state, PenArea const& area, Canvas const& canvas)
+render::Camera pad_camera(view::WindowState const& state, PenArea const& area,
+                          render::Canvas const& canvas)
 {
     auto const& box = state.volume_mm;
     double const height_mm = std::max(1.0, box.max_mm.z() - box.min_mm.z());
     double const distance_mm
         = canvas.height() / area.px_per_mm / 2 / std::tan(kPadFieldOfView_rad / 2);
-    Camera camera;
+    render::Camera camera;
     camera.target_mm << area.middle_mm, state.surface_height_mm;
     camera.eye_mm = camera.target_mm + Vec3(0, 0, distance_mm);
     camera.up = Vec3::UnitY();
@@ -40,8 +41,8 @@ Camera pad_camera(WindowState const& state, PenArea const& area, Canvas const& c
 }
 
 // As one sees the skeleton from the angle, a tablet's millimetre as large as `area` has it.
-Camera skeleton_camera(WindowState const& state, SelectionAngle const& angle, PenArea const& area,
-                       Canvas const& canvas)
+render::Camera skeleton_camera(view::WindowState const& state, SelectionAngle const& angle,
+                               PenArea const& area, render::Canvas const& canvas)
 {
     auto const view = fit_selection_view(state.skeleton_box_mm, angle);
     double const radius_mm
@@ -50,8 +51,8 @@ Camera skeleton_camera(WindowState const& state, SelectionAngle const& angle, Pe
                        ? 1.0
                        : (state.skeleton_box_mm.max_mm - state.skeleton_box_mm.min_mm).norm());
     Vec2 const middle_mm = -view.origin_mm / view.scale; // Of the tablet, in the view's plane.
-    Camera camera;
-    camera.projection = Camera::Projection::Orthographic;
+    render::Camera camera;
+    camera.projection = render::Camera::Projection::Orthographic;
     camera.target_mm = middle_mm.x() * view.right + middle_mm.y() * view.up;
     camera.eye_mm = camera.target_mm + 4 * radius_mm * view.back;
     camera.up = view.up;
@@ -62,7 +63,8 @@ Camera skeleton_camera(WindowState const& state, SelectionAngle const& angle, Pe
 }
 
 // On the surface.
-StagedPicture staged(ShownPicture const& shown, GpuPicture const& picture, double surface_mm)
+render::StagedPicture staged(view::ShownPicture const& shown, render::GpuPicture const& picture,
+                             double surface_mm)
 {
     auto const& place = shown.place;
     double const turn_rad = place.turn_deg * std::numbers::pi / 180;
@@ -79,7 +81,7 @@ StagedPicture staged(ShownPicture const& shown, GpuPicture const& picture, doubl
 
 // Adds the middle of the sheet of paper that stands in the drawing volume, and what grows: a
 // picture of these keeps still while something grows in it.
-void add_drawing_room(WindowState const& state, Bounds& plant_mm)
+void add_drawing_room(view::WindowState const& state, Bounds& plant_mm)
 {
     auto const& box_mm = state.volume_mm;
     if (!box_mm.empty()) {
@@ -96,14 +98,14 @@ void add_drawing_room(WindowState const& state, Bounds& plant_mm)
             plant_mm.add(point_mm.cast<double>());
 }
 
-double aspect_of(Canvas const& canvas)
+double aspect_of(render::Canvas const& canvas)
 {
     return static_cast<double>(canvas.width()) / canvas.height();
 }
 
 } // namespace
 
-Canvas& ViewCanvas::sized(ImVec2 const& size_px, bool& changed)
+render::Canvas& ViewCanvas::sized(ImVec2 const& size_px, bool& changed)
 {
     int const width = std::max(1, static_cast<int>(size_px.x));
     int const height = std::max(1, static_cast<int>(size_px.y));
@@ -122,7 +124,7 @@ void ViewCanvas::show() const
     ImGui::Image(texture, size, ImVec2(0, 1), ImVec2(1, 0));
 }
 
-void PadView::show(WindowState const& state, Renderer& renderer, PenArea const& area,
+void PadView::show(view::WindowState const& state, render::Renderer& renderer, PenArea const& area,
                    ImVec2 const& size_px)
 {
     bool changed = std::exchange(px_per_mm_, area.px_per_mm) != area.px_per_mm;
@@ -146,7 +148,7 @@ void PadView::show(WindowState const& state, Renderer& renderer, PenArea const& 
     }
     auto const& canvas = canvas_.sized(size_px, changed);
     if (changed) {
-        Stage stage;
+        render::Stage stage;
         stage.curves = { skeleton_.curves(), preview_.curves(), strokes_.curves(), live_.curves() };
         stage.backdrop = plain_backdrop();
         if (picture_)
@@ -183,8 +185,8 @@ void turn_skeleton(SelectionAngle& angle, PenArea const& area, bool left_turns, 
     angle.elevation_deg = std::clamp(angle.elevation_deg - kPerMm_deg * by_mm.y(), -10.0, 85.0);
 }
 
-void SkeletonView::show(WindowState const& state, Renderer& renderer, SelectionAngle const& angle,
-                        PenArea const& area, ImVec2 const& size_px)
+void SkeletonView::show(view::WindowState const& state, render::Renderer& renderer,
+                        SelectionAngle const& angle, PenArea const& area, ImVec2 const& size_px)
 {
     bool changed = curves_.follow(state.skeleton_revision, [&] {
         states_ = skeleton_states(state);
@@ -195,7 +197,7 @@ void SkeletonView::show(WindowState const& state, Renderer& renderer, SelectionA
     changed |= std::exchange(px_per_mm_, area.px_per_mm) != area.px_per_mm;
     auto const& canvas = canvas_.sized(size_px, changed);
     if (changed) {
-        Stage stage;
+        render::Stage stage;
         stage.curves = { curves_.curves(), preview_.curves() };
         stage.backdrop = plain_backdrop();
         renderer.draw(stage, skeleton_camera(state, angle, area, canvas), canvas);
@@ -204,7 +206,7 @@ void SkeletonView::show(WindowState const& state, Renderer& renderer, SelectionA
 }
 
 // Whether it is another one, or seen otherwise.
-bool PlantView::follow_plant(WindowState const& state)
+bool PlantView::follow_plant(view::WindowState const& state)
 {
     bool changed = std::exchange(turned_, false);
     changed |= std::exchange(is_light_, theme::palette().is_light) != theme::palette().is_light;
@@ -221,11 +223,11 @@ bool PlantView::follow_plant(WindowState const& state)
     return true;
 }
 
-void PlantView::draw(Renderer& renderer, Bounds const& framed_mm, Canvas const& canvas,
-                     GpuCurves const* curves)
+void PlantView::draw(render::Renderer& renderer, Bounds const& framed_mm,
+                     render::Canvas const& canvas, render::GpuCurves const* curves)
 {
-    Stage stage;
-    stage.backdrop = is_light_ ? Backdrop() : dark_backdrop();
+    render::Stage stage;
+    stage.backdrop = is_light_ ? render::Backdrop() : render::dark_backdrop();
     if (mesh_)
         stage.meshes.push_back({ &*mesh_ });
     if (curves)
@@ -233,8 +235,8 @@ void PlantView::draw(Renderer& renderer, Bounds const& framed_mm, Canvas const& 
     renderer.draw(stage, orbit_.camera(framed_mm, aspect_of(canvas)), canvas);
 }
 
-void PlantView::show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px,
-                     ViewDrag drag)
+void PlantView::show(view::WindowState const& state, render::Renderer& renderer,
+                     ImVec2 const& size_px, ViewDrag drag)
 {
     bool changed = follow_plant(state);
     changed |= std::exchange(was_on_stage_, false);
@@ -245,8 +247,8 @@ void PlantView::show(WindowState const& state, Renderer& renderer, ImVec2 const&
     turned_ = orbit_.take_input(ImGui::GetFontSize() / theme::kTextSize_px, size_px.y, drag);
 }
 
-void PlantView::show_on_stage(WindowState const& state, Renderer& renderer, ImVec2 const& size_px,
-                              ViewDrag drag, bool may_turn)
+void PlantView::show_on_stage(view::WindowState const& state, render::Renderer& renderer,
+                              ImVec2 const& size_px, ViewDrag drag, bool may_turn)
 {
     bool changed = follow_plant(state);
     if (!std::exchange(was_on_stage_, true)) {
@@ -285,14 +287,14 @@ void PlantView::look_at_whole()
     turned_ = true;
 }
 
-Image PlantView::picture(Renderer& renderer, int width, int height) const
+render::Image PlantView::picture(render::Renderer& renderer, int width, int height) const
 {
     if (!mesh_)
         return {};
-    Stage stage;
+    render::Stage stage;
     stage.meshes.push_back({ &*mesh_ });
     return renderer.picture(stage, orbit_.camera(framed_mm_, static_cast<double>(width) / height),
                             width, height);
 }
 
-} // namespace tractus
+} // namespace tractus::window

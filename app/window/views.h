@@ -12,19 +12,19 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 // A picture inside the window: a canvas that is drawn again only when what it shows has changed.
 class ViewCanvas {
 public:
     // The canvas in this size; `changed` becomes true if it had another one.
-    Canvas& sized(ImVec2 const& size_px, bool& changed);
+    render::Canvas& sized(ImVec2 const& size_px, bool& changed);
 
     // Puts the picture at ImGui's cursor.
     void show() const;
 
 private:
-    std::optional<Canvas> canvas_;
+    std::optional<render::Canvas> canvas_;
 };
 
 // Curves on the graphics card that are made again only when they have changed.
@@ -43,10 +43,10 @@ public:
         return true;
     }
 
-    GpuCurves const* curves() const { return &*curves_; }
+    render::GpuCurves const* curves() const { return &*curves_; }
 
 private:
-    std::optional<GpuCurves> curves_;
+    std::optional<render::GpuCurves> curves_;
     std::uint64_t revision_ = 0;
     bool is_light_ = false;
 };
@@ -59,7 +59,7 @@ private:
 class PadView {
 public:
     // The surface's area is seen where `area` has it, in the middle of the view.
-    void show(WindowState const& state, Renderer& renderer, PenArea const& area,
+    void show(view::WindowState const& state, render::Renderer& renderer, PenArea const& area,
               ImVec2 const& size_px);
 
 private:
@@ -68,8 +68,8 @@ private:
     FollowedCurves preview_;
     FollowedCurves strokes_;
     FollowedCurves live_;
-    std::optional<GpuPicture> picture_;
-    std::shared_ptr<Image const> shown_picture_; // Picture that it is made of.
+    std::optional<render::GpuPicture> picture_;
+    std::shared_ptr<render::Image const> shown_picture_; // Picture that it is made of.
     std::uint64_t picture_revision_ = 0;
     Eigen::Affine3f T_pad_world_ = Eigen::Affine3f::Identity();
     std::uint64_t turns_ = 0; // Of that.
@@ -86,8 +86,8 @@ void zoom(SelectionAngle& angle, double factor);
 class SkeletonView {
 public:
     // The tablet's area is seen where `area` has it, in the middle of the view.
-    void show(WindowState const& state, Renderer& renderer, SelectionAngle const& angle,
-              PenArea const& area, ImVec2 const& size_px);
+    void show(view::WindowState const& state, render::Renderer& renderer,
+              SelectionAngle const& angle, PenArea const& area, ImVec2 const& size_px);
 
     // What it showed.
     SkeletonStates const& states() const { return states_; }
@@ -105,28 +105,29 @@ private:
 // full-grown, so that a younger one is seen to be smaller.
 class PlantView {
 public:
-    void show(WindowState const& state, Renderer& renderer, ImVec2 const& size_px, ViewDrag drag);
+    void show(view::WindowState const& state, render::Renderer& renderer, ImVec2 const& size_px,
+              ViewDrag drag);
 
     // The plant with what grows along the stroke under way, and with room around it, so that the
     // picture keeps still meanwhile. `may_turn`: drags and the wheel turn it.
-    void show_on_stage(WindowState const& state, Renderer& renderer, ImVec2 const& size_px,
-                       ViewDrag drag, bool may_turn);
+    void show_on_stage(view::WindowState const& state, render::Renderer& renderer,
+                       ImVec2 const& size_px, ViewDrag drag, bool may_turn);
 
     // By what the view tool's buttons wish for.
     void zoom(double factor);
     void look_at_whole();
 
     // What is seen now, for a file. Empty before the first plant.
-    Image picture(Renderer& renderer, int width, int height) const;
+    render::Image picture(render::Renderer& renderer, int width, int height) const;
 
 private:
-    bool follow_plant(WindowState const& state);
-    void draw(Renderer& renderer, Bounds const& framed_mm, Canvas const& canvas,
-              GpuCurves const* curves);
+    bool follow_plant(view::WindowState const& state);
+    void draw(render::Renderer& renderer, Bounds const& framed_mm, render::Canvas const& canvas,
+              render::GpuCurves const* curves);
 
     ViewCanvas canvas_;
     Orbit orbit_;
-    std::optional<GpuMesh> mesh_;
+    std::optional<render::GpuMesh> mesh_;
     FollowedCurves growing_;
     Bounds framed_mm_;          // What the orbit looks at,
     Bounds framed_on_stage_mm_; // and on stage: all that has been there.
@@ -138,4 +139,4 @@ private:
     std::optional<std::uint64_t> grows_on_ {};
 };
 
-} // namespace tractus
+} // namespace tractus::window

@@ -17,7 +17,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -43,7 +43,7 @@ Duration step_since(double& last_s, WindowOptions const& options)
 }
 
 // Whether the window closes by itself before a frame.
-bool is_over(int frame, WindowModel const& model, WindowOptions const& options)
+bool is_over(int frame, view::WindowModel const& model, WindowOptions const& options)
 {
     if (options.frames > 0)
         return frame >= options.frames;
@@ -53,7 +53,7 @@ bool is_over(int frame, WindowModel const& model, WindowOptions const& options)
 Result<void> write_picture(Host const& host, std::filesystem::path const& path)
 {
     auto const picture = host.back_buffer();
-    return write_file(path, [&](std::ostream& out) { return write_png(out, picture); });
+    return write_file(path, [&](std::ostream& out) { return render::write_png(out, picture); });
 }
 
 // The file of the picture that a film has of a frame, if it has one.
@@ -77,7 +77,7 @@ bool mouse_is_used()
 class Events {
 public:
     // True if the window may look different now, whatever its model says.
-    bool take(Host& host, WindowModel const& model, WindowOptions const& options)
+    bool take(Host& host, view::WindowModel const& model, WindowOptions const& options)
     {
         bool const stirs = counts_frames(options) || model.state().playing || mouse_is_used();
         if (stirs || still_frames_ < kSettlingFrames) {
@@ -97,7 +97,7 @@ private:
 // Whether the model shows something else than at the last call.
 class Changes {
 public:
-    bool any(WindowModel& model)
+    bool any(view::WindowModel& model)
     {
         auto const& state = model.state();
         auto const* const start = model.start_page();
@@ -125,7 +125,7 @@ private:
 };
 
 // What `which` names; without a name the tablet's own display, else the one that the window is on.
-Result<std::size_t> wished_display(Host const& host, WindowState const& state,
+Result<std::size_t> wished_display(Host const& host, view::WindowState const& state,
                                    std::string const& which)
 {
     auto const displays = host.displays();
@@ -137,7 +137,7 @@ Result<std::size_t> wished_display(Host const& host, WindowState const& state,
     return own.value_or(host.own_display());
 }
 
-Result<void> fill_at_first(Host& host, WindowState const& state, WindowOptions const& options)
+Result<void> fill_at_first(Host& host, view::WindowState const& state, WindowOptions const& options)
 {
     if (options.full_screen)
         host.fill_display(TRY(wished_display(host, state, *options.full_screen)));
@@ -145,7 +145,7 @@ Result<void> fill_at_first(Host& host, WindowState const& state, WindowOptions c
 }
 
 // As the person wishes since the last frame; tells the bench what became of it.
-void fill_as_wished(Host& host, WindowState const& state, Workbench& bench)
+void fill_as_wished(Host& host, view::WindowState const& state, Workbench& bench)
 {
     if (auto const wish = std::exchange(bench.full_screen_wished, std::nullopt)) {
         auto const number = wish->display ? std::to_string(*wish->display + 1) : std::string();
@@ -164,10 +164,10 @@ WindowLook look_of(Layout& layout)
 } // namespace
 
 // Shows the model until the window closes, and writes the pictures that were asked for.
-static Result<void> show_window(Host& host, WindowModel& model, WindowOptions const& options)
+static Result<void> show_window(Host& host, view::WindowModel& model, WindowOptions const& options)
 {
     TRY(host.open(options));
-    auto renderer = TRY(Renderer::create());
+    auto renderer = TRY(render::Renderer::create());
     TRY(fill_at_first(host, model.state(), options));
     Layout layout(host.title_font(), host.scale());
     layout.bench().is_left_handed = options.look.is_left_handed;
@@ -214,7 +214,7 @@ static Result<void> show_window(Host& host, WindowModel& model, WindowOptions co
     return write_picture(host, options.screenshot);
 }
 
-Result<void> run_window(WindowModel& model, WindowOptions const& options)
+Result<void> run_window(view::WindowModel& model, WindowOptions const& options)
 {
     on_lost_display([&] {
         auto const closed = model.close();
@@ -232,4 +232,4 @@ Result<void> run_window(WindowModel& model, WindowOptions const& options)
     return shown ? closed : shown; // Where both fail, the first is the cause.
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::window {
 
 // What a person chooses of the window's look.
 struct WindowLook {
@@ -63,6 +63,6 @@ struct WindowOptions {
 //
 // Runs on the calling thread. Fails, as the user's fault, where there is no display, or not the one
 // that is to be filled, or no OpenGL 3.3, and in a build without a window (TRACTUS_WINDOW=OFF).
-Result<void> run_window(WindowModel& model, WindowOptions const& options = {});
+Result<void> run_window(view::WindowModel& model, WindowOptions const& options = {});
 
-} // namespace tractus
+} // namespace tractus::window

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::window {
 
-void Workbench::choose(WindowModel& model, Tool tool)
+void Workbench::choose(view::WindowModel& model, Tool tool)
 {
     bool const is_select = tool.kind().surface == Surface::Skeleton;
     if (is_select)
@@ -19,24 +19,24 @@ void Workbench::choose(WindowModel& model, Tool tool)
         }
         remember(tool);
     }
-    model.perform(ChooseTool { tool });
+    model.perform(view::ChooseTool { tool });
 }
 
-Tool const& Workbench::hand(WindowState const& state) const
+Tool const& Workbench::hand(view::WindowState const& state) const
 {
     bool const is_same_kind = adjusted && &adjusted->kind() == &state.hand.kind();
     return is_same_kind ? *adjusted : state.hand;
 }
 
-void Workbench::adjust(WindowModel& model, Tool tool, ChangeGrowth::Slider slider)
+void Workbench::adjust(view::WindowModel& model, Tool tool, view::ChangeGrowth::Slider slider)
 {
-    if (slider == ChangeGrowth::Slider::Moving) {
+    if (slider == view::ChangeGrowth::Slider::Moving) {
         adjusted = tool;
     } else {
         adjusted.reset();
         remember(tool);
     }
-    model.perform(AdjustTool { std::move(tool), slider });
+    model.perform(view::AdjustTool { std::move(tool), slider });
 }
 
 void Workbench::remember(Tool const& tool)
@@ -50,7 +50,7 @@ void Workbench::remember(Tool const& tool)
     tools.push_back(tool);
 }
 
-std::vector<Tool> Workbench::remembered(WindowState const& state) const
+std::vector<Tool> Workbench::remembered(view::WindowState const& state) const
 {
     auto tools = state.remembered;
     tools.insert(tools.end(), chosen_methods_.begin(), chosen_methods_.end());
@@ -122,11 +122,11 @@ void Workbench::open_menu(MenuPage page)
     last_menu = page;
 }
 
-bool Workbench::draws(WindowState const& state) const
+bool Workbench::draws(view::WindowState const& state) const
 {
     if (!state.is_live || turns_views)
         return false;
     return is_on_stage ? !selects(state) : is_shown(selects(state) ? Shown::Skeleton : Shown::Pad);
 }
 
-} // namespace tractus
+} // namespace tractus::window

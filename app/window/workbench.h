@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::window {
 
 // What a drag means that turns no tool.
 enum class ViewDrag { Turn, Move };
@@ -81,14 +81,14 @@ struct Workbench {
     bool wants_to_close = false;
 
     // The tool in hand, as it is being adjusted.
-    Tool const& hand(WindowState const& state) const;
+    Tool const& hand(view::WindowState const& state) const;
     // Gives the tool in hand other numbers; what was drawn with it follows.
-    void adjust(WindowModel& model, Tool tool, ChangeGrowth::Slider slider);
+    void adjust(view::WindowModel& model, Tool tool, view::ChangeGrowth::Slider slider);
 
     // Takes a tool in hand, and shows the view that it works in if one fills the window.
-    void choose(WindowModel& model, Tool tool);
+    void choose(view::WindowModel& model, Tool tool);
     // What tools mean that are chosen anew: the station's and those chosen here, the latest last.
-    std::vector<Tool> remembered(WindowState const& state) const;
+    std::vector<Tool> remembered(view::WindowState const& state) const;
     void choose_view_tool();
     void show_next();        // The next of Shown.
     void turn_full_screen(); // On if it is off.
@@ -104,14 +104,14 @@ struct Workbench {
     bool menu_is_open() const { return menu != MenuPage::None; }
 
     // The area in which pen or mouse selects is the skeleton's; else it draws on the pad's.
-    static bool selects(WindowState const& state)
+    static bool selects(view::WindowState const& state)
     {
         return state.hand.kind().surface == Surface::Skeleton;
     }
     bool is_shown(Shown one) const { return shown == one || shown == Shown::All; }
 
     // The pointer draws, or selects, in the area that is shown for it.
-    bool draws(WindowState const& state) const;
+    bool draws(view::WindowState const& state) const;
 
 private:
     void remember(Tool const& tool);
@@ -119,4 +119,4 @@ private:
     std::vector<Tool> chosen_methods_ {}; // The last of each kind that belongs to a method.
 };
 
-} // namespace tractus
+} // namespace tractus::window

@@ -12,7 +12,7 @@
 // all second ones, and so on; of each the difference from the element before, in groups of 16 that
 // have 0, 2, 4 or 8 bits for each.
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 constexpr std::byte kVersion { 0xa0 };
@@ -220,4 +220,4 @@ void compress_attributes(std::span<std::byte const> elements, std::size_t elemen
     to.resize(static_cast<std::size_t>(end - reinterpret_cast<std::uint8_t*>(to.data())));
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-namespace tractus {
+namespace tractus::exports {
 
 // Compresses elements of `element_bytes` (a multiple of four, 256 at most) by mode ATTRIBUTES of
 // glTF's extension EXT_meshopt_compression, of which meshoptimizer's own encoder makes as many
@@ -13,4 +13,4 @@ namespace tractus {
 void compress_attributes(std::span<std::byte const> elements, std::size_t element_bytes,
                          BulkVector<std::byte>& to);
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 constexpr int kRelief_px = 512;
@@ -207,4 +207,4 @@ TextureSlot bark_occlusion()
     return occlusion;
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -3,7 +3,7 @@
 #include "engine/export/texture.h"
 #include "engine/plant/material.h"
 
-namespace tractus {
+namespace tractus::exports {
 
 // Bark's relief as the renderer shows it, baked into pictures that tile: once around the branch
 // along u, and as far along the axis along v. Made when they are first asked for; always the same.
@@ -18,4 +18,4 @@ TextureSlot bark_normals();
 // no metal.
 TextureSlot bark_occlusion();
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace tractus {
+namespace tractus::exports {
 
 mesh::Mesh billboard_mesh(Billboard const& billboard)
 {
@@ -33,4 +33,4 @@ mesh::Mesh billboard_mesh(Billboard const& billboard)
     return mesh;
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tractus {
+namespace tractus::exports {
 
 constexpr int kBillboardViews = 8;
 constexpr int kBillboardColumns = 4; // Columns of the atlas.
@@ -23,4 +23,4 @@ struct Billboard {
 // seen from its own side only. So it needs no shader of its own.
 mesh::Mesh billboard_mesh(Billboard const& billboard);
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 constexpr float kOne = 127;
@@ -116,4 +116,4 @@ void encode_exponential(std::span<float const> values, std::uint32_t* to)
     std::memcpy(to + i, &four, sizeof(float) * (values.size() - i));
 }
 
-} // namespace tractus
+} // namespace tractus::exports

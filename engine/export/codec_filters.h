@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace tractus {
+namespace tractus::exports {
 
 // What the filters of EXT_meshopt_compression undo: numbers of few and similar bytes.
 
@@ -18,4 +18,4 @@ void encode_octahedral(std::span<Eigen::Vector4f const> tangents, std::int8_t* t
 // then to 1/4,194,304 of the power of two above the largest.
 void encode_exponential(std::span<float const> values, std::uint32_t* to);
 
-} // namespace tractus
+} // namespace tractus::exports

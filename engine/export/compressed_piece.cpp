@@ -3,7 +3,7 @@
 #include "engine/export/attribute_codec.h"
 #include "engine/export/mesh_codec.h"
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 void compress_stream(NumberFormat const& format, std::size_t stream, EncodedPiece& piece)
@@ -47,4 +47,4 @@ void compress_instances(InstanceFormat const& format, EncodedPiece& piece)
     compress_wind(wind_streams(GlbOptions::Wind::Attributes), piece);
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace tractus {
+namespace tractus::exports {
 
 // Compresses the streams of a piece that encode_triangles() and encode_wind() have filled, each by
 // its format's codec. Its indices have 32 bits and count from its own first vertex.
@@ -15,4 +15,4 @@ void compress_triangles(SurfaceFormat const& format, std::span<WindStream const>
 // Compresses what encode_instances() and encode_wind() have filled.
 void compress_instances(InstanceFormat const& format, EncodedPiece& piece);
 
-} // namespace tractus
+} // namespace tractus::exports

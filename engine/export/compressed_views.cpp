@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 constexpr char const* kMeshopt = "EXT_meshopt_compression";
@@ -221,4 +221,4 @@ Result<void> decompress_views(std::vector<CompressedView> const& views, tinygltf
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::exports

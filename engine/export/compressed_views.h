@@ -12,7 +12,7 @@ namespace tinygltf {
 class Model;
 }
 
-namespace tractus {
+namespace tractus::exports {
 
 // A buffer view that EXT_meshopt_compression compresses, as its file describes it.
 struct CompressedView {
@@ -40,4 +40,4 @@ Result<CompressedViews> find_compressed_views(std::string_view glb);
 // believed: fails if one cannot be, if views share compressed bytes, and on damaged ones.
 Result<void> decompress_views(std::vector<CompressedView> const& views, tinygltf::Model& model);
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 // Where an accessor's elements lie.
@@ -153,4 +153,4 @@ Result<BulkVector<std::uint32_t>> read_indices(tinygltf::Model const& model, int
     return indices;
 }
 
-} // namespace tractus
+} // namespace tractus::exports

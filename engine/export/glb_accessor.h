@@ -12,7 +12,7 @@ namespace tinygltf {
 class Model;
 }
 
-namespace tractus {
+namespace tractus::exports {
 
 // The numbers of an accessor, `Components` to an element, integers taken to -1…1 or 0…1 where the
 // accessor says that they are normalised. Every offset is checked: fails if there is no such
@@ -32,4 +32,4 @@ extern template Result<std::vector<std::array<float, 4>>> read_accessor<4>(tinyg
 Result<BulkVector<std::uint32_t>> read_indices(tinygltf::Model const& model, int accessor,
                                                std::size_t vertex_count);
 
-} // namespace tractus
+} // namespace tractus::exports

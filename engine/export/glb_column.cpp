@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::exports {
 
 static Json accessor_json(NumberFormat const& format, std::size_t count)
 {
@@ -115,4 +115,4 @@ Json add_triangles(GltfJson& json, std::span<GlbColumn const> columns, EncodedPi
     return { { "attributes", std::move(attributes) }, { "indices", indices } };
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-namespace tractus {
+namespace tractus::exports {
 
 // Targets of a buffer view (glTF 2.0 section 5.11.5).
 constexpr int kArrayBuffer = 34962;
@@ -59,4 +59,4 @@ constexpr std::size_t kTriangleColumns = 5;
 // but for its material.
 Json add_triangles(GltfJson& json, std::span<GlbColumn const> columns, EncodedPiece const& limits);
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 // 65,535 is no index: it restarts strips (section 3.7.2.1).
@@ -435,4 +435,4 @@ Result<std::optional<GlbSummary>> GlbFile::finish()
     return std::optional(summary_);
 }
 
-} // namespace tractus
+} // namespace tractus::exports

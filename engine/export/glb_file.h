@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 
 // How a plant's pieces are written.
 struct PlantFormat {
@@ -108,4 +108,4 @@ private:
     std::optional<std::size_t> open_index_; // Its material, or its prototype.
 };
 
-} // namespace tractus
+} // namespace tractus::exports

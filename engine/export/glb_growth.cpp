@@ -13,7 +13,7 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::exports {
 
 namespace {
 
@@ -271,4 +271,4 @@ Result<GlbSummary> write_glb(std::ostream& out, GrowthFilm const& film)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::exports

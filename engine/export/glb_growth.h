@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 
 // A plant as it grows.
 struct GrowthFilm {
@@ -33,4 +33,4 @@ struct GrowthFilm {
 // would pass glTF's limit of 4 GiB.
 Result<GlbSummary> write_glb(std::ostream& out, GrowthFilm const& film);
 
-} // namespace tractus
+} // namespace tractus::exports

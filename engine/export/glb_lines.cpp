@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::exports {
 
 namespace {
 
@@ -71,4 +71,4 @@ Result<std::vector<SkeletonPiece>> read_glb_lines(std::string const& name, std::
     return lines;
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 
 // The lines (primitives of modes LINES, LINE_LOOP and LINE_STRIP) of a binary glTF 2.0 file, with
 // all node transforms, taken to our frame (millimetres, +z up): a skeleton for plant_from_lines().
@@ -17,4 +17,4 @@ namespace tractus {
 // are safe to give.
 Result<std::vector<SkeletonPiece>> read_glb_lines(std::string const& name, std::string_view bytes);
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 constexpr std::size_t kMostVertices = std::size_t { 1 } << 26; // After expanding.
@@ -241,4 +241,4 @@ Result<mesh::Mesh> read_glb(std::string_view bytes)
     return Builder(model).build(TRY(find_places(model)));
 }
 
-} // namespace tractus
+} // namespace tractus::exports

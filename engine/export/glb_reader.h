@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace tractus {
+namespace tractus::exports {
 
 // Reads the triangles of a binary glTF 2.0 file: of its default scene, with all node transforms,
 // taken to our frame (millimetres, +z up). A mesh that stands in several places, by nodes or by
@@ -18,4 +18,4 @@ namespace tractus {
 // vertices. Any bytes are safe to give.
 Result<mesh::Mesh> read_glb(std::string_view bytes);
 
-} // namespace tractus
+} // namespace tractus::exports

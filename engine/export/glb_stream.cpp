@@ -4,7 +4,7 @@
 #include <array>
 #include <bit>
 
-namespace tractus {
+namespace tractus::exports {
 
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
@@ -113,4 +113,4 @@ Result<void> GlbStream::finish(std::string_view json)
     return check();
 }
 
-} // namespace tractus
+} // namespace tractus::exports

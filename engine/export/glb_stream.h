@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::exports {
 
 // The frame of a .glb file (glTF 2.0 section 4.4): a JSON chunk of a size that is said beforehand,
 // and after it a binary chunk in which blocks are filled side by side. The file begins where the
@@ -55,4 +55,4 @@ private:
     std::uint64_t binary_bytes_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 constexpr std::size_t kInstancesAtOnce = 16 << 10;
@@ -333,4 +333,4 @@ Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plan
     }
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -8,7 +8,7 @@
 #include <ostream>
 #include <span>
 
-namespace tractus {
+namespace tractus::exports {
 
 // Size limit of a file: its length is a number of 32 bits (glTF 2.0 section 4.4.2).
 constexpr std::uint64_t kMaxGlbBytes = 0xFFFFFFFF;
@@ -91,4 +91,4 @@ Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plan
 // compressed.
 std::uint64_t glb_bytes(mesh::Mesh const& mesh, GlbOptions const& options = {});
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -2,7 +2,7 @@
 
 #include "engine/mesh/mesh.h"
 
-namespace tractus {
+namespace tractus::exports {
 
 // Conversions between our frame (millimetres, +z up) and glTF's (metres, +y up): x stays, our z is
 // its y, our -y is its z. A rotation, so triangles keep their sense.
@@ -52,4 +52,4 @@ inline mesh::InstanceTransform from_gltf(mesh::InstanceTransform const& instance
              { s.x(), s.z(), s.y() } };
 }
 
-} // namespace tractus
+} // namespace tractus::exports

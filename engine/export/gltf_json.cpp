@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::exports {
 
 Json json_number(double value)
 {
@@ -90,4 +90,4 @@ std::string GltfJson::text(std::uint64_t buffer_bytes) const
     return text;
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 
 // Members stay in the order in which they were added.
 using Json = nlohmann::ordered_json;
@@ -61,4 +61,4 @@ struct GltfJson {
     std::string text(std::uint64_t buffer_bytes) const;
 };
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tractus {
+namespace tractus::exports {
 
 using KindWord = std::pair<Material::Kind, std::string_view>;
 
@@ -47,4 +47,4 @@ std::optional<Material::Kind> kind_of_word(std::string_view word)
     return std::nullopt;
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::exports {
 
 // The linear value of an sRGB one, and back (IEC 61966-2-1). 0 to 1.
 double linear_from_srgb(double srgb);
@@ -18,4 +18,4 @@ Vec3 linear_color(Vec3f const& srgb);
 std::string_view kind_word(Material::Kind kind);
 std::optional<Material::Kind> kind_of_word(std::string_view word);
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 // glTF 2.0 section 3.8.4.
@@ -124,4 +124,4 @@ std::size_t GltfMaterials::add_picture(std::string_view png)
     });
 }
 
-} // namespace tractus
+} // namespace tractus::exports

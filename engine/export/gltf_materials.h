@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::exports {
 
 // The materials of a glTF file, and the pictures of bark and of a leaf's veins that they use. What
 // is equal is there once.
@@ -35,4 +35,4 @@ private:
     std::map<std::string, std::size_t> indices_;  // Keyed by their JSON.
 };
 
-} // namespace tractus
+} // namespace tractus::exports

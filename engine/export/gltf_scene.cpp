@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::exports {
 
 namespace {
 
@@ -281,4 +281,4 @@ int accessor_of(tinygltf::Primitive const& primitive, char const* name)
     return found == primitive.attributes.end() ? -1 : found->second;
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 
 // Shared parts of the readers of glTF files.
 
@@ -31,4 +31,4 @@ Result<std::vector<std::vector<Affine>>> find_places(tinygltf::Model const& mode
 // The number of a primitive's accessor, "POSITION" and so on; -1 without.
 int accessor_of(tinygltf::Primitive const& primitive, char const* name);
 
-} // namespace tractus
+} // namespace tractus::exports

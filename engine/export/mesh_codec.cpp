@@ -4,7 +4,7 @@
 
 #include <meshoptimizer.h>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 // A byte of 256 elements that are all alike takes four bytes of heads.
@@ -101,4 +101,4 @@ bool decompress(CompressedElements const& elements, std::span<std::byte> to)
     return true;
 }
 
-} // namespace tractus
+} // namespace tractus::exports

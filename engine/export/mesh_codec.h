@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace tractus {
+namespace tractus::exports {
 
 // The codecs of glTF's extension EXT_meshopt_compression that meshoptimizer has, but for the
 // encoder of attribute_codec.h. Functions may be called on any threads.
@@ -35,4 +35,4 @@ char const* flaw_in(CompressedElements const& elements);
 // are safe to give. False if they are damaged.
 bool decompress(CompressedElements const& elements, std::span<std::byte> to);
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 constexpr std::size_t kPieceVertices = 12 << 10;
@@ -403,4 +403,4 @@ TriangleView MeshPieces::organ_piece(Run const& run, std::size_t piece,
     return view_of(buffer, first_vertex);
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 
 // A part of a surface, wherever its triangles are. Indices count from the surface's first vertex;
 // to the first vertex here they give the number `first_vertex`.
@@ -129,4 +129,4 @@ private:
     bool has_tangents_ = false;
 };
 
-} // namespace tractus
+} // namespace tractus::exports

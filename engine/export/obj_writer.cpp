@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 // OBJ's names end at a space.
@@ -237,4 +237,4 @@ Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMes
     return text.take_pictures();
 }
 
-} // namespace tractus
+} // namespace tractus::exports

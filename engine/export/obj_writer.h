@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 
 // Writes plants as Wavefront OBJ text: metres and +y up, as in our glTF files; an object per plant,
 // a material change per surface, every organ written out where it stands. `library` is the name of
@@ -35,4 +35,4 @@ struct MtlPicture {
 Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants,
                                           std::string_view stem = {});
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 constexpr float kMostByte = 127;
@@ -297,4 +297,4 @@ void encode_instances(std::span<mesh::InstanceTransform const> instances,
     }
 }
 
-} // namespace tractus
+} // namespace tractus::exports

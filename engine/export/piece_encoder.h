@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 
 // glTF's name for a kind of number (glTF 2.0 section 3.6.2.2).
 enum class ComponentType {
@@ -93,4 +93,4 @@ struct InstanceFormat {
 void encode_instances(std::span<mesh::InstanceTransform const> instances,
                       InstanceFormat const& format, EncodedPiece& piece);
 
-} // namespace tractus
+} // namespace tractus::exports

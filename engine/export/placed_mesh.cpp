@@ -2,7 +2,7 @@
 
 #include "engine/base/check.h"
 
-namespace tractus {
+namespace tractus::exports {
 
 static mesh::Mesh meshed(PlantToMesh const& source)
 {
@@ -30,4 +30,4 @@ mesh::Mesh const& mesh_of(MeshSource const& source, std::optional<mesh::Mesh>& m
     return *made;
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 
 // A plant whose triangles an exporter makes itself, piece by piece as it writes them: then they are
 // never all in memory.
@@ -52,4 +52,4 @@ struct PlacedMesh {
 // them already. A billboard's come without its picture.
 mesh::Mesh const& mesh_of(MeshSource const& source, std::optional<mesh::Mesh>& made);
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -10,7 +10,7 @@
 #include <utility>
 #include <zlib.h>
 
-namespace tractus {
+namespace tractus::exports {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::string png_bytes(PngPicture const& picture)
     return bytes;
 }
 
-} // namespace tractus
+} // namespace tractus::exports

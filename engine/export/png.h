@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-namespace tractus {
+namespace tractus::exports {
 
 // A picture of 8 bits per channel: rows from the top, pixels from the left, channels side by side.
 struct PngPicture {
@@ -21,4 +21,4 @@ struct PngPicture {
 // The picture as a PNG file (ISO/IEC 15948). Same picture, same bytes.
 std::string png_bytes(PngPicture const& picture);
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 constexpr char const* kTransmission = "KHR_materials_diffuse_transmission";
@@ -172,4 +172,4 @@ std::vector<Material> read_materials(tinygltf::Model const& model)
     return materials;
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 
 // The materials of a glTF file, in its order: name, base colour, roughness, metal, how much light
 // passes (KHR_materials_diffuse_transmission), and the pictures of each, those of the normals and
@@ -22,4 +22,4 @@ std::vector<Material> read_materials(tinygltf::Model const& model);
 // pictures differently are shown as if they did not.
 Eigen::Affine2f texture_transform(tinygltf::Material const& material);
 
-} // namespace tractus
+} // namespace tractus::exports

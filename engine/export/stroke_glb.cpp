@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 
 namespace {
 
@@ -114,4 +114,4 @@ Result<void> write_strokes_glb(std::ostream& out, std::span<Stroke const> stroke
     return stream.finish(write_strokes(stream, strokes));
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <span>
 
-namespace tractus {
+namespace tractus::exports {
 
 // Writes strokes as lines in one binary glTF 2.0 file: metres, +y up, as our plants are. Each
 // stroke is a node and a mesh of its own, "stroke 1" and so on, whose one primitive is a LINE_STRIP
@@ -19,4 +19,4 @@ namespace tractus {
 // is not finite, and, before anything is written, if the file would pass glTF's limit of 4 GiB.
 Result<void> write_strokes_glb(std::ostream& out, std::span<Stroke const> strokes);
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <string>
 
-namespace tractus {
+namespace tractus::exports {
 
 namespace {
 
@@ -89,4 +89,4 @@ Result<void> write_strokes_svg(std::ostream& out, std::span<Stroke const> stroke
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::exports

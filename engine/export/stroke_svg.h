@@ -6,7 +6,7 @@
 #include <ostream>
 #include <span>
 
-namespace tractus {
+namespace tractus::exports {
 
 // Direction in which strokes are looked at, in parallel projection.
 enum class StrokeView {
@@ -24,4 +24,4 @@ enum class StrokeView {
 // Fails if the stream fails, or if a coordinate is not finite.
 Result<void> write_strokes_svg(std::ostream& out, std::span<Stroke const> strokes, StrokeView view);
 
-} // namespace tractus
+} // namespace tractus::exports

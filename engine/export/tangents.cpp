@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 // The sum over a vertex's triangles, each weighted by its area in the texture: where u grows, and
@@ -50,4 +50,4 @@ void find_tangents(TriangleView const& triangles, BulkVector<Eigen::Vector4f>& t
         tangents[i] = tangent_of(tangents[i], triangles.normals[i]);
 }
 
-} // namespace tractus
+} // namespace tractus::exports

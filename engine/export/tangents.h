@@ -3,7 +3,7 @@
 #include "engine/base/bulk_vector.h"
 #include "engine/export/mesh_pieces.h"
 
-namespace tractus {
+namespace tractus::exports {
 
 // Finds the tangents that a normal map needs besides a surface's normals (glTF 2.0 section
 // 3.7.2.1): per vertex, x to z are the unit vector along which u grows, across the normal, in the
@@ -12,4 +12,4 @@ namespace tractus {
 // where they do not tell, since u does not change there, it is any vector across the normal.
 void find_tangents(TriangleView const& triangles, BulkVector<Eigen::Vector4f>& tangents);
 
-} // namespace tractus
+} // namespace tractus::exports

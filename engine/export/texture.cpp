@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 constexpr int kSize = 256;
@@ -141,4 +141,4 @@ std::string png_bytes(GreyPicture const& picture)
         { picture.width, picture.height, 1, picture.pixels, PngPicture::Packing::Fast });
 }
 
-} // namespace tractus
+} // namespace tractus::exports

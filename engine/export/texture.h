@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 
 // Grey levels, 0 black to 255 white, row by row from the top. They multiply a material's colour, so
 // that one picture serves every species.
@@ -43,4 +43,4 @@ std::string colored_picture(Material const& material);
 // The picture as a PNG file (ISO/IEC 15948), greyscale of 8 bits. Same picture, same bytes.
 std::string png_bytes(GreyPicture const& picture);
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <span>
 
-namespace tractus {
+namespace tractus::exports {
 
 // Shared parts of the functions that take vectors to glTF's frame and to integers, four at a time.
 
@@ -62,4 +62,4 @@ inline FourInts whole_bits(FourFloats const& values)
     return std::bit_cast<FourInts>(values + 0x1.8p23f);
 }
 
-} // namespace tractus
+} // namespace tractus::exports

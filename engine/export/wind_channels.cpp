@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::exports {
 
 namespace {
 
@@ -122,4 +122,4 @@ Json wind_extras(mesh::WindVertex const& wind)
              { "_BEND", json_number(wind.bend) } };
 }
 
-} // namespace tractus
+} // namespace tractus::exports

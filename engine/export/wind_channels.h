@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::exports {
 
 // The first of a piece's streams that are for the wind.
 constexpr std::size_t kFirstWindStream = 5;
@@ -30,4 +30,4 @@ void encode_wind(std::span<mesh::WindVertex const> wind, GlbOptions::Wind channe
 // Returns what Attributes says, as the extras of a node.
 Json wind_extras(mesh::WindVertex const& wind);
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -48,7 +48,7 @@ public:
         base->fitted = place_on_desk(whole_);
         rescale(base->fitted, own.fitted.scale); // Parts do not change the document's scale.
         base->plant = std::make_shared<Plant const>(std::move(whole_));
-        base->rest = SharedRestShape(base->plant, addresses());
+        base->rest = variation::SharedRestShape(base->plant, addresses());
         base->warnings = std::move(warnings_);
         return base;
     }

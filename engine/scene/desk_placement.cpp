@@ -94,9 +94,9 @@ SelectionView fit_selection_view(Plant const& plant, SelectionAngle const& angle
     return view;
 }
 
-SkeletonProjection skeleton_projection(SelectionView const& view)
+variation::SkeletonProjection skeleton_projection(SelectionView const& view)
 {
-    SkeletonProjection result;
+    variation::SkeletonProjection result;
     Vec3 const right = view.scale * view.right;
     Vec3 const up = view.scale * view.up;
     result.to_plane << right.x(), right.y(), right.z(), view.origin_mm.x(), //

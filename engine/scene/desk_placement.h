@@ -69,7 +69,7 @@ struct SelectionView {
 };
 
 // The same as a projection, for picking: u and v are tablet-centred millimetres.
-SkeletonProjection skeleton_projection(SelectionView const& view);
+variation::SkeletonProjection skeleton_projection(SelectionView const& view);
 
 SelectionView fit_selection_view(Plant const& plant, SelectionAngle const& angle = {});
 

@@ -59,9 +59,9 @@ struct PlantState {
 
     SharedVector<PathAddress> selection {};
     // In order: a later one overrides an earlier one. Each is at one path.
-    SharedList<Anchored<ShapingStroke>> strokes {};
+    SharedList<Anchored<variation::ShapingStroke>> strokes {};
     // Each at what it acts below, which its own list of segments does not say.
-    std::vector<Anchored<MotionIndicator>> indicators {};
+    std::vector<Anchored<variation::MotionIndicator>> indicators {};
     SetGrowth growth {};
 };
 

@@ -14,7 +14,7 @@ constexpr std::uint32_t kLeafStream = 0x1eaf;
 
 class Dresser {
 public:
-    Dresser(Plant const& plant, LeafSheet const& sheet)
+    Dresser(Plant const& plant, lsystem::LeafSheet const& sheet)
         : sheet_(sheet)
         , plant_(plant)
     {
@@ -53,7 +53,7 @@ private:
         organ.material = material_of(of.material);
         auto const first = static_cast<OrganShapeId>(plant_.organ_shapes.size());
         for (auto const& leaf : sheet_.leaves)
-            plant_.organ_shapes.push_back(leaf_shape(organ, leaf));
+            plant_.organ_shapes.push_back(lsystem::leaf_shape(organ, leaf));
         return first;
     }
 
@@ -63,14 +63,14 @@ private:
         if (is_new) {
             auto material = plant_.materials[own];
             material.base_color = sheet_.mean_color;
-            material.textures = leaf_textures(sheet_);
+            material.textures = lsystem::leaf_textures(sheet_);
             plant_.materials.push_back(std::move(material));
             known->second = static_cast<MaterialId>(plant_.materials.size() - 1);
         }
         return known->second;
     }
 
-    LeafSheet const& sheet_;
+    lsystem::LeafSheet const& sheet_;
     Plant plant_;
     std::map<MaterialId, MaterialId> materials_;
 };
@@ -84,7 +84,7 @@ bool is_leaf(Plant const& plant, OrganShape const& shape)
         && shape.kind != OrganShape::Kind::Disc;
 }
 
-Plant dressed(Plant const& plant, LeafSheet const& sheet)
+Plant dressed(Plant const& plant, lsystem::LeafSheet const& sheet)
 {
     return sheet.leaves.empty() ? plant : Dresser(plant, sheet).run();
 }

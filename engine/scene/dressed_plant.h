@@ -13,6 +13,6 @@ bool is_leaf(Plant const& plant, OrganShape const& shape);
 // each; the same plant and sheet give the same ones. A leaf's blade is as long as the one that it
 // stands for, and folds and bends as that does. All other organs stay, and so does the plant where
 // it has no leaves.
-Plant dressed(Plant const& plant, LeafSheet const& sheet);
+Plant dressed(Plant const& plant, lsystem::LeafSheet const& sheet);
 
 } // namespace tractus

@@ -40,7 +40,7 @@ enum class Drawn {
 struct LoadModel {
     static EditKind const kKind;
 
-    ModelSource source;
+    lsystem::ModelSource source;
     std::map<std::string, std::string> includes {}; // What the model includes, by name: the texts.
     std::optional<int> steps {};                    // Derivation steps; no value: the model's own.
     std::uint64_t seed = 1;                         // Of the model's stochastic rules.
@@ -95,20 +95,20 @@ LoadMeasured const* loaded_measured(PlantSource const& source);
 struct Select {
     static EditKind const kKind;
 
-    Selection paths {};             // By their segments, as sessions before format 4 say it, or
+    variation::Selection paths {};  // By their segments, as sessions before format 4 say it, or
     std::vector<PathAddress> at {}; // by where they are.
 };
 
 // Paths of a plant, said by where they are.
-Select select_paths(BuiltPlant const& plant, Selection const& paths);
+Select select_paths(BuiltPlant const& plant, variation::Selection const& paths);
 
 // Lets a stroke shape each selected path, its descendants, or both (Streit 2006, section 4.3).
 struct Associate {
     static EditKind const kKind;
 
     Stroke stroke;
-    Propagation propagation = Propagation::Selected;
-    StrokeFit fit = StrokeFit::Start;
+    variation::Propagation propagation = variation::Propagation::Selected;
+    variation::StrokeFit fit = variation::StrokeFit::Start;
     double detail_weight = 1; // See Association.
     ItemId id = 0;            // Of the stroke of the first path; 0: it has none yet.
 };
@@ -160,7 +160,7 @@ struct EraseTips {
 struct Indicate {
     static EditKind const kKind;
 
-    MotionIndicator indicator;
+    variation::MotionIndicator indicator;
     std::vector<SegmentAddress> below {}; // What it acts below, if `indicator` does not say it.
     ItemId id = 0;                        // 0: it has none yet.
 };
@@ -172,7 +172,7 @@ struct ChangeIndicator {
 
     ItemId which = 0; // 0, in sessions before format 4: the one with this number in their list.
     std::uint64_t number = 0;
-    MotionIndicator indicator;
+    variation::MotionIndicator indicator;
 };
 
 struct DeleteIndicator {
@@ -186,7 +186,7 @@ struct DeleteIndicator {
 struct SetGrowth {
     static EditKind const kKind;
 
-    GrowthParameters parameters;
+    variation::GrowthParameters parameters;
     std::uint64_t seed = 1; // Of the variations.
     double variability = 1; // At which the parameters count; see at_variability().
     double age = 1;         // See Grower::grow().

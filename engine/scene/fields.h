@@ -23,7 +23,7 @@ namespace tractus {
 using FieldRef
     = std::variant<bool*, int*, std::uint64_t*, double*, std::string*, Vec3*, std::optional<int>*,
                    std::optional<double>*, std::vector<std::uint32_t>*, std::vector<std::uint64_t>*,
-                   Selection*, std::vector<PathAddress>*, std::vector<TipRange>*,
+                   variation::Selection*, std::vector<PathAddress>*, std::vector<TipRange>*,
                    std::map<std::string, std::string>*>;
 
 // Visits the fields of a value in their order. What an edit consists of is said once, in a function

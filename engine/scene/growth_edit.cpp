@@ -35,8 +35,8 @@ void list(Fields& fields, SetGrowth& edit)
 
 Result<DocumentState> applied(DocumentState state, SetGrowth const& edit, SceneBuilder&)
 {
-    TRY(check_growth_parameters(edit.parameters));
-    TRY(at_variability(edit.parameters, edit.variability));
+    TRY(variation::check_growth_parameters(edit.parameters));
+    TRY(variation::at_variability(edit.parameters, edit.variability));
     if (!(edit.age >= 0 && edit.age <= 1))
         return fail(Fault::User,
                     fmt::format("a plant cannot be {} of its age: give 0 (a seed) to "
@@ -48,7 +48,7 @@ Result<DocumentState> applied(DocumentState state, SetGrowth const& edit, SceneB
 
 std::string described(SetGrowth const& edit)
 {
-    auto const preset = growth_preset_of(edit.parameters);
+    auto const preset = variation::growth_preset_of(edit.parameters);
     auto text = preset.empty() ? fmt::format("grows with strength {:.3g}, gain {:.3g}",
                                              edit.parameters.strength, edit.parameters.gain)
                                : fmt::format("grows as \"{}\"", preset);

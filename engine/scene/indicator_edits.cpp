@@ -14,7 +14,7 @@ namespace {
 // In the order of the enumerations' values.
 constexpr std::array kIndicatorKinds { "push", "light" };
 
-void list(Fields& fields, MotionIndicator& indicator)
+void list(Fields& fields, variation::MotionIndicator& indicator)
 {
     fields.field("start_mm", &indicator.start_mm);
     fields.field("end_mm", &indicator.end_mm);
@@ -25,14 +25,14 @@ void list(Fields& fields, MotionIndicator& indicator)
 }
 
 // Where an indicator acts that says it by segments, as sessions before format 4 do.
-Result<std::vector<PathAddress>> places_of(MotionIndicator const& indicator,
+Result<std::vector<PathAddress>> places_of(variation::MotionIndicator const& indicator,
                                            DocumentState const& state, SceneBuilder& builder)
 {
     std::vector<PathAddress> places;
     if (indicator.below.empty())
         return places;
     auto const base = TRY(builder.active_base(state));
-    TRY(check_indicator(*base->plant, indicator));
+    TRY(variation::check_indicator(*base->plant, indicator));
     for (auto const segment : indicator.below) {
         auto const address = base->rest->addresses.address_of(*base->plant, segment);
         places.push_back({ address, address });
@@ -41,11 +41,11 @@ Result<std::vector<PathAddress>> places_of(MotionIndicator const& indicator,
 }
 
 // As a document keeps it: its places say what it acts below.
-Result<MotionIndicator> placeless(MotionIndicator indicator)
+Result<variation::MotionIndicator> placeless(variation::MotionIndicator indicator)
 {
     indicator.below.clear();
     indicator.is_orphaned = false;
-    TRY(check_indicator({}, indicator));
+    TRY(variation::check_indicator({}, indicator));
     return indicator;
 }
 
@@ -79,13 +79,13 @@ std::string name_of_indicator(ItemId id, std::uint64_t number)
     return id != 0 ? name_of(id) : std::to_string(number + 1);
 }
 
-std::string describe_indicator(MotionIndicator const& indicator, std::size_t places)
+std::string describe_indicator(variation::MotionIndicator const& indicator, std::size_t places)
 {
     Vec3 const way_mm = indicator.end_mm - indicator.start_mm;
     auto const whole = [](double mm) { return std::round(mm) + 0.0; }; // Never -0.
     auto text
         = fmt::format("({}, {}, {}) mm{}", whole(way_mm.x()), whole(way_mm.y()), whole(way_mm.z()),
-                      indicator.kind == MotionIndicator::Kind::Light ? ", light" : "");
+                      indicator.kind == variation::MotionIndicator::Kind::Light ? ", light" : "");
     if (auto const below = indicator.below.size() + places; below > 0)
         text += fmt::format(", on {} and what they bear", counted(below, "segment"));
     if (indicator.reach_mm)
@@ -105,7 +105,8 @@ Result<DocumentState> applied(DocumentState state, Indicate const& edit, SceneBu
     auto places = TRY(places_of(edit.indicator, state, builder));
     for (auto const& address : edit.below)
         places.push_back({ address, address });
-    Anchored<MotionIndicator> drawn { 0, TRY(placeless(edit.indicator)), std::move(places) };
+    Anchored<variation::MotionIndicator> drawn { 0, TRY(placeless(edit.indicator)),
+                                                 std::move(places) };
     drawn.id = take_id(state, edit.id);
     change_active(state, [&](PlantState& plant) { plant.indicators.push_back(std::move(drawn)); });
     return state;

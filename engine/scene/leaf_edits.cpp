@@ -27,7 +27,7 @@ Result<DocumentState> applied(DocumentState state, DressPlant const& edit, Scene
 
 std::string described(DressPlant const& edit)
 {
-    auto const order = parse_leaf_sheet_name(edit.leaves);
+    auto const order = lsystem::parse_leaf_sheet_name(edit.leaves);
     return order ? fmt::format("gives plant {} leaves of {}", name_of(edit.plant), order->grammar)
                  : fmt::format("gives plant {} its own leaves", name_of(edit.plant));
 }
@@ -47,8 +47,8 @@ Result<DocumentState> applied(DocumentState state, KeepGrammar const& edit, Scen
     auto const before = state.leaf_grammars.find(edit.name);
     if (before != state.leaf_grammars.end() && *before->second != edit.text)
         std::erase_if(state.leaf_sheets, [&](auto const& sheet) {
-            auto const order = parse_leaf_sheet_name(sheet.first);
-            return order && parse_leaf_word(order->grammar).grammar == edit.name;
+            auto const order = lsystem::parse_leaf_sheet_name(sheet.first);
+            return order && lsystem::parse_leaf_word(order->grammar).grammar == edit.name;
         });
     state.leaf_grammars[edit.name] = std::make_shared<std::string const>(edit.text);
     return state;

@@ -17,17 +17,18 @@ Result<BuiltSource> build_lsystem(LoadModel const& loaded, LoadOptions const& op
                         fmt::format("{} includes {}, which is missing", loaded.source.name, name));
         return found->second;
     };
-    auto const model = TRY(compile_model(loaded.source, include));
-    auto const string = TRY(derive(model,
-                                   { .steps = loaded.steps,
-                                     .seed = loaded.seed,
-                                     .limits = options.limits,
-                                     .print = options.print }));
-    auto turtle = TRY(interpret_with_warnings(model, string,
-                                              { .max_modules = options.limits.max_modules,
-                                                .max_memory_bytes = options.limits.max_memory_bytes,
-                                                .time = options.limits.time,
-                                                .print = options.print }));
+    auto const model = TRY(lsystem::compile_model(loaded.source, include));
+    auto const string = TRY(lsystem::derive(model,
+                                            { .steps = loaded.steps,
+                                              .seed = loaded.seed,
+                                              .limits = options.limits,
+                                              .print = options.print }));
+    auto turtle = TRY(
+        lsystem::interpret_with_warnings(model, string,
+                                         { .max_modules = options.limits.max_modules,
+                                           .max_memory_bytes = options.limits.max_memory_bytes,
+                                           .time = options.limits.time,
+                                           .print = options.print }));
     BuiltSource built { join_axes(std::move(turtle.plant)), model.warnings };
     built.warnings.insert(built.warnings.end(), turtle.warnings.begin(), turtle.warnings.end());
     return built;

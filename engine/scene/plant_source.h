@@ -21,7 +21,7 @@ namespace tractus {
 // How a plant is built from what was drawn or written. Not part of the document: the plant does not
 // depend on it, only whether there is one.
 struct LoadOptions {
-    ModelLimits limits {};
+    lsystem::ModelLimits limits {};
     std::function<void(std::string_view text)> print {}; // What a model prints; nowhere without.
 };
 
@@ -36,7 +36,7 @@ struct BuiltSource {
 
 // A model in cpfg's language, with the files that it includes, by their names.
 struct SourceModel {
-    ModelSource source {};
+    lsystem::ModelSource source {};
     std::map<std::string, std::string> includes {};
 };
 

@@ -8,9 +8,9 @@
 
 namespace tractus {
 
-std::vector<MotionIndicator> motion_indicators(BuiltPlant const& plant)
+std::vector<variation::MotionIndicator> motion_indicators(BuiltPlant const& plant)
 {
-    std::vector<MotionIndicator> indicators;
+    std::vector<variation::MotionIndicator> indicators;
     for (auto const& indicator : plant.indicators)
         indicators.push_back(indicator.what);
     return indicators;
@@ -35,9 +35,9 @@ std::vector<std::size_t> shaping_numbers(BuiltPlant const& plant)
     return numbers;
 }
 
-std::vector<Association> shaping_associations(BuiltPlant const& plant)
+std::vector<variation::Association> shaping_associations(BuiltPlant const& plant)
 {
-    std::vector<Association> shaping;
+    std::vector<variation::Association> shaping;
     for (auto const number : shaping_numbers(plant))
         shaping.push_back(plant.associations[number].what);
     return shaping;

@@ -29,7 +29,7 @@ struct BuiltPlant {
     // The plant as its source gives it; never null, empty before there is one. Shared, and changed
     // by nobody, between scenes that follow each other, the views and the workers that grow it.
     std::shared_ptr<Plant const> base = std::make_shared<Plant const>();
-    SharedRestShape rest {}; // Of `base`.
+    variation::SharedRestShape rest {}; // Of `base`.
     // `base` with the leaves that the plant is to have; and so in the document's season: with other
     // organs on the same segments. The latter grows.
     std::shared_ptr<Plant const> dressed = base;
@@ -39,8 +39,9 @@ struct BuiltPlant {
     DeskPlacement fitted;    // and where it would be as the only plant.
     SharedVector<std::vector<SegmentId>> selection;
     // In order: a later one overrides an earlier one. Each is at one path.
-    SharedList<Anchored<Association>> associations;
-    std::vector<Anchored<MotionIndicator>> indicators; // Each at the segments that it acts below.
+    SharedList<Anchored<variation::Association>> associations;
+    std::vector<Anchored<variation::MotionIndicator>>
+        indicators; // Each at the segments that it acts below.
     SetGrowth growth;
 };
 
@@ -53,7 +54,7 @@ struct Scene : BuiltPlant {
 };
 
 // Without their anchors.
-std::vector<MotionIndicator> motion_indicators(BuiltPlant const& plant);
+std::vector<variation::MotionIndicator> motion_indicators(BuiltPlant const& plant);
 
 // The associations that some branch may still have its shape from, in order: neither orphaned nor
 // followed by one for the same path and propagation. After hours of drawing they are few among all.
@@ -61,7 +62,7 @@ std::vector<MotionIndicator> motion_indicators(BuiltPlant const& plant);
 std::vector<std::size_t> shaping_numbers(BuiltPlant const& plant);
 
 // These associations themselves.
-std::vector<Association> shaping_associations(BuiltPlant const& plant);
+std::vector<variation::Association> shaping_associations(BuiltPlant const& plant);
 
 // Those of them whose path has a segment in common with what is selected: their numbers. What the
 // pen edits when it edits strokes.
@@ -89,6 +90,6 @@ Scene preview_in_season(Scene scene, std::optional<Season> const& season);
 
 // The plan by which variations of a plant grow: its strokes and indicators resolved once, for any
 // number of plants. Fails like resolve_associations and plan_growth.
-Result<GrowthPlan> plan_growth(BuiltPlant const& plant);
+Result<variation::GrowthPlan> plan_growth(BuiltPlant const& plant);
 
 } // namespace tractus

@@ -16,7 +16,7 @@ static std::shared_ptr<BasePlant const> make_base(BuiltSource source)
     auto base = std::make_shared<BasePlant>();
     base->fitted = place_on_desk(source.plant);
     base->plant = std::make_shared<Plant const>(std::move(source.plant));
-    base->rest = SharedRestShape(base->plant, std::move(source.axis_keys));
+    base->rest = variation::SharedRestShape(base->plant, std::move(source.axis_keys));
     base->warnings = std::move(source.warnings);
     return base;
 }
@@ -195,8 +195,8 @@ void SceneBuilder::set_season(BuiltPlant& plant, BuiltPlant const* before,
 
 void SceneBuilder::find_strokes(BuiltPlant& plant, BuiltPlant const* before)
 {
-    auto const built = [&](Anchored<ShapingStroke> const& drawn) {
-        Anchored<Association> association { drawn.id, {}, drawn.at };
+    auto const built = [&](Anchored<variation::ShapingStroke> const& drawn) {
+        Anchored<variation::Association> association { drawn.id, {}, drawn.at };
         association.what = { .path = path_of(plant, drawn.at),
                              .stroke = drawn.what.stroke,
                              .propagation = drawn.what.propagation,
@@ -219,7 +219,7 @@ void SceneBuilder::find_selection(BuiltPlant& plant, BuiltPlant const* before)
         plant.selection = before->selection;
         return;
     }
-    Selection paths;
+    variation::Selection paths;
     for (auto const& at : wanted)
         if (auto path = plant.rest->addresses.find_path(*plant.base, at))
             paths.push_back(*std::move(path));

@@ -16,7 +16,7 @@ namespace tractus {
 // A base plant with what strokes and growth need of it. Nobody changes it.
 struct BasePlant {
     std::shared_ptr<Plant const> plant;
-    SharedRestShape rest;
+    variation::SharedRestShape rest;
     DeskPlacement fitted; // As the only plant in the drawing volume.
     std::vector<std::string> warnings;
 };
@@ -44,7 +44,7 @@ public:
 private:
     // The segments of paths that were looked up in one base plant, by the places' identity.
     struct FoundPaths {
-        SharedRestShape rest;
+        variation::SharedRestShape rest;
         std::map<void const*, std::pair<SharedVector<PathAddress>, SharedVector<SegmentId>>> paths;
     };
     struct KnownBase {

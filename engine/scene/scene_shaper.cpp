@@ -17,29 +17,32 @@ Result<void> SceneShaper::set_plant(BuiltPlant const& plant)
     return shaper_->set(shaping_associations(plant));
 }
 
-Result<GrowthPlan> plan_growth(BuiltPlant const& plant, SceneShaper& shaper,
-                               std::stop_token const& stop)
+Result<variation::GrowthPlan> plan_growth(BuiltPlant const& plant, SceneShaper& shaper,
+                                          std::stop_token const& stop)
 {
     TRY(shaper.set_plant(plant));
     if (stop.stop_requested())
-        return GrowthPlan {};
+        return variation::GrowthPlan {};
     auto const& shape = shaper.shape();
     std::vector<Vec3> nodes_mm;
-    place_nodes(*plant.base, *plant.rest, shape, nodes_mm);
+    variation::place_nodes(*plant.base, *plant.rest, shape, nodes_mm);
     auto indicators = motion_indicators(plant);
     for (auto& indicator : indicators) { // As if the plant stood at the origin.
         indicator.start_mm -= plant.placement.origin_mm;
         indicator.end_mm -= plant.placement.origin_mm;
     }
-    auto influence = TRY(influence_of(*plant.base, nodes_mm, indicators,
+    auto influence
+        = TRY(variation::influence_of(*plant.base, nodes_mm, indicators,
                                       { plant.placement.shown_height_mm, plant.placement.scale }));
-    auto const growth = TRY(at_variability(plant.growth.parameters, plant.growth.variability));
+    auto const growth
+        = TRY(variation::at_variability(plant.growth.parameters, plant.growth.variability));
     if (stop.stop_requested())
-        return GrowthPlan {};
-    return plan_growth(*plant.in_season, *plant.rest, shape, growth, std::move(influence), stop);
+        return variation::GrowthPlan {};
+    return variation::plan_growth(*plant.in_season, *plant.rest, shape, growth,
+                                  std::move(influence), stop);
 }
 
-Result<GrowthPlan> plan_growth(BuiltPlant const& plant)
+Result<variation::GrowthPlan> plan_growth(BuiltPlant const& plant)
 {
     SceneShaper shaper;
     return plan_growth(plant, shaper);

@@ -20,17 +20,17 @@ public:
     Result<void> set_plant(BuiltPlant const& plant);
 
     // After set_plant().
-    PredefinedShape const& shape() const { return shaper_->shape(); }
+    variation::PredefinedShape const& shape() const { return shaper_->shape(); }
 
 private:
     std::shared_ptr<Plant const> base_; // Shared with the scenes; nobody changes it.
-    SharedRestShape rest_;
-    std::optional<StrokeShaper> shaper_;
+    variation::SharedRestShape rest_;
+    std::optional<variation::StrokeShaper> shaper_;
 };
 
 // The same plan as plan_growth(plant), sooner where the shaper had a plant much like it. Ends early
 // when `stop` asks for it; the plan is then without segments.
-Result<GrowthPlan> plan_growth(BuiltPlant const& plant, SceneShaper& shaper,
-                               std::stop_token const& stop = {});
+Result<variation::GrowthPlan> plan_growth(BuiltPlant const& plant, SceneShaper& shaper,
+                                          std::stop_token const& stop = {});
 
 } // namespace tractus

@@ -33,7 +33,7 @@ std::string month_name(double month);
 std::optional<double> age_in_season(OrganCalendar const& calendar, double month);
 
 // Sheets of grown leaves by their names.
-using LeafSheets = std::map<std::string, std::shared_ptr<LeafSheet const>, std::less<>>;
+using LeafSheets = std::map<std::string, std::shared_ptr<lsystem::LeafSheet const>, std::less<>>;
 
 // The names of the sheets that a plant's grown leaves need in that season and that are not there.
 std::set<std::string> missing_leaves(Plant const& plant, Season const& season,

@@ -16,16 +16,16 @@ void list(Fields& fields, KeepLeaves& edit)
 
 Result<DocumentState> applied(DocumentState state, KeepLeaves const& edit, SceneBuilder&)
 {
-    if (!parse_leaf_sheet_name(edit.name))
+    if (!lsystem::parse_leaf_sheet_name(edit.name))
         return fail(Fault::User, fmt::format("{} names no leaves", edit.name));
-    state.leaf_sheets[edit.name]
-        = std::make_shared<LeafSheet const>(TRY(parse_leaf_sheet(edit.name, edit.sheet)));
+    state.leaf_sheets[edit.name] = std::make_shared<lsystem::LeafSheet const>(
+        TRY(lsystem::parse_leaf_sheet(edit.name, edit.sheet)));
     return state;
 }
 
 std::string described(KeepLeaves const& edit)
 {
-    auto const order = parse_leaf_sheet_name(edit.name);
+    auto const order = lsystem::parse_leaf_sheet_name(edit.name);
     return order ? fmt::format("keeps {} leaves of {}, of age {:.2g}", order->variants,
                                order->grammar, order->age)
                  : fmt::format("keeps leaves, {}", edit.name);

@@ -42,9 +42,9 @@ bool lies_below(OrganCalendar const& calendar, double month)
 }
 
 // The order of the leaves that stand for a shape at that age; no value where it is none of a sheet.
-std::optional<LeafOrder> order_at(OrganShape const& shape, double age)
+std::optional<lsystem::LeafOrder> order_at(OrganShape const& shape, double age)
 {
-    auto order = shape.cut ? parse_leaf_sheet_name(shape.cut->sheet) : std::nullopt;
+    auto order = shape.cut ? lsystem::parse_leaf_sheet_name(shape.cut->sheet) : std::nullopt;
     if (!order)
         return std::nullopt;
     order->age = std::round(age * kSheetAges) / kSheetAges;
@@ -136,7 +136,7 @@ private:
             return look;
         }
         auto const order = order_at(shape, *age);
-        auto const sheet = order ? sheets_.find(leaf_sheet_name(*order)) : sheets_.end();
+        auto const sheet = order ? sheets_.find(lsystem::leaf_sheet_name(*order)) : sheets_.end();
         if (sheet != sheets_.end()
             && shape.cut->number < static_cast<int>(sheet->second->leaves.size()))
             look.ages.push_back(grown_leaf(shape, id, *order, *sheet->second));
@@ -146,10 +146,10 @@ private:
     }
 
     // The leaf of the same number, in the place of the shape that there was.
-    Aged grown_leaf(OrganShape const& shape, OrganShapeId id, LeafOrder const& order,
-                    LeafSheet const& sheet)
+    Aged grown_leaf(OrganShape const& shape, OrganShapeId id, lsystem::LeafOrder const& order,
+                    lsystem::LeafSheet const& sheet)
     {
-        double const age = leaf_age(order, shape.cut->number);
+        double const age = lsystem::leaf_age(order, shape.cut->number);
         auto const& leaf = sheet.leaves[static_cast<std::size_t>(shape.cut->number)];
         double const blade_mm = shape.length_mm / box_of(*shape.cut).max().y();
         auto& aged = plant_.organ_shapes[id];
@@ -164,10 +164,12 @@ private:
     // Some ages of an organ about that one, each with a colour and a shape.
     std::vector<Aged> plain_ages(OrganShape const& shape, double age)
     {
-        LeafOrder const order { .variants = kPlainVariants, .age = age, .spread = kSpread };
+        lsystem::LeafOrder const order { .variants = kPlainVariants,
+                                         .age = age,
+                                         .spread = kSpread };
         std::vector<Aged> ages;
         for (int i = 0; i < kPlainVariants; ++i) {
-            double const own = leaf_age(order, i);
+            double const own = lsystem::leaf_age(order, i);
             auto aged = shape;
             bend(aged, own);
             aged.material = aged_material(shape.material, own);
@@ -202,10 +204,10 @@ private:
         shape.curl_rad += 0.9 * decay - 0.4 * young;
     }
 
-    static void show_sheet(Material& material, LeafSheet const& sheet)
+    static void show_sheet(Material& material, lsystem::LeafSheet const& sheet)
     {
         material.base_color = sheet.mean_color;
-        material.textures = leaf_textures(sheet);
+        material.textures = lsystem::leaf_textures(sheet);
     }
 
     void place(Organ organ, std::size_t number)
@@ -296,7 +298,7 @@ std::set<std::string> missing_leaves(Plant const& plant, Season const& season,
         auto const calendar = calendar_of(plant, shape);
         auto const age = age_to_show(calendar, season.month);
         auto const order = age && !calendar.is_evergreen ? order_at(shape, *age) : std::nullopt;
-        if (auto const name = order ? leaf_sheet_name(*order) : std::string();
+        if (auto const name = order ? lsystem::leaf_sheet_name(*order) : std::string();
             order && !sheets.contains(name))
             missing.insert(name);
     }

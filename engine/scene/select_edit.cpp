@@ -16,7 +16,7 @@ void list(Fields& fields, Select& edit)
 }
 
 // Paths that are said by their segments, by where they are.
-Result<std::vector<PathAddress>> places_of(Selection const& paths, BasePlant const& base)
+Result<std::vector<PathAddress>> places_of(variation::Selection const& paths, BasePlant const& base)
 {
     std::vector<PathAddress> at;
     for (auto const& path : paths) {
@@ -59,7 +59,7 @@ std::string described(Select const& edit)
 
 } // namespace
 
-Select select_paths(BuiltPlant const& plant, Selection const& paths)
+Select select_paths(BuiltPlant const& plant, variation::Selection const& paths)
 {
     Select edit;
     for (auto const& path : paths)

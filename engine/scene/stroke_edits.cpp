@@ -35,7 +35,7 @@ using Place = SharedVector<PathAddress>;
 
 // The places, each shared with an earlier stroke if there is one at it: after hours of drawing each
 // branch has been drawn many times, and its place is held once.
-std::vector<Place> shared_places(SharedList<Anchored<ShapingStroke>> const& strokes,
+std::vector<Place> shared_places(SharedList<Anchored<variation::ShapingStroke>> const& strokes,
                                  SharedVector<PathAddress> const& wanted)
 {
     std::unordered_map<PathAddress, Place, AddressHash> places;
@@ -124,18 +124,19 @@ Result<DocumentState> change_plants(DocumentState state, std::vector<StrokeNumbe
 }
 
 // Puts what `change` makes of them in the place of strokes.
-Result<DocumentState> with_other_strokes(DocumentState state, Items const& strokes,
-                                         std::function<Result<void>(ShapingStroke&)> const& change)
+Result<DocumentState>
+with_other_strokes(DocumentState state, Items const& strokes,
+                   std::function<Result<void>(variation::ShapingStroke&)> const& change)
 {
     auto const found = TRY(find_strokes(state, strokes));
     return change_plants(
         std::move(state), found,
         [&](PlantState& plant, std::vector<std::size_t> const& numbers) -> Result<void> {
-            std::vector<std::pair<std::size_t, Anchored<ShapingStroke>>> changed;
+            std::vector<std::pair<std::size_t, Anchored<variation::ShapingStroke>>> changed;
             for (auto const number : numbers) {
                 auto stroke = plant.strokes[number];
                 TRY(change(stroke.what));
-                TRY(check_shaping_stroke(stroke.what));
+                TRY(variation::check_shaping_stroke(stroke.what));
                 changed.emplace_back(number, std::move(stroke));
             }
             plant.strokes.replace(std::move(changed));
@@ -164,7 +165,7 @@ with_changed_strokes(DocumentState state, Items const& strokes,
     Stroke drawn;
     Stroke changed;
     return with_other_strokes(std::move(state), strokes,
-                              [&](ShapingStroke& stroke) -> Result<void> {
+                              [&](variation::ShapingStroke& stroke) -> Result<void> {
                                   if (stroke.stroke.tips.id() != drawn.tips.id()) {
                                       drawn = stroke.stroke;
                                       changed = TRY(change(drawn));
@@ -189,12 +190,13 @@ Result<DocumentState> applied(DocumentState state, Associate const& edit, SceneB
     if (!active || active->selection.empty())
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
-    ShapingStroke const stroke { edit.stroke, edit.propagation, edit.fit, edit.detail_weight };
+    variation::ShapingStroke const stroke { edit.stroke, edit.propagation, edit.fit,
+                                            edit.detail_weight };
     // Refused here, at its own edit, rather than later when the plant is grown.
-    TRY(check_shaping_stroke(stroke));
+    TRY(variation::check_shaping_stroke(stroke));
     auto const edit_number = edit_of_item(take_id(state, edit.id));
     change_active(state, [&](PlantState& plant) {
-        std::vector<Anchored<ShapingStroke>> drawn;
+        std::vector<Anchored<variation::ShapingStroke>> drawn;
         for (auto& at : shared_places(plant.strokes, plant.selection))
             drawn.push_back({ item_id(edit_number, drawn.size()), stroke, std::move(at) });
         plant.strokes.append(std::move(drawn));
@@ -244,7 +246,7 @@ void list(Fields& fields, SmoothStroke& edit)
 Result<DocumentState> applied(DocumentState state, SmoothStroke const& edit, SceneBuilder&)
 {
     return with_other_strokes(std::move(state), edit.strokes,
-                              [&](ShapingStroke& stroke) -> Result<void> {
+                              [&](variation::ShapingStroke& stroke) -> Result<void> {
                                   stroke.detail_weight = edit.detail_weight;
                                   return {};
                               });

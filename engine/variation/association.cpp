@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::variation {
 
 Result<PredefinedShape> resolve_associations(Plant const& plant, RestShape const& rest,
                                              std::span<Association const> associations)
@@ -14,4 +14,4 @@ Result<PredefinedShape> resolve_associations(Plant const& plant, RestShape const
     return std::move(shaper).take_shape();
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Chooses the branches that take a stroke's shape (Streit 2006 section 4.3).
 enum class Propagation {
@@ -88,4 +88,4 @@ Result<void> check_shaping_stroke(ShapingStroke const& stroke);
 Result<PredefinedShape> resolve_associations(Plant const& plant, RestShape const& rest,
                                              std::span<Association const> associations);
 
-} // namespace tractus
+} // namespace tractus::variation

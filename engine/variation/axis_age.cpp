@@ -1,6 +1,6 @@
 #include "engine/variation/axis_age.h"
 
-namespace tractus {
+namespace tractus::variation {
 
 std::vector<AxisAge> find_axis_ages(Plant const& plant, RestShape const& rest)
 {
@@ -23,4 +23,4 @@ std::vector<AxisAge> find_axis_ages(Plant const& plant, RestShape const& rest)
     return ages;
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // The age of a plant runs from 0, nothing, to 1, the whole plant. The skeleton is complete at this
 // age; what was born last has the rest of the time to become thick, and its leaves to unfold.
@@ -53,4 +53,4 @@ inline double unfolded(double age, double birth)
     return t * t * (3 - 2 * t);
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Below this a level is done before other threads have woken up.
 constexpr std::size_t kSegmentsWorthThreads = 4096;
@@ -56,4 +56,4 @@ void for_each_level(AxisLevels const& levels,
     }
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // The axes of a plant by level: level 0 stands on the ground, level n on axes of level n - 1. What
 // is computed from a parent to what it bears runs level by level, and within a level in any order.
@@ -33,4 +33,4 @@ AxisLevels find_axis_levels(Plant const& plant);
 void for_each_level(AxisLevels const& levels,
                     std::function<void(std::span<AxisId const>)> const& work);
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::variation {
 
 static void find_parents(Plant const& plant, BranchTree& tree)
 {
@@ -82,4 +82,4 @@ std::vector<SegmentId> path_between(BranchTree const& tree, SegmentId ancestor, 
     return path;
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // A plant's segments as an n-ary tree from root to tip: a segment's children begin where it ends,
 // be it on its own axis or on those that stand on it (Streit 2006 section 4.1, figure 4).
@@ -42,4 +42,4 @@ BranchTree build_branch_tree(Plant const& plant);
 // The segments from `ancestor` down to its descendant `segment`, both among them, root end first.
 std::vector<SegmentId> path_between(BranchTree const& tree, SegmentId ancestor, SegmentId segment);
 
-} // namespace tractus
+} // namespace tractus::variation

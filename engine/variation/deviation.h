@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Deviations of a growing tip: angles in radians, towards a segment's normal (x) and binormal (y),
 // away from its predefined direction. Numbers, not vectors, come in and go out where many axes grow
@@ -98,4 +98,4 @@ inline Quat turn_by(Vec2 const& d, HalfAngle<double> const& half)
     return Quat(half.cosine, 0, -half.sine_share * d.y(), half.sine_share * d.x());
 }
 
-} // namespace tractus
+} // namespace tractus::variation

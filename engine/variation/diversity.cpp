@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::variation {
 
 static constexpr std::size_t kNodes = 2000;
 
@@ -74,4 +74,4 @@ DistanceSpread Diversity::from_drawn() const
     return spread_of(distances_mm);
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // How far two plants of one topology lie apart: the root mean square of the distances between nodes
 // of the same number, millimetres. Both have the same number of them; 0 for none.
@@ -39,4 +39,4 @@ private:
     std::vector<std::vector<Vec3>> plants_mm_;
 };
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <span>
 
-namespace tractus {
+namespace tractus::variation {
 
 namespace {
 
@@ -140,4 +140,4 @@ Result<Plant> grow(GrowthJob const& job)
     return Grower(plan).grow(job.key, job.age);
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -13,7 +13,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Grows plants from one plan (Streit 2006 section 4.5; the law is in growth_law.h). Every plant has
 // the base plant's topology, segment lengths, radii and organs; branches bend, and what stands on
@@ -70,4 +70,4 @@ struct GrowthJob {
 // plan_growth refuse.
 Result<Plant> grow(GrowthJob const& job);
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-namespace tractus {
+namespace tractus::variation {
 
 namespace {
 
@@ -329,4 +329,4 @@ void GrowthBundle::write(std::uint32_t number)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Grows axes side by side, several at a time, since a processor's vectors do the same for several
 // numbers at once and most axes are too short to fill them alone. Each axis grows as it would by
@@ -95,4 +95,4 @@ private:
     std::array<StepNoiseLanes, kStepsAtOnce> drawn_;
 };
 
-} // namespace tractus
+} // namespace tractus::variation

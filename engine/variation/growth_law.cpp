@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Parts of a step that are enough for the indicators: the steady tilt is then right to a per cent
 // for indicators up to several times the plant's height.
@@ -159,4 +159,4 @@ GrowthStep exact_step(GrowthParameters const& p, double length)
     return step;
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -3,7 +3,7 @@
 #include "engine/base/result.h"
 #include "engine/base/vectors.h"
 
-namespace tractus {
+namespace tractus::variation {
 
 // How far and in what way a plant grows away from its predefined shape.
 //
@@ -108,4 +108,4 @@ GrowthStep exact_step(GrowthParameters const& parameters, double length);
 // Variance of each component of d far from the base, without indicators and delay.
 double steady_variance(GrowthParameters const& parameters);
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::variation {
 
 namespace {
 
@@ -103,4 +103,4 @@ void GrowthNoise::fill(std::array<std::uint32_t, kGrowthLanes> const& axes, std:
     }
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Names a plant of a collection. The same key always gives the same plant; keys that differ in
 // anything give plants that have nothing in common but what was drawn.
@@ -48,4 +48,4 @@ private:
     std::uint64_t seed_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -8,7 +8,7 @@
 #include <functional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::variation {
 
 namespace {
 
@@ -245,4 +245,4 @@ Result<GrowthPlan> plan_growth(Plant base, RestShape const& rest, PredefinedShap
     return plan;
 }
 
-} // namespace tractus
+} // namespace tractus::variation

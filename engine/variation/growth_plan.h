@@ -12,7 +12,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Everything about a plant's growth that is the same for all plants of a collection, laid out for
 // the loop that grows them: make it once, then let Grower use it as often as there are plants.
@@ -80,4 +80,4 @@ Result<GrowthPlan> plan_growth(Plant base, RestShape const& rest, PredefinedShap
                                GrowthParameters const& parameters, Influence influence,
                                std::stop_token const& stop = {});
 
-} // namespace tractus
+} // namespace tractus::variation

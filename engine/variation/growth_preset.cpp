@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::variation {
 
 static std::array<GrowthPreset, 9> make_presets()
 {
@@ -95,4 +95,4 @@ std::string_view growth_preset_of(GrowthParameters const& parameters)
     return found == presets.end() ? std::string_view {} : found->name;
 }
 
-} // namespace tractus
+} // namespace tractus::variation

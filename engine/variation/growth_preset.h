@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Growth by a name that people understand.
 struct GrowthPreset {
@@ -26,4 +26,4 @@ Result<GrowthParameters> growth_preset(std::string_view name);
 // The name of the preset that these are; empty if they are none's.
 std::string_view growth_preset_of(GrowthParameters const& parameters);
 
-} // namespace tractus
+} // namespace tractus::variation

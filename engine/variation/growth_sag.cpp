@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::variation {
 
 namespace {
 
@@ -136,4 +136,4 @@ void Sagger::sag(Plant& plant, std::span<Quat> parent_frame, std::stop_token con
             parent_frame[parent] = renormalised(turn_[segment] * parent_frame[parent]);
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Lets grown plants sag under the weight of their branches: each joint gives way, about a level
 // axis, by bending moment times length over bending stiffness, as a slender round rod of green wood
@@ -45,4 +45,4 @@ private:
     std::vector<Load> load_;     // Per segment: it and all that it bears.
 };
 
-} // namespace tractus
+} // namespace tractus::variation

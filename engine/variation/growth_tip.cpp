@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::variation {
 
 SteppedTip::SteppedTip(GrowthPlan const& plan, GrowthNoise const& noise, AxisId axis,
                        AxisInfluence const& influence, AxisProgress const& progress)
@@ -135,4 +135,4 @@ void SteppedTip::advance(std::span<Vec2> deviations)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::variation

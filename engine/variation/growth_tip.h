@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Influence that pushes an axis, in the axis' coordinates.
 class AxisInfluence {
@@ -78,4 +78,4 @@ private:
     double next_start_ = 0;  // Where it begins, in steps from the base.
 };
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace tractus {
+namespace tractus::variation {
 
 namespace {
 
@@ -102,4 +102,4 @@ Result<Influence> influence_of(Plant const& plant, std::span<Vec3 const> nodes_m
     return influence;
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Influence of motion indicators on a plant, in units of the plant's height: an indicator as long
 // as the plant is high has length 1, at whatever scale the plant is shown.
@@ -34,4 +34,4 @@ Result<Influence> influence_of(Plant const& plant, std::span<Vec3 const> nodes_m
                                std::span<MotionIndicator const> indicators,
                                ShownPlant const& shown);
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace tractus {
+namespace tractus::variation {
 
 Result<MotionIndicator> motion_indicator(Stroke const& stroke)
 {
@@ -65,4 +65,4 @@ std::optional<std::size_t> nearest_indicator(std::span<MotionIndicator const> in
     return nearest;
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // A line drawn in space that says where an influence pushes, and by its length how much: wind is
 // drawn sideways, sunlight upwards, rain downwards (Streit 2006 section 4.4). World frame.
@@ -57,4 +57,4 @@ double falloff(MotionIndicator const& indicator, double distance_mm);
 // The distance of a point from the line between the ends.
 double distance_mm(MotionIndicator const& indicator, Vec3 const& point_mm);
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -3,7 +3,7 @@
 #include "engine/base/check.h"
 #include "engine/stroke/frame_rotation.h"
 
-namespace tractus {
+namespace tractus::variation {
 
 void place_nodes(Plant const& plant, RestShape const& rest, PredefinedShape const& shape,
                  std::vector<Vec3>& nodes_mm)
@@ -35,4 +35,4 @@ void place_nodes(Plant const& plant, RestShape const& rest, PredefinedShape cons
     });
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // The nodes of `plant` in its predefined shape, plant frame: what is to be seen of a stroke before
 // the plant grows, and while it is being drawn. `rest` and `shape` must be of `plant`. Put into
@@ -13,4 +13,4 @@ namespace tractus {
 void place_nodes(Plant const& plant, RestShape const& rest, PredefinedShape const& shape,
                  std::vector<Vec3>& nodes_mm);
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace tractus {
+namespace tractus::variation {
 
 namespace {
 
@@ -346,4 +346,4 @@ void ProjectedSkeleton::find_covering(Vec2 const& point, PickOptions const& opti
                   [&](Line const& line, auto const&) { covering.push_back(line.segment); });
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // How a view shows a plant on a plane, in pixels or millimetres of the pen's tablet.
 struct SkeletonProjection {
@@ -96,4 +96,4 @@ private:
     std::vector<std::vector<std::uint32_t>> next_in_cell_;
 };
 
-} // namespace tractus
+} // namespace tractus::variation

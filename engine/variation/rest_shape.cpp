@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::variation {
 
 namespace {
 
@@ -114,4 +114,4 @@ RestShape find_rest_shape(Plant const& plant, PlantAddresses addresses)
     return shape;
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // The shape of a plant from which strokes and growth start: found once for a base plant, and then
 // used for every stroke and every variation.
@@ -53,4 +53,4 @@ RestShape find_rest_shape(Plant const& plant, PlantAddresses addresses);
 // Of a plant that was not put together from others; `keys` as of AddressIndex.
 RestShape find_rest_shape(Plant const& plant, AxisKeys keys = {});
 
-} // namespace tractus
+} // namespace tractus::variation

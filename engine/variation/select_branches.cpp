@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <unordered_set>
 
-namespace tractus {
+namespace tractus::variation {
 
 Result<std::vector<SegmentId>> path_by_ends(BranchTree const& tree, SegmentId one, SegmentId other)
 {
@@ -102,4 +102,4 @@ Selection taken(Selection const& selection, Selection const& less)
     return left;
 }
 
-} // namespace tractus
+} // namespace tractus::variation

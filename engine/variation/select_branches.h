@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Paths of segments, each from root to tip: what strokes go to.
 using Selection = std::vector<std::vector<SegmentId>>;
@@ -31,4 +31,4 @@ Selection added(Selection selection, Selection const& more);
 // `selection` without the segments of `less`. A path that loses some in its middle falls into two.
 Selection taken(Selection const& selection, Selection const& less);
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Nobody's screen is larger: what is farther apart is walked in longer steps.
 constexpr double kLongestMove = 1e5;
@@ -169,4 +169,4 @@ std::vector<std::vector<SegmentId>> SelectionPen::lift()
     return selection_.finish();
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 enum class SegmentState : unsigned char {
     Unselected,
@@ -96,4 +96,4 @@ private:
     std::vector<SegmentId> covering_;   // Segments that could be meant at the present place.
 };
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace tractus {
+namespace tractus::variation {
 
 namespace {
 
@@ -200,4 +200,4 @@ Quat curve_to_axis(Plant const& plant, RestShape const& rest, StrokeShape const&
     return least_rotation(drawn, chord / length) * along_start;
 }
 
-} // namespace tractus
+} // namespace tractus::variation

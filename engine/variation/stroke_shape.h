@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Change of one segment of a stroke's path.
 struct Joint {
@@ -41,4 +41,4 @@ Result<StrokeShape> shape_of(Plant const& plant, RestShape const& rest,
 // chord.
 Quat curve_to_axis(Plant const& plant, RestShape const& rest, StrokeShape const& stroke, AxisId id);
 
-} // namespace tractus
+} // namespace tractus::variation

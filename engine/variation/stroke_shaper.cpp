@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace tractus {
+namespace tractus::variation {
 
 // True where two associations shape a plant alike.
 static bool same(Association const& a, Association const& b)
@@ -233,4 +233,4 @@ void StrokeShaper::lay_joints(AxisId id, Quat const& turn)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::variation

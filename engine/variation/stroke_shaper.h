@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Keeps a plant's predefined shape while associations come, change and go: only what they touch,
 // and what rides on it, is laid anew. So a stroke can be followed while it is drawn.
@@ -61,4 +61,4 @@ private:
     std::vector<std::vector<Joint>> joints_;
 };
 
-} // namespace tractus
+} // namespace tractus::variation

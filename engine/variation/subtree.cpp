@@ -1,6 +1,6 @@
 #include "engine/variation/subtree.h"
 
-namespace tractus {
+namespace tractus::variation {
 
 std::vector<AxisRest> subtree_of(Plant const& plant, SegmentId segment)
 {
@@ -19,4 +19,4 @@ std::vector<AxisRest> subtree_of(Plant const& plant, SegmentId segment)
     return subtree;
 }
 
-} // namespace tractus
+} // namespace tractus::variation

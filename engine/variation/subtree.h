@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Segments of one axis, from one on to its tip.
 struct AxisRest {
@@ -16,4 +16,4 @@ struct AxisRest {
 // the plant's order.
 std::vector<AxisRest> subtree_of(Plant const& plant, SegmentId segment);
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -1,6 +1,6 @@
 #include "engine/variation/growth.h"
 
-namespace tractus {
+namespace tractus::variation {
 
 namespace {
 
@@ -83,4 +83,4 @@ Plant without_unborn(Plant const& plant)
     return kept;
 }
 
-} // namespace tractus
+} // namespace tractus::variation

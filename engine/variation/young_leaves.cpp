@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-namespace tractus {
+namespace tractus::variation {
 
 namespace {
 
@@ -142,4 +142,4 @@ Vec3 YoungLeaves::point_on(Plant const& plant, AxisId id, double along_mm) const
     return nodes[0] + std::max(into_mm, 0.0) / length_mm * (nodes[1] - nodes[0]);
 }
 
-} // namespace tractus
+} // namespace tractus::variation

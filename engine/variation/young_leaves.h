@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Where leaves are while what will bear them has not grown yet.
 //
@@ -46,4 +46,4 @@ private:
     std::size_t per_shoot_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::variation

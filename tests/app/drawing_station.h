@@ -13,32 +13,32 @@
 namespace tractus {
 
 // A station and the document that its strokes go to, at once: what a log or a hand amounts to.
-class DrawingStation : public Station {
+class DrawingStation : public station::Station {
 public:
-    DrawingStation(Station station, Scene scene)
-        : Station(std::move(station))
+    DrawingStation(station::Station station, Scene scene)
+        : station::Station(std::move(station))
         , document_(std::make_unique<Document>(std::move(scene), Document::Working::AtOnce))
     {
     }
 
     void push(std::size_t device, Timestamp received, std::span<std::byte const> report)
     {
-        Station::push(device, received, report);
+        station::Station::push(device, received, report);
         draw_finished();
     }
     void set_tool(Timestamp time, Tool const& tool)
     {
-        Station::set_tool(time, tool);
+        station::Station::set_tool(time, tool);
         draw_finished();
     }
     void pass_time(Timestamp now)
     {
-        Station::pass_time(now);
+        station::Station::pass_time(now);
         draw_finished();
     }
     void finish()
     {
-        Station::finish();
+        station::Station::finish();
         draw_finished();
     }
 

@@ -10,7 +10,7 @@
 namespace tractus {
 
 // A station with the simple pen and the tools of all methods, whose surface stays at 100 mm.
-inline Station flat_station(std::optional<Tool> const& tool = {})
+inline station::Station flat_station(std::optional<Tool> const& tool = {})
 {
     return flat_station(all_methods().tools, tool);
 }

@@ -11,7 +11,7 @@ namespace tractus {
 // A document with the plant of one of our models, such as "birch".
 inline Scene our_plant(std::string_view name)
 {
-    return apply_edit({}, load_model_edit(find_model(name).value()).value()).value();
+    return apply_edit({}, io::load_model_edit(files::find_model(name).value()).value()).value();
 }
 
 } // namespace tractus

@@ -11,16 +11,16 @@ namespace tractus {
 
 // Result of a log.
 struct Replayed {
-    StationCounts counts;
+    station::StationCounts counts;
     Scene scene;
     std::vector<DrawnStroke> strokes;
 };
 
-inline Replayed replayed(drivers::Log const& log, ReplayOptions options = {},
+inline Replayed replayed(drivers::Log const& log, station::ReplayOptions options = {},
                          Scene scene = small_scene())
 {
     options.methods = all_methods();
-    auto replay = LogReplay::create(log, options).value();
+    auto replay = station::LogReplay::create(log, options).value();
     Document document(std::move(scene), Document::Working::AtOnce);
     replay.run(document);
     return { replay.station().counts(), document.newest()->scene, document.take_drawn() };

@@ -47,9 +47,9 @@ inline std::vector<std::byte> height_report(int counts)
 }
 
 // A station with the simple pen and these tools, whose surface stays at 100 mm.
-inline Station flat_station(ToolKinds tools, std::optional<Tool> const& tool)
+inline station::Station flat_station(ToolKinds tools, std::optional<Tool> const& tool)
 {
-    StationOptions options;
+    station::StationOptions options;
     options.scripted_height = calib::ScriptedHeight {
         .scenario = { .kind = calib::HeightScenario::Kind::Constant, .constant_mm = 100 },
         .first_pen = {},
@@ -57,7 +57,7 @@ inline Station flat_station(ToolKinds tools, std::optional<Tool> const& tool)
     };
     options.tools = tools;
     options.tool = tool;
-    return Station::create(std::vector { drivers::simple_pen() }, options).value();
+    return station::Station::create(std::vector { drivers::simple_pen() }, options).value();
 }
 
 // A stroke of the simple pen across the middle of the tablet: twenty samples, 5 ms apart, from

@@ -19,7 +19,7 @@ inline Scene small_scene()
     return apply_edit({}, small_model()).value();
 }
 
-inline void select(Scene& scene, Selection const& paths)
+inline void select(Scene& scene, variation::Selection const& paths)
 {
     scene = apply_edit(scene, select_paths(scene, paths)).value();
 }

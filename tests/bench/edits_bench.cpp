@@ -36,7 +36,7 @@ class RandomSteps {
 public:
     RandomSteps()
     {
-        return_large_blocks(); // The window does it, too.
+        batch::return_large_blocks(); // The window does it, too.
         while (seconds_.size() < kSteps) {
             auto const segments = segment_count(document_.newest()->scene);
             if (segments < kSegments)

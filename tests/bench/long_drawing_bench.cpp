@@ -39,8 +39,8 @@ double resident_mb()
 class Day {
 public:
     explicit Day(fs::path const& path)
-        : controller_(station_, begin_session(path, { model() }, core_edit_kinds()).value(), {},
-                      ".")
+        : controller_(station_, batch::begin_session(path, { model() }, core_edit_kinds()).value(),
+                      {}, ".")
     {
     }
 
@@ -61,7 +61,7 @@ public:
         }
         if (++strokes_ % kStrokesPerUndo != 0)
             return;
-        controller_.perform(Undo {}, station_);
+        controller_.perform(view::Undo {}, station_);
         controller_.settle(station_,
                            at_ms(now_ms_)); // Growing keeps up with a hand, but not with this.
     }
@@ -78,7 +78,7 @@ public:
     // Whether the session has each stroke that was not taken back, and no other.
     bool has_lost_nothing(fs::path const& path) const
     {
-        auto const session = read_session(path, core_edit_kinds());
+        auto const session = session::read_session(path, core_edit_kinds());
         if (!session)
             return false;
         std::int64_t stroke = 0;
@@ -95,19 +95,25 @@ public:
     }
 
 private:
-    static Edit model() { return load_plant_edit(find_model("broadleaf").value()).value(); }
+    static Edit model()
+    {
+        return io::load_plant_edit(files::find_model("broadleaf").value()).value();
+    }
 
-    static Station new_station() { return Station::create(simple_rig(), {}).value(); }
+    static station::Station new_station()
+    {
+        return station::Station::create(simple_rig(), {}).value();
+    }
 
-    Station station_ = new_station();
-    StationController controller_;
+    station::Station station_ = new_station();
+    controllers::StationController controller_;
     std::int64_t now_ms_ = 0;
     std::int64_t strokes_ = 0;
 };
 
 void draw_for_eight_hours(benchmark::State& state)
 {
-    return_large_blocks();
+    batch::return_large_blocks();
     auto const path
         = fs::temp_directory_path() / fmt::format("tractus-bench-{}.tractus", ::getpid());
     constexpr std::int64_t kCycles = 3'600'000 / kCycle_ms;

@@ -47,11 +47,11 @@ tbb::global_control limited_threads(benchmark::State const& state)
              static_cast<std::size_t>(state.range(1)) };
 }
 
-Model compiled(std::string const& rules)
+lsystem::Model compiled(std::string const& rules)
 {
-    ModelSource source;
+    lsystem::ModelSource source;
     source.text = rules;
-    return compile_model(source).value();
+    return lsystem::compile_model(source).value();
 }
 
 // Bytes are those of the last string, read or written once: steps before it are much shorter.
@@ -59,12 +59,12 @@ void derive_model(benchmark::State& state, std::string const& rules)
 {
     auto const threads = limited_threads(state);
     auto const model = compiled(rules);
-    DeriveOptions options;
+    lsystem::DeriveOptions options;
     options.steps = static_cast<int>(state.range(0));
     std::size_t modules = 0;
     std::size_t bytes = 0;
     for (auto _ : state) {
-        auto const string = derive(model, options).value();
+        auto const string = lsystem::derive(model, options).value();
         modules = string.size();
         bytes = string.kinds.size() + string.parameters.size() * sizeof(float);
         benchmark::DoNotOptimize(string.kinds.data());
@@ -93,20 +93,20 @@ void signal_through_a_row(benchmark::State& state)
 {
     auto const threads = limited_threads(state);
     auto const model = compiled(row_of_signals());
-    DeriveOptions options;
+    lsystem::DeriveOptions options;
     options.steps = static_cast<int>(state.range(0));
     for (auto _ : state)
-        benchmark::DoNotOptimize(derive(model, options).value().kinds.data());
+        benchmark::DoNotOptimize(lsystem::derive(model, options).value().kinds.data());
     double const module_steps = 20'001.0 * static_cast<double>(state.range(0));
     report(state, { .items = module_steps, .item = "module steps", .bytes = 2 * module_steps });
 }
 
 void compile_tree(benchmark::State& state)
 {
-    ModelSource source;
+    lsystem::ModelSource source;
     source.text = kMonopodialTree;
     for (auto _ : state)
-        benchmark::DoNotOptimize(compile_model(source).value());
+        benchmark::DoNotOptimize(lsystem::compile_model(source).value());
     report(state,
            { .items = 1, .item = "models", .bytes = static_cast<double>(source.text.size()) });
 }
@@ -115,13 +115,13 @@ void interpret_tree(benchmark::State& state)
 {
     auto const threads = limited_threads(state);
     auto const model = compiled(kMonopodialTree);
-    DeriveOptions options;
+    lsystem::DeriveOptions options;
     options.steps = static_cast<int>(state.range(0));
-    auto const string = derive(model, options).value();
+    auto const string = lsystem::derive(model, options).value();
     std::size_t segments = 0;
     std::size_t bytes = 0;
     for (auto _ : state) {
-        auto const plant = interpret(model, string).value();
+        auto const plant = lsystem::interpret(model, string).value();
         segments = plant.segment_count();
         bytes = plant.node_position_mm.size() * (sizeof(Vec3) + sizeof(float))
             + segments * sizeof(MaterialId) + plant.axes.size() * sizeof(Axis);

@@ -26,12 +26,12 @@ constexpr int kSteps = 20; // 1,048,575 segments.
 Plant const& plant()
 {
     static Plant const made = [] {
-        ModelSource source;
+        lsystem::ModelSource source;
         source.text = kMonopodialTree;
-        auto const model = compile_model(source).value();
-        DeriveOptions options;
+        auto const model = lsystem::compile_model(source).value();
+        lsystem::DeriveOptions options;
         options.steps = kSteps;
-        return interpret(model, derive(model, options).value()).value();
+        return lsystem::interpret(model, lsystem::derive(model, options).value()).value();
     }();
     return made;
 }
@@ -158,8 +158,8 @@ void fill_arrays_of_bare_tubes(benchmark::State& state)
              .limit = Limit::Fill });
 }
 
-void write_glb_bench(benchmark::State& state, std::span<PlacedMesh const> plants,
-                     GlbOptions const& options = {})
+void write_glb_bench(benchmark::State& state, std::span<exports::PlacedMesh const> plants,
+                     exports::GlbOptions const& options = {})
 {
     Threads const threads(state);
     auto const path
@@ -170,7 +170,7 @@ void write_glb_bench(benchmark::State& state, std::span<PlacedMesh const> plants
         std::filesystem::remove(path);
         state.ResumeTiming();
         std::ofstream out(path, std::ios::binary);
-        auto const summary = write_glb(out, plants, options);
+        auto const summary = exports::write_glb(out, plants, options);
         if (!summary) {
             state.SkipWithError(summary.error().message.c_str());
             break;
@@ -201,28 +201,29 @@ void make_mesh_for_pictures(benchmark::State& state)
 void write_glb_of_a_mesh(benchmark::State& state)
 {
     mesh::Mesh const mesh = mesh::make_mesh(plant(), kBareTubes);
-    PlacedMesh const placed { .mesh = &mesh };
+    exports::PlacedMesh const placed { .mesh = &mesh };
     write_glb_bench(state, std::span(&placed, 1));
 }
 void write_glb_while_meshing(benchmark::State& state)
 {
-    PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant(), .options = kBareTubes } };
+    exports::PlacedMesh const placed { .mesh = exports::PlantToMesh { .plant = &plant(),
+                                                                      .options = kBareTubes } };
     write_glb_bench(state, std::span(&placed, 1));
 }
 
 // 200 plants of 10,000 segments and 5,000 leaves, grown when their turn comes.
 void write_glb_of_a_collection(benchmark::State& state)
 {
-    auto const plan = plan_of(collected_plant(), {});
-    Grower grower(plan);
-    std::vector<PlacedMesh> plants(kCollectionPlants);
+    auto const plan = variation::plan_of(collected_plant(), {});
+    variation::Grower grower(plan);
+    std::vector<exports::PlacedMesh> plants(kCollectionPlants);
     for (std::uint32_t i = 0; i < plants.size(); ++i)
-        plants[i].mesh = PlantToMesh { .plant =
-                                           [&, i] {
-                                               return grower.grow({ 1, i });
-                                           },
-                                       .options = { .min_sides = 8, .max_sides = 8 } };
-    write_glb_bench(state, plants, { .vertices = GlbOptions::Vertices::Quantized });
+        plants[i].mesh = exports::PlantToMesh { .plant =
+                                                    [&, i] {
+                                                        return grower.grow({ 1, i });
+                                                    },
+                                                .options = { .min_sides = 8, .max_sides = 8 } };
+    write_glb_bench(state, plants, { .vertices = exports::GlbOptions::Vertices::Quantized });
 }
 
 void on_threads(benchmark::internal::Benchmark* bench)

@@ -25,7 +25,7 @@ double month_of(std::size_t step)
     return 4.5 + 0.5 * static_cast<double>(step % 12);
 }
 
-mesh::Mesh grown(PlantGrower& grower, Scene scene)
+mesh::Mesh grown(view::PlantGrower& grower, Scene scene)
 {
     auto const shared = std::make_shared<Scene const>(std::move(scene));
     grower.grow({ shared, shared->growth });
@@ -39,7 +39,7 @@ mesh::Mesh grown(PlantGrower& grower, Scene scene)
 void season_while_a_slider_moves(benchmark::State& state)
 {
     auto const scene = two_birches();
-    PlantGrower grower;
+    view::PlantGrower grower;
     benchmark::DoNotOptimize(grown(grower, scene).triangle_count());
     std::size_t step = 0;
     for (auto _ : state) {
@@ -53,10 +53,10 @@ BENCHMARK(season_while_a_slider_moves)->Unit(benchmark::kMillisecond)->UseRealTi
 void season_chosen(benchmark::State& state)
 {
     auto const scene = two_birches();
-    PlantGrower grower;
+    view::PlantGrower grower;
     std::size_t step = 0;
     for (auto _ : state) {
-        auto const there = with_season(scene, Season { month_of(step++), 0.5 }).value();
+        auto const there = batch::with_season(scene, Season { month_of(step++), 0.5 }).value();
         benchmark::DoNotOptimize(grown(grower, there).triangle_count());
     }
     report(state, { .item = "pictures" });

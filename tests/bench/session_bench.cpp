@@ -36,9 +36,9 @@ Stroke bent_stroke(std::size_t number)
     return stroke;
 }
 
-SessionOptions options()
+session::SessionOptions options()
 {
-    return session_by_the_clock(core_edit_kinds(), [] { return load_options(); });
+    return session::session_by_the_clock(core_edit_kinds(), [] { return load_options(); });
 }
 
 // Half of its edits choose a branch, the others draw it.
@@ -47,11 +47,11 @@ public:
     BigSession()
         : path_(fs::temp_directory_path() / fmt::format("tractus-bench-{}.tractus", ::getpid()))
     {
-        return_large_blocks(); // The window does it, too.
+        batch::return_large_blocks(); // The window does it, too.
         fs::remove(path_);
         Edit const model = LoadModel { .source = { .name = "tree.l", .text = kMonopodialTree },
                                        .steps = kSteps };
-        auto session = begin_session(path_, { model }, core_edit_kinds()).value();
+        auto session = batch::begin_session(path_, { model }, core_edit_kinds()).value();
         auto const& plant = *session.scene().base;
         for (std::size_t i = 0; i < kEdits / 2; ++i) {
             auto const axis = plant.axes[i * plant.axes.size() / (kEdits / 2)];
@@ -81,7 +81,7 @@ void open_a_thousand_edits(benchmark::State& state)
 {
     BigSession const big;
     for (auto _ : state)
-        benchmark::DoNotOptimize(Session::open(big.path(), options()).value().step());
+        benchmark::DoNotOptimize(session::Session::open(big.path(), options()).value().step());
     report(state, { .items = kEdits, .item = "edits" });
 }
 BENCHMARK(open_a_thousand_edits)->Iterations(3)->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -89,7 +89,7 @@ BENCHMARK(open_a_thousand_edits)->Iterations(3)->Unit(benchmark::kMillisecond)->
 void undo_among_a_thousand_edits(benchmark::State& state)
 {
     BigSession const big;
-    auto session = Session::open(big.path(), options()).value();
+    auto session = session::Session::open(big.path(), options()).value();
     for (auto _ : state)
         if (!session.undo())
             state.SkipWithError("it cannot be undone");

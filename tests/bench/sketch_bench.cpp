@@ -64,14 +64,14 @@ double length_mm(SketchTool const& tool)
 // samples a second, after the first half second.
 void sketch_sample_p99(benchmark::State& state)
 {
-    return_large_blocks(); // The window does it, too.
+    batch::return_large_blocks(); // The window does it, too.
     constexpr int kSamples = 600;
     constexpr int kFirst = 100;
     auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
     for (auto _ : state) {
         auto station = flat_station(tool);
         Document document(Scene {}, Document::Working::OnItsThread);
-        StationView view(station, document);
+        view::StationView view(station, document);
         std::vector<double> took_s;
         std::uint64_t shown = 0;
         auto next = Clock::now();
@@ -105,12 +105,12 @@ void sketch_application(benchmark::State& state)
     auto const scene = std::make_shared<Scene const>();
     auto const previewer = sketch_previewer();
     Tool const hand = tool;
-    WindowState seen;
+    view::WindowState seen;
     std::size_t lines = 0;
     for (auto _ : state) {
         seen.preview = previewer->show({ scene, hand, inks[turn++ % 2], 99 });
-        benchmark::DoNotOptimize(pad_preview_curves(seen).data());
-        benchmark::DoNotOptimize(preview_curves(seen).data());
+        benchmark::DoNotOptimize(window::pad_preview_curves(seen).data());
+        benchmark::DoNotOptimize(window::preview_curves(seen).data());
         lines = seen.preview.size();
     }
     report(state, { .items = static_cast<double>(lines), .item = "axes" });
@@ -130,12 +130,12 @@ Scene drawn(SketchTool const& tool)
 // From the pen's leaving the tablet to the plant and its skeleton.
 void sketch_plant_and_skeleton(benchmark::State& state)
 {
-    return_large_blocks();
+    batch::return_large_blocks();
     auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
     std::size_t segments = 0;
     for (auto _ : state) {
         auto const scene = std::make_shared<Scene const>(drawn(tool));
-        SkeletonPicture picture;
+        view::SkeletonPicture picture;
         picture.set_scene(scene);
         benchmark::DoNotOptimize(picture.lines({}).data());
         segments = scene->base->segment_count();
@@ -151,10 +151,10 @@ BENCHMARK(sketch_plant_and_skeleton)
 // From there to the triangles with leaves.
 void sketch_mesh(benchmark::State& state)
 {
-    return_large_blocks();
+    batch::return_large_blocks();
     auto const scene
         = std::make_shared<Scene const>(drawn(rule_for(static_cast<std::size_t>(state.range(0)))));
-    PlantGrower grower;
+    view::PlantGrower grower;
     std::size_t triangles = 0;
     for (auto _ : state) {
         grower.grow({ scene, scene->growth });

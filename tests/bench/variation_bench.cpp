@@ -21,14 +21,14 @@ namespace {
 // segment.
 Plant const& twigs()
 {
-    static Plant const plant = forking_tree(17, 1);
+    static Plant const plant = variation::forking_tree(17, 1);
     return plant;
 }
 
 // 8,191 axes of sixteen segments.
 Plant const& branches()
 {
-    static Plant const plant = forking_tree(13, 16);
+    static Plant const plant = variation::forking_tree(13, 16);
     return plant;
 }
 
@@ -44,19 +44,19 @@ tbb::global_control limited_to(std::int64_t threads)
     return { tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads) };
 }
 
-std::vector<Association> both(Plant const& plant)
+std::vector<variation::Association> both(Plant const& plant)
 {
     return { { .path = segments_of(plant.axes[0]),
                .stroke = stroke_of(s_curve(200)),
-               .propagation = Propagation::Both } };
+               .propagation = variation::Propagation::Both } };
 }
 
-void grow_plants(benchmark::State& state, Plant const& plant, GrowthParameters const& parameters,
-                 Vec3 const& influence)
+void grow_plants(benchmark::State& state, Plant const& plant,
+                 variation::GrowthParameters const& parameters, Vec3 const& influence)
 {
     auto const threads = limited_to(state.range(0));
-    auto const plan = plan_of(plant, parameters, influence, both(plant));
-    Grower grower(plan);
+    auto const plan = variation::plan_of(plant, parameters, influence, both(plant));
+    variation::Grower grower(plan);
     std::uint32_t index = 0;
     for (auto _ : state)
         benchmark::DoNotOptimize(&grower.grow({ .seed = 1, .plant_index = index++ }));
@@ -96,12 +96,12 @@ void reshape(benchmark::State& state, Plant const& plant)
 {
     auto const threads = limited_to(state.range(0));
     auto const associations = both(plant);
-    auto const rest = find_rest_shape(plant);
-    StrokeShaper shaper(plant, rest);
+    auto const rest = variation::find_rest_shape(plant);
+    variation::StrokeShaper shaper(plant, rest);
     std::vector<Vec3> nodes_mm = plant.node_position_mm;
     for (auto _ : state) {
         benchmark::DoNotOptimize(shaper.set(associations));
-        place_nodes(plant, rest, shaper.shape(), nodes_mm);
+        variation::place_nodes(plant, rest, shaper.shape(), nodes_mm);
         benchmark::DoNotOptimize(nodes_mm.data());
         state.PauseTiming();
         benchmark::DoNotOptimize(shaper.set({}));
@@ -123,7 +123,7 @@ BENCHMARK(reshape_twigs)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 // 50,176 segments: 3,136 axes of sixteen.
 void reshape_50_thousand(benchmark::State& state)
 {
-    static auto const plant = wide_tree(3136, 16);
+    static auto const plant = variation::wide_tree(3136, 16);
     reshape(state, plant);
 }
 BENCHMARK(reshape_50_thousand)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
@@ -131,7 +131,7 @@ BENCHMARK(reshape_50_thousand)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime(
 // 1,310,704 segments: 81,919 axes of sixteen.
 void reshape_1300_thousand(benchmark::State& state)
 {
-    static auto const plant = wide_tree(81'919, 16);
+    static auto const plant = variation::wide_tree(81'919, 16);
     reshape(state, plant);
 }
 BENCHMARK(reshape_1300_thousand)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
@@ -140,7 +140,7 @@ void find_rest_shape_of_branches(benchmark::State& state)
 {
     auto const threads = limited_to(state.range(0));
     for (auto _ : state)
-        benchmark::DoNotOptimize(find_rest_shape(branches()));
+        benchmark::DoNotOptimize(variation::find_rest_shape(branches()));
     report(state,
            { .items = static_cast<double>(branches().segment_count()),
              .item = "segments",
@@ -150,10 +150,10 @@ BENCHMARK(find_rest_shape_of_branches)->ArgName("threads")->Arg(1)->Arg(2)->UseR
 
 void plan_growth_of_branches(benchmark::State& state)
 {
-    auto const rest = find_rest_shape(branches());
-    auto const shape = resolve_associations(branches(), rest, both(branches())).value();
+    auto const rest = variation::find_rest_shape(branches());
+    auto const shape = variation::resolve_associations(branches(), rest, both(branches())).value();
     for (auto _ : state)
-        benchmark::DoNotOptimize(plan_growth(branches(), rest, shape, {}, {}));
+        benchmark::DoNotOptimize(variation::plan_growth(branches(), rest, shape, {}, {}));
     report(state,
            { .items = static_cast<double>(branches().segment_count()),
              .item = "segments",
@@ -162,17 +162,17 @@ void plan_growth_of_branches(benchmark::State& state)
 BENCHMARK(plan_growth_of_branches);
 
 // A window of 1,200 pixels in which the whole tree is seen from the front.
-SkeletonProjection window()
+variation::SkeletonProjection window()
 {
     Eigen::Matrix4d clip;
     clip << 1 / 4000., 0, 0, 0, 0, 0, 1 / 4000., 0, 0, 1 / 4000., 0, 0, 0, 0, 0, 1;
-    return view_in_pixels(clip, Vec2(1200, 1200));
+    return variation::view_in_pixels(clip, Vec2(1200, 1200));
 }
 
 void project_skeleton(benchmark::State& state)
 {
     for (auto _ : state)
-        benchmark::DoNotOptimize(ProjectedSkeleton(branches(), window()).lines().data());
+        benchmark::DoNotOptimize(variation::ProjectedSkeleton(branches(), window()).lines().data());
     report(state,
            { .items = static_cast<double>(branches().segment_count()),
              .item = "segments",
@@ -182,9 +182,9 @@ BENCHMARK(project_skeleton);
 
 // A skeleton of 1,048,568 segments, and what a pen needs to select in it.
 struct MillionSegments {
-    Plant plant = forking_tree(17, 8);
-    BranchTree tree = build_branch_tree(plant);
-    ProjectedSkeleton skeleton { plant, window() };
+    Plant plant = variation::forking_tree(17, 8);
+    variation::BranchTree tree = variation::build_branch_tree(plant);
+    variation::ProjectedSkeleton skeleton { plant, window() };
 };
 
 MillionSegments& million()
@@ -215,8 +215,8 @@ void selection_pen_over_million(benchmark::State& state)
     std::vector<double> seconds;
     for (auto _ : state) {
         seconds.clear();
-        PathSelection selection(segments.tree);
-        std::optional<SelectionPen> pen;
+        variation::PathSelection selection(segments.tree);
+        std::optional<variation::SelectionPen> pen;
         for (int i = 0; i < kSamples; ++i) {
             if (i % 50 == 0) { // A new stroke, from the trunk into another part of the crown.
                 selection.clear();

@@ -65,7 +65,7 @@ Scene scene_of(std::size_t segments)
     auto plant = big_plant(segments);
     scene.placement = place_on_desk(plant);
     scene.base = std::make_shared<Plant const>(std::move(plant));
-    scene.rest = SharedRestShape(scene.base);
+    scene.rest = variation::SharedRestShape(scene.base);
     return scene;
 }
 
@@ -76,7 +76,7 @@ public:
         : document_(std::move(scene), Document::Working::OnItsThread)
         , view_(station_, document_)
     {
-        return_large_blocks(); // The window does it, too.
+        batch::return_large_blocks(); // The window does it, too.
     }
 
     struct Took {
@@ -95,17 +95,17 @@ public:
             document_.draw(std::move(stroke));
         (void)document_.take_drawn();
         view_.show(station_, document_);
-        benchmark::DoNotOptimize(pad_live_curves(view_.state()).data());
+        benchmark::DoNotOptimize(window::pad_live_curves(view_.state()).data());
         std::chrono::duration<double> const ink = Clock::now() - begin;
         if (follow(view_.state().strokes_revision, strokes_))
-            benchmark::DoNotOptimize(pad_stroke_curves(view_.state()).data());
+            benchmark::DoNotOptimize(window::pad_stroke_curves(view_.state()).data());
         if (follow(view_.state().preview_revision, preview_)) {
-            benchmark::DoNotOptimize(pad_preview_curves(view_.state()).data());
-            benchmark::DoNotOptimize(preview_curves(view_.state()).data());
+            benchmark::DoNotOptimize(window::pad_preview_curves(view_.state()).data());
+            benchmark::DoNotOptimize(window::preview_curves(view_.state()).data());
         }
         if (follow(view_.state().skeleton_revision, skeleton_)) {
-            benchmark::DoNotOptimize(pad_skeleton_curves(view_.state()).data());
-            benchmark::DoNotOptimize(skeleton_curves(view_.state()).data());
+            benchmark::DoNotOptimize(window::pad_skeleton_curves(view_.state()).data());
+            benchmark::DoNotOptimize(window::skeleton_curves(view_.state()).data());
         }
         return { ink.count(), cpu_s() - begin_s };
     }
@@ -137,9 +137,9 @@ private:
         }
     }
 
-    Station station_ = Station::create(simple_rig(), {}).value();
+    station::Station station_ = station::Station::create(simple_rig(), {}).value();
     Document document_;
-    StationView view_;
+    view::StationView view_;
     std::int64_t now_us_ = 0;
     std::int64_t samples_ = 0;
     std::uint64_t seed_ = 0;

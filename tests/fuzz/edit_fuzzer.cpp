@@ -12,18 +12,18 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     using namespace tractus;
     static auto const methods = all_methods();
     FuzzInput input(data, size);
-    EditRecord record;
+    session::EditRecord record;
     record.kind = input.take_part();
     record.fields = input.take_part();
     record.numbers = input.text();
-    auto const edit = edit_of(record, methods.edits);
+    auto const edit = session::edit_of(record, methods.edits);
     if (!is_read(edit))
         return 0;
     CHECK(!edit->describe().empty());
-    auto const written = record_of(*edit);
-    auto const again = edit_of(written, methods.edits);
+    auto const written = session::record_of(*edit);
+    auto const again = session::edit_of(written, methods.edits);
     CHECK(again);
-    auto const twice = record_of(*again);
+    auto const twice = session::record_of(*again);
     CHECK(twice.kind == written.kind);
     CHECK(twice.fields == written.fields);
     CHECK(twice.numbers == written.numbers);

@@ -6,6 +6,6 @@
 // Rules and view, divided by a zero byte, from text to plant.
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
-    tractus::run_whole_pipeline({ reinterpret_cast<char const*>(data), size });
+    tractus::lsystem::run_whole_pipeline({ reinterpret_cast<char const*>(data), size });
     return 0;
 }

@@ -9,22 +9,24 @@
 using namespace tractus; // NOLINT(google-build-using-namespace): one function.
 
 // Every register, jump and kind of a program is inside of its frame, program and alphabet.
-static void check_program(Program const& program, RegisterFile const& frame)
+static void check_program(lsystem::Program const& program, lsystem::RegisterFile const& frame)
 {
     for (auto const& instruction : program) {
-        bool const jumps = instruction.op == Op::Jump || instruction.op == Op::JumpIfZero;
+        bool const jumps
+            = instruction.op == lsystem::Op::Jump || instruction.op == lsystem::Op::JumpIfZero;
         if (jumps)
             CHECK(instruction.target <= program.size());
-        else if (instruction.op == Op::Print)
+        else if (instruction.op == lsystem::Op::Print)
             CHECK(std::size_t { instruction.left } + instruction.right <= frame.size());
         else
-            CHECK(instruction.op == Op::Halt || instruction.op == Op::Jump
-                  || instruction.op == Op::StoreGlobal || instruction.op == Op::StoreArray
+            CHECK(instruction.op == lsystem::Op::Halt || instruction.op == lsystem::Op::Jump
+                  || instruction.op == lsystem::Op::StoreGlobal
+                  || instruction.op == lsystem::Op::StoreArray
                   || instruction.target < frame.size());
     }
 }
 
-static void check_rules(Model const& model, RuleSet const& rules)
+static void check_rules(lsystem::Model const& model, lsystem::RuleSet const& rules)
 {
     for (auto const& rule : rules.rules) {
         CHECK(!rule.predecessor.empty());
@@ -43,7 +45,7 @@ static void check_rules(Model const& model, RuleSet const& rules)
     }
 }
 
-static void check_system(Model const& model, LSystem const& system)
+static void check_system(lsystem::Model const& model, lsystem::LSystem const& system)
 {
     for (auto const* rules : { &system.rules, &system.decomposition, &system.homomorphism })
         check_rules(model, *rules);
@@ -57,9 +59,9 @@ static void check_system(Model const& model, LSystem const& system)
 // Rules alone, from text to compiled model.
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
-    ModelSource source;
+    lsystem::ModelSource source;
     source.text.assign(reinterpret_cast<char const*>(data), size);
-    auto const model = compile_model(source);
+    auto const model = lsystem::compile_model(source);
     if (!model) {
         CHECK(model.error().fault == Fault::User);
         CHECK(model.error().message.find("model.l:") == 0);
@@ -68,6 +70,6 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     check_system(*model, *model);
     for (auto const& system : model->subsystems)
         check_system(*model, system);
-    CHECK(!features_used(*model).empty());
+    CHECK(!lsystem::features_used(*model).empty());
     return 0;
 }

@@ -6,6 +6,6 @@
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     using namespace tractus;
-    is_read(read_picture(FuzzInput(data, size).text()));
+    is_read(render::read_picture(FuzzInput(data, size).text()));
     return 0;
 }

@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     auto const included = input.substr(std::min(middle + 1, input.size()));
     auto const include
         = [&](std::string const&) -> tractus::Result<std::string> { return std::string(included); };
-    auto const source = tractus::preprocess("model.l", input.substr(0, middle), include);
+    auto const source = tractus::lsystem::preprocess("model.l", input.substr(0, middle), include);
     if (!source)
         return 0;
     CHECK(source->places.size() == source->text.size() + 1);

@@ -25,12 +25,12 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     static auto const path = own_file();
     FuzzInput const input(data, size);
     std::ofstream(path, std::ios::binary) << input.text();
-    auto const session = read_session(path, methods.edits);
+    auto const session = session::read_session(path, methods.edits);
     if (is_read(session))
         CHECK(!session->edits.empty());
-    auto const salvaged = salvage_session(path, methods.edits);
+    auto const salvaged = session::salvage_session(path, methods.edits);
     if (is_read(salvaged))
-        CHECK(!contents_of(*salvaged).edits.empty());
+        CHECK(!session::contents_of(*salvaged).edits.empty());
     std::filesystem::remove(path);
     return 0;
 }

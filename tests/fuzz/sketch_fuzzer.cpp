@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     FuzzInput input(data, size);
     switch (input.take_byte() % 4) {
     case 0:
-        if (auto const sketch = lines::svg_as_sketch(input.text()); is_read(sketch))
+        if (auto const sketch = svg::svg_as_sketch(input.text()); is_read(sketch))
             is_read(lines::parse_line_sketch(sketch->dump(), "fuzz"));
         break;
     case 1:

@@ -18,23 +18,23 @@ static void read_as_view(tractus::FuzzInput input)
     using namespace tractus;
     auto const view = input.take_part();
     std::string const included(input.text());
-    is_read(parse_view("fuzz", view,
-                       [&](std::string const&) -> Result<std::string> { return included; }));
+    is_read(lsystem::parse_view(
+        "fuzz", view, [&](std::string const&) -> Result<std::string> { return included; }));
 }
 
 static void check_sheet(std::string_view text)
 {
     using namespace tractus;
-    auto const sheet = parse_leaf_sheet("fuzz", text);
+    auto const sheet = lsystem::parse_leaf_sheet("fuzz", text);
     if (!is_read(sheet))
         return;
     for (auto const& leaf : sheet->leaves)
         for (auto const& corner : leaf->corners)
             CHECK(corner.allFinite());
-    auto const written = print_leaf_sheet(*sheet);
-    auto const again = parse_leaf_sheet("again", written);
+    auto const written = lsystem::print_leaf_sheet(*sheet);
+    auto const again = lsystem::parse_leaf_sheet("again", written);
     CHECK(again);
-    CHECK(print_leaf_sheet(*again) == written);
+    CHECK(lsystem::print_leaf_sheet(*again) == written);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
@@ -46,25 +46,25 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         read_as_view(input);
         break;
     case 1:
-        is_read(parse_surface("fuzz", input.text(), 1));
+        is_read(lsystem::parse_surface("fuzz", input.text(), 1));
         break;
     case 2:
-        is_read(parse_triangle_surface("fuzz", input.text(), 1));
+        is_read(lsystem::parse_triangle_surface("fuzz", input.text(), 1));
         break;
     case 3:
-        is_read(parse_contour("fuzz", input.text()));
+        is_read(lsystem::parse_contour("fuzz", input.text()));
         break;
     case 4:
-        is_read(parse_curve("fuzz", input.text()));
+        is_read(lsystem::parse_curve("fuzz", input.text()));
         break;
     case 5:
-        is_read(parse_functions("fuzz", input.text()));
+        is_read(lsystem::parse_functions("fuzz", input.text()));
         break;
     case 6:
-        is_read(color_map_statements("fuzz", input.text()));
+        is_read(lsystem::color_map_statements("fuzz", input.text()));
         break;
     case 7:
-        is_read(material_file_statements("fuzz", input.text()));
+        is_read(lsystem::material_file_statements("fuzz", input.text()));
         break;
     default:
         check_sheet(input.text());

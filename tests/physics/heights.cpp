@@ -188,10 +188,10 @@ Trial try_rig(Scenario const& scenario, unsigned seed)
         std::fprintf(stderr, "seed %u: %s\n", seed, log.error().message.c_str());
         std::exit(2);
     }
-    CalibrationController::Options options;
+    calibration::CalibrationController::Options options;
     options.height.linearity_percent = scenario.linearity_percent;
     options.height.ruler_error_mm = scenario.told_ruler_error_mm;
-    auto const outcome = calibrate_from_log(*log, options, "2026-11-24");
+    auto const outcome = calibration::calibrate_from_log(*log, options, "2026-11-24");
     Trial trial;
     if (!outcome) {
         trial.refusal = outcome.error().message;

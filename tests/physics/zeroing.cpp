@@ -42,13 +42,15 @@ std::vector<Scenario> scenarios()
     };
 }
 
-CalibrationOutcome calibrate(Potentiometer const& sensor, std::vector<double> const& heights_mm,
-                             CalibrationController::Options options, Dice& dice)
+calibration::CalibrationOutcome calibrate(Potentiometer const& sensor,
+                                          std::vector<double> const& heights_mm,
+                                          calibration::CalibrationController::Options options,
+                                          Dice& dice)
 {
     Person const person { .heights_mm = heights_mm, .told_mm = heights_mm };
     auto const log = drivers::parse_log(capture_log(sensor, 4095, person, dice), "physics");
-    auto outcome = log ? calibrate_from_log(*log, std::move(options), "2026-11-24")
-                       : Result<CalibrationOutcome>(tl::unexpected(log.error()));
+    auto outcome = log ? calibration::calibrate_from_log(*log, std::move(options), "2026-11-24")
+                       : Result<calibration::CalibrationOutcome>(tl::unexpected(log.error()));
     if (!outcome) {
         std::fprintf(stderr, "%s\n", outcome.error().message.c_str());
         std::exit(2);
@@ -77,9 +79,10 @@ bool run_row(Scenario const& scenario, Run const& run)
         auto const rig = calibrate(sensor, { 0, 60, 200, 400, 300, 120, 20 }, {}, dice).rig;
         double const before_mm = rms_mm(rig, sensor);
         sensor.befall(scenario.slip_mm, scenario.move_mm);
-        auto const after = calibrate(sensor, scenario.zeroed_at_mm,
-                                     { .procedure = CalibrationProcedure::Zero, .rig = rig }, dice)
-                               .rig;
+        auto const after
+            = calibrate(sensor, scenario.zeroed_at_mm,
+                        { .procedure = calibration::CalibrationProcedure::Zero, .rig = rig }, dice)
+                  .rig;
         losses.push_back(rms_mm(after, sensor) - before_mm);
         if (losses.back() > kLoss_mm)
             missed.append(1, ' ').append(std::to_string(seed));

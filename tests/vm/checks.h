@@ -79,7 +79,7 @@ Result<void> compare_strokes(TruthOptions const& options);
 
 // Replays recordings, one after the other, into the session of a drawing, as the station's window
 // does: a new one, or one that is gone on with.
-Result<void> go_on_with_recordings(WantedDrawing const& drawing,
+Result<void> go_on_with_recordings(controllers::WantedDrawing const& drawing,
                                    std::vector<std::string> const& logs);
 
 // Whether two sessions have the same edits, but for the clock of each stroke.

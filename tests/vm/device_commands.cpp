@@ -18,18 +18,19 @@ tractus::Result<std::optional<std::string>> tractus::make_input(std::filesystem:
 
 int main(int argc, char** argv)
 {
-    tractus::prepare_console();
+    tractus::terminal::prepare_console();
     tractus::remove_unfinished_file_on_signals();
     CLI::App root;
     root.require_subcommand(1);
-    tractus::Action action;
-    tractus::add_record_command(root, action, {});
-    tractus::add_sim_command(root, action);
+    tractus::options::Action action;
+    tractus::commands::add_record_command(root, action, {});
+    tractus::commands::add_sim_command(root, action);
     CLI11_PARSE(root, argc, argv);
 
     auto const result = action();
     if (result)
         return 0;
-    tractus::print_error(tractus::error_text(result.error(), tractus::error_style()));
+    tractus::terminal::print_error(
+        tractus::terminal::error_text(result.error(), tractus::terminal::error_style()));
     return 1;
 }

@@ -43,41 +43,41 @@ private:
 
 struct DrawnEdit {
     std::string description;
-    EditRecord record;
+    session::EditRecord record;
     bool has_stroke = false;
 };
 
 // What was drawn and is not undone.
 Result<std::vector<DrawnEdit>> drawn_edits(std::string const& session)
 {
-    auto const contents = TRY(read_session(session, all_methods().edits));
+    auto const contents = TRY(session::read_session(session, all_methods().edits));
     std::vector<DrawnEdit> drawn;
     for (auto const& made : contents.edits) {
         FromItsBegin clock;
         auto const edit = made.edit.changed_by(clock);
         if (made.step > contents.step)
             continue;
-        drawn.push_back({ edit.describe(), record_of(edit), clock.has_stroke() });
+        drawn.push_back({ edit.describe(), session::record_of(edit), clock.has_stroke() });
     }
     return drawn;
 }
 
-bool is_same(EditRecord const& a, EditRecord const& b)
+bool is_same(session::EditRecord const& a, session::EditRecord const& b)
 {
     return a.kind == b.kind && a.fields == b.fields && a.numbers == b.numbers;
 }
 
 } // namespace
 
-Result<void> go_on_with_recordings(WantedDrawing const& drawing,
+Result<void> go_on_with_recordings(controllers::WantedDrawing const& drawing,
                                    std::vector<std::string> const& logs)
 {
     for (auto const& name : logs) {
         std::string trouble;
-        auto session = TRY(open_or_begin(drawing, all_methods().edits, trouble));
+        auto session = TRY(controllers::open_or_begin(drawing, all_methods().edits, trouble));
         Document document(std::move(session), Document::Working::AtOnce);
         auto const log = TRY(drivers::read_log(name));
-        auto replay = TRY(LogReplay::create(log, { .methods = all_methods() }));
+        auto replay = TRY(station::LogReplay::create(log, { .methods = all_methods() }));
         replay.run(document);
         if (auto const& outcome = replay.outcome(); !outcome)
             return outcome;

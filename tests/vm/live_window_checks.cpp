@@ -21,24 +21,24 @@ namespace {
 
 constexpr auto kFrame = std::chrono::milliseconds(16);
 
-Result<LiveWindow> open_window(WatchedWindow const& watched)
+Result<controllers::LiveWindow> open_window(WatchedWindow const& watched)
 {
     auto const rig_text = TRY(read_file(watched.rig_file));
-    LiveWindowOptions options { .methods = all_methods() };
+    controllers::LiveWindowOptions options { .methods = all_methods() };
     options.rig = TRY(calib::parse_rig(rig_text, watched.rig_file));
     if (watched.session.empty()) {
-        options.scene = TRY(scene_of_plant(watched.model, options.methods.edits));
+        options.scene = TRY(controllers::scene_of_plant(watched.model, options.methods.edits));
     } else {
         std::string trouble;
-        options.session = TRY(
-            open_or_begin({ watched.model, watched.session }, options.methods.edits, trouble));
+        options.session = TRY(controllers::open_or_begin({ watched.model, watched.session },
+                                                         options.methods.edits, trouble));
         if (!trouble.empty())
             return fail(Fault::Station, trouble);
     }
     options.recording = watched.recording;
     options.now = drivers::monotonic_now;
-    auto devices = TRY(open_found(find_pens_and_height_sensors()));
-    return LiveWindow::create(std::move(devices), std::move(options));
+    auto devices = TRY(commands::open_found(devices::find_pens_and_height_sensors()));
+    return controllers::LiveWindow::create(std::move(devices), std::move(options));
 }
 
 // The other hand, which chooses the tools of a recording, one for each stroke.
@@ -57,10 +57,10 @@ public:
     }
 
     // Chooses what the next stroke is for as soon as the one before it is finished.
-    void look_at(LiveWindow& window)
+    void look_at(controllers::LiveWindow& window)
     {
         if (next_ < tools_.size() && window.station().counts().strokes >= next_)
-            window.perform(ChooseTool { tools_[next_++] });
+            window.perform(view::ChooseTool { tools_[next_++] });
     }
 
 private:
@@ -71,7 +71,7 @@ private:
 // Says what the window shows that it did not show before.
 class Teller {
 public:
-    void look_at(LiveWindow const& window)
+    void look_at(controllers::LiveWindow const& window)
     {
         auto const& state = window.state();
         auto const strokes = window.station().counts().strokes;
@@ -110,7 +110,7 @@ private:
 
 Result<void> watch_live_window(WatchedWindow const& watched)
 {
-    auto const& stop = stop_on_signals();
+    auto const& stop = commands::stop_on_signals();
     auto chooser = TRY(Chooser::create(watched.tools));
     auto window = TRY(open_window(watched));
     Teller teller;

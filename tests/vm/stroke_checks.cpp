@@ -19,8 +19,8 @@ Result<sim::Hand> hand_of(TruthOptions const& options)
 {
     auto const text = TRY(read_file(options.script));
     auto const script = TRY(sim::parse_gesture_script(text, options.script));
-    auto const edit = TRY(load_model_edit(options.model));
-    return simulated_hand(script, TRY(apply_edit({}, edit)));
+    auto const edit = TRY(io::load_model_edit(options.model));
+    return play::simulated_hand(script, TRY(apply_edit({}, edit)));
 }
 
 // How much later the recording's clock reads than the hand's: the median over the pen's reports,
@@ -73,9 +73,9 @@ struct StrokeErrors {
 Result<std::vector<DrawnStroke>> strokes_of_recording(drivers::Log const& log,
                                                       std::string const& model)
 {
-    auto const edit = TRY(load_model_edit(model));
+    auto const edit = TRY(io::load_model_edit(model));
     Document document(TRY(apply_edit({}, edit)), Document::Working::AtOnce);
-    auto replay = TRY(LogReplay::create(log, { .methods = all_methods() }));
+    auto replay = TRY(station::LogReplay::create(log, { .methods = all_methods() }));
     replay.run(document);
     return document.take_drawn();
 }

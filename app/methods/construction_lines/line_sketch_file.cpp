@@ -436,7 +436,7 @@ Result<LineSketchFile> load_line_sketch(std::filesystem::path const& path,
     auto const text = TRY(read_text_file(path, kMaxBytes));
     if (path.extension() != ".svg")
         return parse_line_sketch(text, name, given);
-    auto drawing = svg_as_sketch(text);
+    auto drawing = svg::svg_as_sketch(text);
     if (!drawing)
         return fail(drawing.error().fault, fmt::format("{}: {}", name, drawing.error().message));
     return read_file_sketch(std::move(drawing), name, given);

@@ -30,7 +30,7 @@ void visit(OptionVisitor& visitor, IndicateTool& tool)
 }
 
 // An indicator that falls off reaches as far as it is long, and a little more if it is short.
-double reach_of_mm(MotionIndicator const& indicator)
+double reach_of_mm(variation::MotionIndicator const& indicator)
 {
     constexpr double kLeast_mm = 20;
     return std::max(kLeast_mm, (indicator.end_mm - indicator.start_mm).norm());
@@ -39,7 +39,7 @@ double reach_of_mm(MotionIndicator const& indicator)
 Result<std::vector<Edit>> indicate(Tool const& tool, Stroke const& stroke, Scene const& scene)
 {
     auto const& options = *tool.get<IndicateTool>();
-    auto indicator = TRY(motion_indicator(stroke));
+    auto indicator = TRY(variation::motion_indicator(stroke));
     indicator.kind = options.indicator;
     if (options.reach == IndicateTool::Reach::Near)
         indicator.reach_mm = reach_of_mm(indicator);

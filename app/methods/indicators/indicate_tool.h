@@ -15,7 +15,7 @@ struct IndicateTool {
         Near,  // Falling off around the stroke.
     };
     Reach reach = Reach::Everywhere;
-    MotionIndicator::Kind indicator = MotionIndicator::Kind::Push;
+    variation::MotionIndicator::Kind indicator = variation::MotionIndicator::Kind::Push;
 };
 
 } // namespace tractus

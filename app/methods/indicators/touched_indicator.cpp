@@ -5,8 +5,9 @@ namespace tractus {
 Result<TouchedIndicator> touched_indicator(Stroke const& stroke, Scene const& scene)
 {
     constexpr double kFinger_mm = 25;
-    auto const way = TRY(motion_indicator(stroke));
-    auto const number = nearest_indicator(motion_indicators(scene), way.start_mm, kFinger_mm);
+    auto const way = TRY(variation::motion_indicator(stroke));
+    auto const number
+        = variation::nearest_indicator(motion_indicators(scene), way.start_mm, kFinger_mm);
     if (!number)
         return fail(Fault::User,
                     "there is no motion indicator where the stroke begins: begin it on one");

@@ -11,8 +11,8 @@ namespace tractus {
 
 // The indicator that passes near the place where a stroke begins.
 struct TouchedIndicator {
-    std::size_t number = 0; // Number of the scene's indicator.
-    MotionIndicator way;    // Way from where the stroke begins to where it ends.
+    std::size_t number = 0;         // Number of the scene's indicator.
+    variation::MotionIndicator way; // Way from where the stroke begins to where it ends.
 };
 
 // Fails, as the user's fault, if there is none.

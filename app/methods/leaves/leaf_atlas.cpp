@@ -246,11 +246,11 @@ private:
 
     static std::string png_of(leaf::CellPage const& page)
     {
-        return png_bytes({ .width = page.side,
-                           .height = page.side,
-                           .channels = page.channels,
-                           .pixels = page.pixels,
-                           .packing = PngPicture::Packing::Fast });
+        return exports::png_bytes({ .width = page.side,
+                                    .height = page.side,
+                                    .channels = page.channels,
+                                    .pixels = page.pixels,
+                                    .packing = exports::PngPicture::Packing::Fast });
     }
 
     Vec2 cell_corner(std::size_t cell) const
@@ -353,17 +353,17 @@ private:
         std::vector<mesh::Mesh> meshes;
         for (std::size_t i = 0; i < leaves.size(); ++i)
             meshes.push_back(mesh_of_leaf(leaves[i], i, material));
-        std::vector<PlacedMesh> placed;
+        std::vector<exports::PlacedMesh> placed;
         for (std::size_t i = 0; i < leaves.size(); ++i)
             placed.push_back(
                 { .name = fmt::format("{} {}", leaves[i].name, i),
                   .position_mm = gap_mm * Vec3(double(i % columns), 0, -double(i / columns)),
                   .mesh = &meshes[i] });
-        GlbOptions const glb { .textures = options_.channels.is_gltf
-                                   ? GlbOptions::Textures::Embedded
-                                   : GlbOptions::Textures::None };
+        exports::GlbOptions const glb { .textures = options_.channels.is_gltf
+                                            ? exports::GlbOptions::Textures::Embedded
+                                            : exports::GlbOptions::Textures::None };
         return write_file(path, [&](std::ostream& out) -> Result<void> {
-            TRY(write_glb(out, placed, glb));
+            TRY(exports::write_glb(out, placed, glb));
             return {};
         });
     }

@@ -33,7 +33,7 @@ std::vector<std::string> leaf_names()
 {
     std::vector<std::string> names;
     std::error_code error;
-    auto const folder = find_resource("leaves");
+    auto const folder = files::find_resource("leaves");
     if (!folder)
         return names;
     for (auto const& entry : fs::directory_iterator(*folder, error))
@@ -66,14 +66,14 @@ Result<leaf::Grammar> load_own_leaf_grammar(std::string const& name)
 
 Result<fs::path> own_leaf_path(std::string const& name)
 {
-    TRY(check_leaf_name(name));
+    TRY(lsystem::check_leaf_name(name));
     auto const ours = leaf_names();
     if (std::ranges::find(ours, name) == ours.end())
         return fail(Fault::User,
                     fmt::format("there is no leaf {}: give the path of a leaf grammar, or one of "
                                 "{}",
                                 name, fmt::join(ours, ", ")));
-    return TRY(find_resource("leaves")) / (name + ".leaf");
+    return TRY(files::find_resource("leaves")) / (name + ".leaf");
 }
 
 Result<GrownLeaf> grow_leaf(leaf::Grammar const& grammar, LeafLife const& life)
@@ -126,7 +126,7 @@ leaf::PaintOptions paint_options(leaf::Grammar const& grammar, LeafLife const& l
              .seed = life.seed ^ fnv1a_64(short_leaf_name(grammar.name)) };
 }
 
-LeafDamage damage_of_leaf(LeafDamage const& average, int number)
+lsystem::LeafDamage damage_of_leaf(lsystem::LeafDamage const& average, int number)
 {
     // Multiples of this fill the range evenly, and follow none of the leaves' ages (leaf_age()),
     // which are multiples of the golden ratio: it is the next such number, the plastic one's.
@@ -140,7 +140,7 @@ LeafDamage damage_of_leaf(LeafDamage const& average, int number)
              .withered = average.withered };
 }
 
-void paint_damage(leaf::PaintOptions& options, LeafDamage const& damage)
+void paint_damage(leaf::PaintOptions& options, lsystem::LeafDamage const& damage)
 {
     options.spots = damage.spots;
     options.mildew = damage.mildew;

@@ -60,10 +60,10 @@ double color_age(double age);
 leaf::PaintOptions paint_options(leaf::Grammar const& grammar, LeafLife const& life);
 
 // Damage of one of many leaves that have so much on the average: from none of it to twice as much.
-LeafDamage damage_of_leaf(LeafDamage const& average, int number);
+lsystem::LeafDamage damage_of_leaf(lsystem::LeafDamage const& average, int number);
 
 // Paints it on the leaf.
-void paint_damage(leaf::PaintOptions& options, LeafDamage const& damage);
+void paint_damage(leaf::PaintOptions& options, lsystem::LeafDamage const& damage);
 
 // Returns what a user called a leaf: its file's name without folders and ending.
 std::string short_leaf_name(std::string const& name);

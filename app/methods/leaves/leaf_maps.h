@@ -25,11 +25,11 @@ template<std::size_t N>
 std::string packed_map(std::vector<std::array<std::uint8_t, N>> const& pixels)
 {
     auto const side = static_cast<int>(std::lround(std::sqrt(double(pixels.size()))));
-    return png_bytes({ .width = side,
-                       .height = side,
-                       .channels = static_cast<int>(N),
-                       .pixels = bytes_of(pixels),
-                       .packing = PngPicture::Packing::Fast });
+    return exports::png_bytes({ .width = side,
+                                .height = side,
+                                .channels = static_cast<int>(N),
+                                .pixels = bytes_of(pixels),
+                                .packing = exports::PngPicture::Packing::Fast });
 }
 
 } // namespace tractus

@@ -9,9 +9,9 @@
 
 namespace tractus {
 
-Image on_paper(leaf::LeafPicture const& picture, Color const& paper)
+render::Image on_paper(leaf::LeafPicture const& picture, render::Color const& paper)
 {
-    Image image(picture.side, picture.side, paper);
+    render::Image image(picture.side, picture.side, paper);
     auto const over = [](std::uint8_t top, std::uint8_t below, double alpha) {
         return static_cast<std::uint8_t>(std::lround(alpha * top + (1 - alpha) * below));
     };
@@ -32,7 +32,8 @@ Image on_paper(leaf::LeafPicture const& picture, Color const& paper)
     return image;
 }
 
-Result<Image> picture_of_leaf(leaf::Grammar const& grammar, int side, Color const& paper)
+Result<render::Image> picture_of_leaf(leaf::Grammar const& grammar, int side,
+                                      render::Color const& paper)
 {
     LeafLife const life {};
     auto const grown = TRY(grow_leaf(grammar, life));

@@ -8,10 +8,11 @@
 namespace tractus {
 
 // A painted leaf as it lies on paper of that colour, in light from the upper left.
-Image on_paper(leaf::LeafPicture const& picture, Color const& paper);
+render::Image on_paper(leaf::LeafPicture const& picture, render::Color const& paper);
 
 // A grown-up leaf of the grammar so, in a square of that side. Fails like grow_leaf(), and, as the
 // user's fault, where the leaf has no extent.
-Result<Image> picture_of_leaf(leaf::Grammar const& grammar, int side, Color const& paper);
+Result<render::Image> picture_of_leaf(leaf::Grammar const& grammar, int side,
+                                      render::Color const& paper);
 
 } // namespace tractus

@@ -56,7 +56,7 @@ Result<leaf::LeafDrawing> read_leaf_json(std::string_view text)
 Result<leaf::LeafDrawing> read_leaf_svg(std::string_view text)
 {
     leaf::LeafDrawing drawing;
-    for (auto const& line : TRY(lines::read_svg_lines(text, {}))) {
+    for (auto const& line : TRY(svg::read_svg_lines(text, {}))) {
         auto& points = drawing.strokes.emplace_back();
         for (auto const& point : line.points_mm)
             points.emplace_back(point.x(), point.y(), 0);

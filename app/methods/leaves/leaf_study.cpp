@@ -26,12 +26,13 @@ std::uint8_t over(std::uint8_t top, std::uint8_t below, double alpha)
 
 // A map where the leaf is, paper elsewhere. `color_of` gives the map's colour of a pixel.
 template<typename ColorOf>
-Image map_on_paper(leaf::LeafPicture const& picture, Color const& paper, ColorOf const& color_of)
+render::Image map_on_paper(leaf::LeafPicture const& picture, render::Color const& paper,
+                           ColorOf const& color_of)
 {
-    Image image(picture.side, picture.side, paper);
+    render::Image image(picture.side, picture.side, paper);
     for (std::size_t i = 0; i < picture.color.size(); ++i) {
         double const share = picture.color[i][3] / 255.0;
-        Color const color = color_of(i);
+        render::Color const color = color_of(i);
         image.pixels()[i]
             = { over(color.red, paper.red, share), over(color.green, paper.green, share),
                 over(color.blue, paper.blue, share), 255 };
@@ -40,7 +41,7 @@ Image map_on_paper(leaf::LeafPicture const& picture, Color const& paper, ColorOf
 }
 
 Result<leaf::LeafPicture> painted(leaf::Grammar const& grammar, LeafLife const& life,
-                                  LeafDamage const& damage, int side, bool has_underside)
+                                  lsystem::LeafDamage const& damage, int side, bool has_underside)
 {
     auto const grown = TRY(grow_leaf(grammar, life));
     if (!(leaf::PictureFrame(grown.triangles, side).scale > 0) || grown.triangles.veins.empty())
@@ -52,10 +53,12 @@ Result<leaf::LeafPicture> painted(leaf::Grammar const& grammar, LeafLife const& 
     return leaf::paint_leaf(grown.leaf, grown.triangles, options);
 }
 
-void show_with_maps(leaf::LeafPicture const& picture, Color const& paper, LeafStudy& study)
+void show_with_maps(leaf::LeafPicture const& picture, render::Color const& paper, LeafStudy& study)
 {
-    auto const gray = [](std::uint8_t value) { return Color { value, value, value, 255 }; };
-    auto const rgb = [](auto const& value) { return Color { value[0], value[1], value[2], 255 }; };
+    auto const gray = [](std::uint8_t value) { return render::Color { value, value, value, 255 }; };
+    auto const rgb = [](auto const& value) {
+        return render::Color { value[0], value[1], value[2], 255 };
+    };
     study.leaf = on_paper(picture, paper);
     study.relief
         = map_on_paper(picture, paper, [&](std::size_t i) { return rgb(picture.normal[i]); });
@@ -69,9 +72,10 @@ void show_with_maps(leaf::LeafPicture const& picture, Color const& paper, LeafSt
 
 } // namespace
 
-Result<LeafStudy> study_leaf(leaf::Grammar const& grammar, LeafLook const& look, Color const& paper)
+Result<LeafStudy> study_leaf(leaf::Grammar const& grammar, LeafLook const& look,
+                             render::Color const& paper)
 {
-    LeafOrder const order { .age = look.age, .spread = look.spread };
+    lsystem::LeafOrder const order { .age = look.age, .spread = look.spread };
     LeafStudy study;
     study.others.resize(kOthers);
     std::vector<std::optional<Error>> errors(1 + kOthers);
@@ -84,7 +88,7 @@ Result<LeafStudy> study_leaf(leaf::Grammar const& grammar, LeafLook const& look,
         }
         // As grow_leaf_sheet() has them.
         int const number = static_cast<int>(task) - 1;
-        LeafLife const life { .age = leaf_age(order, number), .seed = task };
+        LeafLife const life { .age = lsystem::leaf_age(order, number), .seed = task };
         auto const picture
             = TRY(painted(grammar, life, damage_of_leaf(look.damage, number), kOtherSide, false));
         study.others[task - 1] = on_paper(picture, paper);

@@ -13,21 +13,21 @@ namespace tractus {
 struct LeafLook {
     double age = 0.5;  // As of LeafLife,
     double spread = 0; // and how far leaves differ in it (LeafOrder).
-    LeafDamage damage {};
+    lsystem::LeafDamage damage {};
 };
 
 // A leaf on paper with its maps, and the first ones of those that a plant would have.
 struct LeafStudy {
-    Image leaf;
-    Image relief;       // Its normals, as glTF has them,
-    Image roughness;    // brighter: rougher,
-    Image translucency; // brighter: more light comes through,
-    Image below;        // and its other side.
-    std::vector<Image> others;
+    render::Image leaf;
+    render::Image relief;       // Its normals, as glTF has them,
+    render::Image roughness;    // brighter: rougher,
+    render::Image translucency; // brighter: more light comes through,
+    render::Image below;        // and its other side.
+    std::vector<render::Image> others;
 };
 
 // Paints it. Fails like grow_leaf(), and, as the user's fault, where the leaf has no extent.
 Result<LeafStudy> study_leaf(leaf::Grammar const& grammar, LeafLook const& look,
-                             Color const& paper);
+                             render::Color const& paper);
 
 } // namespace tractus

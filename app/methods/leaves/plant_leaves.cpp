@@ -104,11 +104,11 @@ PageMap empty_page(AtlasMap const& map, int columns)
 
 std::string png_of(leaf::CellPage const& page)
 {
-    return png_bytes({ .width = page.side,
-                       .height = page.side,
-                       .channels = page.channels,
-                       .pixels = page.pixels,
-                       .packing = PngPicture::Packing::Fast });
+    return exports::png_bytes({ .width = page.side,
+                                .height = page.side,
+                                .channels = page.channels,
+                                .pixels = page.pixels,
+                                .packing = exports::PngPicture::Packing::Fast });
 }
 
 // In light, where leaves are.
@@ -121,10 +121,11 @@ Vec3f color_of_leaves(leaf::CellPage const& page)
             continue;
         ++count;
         for (std::size_t k = 0; k < 3; ++k)
-            sum[static_cast<int>(k)] += linear_from_srgb(page.pixels[i + k] / 255.0);
+            sum[static_cast<int>(k)] += exports::linear_from_srgb(page.pixels[i + k] / 255.0);
     }
     sum /= std::max<double>(1, double(count));
-    return sum.unaryExpr([](double light) { return srgb_from_linear(light); }).cast<float>();
+    return sum.unaryExpr([](double light) { return exports::srgb_from_linear(light); })
+        .cast<float>();
 }
 
 // The sheets that were grown last. Models are read again and again while people work on them, and a
@@ -196,17 +197,18 @@ CutLeaf cut_along_midrib(leaf::Cutout const& cutout, Vec2 const& stem, double bl
     return leaf;
 }
 
-Result<LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar, LeafOrder const& order)
+Result<lsystem::LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar,
+                                           lsystem::LeafOrder const& order)
 {
     auto const& maps = atlas_channels().front().maps; // glTF's: color, normal.
     int const columns = columns_for(order.variants);
     auto color = empty_page(maps[0], columns);
     auto normal = empty_page(maps[1], columns);
-    auto const damage = parse_leaf_word(order.grammar).damage;
-    LeafSheet sheet;
+    auto const damage = lsystem::parse_leaf_word(order.grammar).damage;
+    lsystem::LeafSheet sheet;
     leaf::LeafPainter painter;
     for (int i = 0; i < order.variants; ++i) {
-        LeafLife const life { .age = leaf_age(order, i),
+        LeafLife const life { .age = lsystem::leaf_age(order, i),
                               .seed = static_cast<std::uint64_t>(i) + 1 };
         auto const grown = TRY(grow_leaf(grammar, life));
         auto paint = paint_options(grammar, life);
@@ -233,18 +235,18 @@ Result<LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar, LeafOrder const&
         sheet.leaves.push_back(std::make_shared<CutLeaf const>(std::move(leaf)));
     }
     sheet.mean_color = color_of_leaves(color.pixels);
-    sheet.color = leaf_page(png_of(color.pixels));
-    sheet.normal = leaf_page(png_of(normal.pixels));
+    sheet.color = lsystem::leaf_page(png_of(color.pixels));
+    sheet.normal = lsystem::leaf_page(png_of(normal.pixels));
     return sheet;
 }
 
 Result<std::optional<std::string>> make_ordered_leaves(std::filesystem::path const& folder,
                                                        std::string const& name)
 {
-    auto const order = parse_leaf_sheet_name(name);
+    auto const order = lsystem::parse_leaf_sheet_name(name);
     if (!order)
         return std::nullopt;
-    auto const wanted = parse_leaf_word(order->grammar).grammar;
+    auto const wanted = lsystem::parse_leaf_word(order->grammar).grammar;
     bool const is_file = std::filesystem::path(wanted).extension() == ".leaf";
     auto const path = TRY(is_file ? folder / wanted : own_leaf_path(wanted));
     auto const text = TRY(read_leaf_text(path));
@@ -253,7 +255,7 @@ Result<std::optional<std::string>> make_ordered_leaves(std::filesystem::path con
     if (auto known = grown.find(key))
         return known;
     auto const grammar = TRY(leaf::parse_grammar(text, path.string()));
-    auto sheet = print_leaf_sheet(TRY(grow_leaf_sheet(grammar, *order)));
+    auto sheet = lsystem::print_leaf_sheet(TRY(grow_leaf_sheet(grammar, *order)));
     grown.keep(key, sheet);
     return sheet;
 }

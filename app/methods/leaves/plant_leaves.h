@@ -17,7 +17,8 @@ constexpr std::size_t kMostLeafTriangles = 24;
 // Grows the leaves of an order, no two alike, and paints them on one page of square cells of 256
 // pixels. The stalk's end is below, in the middle of each. Any number of threads gives the same
 // bytes. Fails, as the user's fault, where the grammar gives no leaf.
-Result<LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar, LeafOrder const& order);
+Result<lsystem::LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar,
+                                           lsystem::LeafOrder const& order);
 
 // The text of the sheet that a name orders (leaf_sheet.h), from a grammar in `folder` if the order
 // names a .leaf, and else from one of ours. No value where the name orders none. Fails, as the

@@ -228,7 +228,7 @@ double straightness(std::vector<Vec2> const& line)
 
 Result<SilhouetteFile> read_svg(std::string_view text)
 {
-    auto lines = TRY(lines::read_svg_lines(
+    auto lines = TRY(svg::read_svg_lines(
         text, { "trunk", "outline", "branch", "part", "leaf", "split", "join", "style" }));
     SilhouetteFile result;
     bool const said = std::any_of(lines.begin(), lines.end(),

@@ -16,11 +16,11 @@ namespace {
 using silhouette::PictureGrid;
 
 // Small enough to look for crowns in it.
-PictureGrid grid_of(Image const& image)
+PictureGrid grid_of(render::Image const& image)
 {
     int const width = std::min(image.width(), silhouette::kPictureGridWidth);
     int const height = std::max(1, width * image.height() / std::max(1, image.width()));
-    auto const small = resized(image, width, height);
+    auto const small = render::resized(image, width, height);
     PictureGrid grid { width, height, {} };
     for (auto const& color : small.pixels())
         grid.pixels.push_back(Vec3f(color.red, color.green, color.blue) / 255);
@@ -47,7 +47,7 @@ silhouette::Similarity to_pixels(silhouette::Similarity const& way)
 Result<Stroke> outline_touched(BackPicture const& picture, Stroke const& touch)
 {
     constexpr auto kStep = Duration(5'000'000);
-    auto const image = TRY(read_picture(*picture.file));
+    auto const image = TRY(render::read_picture(*picture.file));
     auto const grid = grid_of(image);
     auto const way = to_sheet(picture.place, grid);
     auto tip = TRY(touch.tips.in_memory()).front();

@@ -8,7 +8,8 @@
 
 namespace tractus::sketch {
 
-Result<std::string> print_report(ReportedAxis const& drawn, Model const& model, std::uint64_t seed)
+Result<std::string> print_report(ReportedAxis const& drawn, lsystem::Model const& model,
+                                 std::uint64_t seed)
 {
     auto report = nlohmann::json { { "segments", drawn.axis.segments() } };
     if (drawn.depth)
@@ -22,12 +23,12 @@ Result<std::string> print_report(ReportedAxis const& drawn, Model const& model, 
         report["bend"].push_back(turn.bend_deg);
     }
     auto const run = load_options();
-    DeriveOptions options { .seed = seed, .limits = run.limits, .print = run.print };
-    options.on_step = [&](int step, ModuleString const& string) {
+    lsystem::DeriveOptions options { .seed = seed, .limits = run.limits, .print = run.print };
+    options.on_step = [&](int step, lsystem::ModuleString const& string) {
         if (step > 0)
-            report["counts"].push_back(count_symbols(model, string));
+            report["counts"].push_back(lsystem::count_symbols(model, string));
     };
-    TRY(derive(model, options));
+    TRY(lsystem::derive(model, options));
     return report.dump() + "\n";
 }
 

@@ -31,7 +31,7 @@ struct ReportedAxis {
 //   counts     [{"F": 2, …}, …]: how often each letter stands in the string after step 1, 2, …
 //
 // Fails like derive().
-Result<std::string> print_report(ReportedAxis const& drawn, Model const& model,
+Result<std::string> print_report(ReportedAxis const& drawn, lsystem::Model const& model,
                                  std::uint64_t seed = 1);
 
 } // namespace tractus::sketch

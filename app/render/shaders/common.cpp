@@ -1,6 +1,6 @@
 #include "app/render/shaders.h"
 
-namespace tractus::shaders {
+namespace tractus::render::shaders {
 
 std::string_view const kColor = R"(
 vec3 linear(vec3 srgb) { return pow(srgb, vec3(2.2)); }
@@ -82,4 +82,4 @@ float sunlit(vec3 world, vec3 normal)
 }
 )";
 
-} // namespace tractus::shaders
+} // namespace tractus::render::shaders

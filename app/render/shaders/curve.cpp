@@ -1,6 +1,6 @@
 #include "app/render/shaders.h"
 
-namespace tractus::shaders {
+namespace tractus::render::shaders {
 
 // Each segment becomes a rectangle on the screen around its two round ends; the fragment shader
 // finds how far a pixel lies from the segment's middle line.
@@ -151,4 +151,4 @@ void main()
 }
 )";
 
-} // namespace tractus::shaders
+} // namespace tractus::render::shaders

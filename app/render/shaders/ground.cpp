@@ -1,6 +1,6 @@
 #include "app/render/shaders.h"
 
-namespace tractus::shaders {
+namespace tractus::render::shaders {
 
 std::string_view const kBackdropFragment = R"(
 in vec2 place;
@@ -129,4 +129,4 @@ void main()
 }
 )";
 
-} // namespace tractus::shaders
+} // namespace tractus::render::shaders

@@ -1,6 +1,6 @@
 #include "app/render/shaders.h"
 
-namespace tractus::shaders {
+namespace tractus::render::shaders {
 
 std::string_view const kPictureVertex = R"(
 uniform mat4 T_clip_world;
@@ -32,4 +32,4 @@ void main()
 }
 )";
 
-} // namespace tractus::shaders
+} // namespace tractus::render::shaders

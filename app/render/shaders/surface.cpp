@@ -1,6 +1,6 @@
 #include "app/render/shaders.h"
 
-namespace tractus::shaders {
+namespace tractus::render::shaders {
 
 std::string_view const kPlacement = R"(
 layout(location = 0) in vec3 position;
@@ -266,4 +266,4 @@ void main()
 #endif
 )";
 
-} // namespace tractus::shaders
+} // namespace tractus::render::shaders

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -378,4 +378,4 @@ Result<ModuleString> derive(Model const& model, DeriveOptions const& options)
     return Derivation(model, options).run();
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

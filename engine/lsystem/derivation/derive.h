@@ -12,7 +12,7 @@
 #include <optional>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 struct DeriveOptions {
     // The model's derivation length when there is none. A model that is given its steps cannot
@@ -46,4 +46,4 @@ struct DeriveOptions {
 // always give the same string.
 Result<ModuleString> derive(Model const& model, DeriveOptions const& options = {});
 
-} // namespace tractus
+} // namespace tractus::lsystem

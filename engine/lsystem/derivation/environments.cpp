@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -419,4 +419,4 @@ Environment make_environment(EnvironmentChoice const& choice, TimeLimit const& t
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 #include "engine/lsystem/language/limits.h"
 #include "engine/lsystem/view/environment_choice.h"
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // The built-in environments. Each answers in the first parameter of ?E(answer, …); the others that
 // are read or set stand behind it, as far as a module has them. Lengths are in turtle units, y is
@@ -36,4 +36,4 @@ namespace tractus {
 // spans too many voxels and when the time is over, which is asked about every few thousand voxels.
 Environment make_environment(EnvironmentChoice const& choice, TimeLimit const& time = {});
 
-} // namespace tractus
+} // namespace tractus::lsystem

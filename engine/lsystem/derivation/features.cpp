@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <initializer_list>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -178,4 +178,4 @@ std::vector<std::string> features_used(Model const& model)
     return features;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

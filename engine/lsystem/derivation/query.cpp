@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -183,4 +183,4 @@ Result<void> answer_queries(Model const& model, ModuleString& string, VirtualMac
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // A module ?E(…) in a string, as an environment sees it. In the turtle's space, as models have it:
 // x right, y up, z to the viewer; lengths in turtle units.
@@ -52,4 +52,4 @@ bool keeps_cuts(Model const& model);
 Result<void> answer_queries(Model const& model, ModuleString& string, VirtualMachine const& main,
                             int step, Environment const& environment);
 
-} // namespace tractus
+} // namespace tractus::lsystem

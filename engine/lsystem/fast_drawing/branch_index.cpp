@@ -2,7 +2,7 @@
 
 #include "engine/base/parallel.h"
 
-namespace tractus {
+namespace tractus::lsystem {
 
 BranchIndex::BranchIndex(Model const& model, ModuleString const& string, std::size_t long_branch)
     : string_(string)
@@ -165,4 +165,4 @@ std::optional<BranchIndex::End> BranchCutter::cut(std::size_t at, std::int64_t d
     return end;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

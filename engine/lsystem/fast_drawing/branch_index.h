@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Finds the ends of long branches in a string without reading all of them. The string is cut into
 // blocks, of which it is known how deep in brackets they begin and get; those in which a branch
@@ -125,4 +125,4 @@ private:
     std::size_t end_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

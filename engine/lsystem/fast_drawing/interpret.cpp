@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -218,4 +218,4 @@ Result<Plant> interpret(Model const& model, ModuleString const& string,
     return TRY(interpret_with_warnings(model, string, options)).plant;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 struct TurtlePlant {
     Plant plant;
@@ -58,4 +58,4 @@ Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString con
 Result<Plant> interpret(Model const& model, ModuleString const& string,
                         TurtleOptions const& options = {});
 
-} // namespace tractus
+} // namespace tractus::lsystem

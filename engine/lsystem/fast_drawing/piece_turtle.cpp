@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Modules that may be drawn before the limits are looked at again.
 static constexpr std::size_t kDrawnBatch = 1024;
@@ -205,4 +205,4 @@ void PieceTurtle::leave_out(PlannedPiece const& planned, std::size_t index, Piec
     parameter_ = planned.end_parameter + parameter_counts_[string_.kinds[planned.end]];
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // A part of the string, outside of the branches left out of it, and what is drawn there.
 struct Piece {
@@ -99,4 +99,4 @@ private:
     std::size_t counted_bytes_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

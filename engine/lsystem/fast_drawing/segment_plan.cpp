@@ -12,7 +12,7 @@
 #include <span>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -386,4 +386,4 @@ plan_segments(Model const& model, ModuleString const& string, TurtleOptions cons
     return pieces;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

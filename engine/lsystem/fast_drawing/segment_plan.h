@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // How large a string's parameters are.
 struct ParameterRange {
@@ -47,4 +47,4 @@ std::optional<std::vector<PlannedPiece>>
 plan_segments(Model const& model, ModuleString const& string, TurtleOptions const& options,
               BranchIndex const& index, ParameterRange const& parameters);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Has no branches, which processors could not foresee.
 void BlockScan::find(Kinds const& kinds, std::span<KindId const> modules)
@@ -44,4 +44,4 @@ void BlockScan::draw(std::uint64_t seed, std::uint32_t step, std::size_t begin)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

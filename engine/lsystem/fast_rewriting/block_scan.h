@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Finds the modules of a part of a string that do not stay as they are.
 class BlockScan {
@@ -49,4 +49,4 @@ private:
     std::array<std::uint32_t, kMost + 1> drawing_ {}; // Numbers of the changes that draw.
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Tables stay small enough for the processor's first cache, or nearly.
 static constexpr unsigned kMaxKindBits = 5;
@@ -224,4 +224,4 @@ void ContextTable::rewrite(Column<KindId> const& in, Column<KindId>& out, std::s
         write_piece(task, i, written_.front().stack, out);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // The rules of a model without parameters and chance whose contexts are of one module at most, such
 // as those that send signals through a plant: what becomes of a module then depends on three kinds
@@ -72,4 +72,4 @@ private:
     std::vector<Written> written_;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

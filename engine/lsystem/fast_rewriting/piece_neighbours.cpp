@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 using Role = NeighbourRoles::Role;
 
@@ -115,4 +115,4 @@ void join_neighbours(NeighbourRoles const& roles, std::span<PieceNeighbours> pie
         piece.take_from_left(roles, neighbour, waiting);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // What kinds of modules are to their neighbours.
 struct NeighbourRoles {
@@ -83,4 +83,4 @@ private:
 // Tells each of the string's pieces, in their order, what comes to it from outside.
 void join_neighbours(NeighbourRoles const& roles, std::span<PieceNeighbours> pieces);
 
-} // namespace tractus
+} // namespace tractus::lsystem

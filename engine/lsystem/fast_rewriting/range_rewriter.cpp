@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Parameters that are copied in one move.
 static constexpr std::size_t kWideRun = 8;
@@ -34,8 +34,8 @@ static bool is_divisible(RuleSet const& rules)
 RulePlan::RulePlan(Model const& model, LSystem const& system)
     : model_(model)
     , system_(system)
-    , is_divisible_(tractus::is_divisible(system.rules)
-                    && tractus::is_divisible(system.decomposition))
+    , is_divisible_(lsystem::is_divisible(system.rules)
+                    && lsystem::is_divisible(system.decomposition))
     , has_bounds_(!system.decomposition.specified)
 {
     for (std::size_t i = 0; i < model.alphabet.kinds.size(); ++i) {
@@ -431,4 +431,4 @@ void RangeRewriter::append_one(Modules const& modules)
     out_->parameters.append(modules.parameters, model_.alphabet[modules.kinds[0]].parameter_count);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

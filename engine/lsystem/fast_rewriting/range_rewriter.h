@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Facts about a model's rules that rewriting needs, found out once.
 class RulePlan {
@@ -176,4 +176,4 @@ private:
     std::vector<Kept> kept_;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

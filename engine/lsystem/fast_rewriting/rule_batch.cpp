@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 bool RuleBatch::is_possible(Rule const& rule)
 {
@@ -71,4 +71,4 @@ void RuleBatch::execute(Instruction const& instruction)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

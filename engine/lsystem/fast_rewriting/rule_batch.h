@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Modules that one rule rewrites, some at a time: each instruction of its program runs for all of
 // them before the next one. The results are those of VirtualMachine, bit for bit.
@@ -52,4 +52,4 @@ private:
     std::vector<std::array<float, kSize>> parameters_; // Parameters of the successor.
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 SubsystemRewriter::SubsystemRewriter(Model const& model, VirtualMachine& main,
                                      Branches const& branches)
@@ -121,4 +121,4 @@ void SubsystemRewriter::run(Block const& block)
     main_.stop_too(machine.stop());
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

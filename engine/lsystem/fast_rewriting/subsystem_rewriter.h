@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Rewrites strings of models with sub-L-systems, from left to right: each module by the L-system
 // that is at work at its place.
@@ -58,4 +58,4 @@ private:
     bool is_last_step_ = false;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Does as C's % for ints, with the edges defined: beyond the range of int there is no remainder.
 static double remainder(double left, double right)
@@ -102,4 +102,4 @@ double compute(Op op, double left, double right)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

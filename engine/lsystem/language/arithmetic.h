@@ -2,7 +2,7 @@
 
 #include "engine/lsystem/language/program.h"
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Whether an instruction depends on nothing but its two operands.
 bool is_pure(Op op);
@@ -10,4 +10,4 @@ bool is_pure(Op op);
 // The value of a pure operation.
 double compute(Op op, double left, double right);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 CallStack::CallStack(Model const& model, VirtualMachine& main)
     : model_(model)
@@ -108,4 +108,4 @@ SubsystemCall CallStack::new_call(Model const& model, std::uint16_t subsystem)
     return call;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

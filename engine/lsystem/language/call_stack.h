@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // The L-systems that are at work at a place in a string: the main one, and those that ?(…) have
 // called and whose $ has not come yet.
@@ -56,4 +56,4 @@ private:
     std::vector<std::size_t> at_work_ { 0 }; // Indices, the innermost last.
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

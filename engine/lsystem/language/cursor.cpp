@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 void Cursor::skip()
 {
@@ -80,4 +80,4 @@ tl::unexpected<Error> Cursor::error_at(std::size_t position, std::string_view wh
     return fail(Fault::User, fmt::format("{}: {}", source_->place(position), what));
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

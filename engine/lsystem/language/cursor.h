@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // A place in a preprocessed text from which a parser reads.
 //
@@ -66,4 +66,4 @@ private:
     bool arrow_seen_ = false;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

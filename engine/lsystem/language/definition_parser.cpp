@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 static constexpr double kMaxArraySize = 1e6;
 static constexpr std::size_t kMaxArrayElements = 10'000'000; // Limit for all arrays together.
@@ -114,4 +114,4 @@ Result<void> DefinitionParser::external_definition(LSystem& system)
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

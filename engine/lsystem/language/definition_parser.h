@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <string>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Reads an expression of numbers alone.
 Result<double> constant_value(Cursor& cursor, Names& names);
@@ -37,4 +37,4 @@ private:
     std::size_t array_elements_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

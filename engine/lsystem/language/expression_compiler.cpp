@@ -8,7 +8,7 @@
 #include <charconv>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -443,4 +443,4 @@ Result<Register> ExpressionCompiler::table_id(std::vector<std::string> const& ta
     return expression(program);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

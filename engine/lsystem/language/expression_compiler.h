@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Compiles cpfg's C-like expressions into programs over one frame.
 //
@@ -91,4 +91,4 @@ private:
     int depth_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 static constexpr std::size_t kMaxSize = 30000; // Registers and instructions have 16-bit numbers.
 
@@ -66,4 +66,4 @@ Result<Register> FrameBuilder::emit(Op op, Register left, Register right, Progra
     return target;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

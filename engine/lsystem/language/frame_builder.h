@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Hands out the registers of the frame that the programs of a rule, or a block, share, and appends
 // instructions to programs. Fails, as the user's fault and at the cursor's place, when there are
@@ -51,4 +51,4 @@ private:
     std::vector<Register> free_temporaries_;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 static constexpr std::array kFunctions {
     FunctionEntry { "sin", Op::Sin, 1 },          FunctionEntry { "cos", Op::Cos, 1 },
@@ -74,4 +74,4 @@ MissingFunction const* find_missing_function(std::string_view name)
     return find(kMissing, name);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

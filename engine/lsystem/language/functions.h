@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // A function that is one instruction.
 struct FunctionEntry {
@@ -38,4 +38,4 @@ std::string_view nearest_function(std::string_view name);
 // nullptr for other names.
 MissingFunction const* find_missing_function(std::string_view name);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // When work on a model has taken too long. The engine has no clock: its caller may have one.
 struct TimeLimit {
@@ -27,4 +27,4 @@ struct StringLimit {
     std::size_t bytes = ModelLimits().max_memory_bytes;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

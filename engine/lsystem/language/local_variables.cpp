@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 static bool reads(Instruction const& instruction, Register variable)
 {
@@ -109,4 +109,4 @@ bool is_read_before_set(Rule const& rule, Register variable)
     return std::find(parameters.begin(), parameters.end(), variable) != parameters.end();
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

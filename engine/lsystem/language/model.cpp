@@ -13,7 +13,7 @@
 #include <charconv>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -403,4 +403,4 @@ Result<Model> compile_model(ModelSource const& source, IncludeReader const& incl
     return model;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

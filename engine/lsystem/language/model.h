@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // The two small text files that make a model, in the syntax of cpfg (Prusinkiewicz, Hanan, Mech,
 // "An L-system-based plant modeling language", AGTIVE 1999): rules (.l) and view (.v). The view may
@@ -170,4 +170,4 @@ constexpr int kLanguageVersion = 2;
 // of the rule to the next.
 Result<Model> compile_model(ModelSource const& source, IncludeReader const& include = {});
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -14,7 +14,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // A growing array of plain values that, unlike std::vector, leaves new elements unset and grows in
 // place where the system can: strings are written once, in order, and are large. Large ones lie on
@@ -169,4 +169,4 @@ struct ModuleWriter {
     float* parameters;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

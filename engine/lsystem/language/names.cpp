@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 std::optional<std::uint16_t> Names::find_variable(std::string_view name) const
 {
@@ -32,4 +32,4 @@ void Names::warn_of(std::string const& thing, std::string warning)
         warn(std::move(warning));
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

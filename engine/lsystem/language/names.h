@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // The names that a model defines, while it is compiled. Variables and arrays belong to one
 // L-system, and all its blocks and rules share them; the rest belongs to the model.
@@ -42,4 +42,4 @@ struct Names {
     void warn_of(std::string const& thing, std::string warning);
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

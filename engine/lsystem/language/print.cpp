@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 std::size_t symbol_length(Alphabet const& alphabet, std::span<KindId const> kinds)
 {
@@ -142,4 +142,4 @@ std::map<std::string, std::size_t> count_symbols(Model const& model, ModuleStrin
     return counts;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // How many modules the turtle's symbol that begins with kinds[0] has: 2 for ~S and ?P, 2 or 3 for
 // @-symbols such as @o and @Ts, else 1.
@@ -26,4 +26,4 @@ KindCounts count_kinds(std::span<KindId const> modules);
 // as one.
 std::map<std::string, std::size_t> count_symbols(Model const& model, ModuleString const& string);
 
-} // namespace tractus
+} // namespace tractus::lsystem

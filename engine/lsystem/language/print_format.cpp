@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 static constexpr std::string_view kIntegers = "diuxXo";
 static constexpr std::string_view kNumbers = "fFeEgG";
@@ -118,4 +118,4 @@ std::string print(PrintFormat const& format, std::span<double const> values)
     return result;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // A format of printf's, taken apart when a model is compiled, so that printing cannot fail.
 struct PrintFormat {
@@ -29,4 +29,4 @@ Result<PrintFormat> parse_print_format(std::string_view text);
 // Values that are missing are 0.
 std::string print(PrintFormat const& format, std::span<double const> values);
 
-} // namespace tractus
+} // namespace tractus::lsystem

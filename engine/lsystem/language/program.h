@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // One register of a program's frame.
 using Register = std::uint16_t;
@@ -89,4 +89,4 @@ inline bool has_effects(Program const& program)
 // so a frame is copied from here once and used for every match.
 using RegisterFile = std::vector<double>;
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 static constexpr std::size_t kMaxParameters = 64;
 
@@ -195,4 +195,4 @@ Result<Rule> RuleParser::rule()
     return rule;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Reads rules and strings of modules, adding to the alphabet the kinds that they name.
 class RuleParser {
@@ -51,4 +51,4 @@ private:
     Alphabet& alphabet_;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -5,7 +5,7 @@
 #include <array>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 static constexpr int kMaxStatementNesting = 200;
 
@@ -150,4 +150,4 @@ Result<void> StatementCompiler::assign_element(std::string const& array, Program
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

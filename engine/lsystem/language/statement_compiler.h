@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Compiles cpfg's C-like statements: assignments, calls, if, while, do, blocks.
 class StatementCompiler {
@@ -37,4 +37,4 @@ private:
     int depth_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

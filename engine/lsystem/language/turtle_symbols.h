@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // The symbols that the turtle draws: the one table of them, which the turtle, what counts segments
 // before they are drawn, and what prints strings read. Their meaning in full: interpret.h.
@@ -155,4 +155,4 @@ constexpr AtSymbol const& at_symbol(char second)
     return detail::kBySecond[static_cast<unsigned char>(second)];
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

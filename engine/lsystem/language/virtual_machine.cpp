@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 static constexpr std::uint64_t kMaxRounds = 10'000'000;
 
@@ -185,7 +185,7 @@ double VirtualMachine::curve(Op op, double number, double t) const
 void VirtualMachine::print(Instruction const& instruction, double const* frame) const
 {
     if (printer_ && *printer_)
-        (*printer_)(tractus::print(model_.formats[instruction.target],
+        (*printer_)(lsystem::print(model_.formats[instruction.target],
                                    { frame + instruction.left, instruction.right }));
 }
 
@@ -271,4 +271,4 @@ bool VirtualMachine::may_go_on(std::uint64_t rounds)
     return !has_stopped();
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

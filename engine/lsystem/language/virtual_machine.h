@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Position of numbers that belong to a step, not to a module.
 constexpr std::uint64_t kNoPosition = ~std::uint64_t { 0 };
@@ -135,4 +135,4 @@ private:
     Stop stop_ = Stop::None;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Rewrites one module after the other with a set of rules, at once and again and again until no
 // rule matches or the set's maximum depth is reached: how decomposition and homomorphism rules
@@ -106,4 +106,4 @@ private:
     std::vector<Level> levels_;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

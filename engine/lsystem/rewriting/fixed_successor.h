@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Successor of a module, where it is known beforehand: a string of modules whose parameters are
 // constants or parameters of the module. Short ones are copied in one move.
@@ -83,4 +83,4 @@ private:
     }
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

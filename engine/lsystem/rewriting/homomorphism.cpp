@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 HomomorphismWalk::HomomorphismWalk(Model const& model, ModuleString const& string,
                                    VirtualMachine& main)
@@ -86,4 +86,4 @@ Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& 
     return result;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Reads a string from one end to the other, each module replaced by what the homomorphism rules
 // make of it, those of the L-system that is at work at its place: what the turtle reads.
@@ -68,4 +68,4 @@ struct HomomorphismOptions {
 Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& string,
                                         HomomorphismOptions const& options = {});
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -1,6 +1,6 @@
 #include "engine/lsystem/rewriting/rewriter.h"
 
-namespace tractus {
+namespace tractus::lsystem {
 
 std::size_t branch_end(Model const& model, ModuleString const& string, std::size_t from)
 {
@@ -298,4 +298,4 @@ void Rewriter::apply(Rule const& rule, ModuleWriter& to)
         *to.parameters++ = static_cast<float>(values[reg]);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

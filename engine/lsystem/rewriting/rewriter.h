@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Modules from some place on to the end of their string.
 struct Modules {
@@ -135,4 +135,4 @@ private:
     Neighbour left_;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

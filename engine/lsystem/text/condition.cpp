@@ -12,7 +12,7 @@
 #include <tuple>
 #include <utility>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -320,4 +320,4 @@ Result<std::int64_t> condition_value(std::string_view text, ErrorAt const& error
     return ConditionParser(text, error).parse();
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Makes an error for a character of the text that is read.
 using ErrorAt = std::function<tl::unexpected<Error>(std::size_t index, std::string const& what)>;
@@ -29,4 +29,4 @@ std::optional<CharacterConstant> character_constant(std::string_view text, std::
 // wraps around. Fails with `error` where it is no such expression.
 Result<std::int64_t> condition_value(std::string_view text, ErrorAt const& error);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 bool HiddenMacros::has(Id set, std::uint32_t macro) const
 {
@@ -49,4 +49,4 @@ std::optional<HiddenMacros::Id> HiddenMacros::with(Id set, std::uint32_t macro)
     return id(std::move(with));
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Sets of macros by number, each kept once: those that a token came from, which do not replace it
 // again ("hide sets" in Prosser's algorithm). No value: there would be too many sets, or too many
@@ -32,4 +32,4 @@ private:
     std::map<Set, Id> ids_ { { {}, kEmpty } };
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

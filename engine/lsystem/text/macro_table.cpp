@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Limits for hostile models, whose macros may double at each use.
 static constexpr std::size_t kMaxTextSize = std::size_t { 16 } << 20;
@@ -473,4 +473,4 @@ void MacroTable::paste(Tokens& result, Tokens const& next)
     result.insert(result.end(), from, next.end());
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // The macros that #define makes, with and without parameters, replaced as C11 6.10.3 says: `#` and
 // `##`, arguments that are macros, and results that are read again together with what follows.
@@ -114,4 +114,4 @@ private:
     bool ended_in_call_ = false;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

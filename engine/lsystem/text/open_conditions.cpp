@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 std::optional<SourcePlace> OpenConditions::open_in_file() const
 {
@@ -121,4 +121,4 @@ Result<bool> OpenConditions::value(PlacedText const& line, std::string_view rest
     return result != 0;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // The preprocessor's conditions that are open: which lines are read.
 class OpenConditions {
@@ -71,4 +71,4 @@ private:
     std::size_t first_in_file_ = 0;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 void PlacedText::append(PlacedText const& other, std::size_t begin, std::size_t end)
 {
@@ -142,4 +142,4 @@ std::string_view first_name(std::string_view text)
     return text.substr(0, end);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Text each of whose characters knows where it stood.
 struct PlacedText {
@@ -55,4 +55,4 @@ std::string_view trimmed_line(std::string_view text);
 // The name that the text begins with; empty for none.
 std::string_view first_name(std::string_view text);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -14,7 +14,7 @@
 #include <set>
 #include <utility>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -359,4 +359,4 @@ Result<SourceText> preprocess(std::string const& name, std::string_view text,
     return preprocessor.finish();
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Gives the text of an included file by the name that stands in the including file.
 using IncludeReader = std::function<Result<std::string>(std::string const& name)>;
@@ -40,4 +40,4 @@ struct SourceText {
 Result<SourceText> preprocess(std::string const& name, std::string_view text,
                               IncludeReader const& include);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 bool TextLines::next(std::string_view& line)
 {
@@ -43,4 +43,4 @@ std::string_view after_key(std::string_view line, std::string_view key)
     return value.substr(std::min(value.find_first_not_of(" \t"), value.size()));
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // The lines of a text one after another, without blanks at their ends.
 struct TextLines {
@@ -21,4 +21,4 @@ std::vector<double> numbers_in(std::string_view line);
 // Returns what follows `key` and blanks in a line that begins with it.
 std::string_view after_key(std::string_view line, std::string_view key);
 
-} // namespace tractus
+} // namespace tractus::lsystem

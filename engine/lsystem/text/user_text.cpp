@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 std::string shown(std::string_view text)
 {
@@ -84,4 +84,4 @@ std::string_view nearest_beginning(std::string_view line, std::span<std::string_
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // A user's text for a message, as printable() has it; long text cut.
 std::string shown(std::string_view text);
@@ -17,4 +17,4 @@ std::string_view nearest_word(std::string_view text, std::span<std::string_view 
 // begins with one of them.
 std::string_view nearest_beginning(std::string_view line, std::span<std::string_view const> words);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -176,4 +176,4 @@ std::vector<Cylinder::Piece> Cylinder::finish()
     return pieces;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

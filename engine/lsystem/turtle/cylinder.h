@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Looks of a generalised cylinder at one of its control points, as @Gt, @Gr, @# and @! set it.
 struct CylinderStyle {
@@ -91,4 +91,4 @@ private:
     std::vector<CylinderPoint> last_;  // The last three points of a B-spline.
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // nullptr: the view has none.
 static OrganDefinition const* find_organ(View const& view, char letter)
@@ -163,4 +163,4 @@ OrganShape OrganCatalogue::make_shape(View const& view, Identity const& identity
     return shape;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Whether the view defines what ~letter draws.
 bool has_organ(View const& view, char letter);
@@ -64,4 +64,4 @@ private:
     std::vector<OrganShape> shapes_;
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -356,4 +356,4 @@ Plant assemble_plant(View const& view, double unit_mm, std::span<DrawnPiece> pie
     return Assembly(view, unit_mm, pieces, std::move(drawn)).run();
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

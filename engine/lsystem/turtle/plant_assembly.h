@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // A piece of a drawing and where it stands.
 struct DrawnPiece {
@@ -30,4 +30,4 @@ Plant assemble_plant(View const& view, double unit_mm, std::span<DrawnPiece> pie
 // Gives a plant without any its axes, segments and their nodes, to be written.
 void make_room(Plant& plant, std::size_t axis_count, std::size_t segment_count);
 
-} // namespace tractus
+} // namespace tractus::lsystem

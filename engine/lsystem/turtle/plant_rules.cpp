@@ -7,7 +7,7 @@
 #include <iterator>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::string rules_of_plant(Plant const& plant)
           "B(i) --> *\nendlsystem\n";
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // A plant as a model in cpfg's language that draws it: arrays of its segments and two rules. So a
 // plant that was measured, or comes from another program, is what an L-system's plant is: it can be
@@ -16,4 +16,4 @@ std::string rules_of_plant(Plant const& plant);
 
 constexpr std::size_t kMaxRuledSegments = 1'000'000; // As many as an array may have elements.
 
-} // namespace tractus
+} // namespace tractus::lsystem

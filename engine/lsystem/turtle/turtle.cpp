@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 static bool has_symbol(Model const& model, std::string_view symbols)
 {
@@ -451,4 +451,4 @@ void Turtle::warn(std::string warning)
         warnings.push_back({ place_, std::move(warning) });
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

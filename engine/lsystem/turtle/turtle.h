@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Whether a model's strings may say how the turtle is carried, or how cylinders look.
 bool uses_turtle_extras(Model const& model);
@@ -268,4 +268,4 @@ private:
     bool has_unpaired_ = false; // A ] or } without its beginning.
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

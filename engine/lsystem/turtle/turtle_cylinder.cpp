@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // The parameter as a count of rings; 0 where there is none.
 static int ring_count(double value)
@@ -173,4 +173,4 @@ void Turtle::set_sides(Symbol const& symbol)
         = static_cast<std::uint16_t>(std::clamp(symbol.parameter(0, 8), 3.0, 256.0));
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 TurtleDrawing TurtleDrawing::copy(std::pmr::memory_resource& memory) const
 {
@@ -81,4 +81,4 @@ OrganShapeId TurtleDrawing::shape(ShapeKey const& key)
     return static_cast<OrganShapeId>(index);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Drawing of a turtle along one piece of a string, in the order in which it draws it. Segments and
 // axes are numbered within the piece; plant_assembly.h puts pieces together.
@@ -171,4 +171,4 @@ private:
     AxisId begin_axis(SegmentId parent_segment, AxisId parent_axis, Vec3 const& base_mm);
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 void TurtleFrame::straighten()
 {
@@ -115,4 +115,4 @@ void bend_by_tropisms(TurtleFrame& frame, TurtleFrame& before, std::vector<Tropi
         twist_by_torques(frame, before, tropisms, elasticities);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

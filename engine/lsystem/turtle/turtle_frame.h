@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 struct Tropism;
 
@@ -108,4 +108,4 @@ using Elasticities = std::array<double, kMaxTropisms>;
 void bend_by_tropisms(TurtleFrame& frame, TurtleFrame& before, std::vector<Tropism> const& tropisms,
                       Elasticities const& elasticities);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 struct TurtleOptions {
     double unit_mm = 10;                   // Length of one turtle unit.
@@ -21,4 +21,4 @@ struct TurtleOptions {
     std::function<void(std::string_view text)> print {};
 };
 
-} // namespace tractus
+} // namespace tractus::lsystem

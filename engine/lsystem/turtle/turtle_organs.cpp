@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -184,4 +184,4 @@ void Turtle::add_patch(OpenPatch const& open)
     drawing_->organs.push_back(organ);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 Turtle::Quick Turtle::quick_way(SymbolDoes does)
 {
@@ -156,4 +156,4 @@ std::size_t Turtle::draw_quick(std::span<KindId const> kinds, float const*& para
     return i;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -79,4 +79,4 @@ Result<std::string> material_file_statements(std::string const& name, std::strin
     return text;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

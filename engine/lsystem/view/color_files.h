@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // The files of colours that cpfg is given beside a model, as statements of a view (`color:`, see
 // view.h): text, which can be kept with the model's others.
@@ -19,4 +19,4 @@ Result<std::string> color_map_statements(std::string const& name, std::string_vi
 // shiny ones are less rough. Fails as above.
 Result<std::string> material_file_statements(std::string const& name, std::string_view bytes);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -175,4 +175,4 @@ Result<Contour> parse_contour(std::string const& name, std::string_view text)
     return contour;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Reads a contour as cpfg's contour editor writes it: `cver`, `name:`, `points:`, `type:` and lines
 // `x y z [multiplicity]`, or, without a version, `COUNT DIMENSION open|closed` and the points. The
@@ -15,4 +15,4 @@ namespace tractus {
 // user's fault, with "FILE:LINE: …".
 Result<Contour> parse_contour(std::string const& name, std::string_view text);
 
-} // namespace tractus
+} // namespace tractus::lsystem

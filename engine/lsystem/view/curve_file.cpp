@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -201,4 +201,4 @@ Result<CurveTable> parse_curve(std::string const& name, std::string_view text, s
     return curve;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // A curve in space from a curve file of cpfg's, as curveX, curveY and curveZ ask for it.
 struct CurveTable {
@@ -38,4 +38,4 @@ struct CurveTable {
 Result<CurveTable> parse_curve(std::string const& name, std::string_view text,
                                std::size_t samples = 100);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -9,7 +9,7 @@
 #include <limits>
 #include <span>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -96,4 +96,4 @@ Result<EnvironmentChoice> parse_environment(std::string_view text)
     return choice;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Names the built-in environment that answers a model's ?E modules (environments.h), and its
 // numbers.
@@ -26,4 +26,4 @@ bool names_environment(std::string_view text);
 // numbers out of range.
 Result<EnvironmentChoice> parse_environment(std::string_view text);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -128,4 +128,4 @@ Result<std::vector<FunctionTable>> parse_functions(std::string const& name, std:
     return result;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Reads a file of functions as cpfg's function editor writes them: one (`fver`) or a set of them
 // (`funcgalleryver`). A function is a uniform cubic B-spline of control points `x y
@@ -16,4 +16,4 @@ namespace tractus {
 // four control points, a point without x and y, and a number of samples out of range.
 Result<std::vector<FunctionTable>> parse_functions(std::string const& name, std::string_view text);
 
-} // namespace tractus
+} // namespace tractus::lsystem

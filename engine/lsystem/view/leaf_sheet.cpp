@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -245,4 +245,4 @@ Result<LeafSheet> parse_leaf_sheet(std::string const& name, std::string_view tex
     return SheetReader(name, text).read();
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Which grown leaves a view asks for. Growing them is others' work: the include reader gives them
 // by name, like any file that a model names, so a session holds the leaves that it was made with.
@@ -58,4 +58,4 @@ OrganShape leaf_shape(OrganShape const& organ, std::shared_ptr<CutLeaf const> le
 std::string print_leaf_sheet(LeafSheet const& sheet);
 Result<LeafSheet> parse_leaf_sheet(std::string const& name, std::string_view text);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <optional>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -77,4 +77,4 @@ Result<void> check_leaf_name(std::string_view grammar)
         fmt::format("a leaf's damage: found {}, expected {}", grammar.substr(plus + 1), expected));
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // What a leaf has suffered. Of many leaves, how much one of them has on the average.
 struct LeafDamage {
@@ -37,4 +37,4 @@ LeafWord parse_leaf_word(std::string_view word);
 // as the user's fault, with the numbers that there are and their ranges.
 Result<void> check_leaf_name(std::string_view grammar);
 
-} // namespace tractus
+} // namespace tractus::lsystem

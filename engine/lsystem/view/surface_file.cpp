@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <map>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -196,4 +196,4 @@ Result<BezierSurface> parse_surface(std::string const& name, std::string_view te
     return parser.placed(size);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

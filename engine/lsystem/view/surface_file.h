@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // A surface of Bézier patches as it stands in the turtle's frame at scale 1: x to the turtle's
 // right, y along its heading, z to its upper side, the contact point at the origin. Turtle units.
@@ -22,4 +22,4 @@ struct BezierSurface {
 // Colours are left to the turtle. Fails, as the user's fault, with "FILE:LINE: …".
 Result<BezierSurface> parse_surface(std::string const& name, std::string_view text, double size);
 
-} // namespace tractus
+} // namespace tractus::lsystem

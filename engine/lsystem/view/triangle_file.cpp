@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -97,4 +97,4 @@ Result<BezierSurface> parse_triangle_surface(std::string const& name, std::strin
     return TriangleParser(name, text, size).parse();
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Reads a surface of triangles (cpfg's `tsurface:`): the word `triangle`, then three vertices, each
 // on a line of its own: three coordinates, to the turtle's left, along its heading and to cpfg's
@@ -15,4 +15,4 @@ namespace tractus {
 Result<BezierSurface> parse_triangle_surface(std::string const& name, std::string_view text,
                                              double size);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -328,4 +328,4 @@ Result<View> parse_view(std::string const& name, std::string_view text,
     return std::move(reader.view);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

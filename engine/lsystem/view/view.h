@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // A direction that bends the turtle's heading before each step. In the turtle's frame (+y up).
 struct Tropism {
@@ -101,4 +101,4 @@ struct View {
 Result<View> parse_view(std::string const& name, std::string_view text,
                         IncludeReader const& include);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -110,4 +110,4 @@ Result<void> read_triangle_surface(ViewReader& reader, std::string_view value)
     return define_surface(reader, value, parse_triangle_surface);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

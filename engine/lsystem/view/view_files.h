@@ -2,7 +2,7 @@
 
 #include "engine/lsystem/view/view_reader.h"
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // cpfg's statements that name a file: FILE [SAMPLES] for a function or a curve, FILE for a set of
 // functions, ID FILE for a contour, LETTER FILE SIZE [S T [TEXTURE]] for a surface of patches,
@@ -14,4 +14,4 @@ Result<void> read_contour(ViewReader& reader, std::string_view value);
 Result<void> read_surface(ViewReader& reader, std::string_view value);
 Result<void> read_triangle_surface(ViewReader& reader, std::string_view value);
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -9,7 +9,7 @@
 #include <memory>
 #include <utility>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // variants= and age= of a leaf: statement.
 static Result<void> read_leaf_field(ViewReader const& reader, LeafOrder& order,
@@ -120,4 +120,4 @@ Result<void> read_calendar(ViewReader& reader, std::string_view value)
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 namespace {
 
@@ -178,4 +178,4 @@ Result<void> read_radii(ViewReader& reader, std::string_view value)
     return {};
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -2,7 +2,7 @@
 
 #include "engine/lsystem/view/view_reader.h"
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // The statements of our own; view.h says what they mean.
 Result<void> read_material(ViewReader& reader, std::string_view value);
@@ -12,4 +12,4 @@ Result<void> read_leaf(ViewReader& reader, std::string_view value);
 Result<void> read_calendar(ViewReader& reader, std::string_view value);
 Result<void> read_radii(ViewReader& reader, std::string_view value);
 
-} // namespace tractus
+} // namespace tractus::lsystem

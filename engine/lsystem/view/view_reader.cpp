@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 void ViewReader::warn(std::string const& what)
 {
@@ -20,7 +20,7 @@ tl::unexpected<Error> ViewReader::error(std::string const& what) const
 
 Result<double> ViewReader::number(std::string_view text) const
 {
-    if (auto const value = tractus::number(trimmed(text)))
+    if (auto const value = lsystem::number(trimmed(text)))
         return *value;
     return error(fmt::format("found '{}', expected a number", trimmed(text)));
 }
@@ -82,4 +82,4 @@ std::optional<double> number(std::string_view text)
     return value;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

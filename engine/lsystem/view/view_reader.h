@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // State that the statements of a view file share while it is read: the view so far, the place for
 // messages, and the words that statements are made of.
@@ -45,4 +45,4 @@ std::vector<std::string_view> words(std::string_view text, std::string_view sepa
 // The whole text as a finite number.
 std::optional<double> number(std::string_view text);
 
-} // namespace tractus
+} // namespace tractus::lsystem

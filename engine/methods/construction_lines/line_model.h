@@ -15,7 +15,7 @@ namespace tractus::lines {
 
 // A plant as text: rules and view, and the files of functions that the view names, by name.
 struct LineModel {
-    ModelSource source;
+    lsystem::ModelSource source;
     std::map<std::string, std::string> functions;
 };
 

@@ -21,8 +21,8 @@ class CleanText {
 public:
     explicit CleanText(std::string_view source)
     {
-        std::optional<SourcePlace> ignored;
-        text_ = without_comments(source, 0, ignored);
+        std::optional<lsystem::SourcePlace> ignored;
+        text_ = lsystem::without_comments(source, 0, ignored);
         line_begins_.push_back(0);
         for (std::size_t i = 0; i < source.size(); ++i)
             if (source[i] == '\n')
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    PlacedText text_;
+    lsystem::PlacedText text_;
     std::vector<std::size_t> line_begins_;
 };
 
@@ -58,7 +58,7 @@ struct Reading {
 
     void skip_blanks()
     {
-        while (at < text.size() && (is_blank(text[at]) || text[at] == '\n'))
+        while (at < text.size() && (lsystem::is_blank(text[at]) || text[at] == '\n'))
             ++at;
     }
     std::string_view token()
@@ -66,7 +66,7 @@ struct Reading {
         skip_blanks();
         if (at == text.size())
             return {};
-        auto const begin = std::exchange(at, token_end(text, at));
+        auto const begin = std::exchange(at, lsystem::token_end(text, at));
         return text.substr(begin, at - begin);
     }
     bool take(std::string_view wanted)
@@ -92,7 +92,7 @@ struct Reading {
 
 std::optional<double> plain_number(std::string_view text)
 {
-    text = trimmed_line(text);
+    text = lsystem::trimmed_line(text);
     double value = 0;
     auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (text.empty() || error != std::errc() || end != text.data() + text.size()
@@ -164,8 +164,8 @@ private:
             if (std::find(kCountNames.begin(), kCountNames.end(), name) == kCountNames.end())
                 continue;
             line.skip_blanks();
-            auto const value = trimmed_line(line.text.substr(line.at));
-            if (value.empty() || !std::all_of(value.begin(), value.end(), is_digit))
+            auto const value = lsystem::trimmed_line(line.text.substr(line.at));
+            if (value.empty() || !std::all_of(value.begin(), value.end(), lsystem::is_digit))
                 return lacks(line.at - 1,
                              fmt::format("#define {} is no whole number: give it 0, "
                                          "which is the plant without a stroke",
@@ -229,7 +229,7 @@ private:
         std::vector<std::size_t> places;
         auto const text = text_.characters();
         for (std::size_t i = 0; i < text.size(); ++i)
-            if (!is_blank(text[i]) && text[i] != '\n') {
+            if (!lsystem::is_blank(text[i]) && text[i] != '\n') {
                 rules += text[i];
                 places.push_back(i);
             }

@@ -288,8 +288,8 @@ static constexpr std::string_view kView
       "organ: l leaf kind=blade material=2 length=1 width=0.5 petiole=0 widest=0.45 tip=0.7 "
       "base=0.5 fold=14 curl=20\n";
 
-ModelSource write_model(Rule const& rule, DrawnAxis const& axis, Leaves leaves,
-                        std::string const& name)
+lsystem::ModelSource write_model(Rule const& rule, DrawnAxis const& axis, Leaves leaves,
+                                 std::string const& name)
 {
     auto const text
         = fmt::format("/* A plant that grew along a stroke: the axis is as it was drawn. */\n"

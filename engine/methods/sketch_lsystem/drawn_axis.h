@@ -56,7 +56,7 @@ enum class Leaves { Bare, Leafy };
 // on the desk and a centimetre of the plant, as in all our models: 200 mm drawn are a plant of 2 m.
 // The string does not depend on the leaves. Deriving fewer steps than the axis has segments gives
 // the plant of the stroke's first segments, at the same depth.
-ModelSource write_model(Rule const& rule, DrawnAxis const& axis, Leaves leaves,
-                        std::string const& name);
+lsystem::ModelSource write_model(Rule const& rule, DrawnAxis const& axis, Leaves leaves,
+                                 std::string const& name);
 
 } // namespace tractus::sketch

@@ -260,7 +260,7 @@ std::optional<Vec2> stands_on_paper_mm(GrowAlongStroke const& edit)
     return tips->front().position_mm.head<2>();
 }
 
-Result<ModelSource> model_of(GrowAlongStroke const& edit)
+Result<lsystem::ModelSource> model_of(GrowAlongStroke const& edit)
 {
     auto const nodes_mm = TRY(drawn_nodes_mm(edit));
     if (edit.model.is_set())

@@ -38,7 +38,7 @@ Result<SegmentLengths> lengths_of(GrowAlongStroke const& edit);
 
 // The edit's plant as a model in cpfg's language. Fails like lengths_of(), and, as the user's
 // fault, for a stroke along which the rule is not applied once.
-Result<ModelSource> model_of(GrowAlongStroke const& edit);
+Result<lsystem::ModelSource> model_of(GrowAlongStroke const& edit);
 
 // Grows that model: a plant frame whose origin is where the pen came down. Fails like model_of(),
 // where the model takes more than the options allow, and where its plant has more internodes than

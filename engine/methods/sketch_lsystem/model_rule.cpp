@@ -51,8 +51,8 @@ SegmentLengths lengths_on_desk(AxisContract const& contract, double scale)
     return { std::move(lengths), 1, 0, most };
 }
 
-Result<ModelSource> model_along(ModelRule const& model, std::span<Vec3 const> nodes_mm,
-                                double scale)
+Result<lsystem::ModelSource> model_along(ModelRule const& model, std::span<Vec3 const> nodes_mm,
+                                         double scale)
 {
     auto const contract = TRY(contract_of(model.source.name, model.source.text));
     auto const axis = aim_axis(lengths_on_desk(contract, scale), nodes_mm);

@@ -19,7 +19,7 @@ namespace tractus::sketch {
 // A model in cpfg's language that keeps the contract of axis_contract.h, in a rule's place. Texts
 // as they are without a stroke.
 struct ModelRule {
-    ModelSource source { .name = {}, .view_name = {} };
+    lsystem::ModelSource source { .name = {}, .view_name = {} };
     std::map<std::string, std::string> includes {}; // What it includes, by name: the texts.
     std::uint64_t seed = 1;                         // Of its chance, which is the laterals'.
 
@@ -38,8 +38,8 @@ SegmentLengths lengths_on_desk(AxisContract const& contract, double scale);
 // The model with the axis that is drawn through those nodes: its contract's places have its values,
 // all else of its text stays byte for byte. Fails, as the user's fault, for a model that does not
 // keep the contract.
-Result<ModelSource> model_along(ModelRule const& model, std::span<Vec3 const> nodes_mm,
-                                double scale);
+Result<lsystem::ModelSource> model_along(ModelRule const& model, std::span<Vec3 const> nodes_mm,
+                                         double scale);
 
 // The axis as that text has it, and where its turtle has the nodes, on the desk.
 struct ModelAxis {

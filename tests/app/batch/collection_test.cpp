@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::batch {
 namespace {
 
 std::vector<PlantPlace> places(std::size_t count, Shard shard, Stand stand = Stand::Scatter)
@@ -82,4 +82,4 @@ TEST(Collection, ItsSheetShowsPlantsFromTheFirstToTheLast)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::batch

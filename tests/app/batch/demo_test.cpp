@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::batch {
 namespace {
 
 // Each of our plants has a demo: a script of what the hand does, and the recording made from it.
@@ -20,7 +20,7 @@ protected:
     Scene scene() const { return our_plant(GetParam()); }
     std::filesystem::path file(char const* kind) const
     {
-        return find_resource(fmt::format("demo/{}.{}", GetParam(), kind)).value();
+        return files::find_resource(fmt::format("demo/{}.{}", GetParam(), kind)).value();
     }
     sim::GestureScript script() const
     {
@@ -32,7 +32,8 @@ protected:
 TEST_P(Demo, IsRecordedFromItsScriptByteForByte)
 {
     std::ostringstream out;
-    auto const written = write_simulated_recording(out, script(), scene(), all_methods().tools);
+    auto const written
+        = play::write_simulated_recording(out, script(), scene(), all_methods().tools);
     ASSERT_TRUE(written) << written.error().message;
     // Not EXPECT_EQ, which would print half a megabyte.
     EXPECT_TRUE(out.str() == read_file(file("tractus-log")).value())
@@ -67,4 +68,4 @@ INSTANTIATE_TEST_SUITE_P(All, Demo, ::testing::Values("broadleaf", "conifer", "d
                          [](auto const& test) { return std::string(test.param); });
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::batch

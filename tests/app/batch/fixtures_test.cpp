@@ -19,7 +19,7 @@
 // Recordings and sessions that earlier versions of the program have written, and what they amount
 // to. tests/fixtures/README.md says how they were made. They are never made again: what this
 // program makes of them is what it must go on making of them.
-namespace tractus {
+namespace tractus::batch {
 namespace {
 
 namespace fs = std::filesystem;
@@ -118,7 +118,7 @@ Scene scene_of_log(fs::path const& log_path, fs::path const& model)
 {
     auto const log = drivers::read_log(log_path).value();
     return replayed(log, {},
-                    apply_edit({}, load_plant_edit(model).value(), make_load_options()).value())
+                    apply_edit({}, io::load_plant_edit(model).value(), make_load_options()).value())
         .scene;
 }
 
@@ -131,8 +131,8 @@ class FixtureOfDemo : public testing::TestWithParam<char const*> { };
 
 TEST_P(FixtureOfDemo, GivesItsPlant)
 {
-    auto const log = find_resource(fmt::format("demo/{}.tractus-log", GetParam())).value();
-    expect_digest(GetParam(), scene_of_log(log, find_model(GetParam()).value()));
+    auto const log = files::find_resource(fmt::format("demo/{}.tractus-log", GetParam())).value();
+    expect_digest(GetParam(), scene_of_log(log, files::find_model(GetParam()).value()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Fixtures, FixtureOfDemo,
@@ -147,7 +147,7 @@ TEST_P(FixtureOfFormat, GivesItsPlantAndItsEdits)
         = fs::temp_directory_path() / fmt::format("tractus_{}_{}.tractus", name, ::getpid());
     fs::copy_file(fixture(name + ".tractus"), path); // Reading may leave files beside it.
     expect_digest(name, load_session_scene(path, all_methods().edits).value());
-    auto const contents = read_session(path, core_edit_kinds());
+    auto const contents = session::read_session(path, core_edit_kinds());
     ASSERT_TRUE(contents) << contents.error().message;
     std::ifstream in(fixture(name + ".txt"));
     std::string line;
@@ -162,4 +162,4 @@ TEST_P(FixtureOfFormat, GivesItsPlantAndItsEdits)
 INSTANTIATE_TEST_SUITE_P(Fixtures, FixtureOfFormat, testing::Values(1, 2, 3));
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::batch

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::batch {
 namespace {
 
 // How a plant stands. World frame.
@@ -46,17 +46,19 @@ class Presets : public testing::TestWithParam<std::string> {
 protected:
     static Plant base()
     {
-        auto edit = load_model_edit(find_resource("models/" + GetParam() + ".l").value()).value();
+        auto edit = io::load_model_edit(files::find_resource("models/" + GetParam() + ".l").value())
+                        .value();
         edit.seed = 1;
         return *apply_edit({}, edit).value().base;
     }
 
     Posture of(std::string_view name) const
     {
-        auto const plant = tractus::grow({ .plant = base_,
-                                           .parameters = growth_preset(name).value(),
-                                           .key = { .seed = 4 } })
-                               .value();
+        auto const plant
+            = tractus::variation::grow({ .plant = base_,
+                                         .parameters = variation::growth_preset(name).value(),
+                                         .key = { .seed = 4 } })
+                  .value();
         return posture(plant, base_);
     }
 
@@ -111,4 +113,4 @@ INSTANTIATE_TEST_SUITE_P(Models, Presets,
                          [](auto const& model) { return model.param; });
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::batch

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::batch {
 namespace {
 
 TEST(JobReport, IsPrintedLineByLine)
@@ -24,4 +24,4 @@ TEST(JobReport, IsPrintedLineByLine)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::batch

@@ -15,7 +15,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::batch {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,7 +38,7 @@ protected:
         write("leafy.v",
               "material: 2 leaf kind=leaf color=0.2,0.5,0.2\n"
               "organ: l leaf kind=blade material=2 length=30 width=5\n");
-        auto const scene = apply_edit({}, load_model_edit(folder_ / "leafy.l").value()).value();
+        auto const scene = apply_edit({}, io::load_model_edit(folder_ / "leafy.l").value()).value();
         plant_width_mm_ = width_mm(mesh::make_mesh(*scene.base));
         auto const script
             = sim::parse_gesture_script("version = 1\n[[gesture]]\ntool = \"indicate\"\n"
@@ -47,7 +47,7 @@ protected:
                                         "script");
         ASSERT_TRUE(script) << script.error().message;
         auto const log = [&](std::ostream& out) {
-            return write_simulated_recording(out, *script, scene, all_methods().tools);
+            return play::write_simulated_recording(out, *script, scene, all_methods().tools);
         };
         ASSERT_TRUE(write_file(folder_ / "leafy.tractus-log", log));
     }
@@ -75,11 +75,12 @@ protected:
 
 TEST_F(LeafyJob, PlacesPlantsSideBySideWithTheirLeaves)
 {
-    Progress progress;
+    terminal::Progress progress;
     auto const report = run_job(job(2), progress);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->plants, 2u);
-    auto const collection = read_glb(read_file(folder_ / "out" / "collection.glb").value());
+    auto const collection
+        = exports::read_glb(read_file(folder_ / "out" / "collection.glb").value());
     ASSERT_TRUE(collection) << collection.error().message;
     EXPECT_GT(plant_width_mm_, 400);
     EXPECT_GT(width_mm(*collection), 2 * plant_width_mm_);
@@ -89,7 +90,7 @@ TEST_F(LeafyJob, ShowsTheDrawingInFourSeasons)
 {
     auto options = job(1);
     options.all_seasons = true;
-    Progress progress;
+    terminal::Progress progress;
     auto const report = run_job(options, progress);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->plants, 5u);
@@ -103,9 +104,10 @@ TEST_F(LeafyJob, ShowsTheDrawingInFourSeasons)
 TEST_F(LeafyJob, BeginsWithAnEmptySheet)
 {
     JobOptions options { .variations = 2, .folder = folder_ / "sheet" };
-    options.drawing.log = find_resource("demo/first-plants/sketch-surface.tractus-log").value();
+    options.drawing.log
+        = files::find_resource("demo/first-plants/sketch-surface.tractus-log").value();
     options.drawing.methods = all_methods();
-    Progress progress;
+    terminal::Progress progress;
     auto const report = run_job(options, progress);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->model, "an empty sheet");
@@ -119,7 +121,7 @@ TEST_F(LeafyJob, SaysThatTheRigIsAnotherOne)
     calib::Rig rig;
     rig.full_scale_counts = 1023; // The log's converter reads up to 4095.
     ASSERT_TRUE(calib::save_rig(rig, folder_ / "other.rig.toml"));
-    Progress progress;
+    terminal::Progress progress;
     auto const report = run_job({ .drawing = { .log = folder_ / "leafy.tractus-log",
                                                .methods = all_methods(),
                                                .rig = folder_ / "other.rig.toml" },
@@ -145,7 +147,7 @@ TEST_F(LeafyJob, VariesAnotherProgramsSkeletonByStrokesInSpace)
     write("drawing.strokes",
           "0 0 0\n0 0 50\n40 0 90\n\n0 0 0\n10 0 0\n10 30 20\n\n"
           "0 0 0\n10 0 0\n\n0 0 0\n10 0 0\n");
-    Progress progress;
+    terminal::Progress progress;
     auto const report
         = run_job({ .drawing = { .log = folder_ / "drawing.strokes", .methods = all_methods() },
                     .model = folder_ / "tree.obj",
@@ -163,14 +165,14 @@ TEST_F(LeafyJob, VariesAnotherProgramsSkeletonByStrokesInSpace)
     auto const text = read_file(folder_ / "out" / "report.txt").value();
     EXPECT_NE(text.find("windy hillside"), std::string::npos);
     EXPECT_NE(text.find("age                   0.7"), std::string::npos);
-    EXPECT_TRUE(read_glb(read_file(folder_ / "out" / "collection.glb").value()));
+    EXPECT_TRUE(exports::read_glb(read_file(folder_ / "out" / "collection.glb").value()));
 }
 
 TEST_F(LeafyJob, SaysWhatIsWrongWithAFileOfStrokes)
 {
     write("drawing.strokes", "0 0 0\n1 one 1\n");
     write("drawing.tilt", "no sketch");
-    Progress progress;
+    terminal::Progress progress;
     for (auto const* name : { "drawing.strokes", "drawing.tilt" }) {
         auto const report
             = run_job({ .drawing = { .log = folder_ / name, .methods = all_methods() },
@@ -184,4 +186,4 @@ TEST_F(LeafyJob, SaysWhatIsWrongWithAFileOfStrokes)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::batch

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace tractus {
+namespace tractus::batch {
 namespace {
 
 // Promises of a model at its full age.
@@ -52,7 +52,8 @@ protected:
     static Scene grow(std::optional<int> steps = {}, std::uint64_t seed = 1)
     {
         auto edit
-            = load_model_edit(find_resource("models/" + GetParam().name + ".l").value()).value();
+            = io::load_model_edit(files::find_resource("models/" + GetParam().name + ".l").value())
+                  .value();
         edit.steps = steps;
         edit.seed = seed;
         return apply_edit({}, edit).value();
@@ -79,7 +80,8 @@ double organ_area_mm2(Plant const& plant)
 TEST(Models, AreAllTestedHere)
 {
     std::set<std::string> in_folder;
-    for (auto const& entry : std::filesystem::directory_iterator(find_resource("models").value()))
+    for (auto const& entry :
+         std::filesystem::directory_iterator(files::find_resource("models").value()))
         if (entry.path().extension() == ".l")
             in_folder.insert(entry.path().stem().string());
     std::set<std::string> here;
@@ -174,4 +176,4 @@ INSTANTIATE_TEST_SUITE_P(Ours, BaseModel, testing::ValuesIn(kModels),
                          [](auto const& model) { return model.param.name; });
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::batch

@@ -17,16 +17,16 @@
 #include <sstream>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::batch {
 namespace {
 
 std::string glb_of(Plant const& plant)
 {
     auto const mesh = mesh::make_mesh(plant);
-    PlacedMesh placed;
+    exports::PlacedMesh placed;
     placed.mesh = &mesh;
     std::ostringstream out;
-    EXPECT_TRUE(write_glb(out, std::span(&placed, 1)));
+    EXPECT_TRUE(exports::write_glb(out, std::span(&placed, 1)));
     return out.str();
 }
 
@@ -65,7 +65,7 @@ TEST(PlantSeason, IsKeptByASession)
     auto const path = std::filesystem::temp_directory_path()
         / ("tractus_season_test_" + std::to_string(::getpid()) + ".tractus");
     std::filesystem::remove(path);
-    std::vector<Edit> edits { load_model_edit(find_model("birch").value()).value() };
+    std::vector<Edit> edits { io::load_model_edit(files::find_model("birch").value()).value() };
     auto scene = apply_edits({}, edits).value();
     auto const season = season_edits(scene, Season { .month = 4.8 }).value();
     edits.insert(edits.end(), season.begin(), season.end());
@@ -113,7 +113,7 @@ TEST(PlantGroup, IsThePlantsOfADocumentWhereTheyStand)
     for (std::size_t i = 0; i < nodes; ++i)
         EXPECT_NEAR((both.node_position_mm[nodes + i] - both.node_position_mm[i]).norm(), moved_mm,
                     1e-6);
-    PlantKey const key { 7, 3 };
+    variation::PlantKey const key { 7, 3 };
     auto const varied = group.grow(key, 1);
     EXPECT_EQ(varied.segment_count(), both.segment_count());
     EXPECT_NE(varied.node_position_mm, both.node_position_mm);
@@ -127,4 +127,4 @@ TEST(PlantGroup, IsThePlantsOfADocumentWhereTheyStand)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::batch

@@ -14,7 +14,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::batch {
 namespace {
 
 // A session may come from anybody.
@@ -63,7 +63,7 @@ TEST(SessionExport, GivesEachPlantAndPartItsFiles)
     EXPECT_EQ(file_bytes(folder / "files" / "small.l"), small_model().source.text);
     auto const model = folder / "files" / "sketch-2" / "sketch.l";
     auto const alone
-        = apply_edits({}, std::vector<Edit> { load_model_edit(model).value() }).value();
+        = apply_edits({}, std::vector<Edit> { io::load_model_edit(model).value() }).value();
     EXPECT_EQ(alone.base->node_position_mm, before.plants[1]->base->node_position_mm);
     EXPECT_EQ(alone.base->organs.size(), before.plants[1]->base->organs.size());
     auto const graph = file_bytes(folder / "files" / "tree-3" / "tree.mtg");
@@ -78,4 +78,4 @@ TEST(SessionExport, GivesEachPlantAndPartItsFiles)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::batch

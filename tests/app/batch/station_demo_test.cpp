@@ -13,24 +13,24 @@
 #include <sstream>
 #include <tbb/task_arena.h>
 
-namespace tractus {
+namespace tractus::batch {
 namespace {
 
 // The recording in which every method draws in one document.
 drivers::Log recording()
 {
-    return drivers::read_log(find_resource("demo/station.tractus-log").value()).value();
+    return drivers::read_log(files::find_resource("demo/station.tractus-log").value()).value();
 }
 
 TEST(StationDemo, IsRecordedFromItsScriptByteForByte)
 {
-    auto const path = find_resource("demo/station.hand.toml").value();
+    auto const path = files::find_resource("demo/station.hand.toml").value();
     auto const script = sim::parse_gesture_script(read_file(path).value(), path.string()).value();
     std::ostringstream out;
     auto const written
-        = write_simulated_recording(out, script, our_plant("birch"), all_methods().tools);
+        = play::write_simulated_recording(out, script, our_plant("birch"), all_methods().tools);
     ASSERT_TRUE(written) << written.error().message;
-    auto const kept = read_file(find_resource("demo/station.tractus-log").value()).value();
+    auto const kept = read_file(files::find_resource("demo/station.tractus-log").value()).value();
     EXPECT_TRUE(out.str() == kept) << "record it again: its script says how";
     EXPECT_LT(kept.size(), 2'000'000u);
 }
@@ -63,9 +63,9 @@ TEST(StationDemo, IsTheSameOnAnyNumberOfThreads)
         tbb::task_arena(threads).execute([&] {
             auto const scene = replayed(recording(), {}, our_plant("birch")).scene;
             auto const mesh = mesh::make_mesh(shown_plants(scene).value());
-            PlacedMesh placed;
+            exports::PlacedMesh placed;
             placed.mesh = &mesh;
-            EXPECT_TRUE(write_glb(out, std::span(&placed, 1)));
+            EXPECT_TRUE(exports::write_glb(out, std::span(&placed, 1)));
         });
         return out.str();
     };
@@ -73,4 +73,4 @@ TEST(StationDemo, IsTheSameOnAnyNumberOfThreads)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::batch

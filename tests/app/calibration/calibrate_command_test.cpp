@@ -7,7 +7,7 @@
 #include <fstream>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::calibration {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,10 +20,10 @@ protected:
     std::string path(std::string const& name) const { return (folder_ / name).string(); }
     std::string text(std::string const& name) const { return read_file(path(name)).value(); }
 
-    Outcome calibrate(std::vector<std::string> arguments) const
+    commands::Outcome calibrate(std::vector<std::string> arguments) const
     {
         arguments.insert(arguments.begin(), "calibrate");
-        return run(arguments);
+        return commands::run(arguments);
     }
 
     // What a rig holds of its track's bend.
@@ -179,4 +179,4 @@ TEST_F(CalibrateCommand, CalibratesLiveDevicesByTheirPen)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calibration

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::calibration {
 namespace {
 
 constexpr auto kDate = "2026-11-21";
@@ -439,4 +439,4 @@ TEST(CalibrationController, TakesATouchThatPressesForNoRest)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calibration

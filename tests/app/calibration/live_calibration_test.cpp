@@ -11,7 +11,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::calibration {
 namespace {
 
 // A sensor whose cable is loose: it is there, and sends nothing.
@@ -85,7 +85,7 @@ bool calibrate_silent_sensor(Talk& talk)
 {
     std::vector<std::unique_ptr<drivers::ReportSource>> sources;
     sources.push_back(std::make_unique<SilentSensor>());
-    auto devices = LiveDevices::start(std::move(sources)).value();
+    auto devices = devices::LiveDevices::start(std::move(sources)).value();
     auto controller = CalibrationController::create(devices.infos(), {}).value();
     std::atomic<bool> const stop = false;
     return calibrate_live(controller, devices, talk.person(), talk.options({}), stop).value();
@@ -128,7 +128,7 @@ TEST(LiveCalibration, OffersToMeasureAgainWhatDisagrees)
     ASSERT_TRUE(write_file(file, text.str()));
 
     Talk talk("", "disagrees", 'f');
-    auto devices = LiveDevices::play_log(file.string(), talk.clock()).value();
+    auto devices = devices::LiveDevices::play_log(file.string(), talk.clock()).value();
     std::filesystem::remove(file);
     auto controller = CalibrationController::create(devices.infos(), {}).value();
     auto heights_mm = proposed_heights_mm(CalibrationProcedure::Height);
@@ -146,4 +146,4 @@ TEST(LiveCalibration, OffersToMeasureAgainWhatDisagrees)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calibration

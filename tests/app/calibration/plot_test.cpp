@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::calibration {
 namespace {
 
 TEST(Plot, HasRoundTicks)
@@ -87,4 +87,4 @@ TEST(PlotSvg, DrawsTheSamePictureAgain)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::calibration

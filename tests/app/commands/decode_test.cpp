@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -184,4 +184,4 @@ TEST(DevicesCommand, PrintsJson)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::commands

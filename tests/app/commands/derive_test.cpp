@@ -6,7 +6,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -305,4 +305,4 @@ TEST_F(DeriveCommand, DerivesTheModelThatIsWrittenToBeginWith)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::commands

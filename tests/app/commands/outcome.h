@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::commands {
 
 // A command as its caller sees it: exit code, standard output, standard error.
 struct Outcome {
@@ -31,4 +31,4 @@ inline Outcome run(std::vector<std::string> const& arguments)
     return { exit_code, std::move(out), ::testing::internal::GetCapturedStderr() };
 }
 
-} // namespace tractus
+} // namespace tractus::commands

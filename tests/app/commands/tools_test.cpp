@@ -1,6 +1,6 @@
 #include "tests/app/commands/outcome.h"
 
-namespace tractus {
+namespace tractus::commands {
 namespace {
 
 TEST(ToolsCommand, ListsAllToolsOrOne)
@@ -20,4 +20,4 @@ TEST(ToolsCommand, RefusesWhatIsNone)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::commands

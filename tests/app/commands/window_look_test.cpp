@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,10 +25,10 @@ protected:
 
 TEST_F(WindowLookTest, IsKeptFromOneTimeToTheNext)
 {
-    EXPECT_EQ(load_look(path_).value(), WindowLook()); // Nothing was chosen yet.
+    EXPECT_EQ(load_look(path_).value(), window::WindowLook()); // Nothing was chosen yet.
     for (bool const is_light : { true, false })
         for (bool const is_left_handed : { true, false }) {
-            WindowLook const look { is_light, is_left_handed };
+            window::WindowLook const look { is_light, is_left_handed };
             ASSERT_TRUE(save_look(path_, look));
             EXPECT_EQ(load_look(path_).value(), look);
         }
@@ -47,8 +47,8 @@ TEST_F(WindowLookTest, SaysWhereAFileIsWrong)
               std::string::npos);
     EXPECT_NE(error_of("hands = \"left\"\n").find("hands"), std::string::npos);
     ASSERT_TRUE(write_file(path_, "hand = \"left\"\n")); // What is not said is as usual.
-    EXPECT_EQ(load_look(path_).value(), (WindowLook { .is_left_handed = true }));
+    EXPECT_EQ(load_look(path_).value(), (window::WindowLook { .is_left_handed = true }));
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::commands

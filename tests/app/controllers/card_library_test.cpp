@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
 class CardLibraryTest : public testing::Test {
@@ -86,4 +86,4 @@ TEST(CardLibrary, SaysWhereNothingCanBeKept)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

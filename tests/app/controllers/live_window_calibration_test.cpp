@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,7 +21,8 @@ protected:
         folder_ = fs::temp_directory_path() / fmt::format("tractus_calibrates_{}", ::getpid());
         fs::create_directories(folder_);
         std::ofstream log(folder_ / "hand.tractus-log");
-        EXPECT_TRUE(write_simulated_calibration(log, { .geometry = simulated_geometry() }));
+        EXPECT_TRUE(calibration::write_simulated_calibration(
+            log, { .geometry = calibration::simulated_geometry() }));
     }
     void TearDown() override { fs::remove_all(folder_); }
 
@@ -34,7 +35,8 @@ protected:
                                     .now = [now] { return *now; },
                                     .counted_time = now };
         auto devices
-            = LiveDevices::play_log((folder_ / "hand.tractus-log").string(), options.now).value();
+            = devices::LiveDevices::play_log((folder_ / "hand.tractus-log").string(), options.now)
+                  .value();
         return LiveWindow::create(std::move(devices), std::move(options)).value();
     }
 
@@ -56,9 +58,9 @@ TEST_F(CalibratesInTheWindow, WhereTheSensorIsUnknown)
     play(window);
     EXPECT_EQ(calibration->view().captures.size(), 7u) << "at the pen's rests";
     ASSERT_TRUE(calibration->view().may_keep) << calibration->view().message;
-    calibration->perform(KeepRig {});
+    calibration->perform(calibration::KeepRig {});
     window.advance(std::chrono::milliseconds(16));
-    window.perform(CloseCalibration {});
+    window.perform(view::CloseCalibration {});
     EXPECT_EQ(window.calibration(), nullptr);
     auto const kept = calib::load_rig(folder_ / "my" / "table.rig.toml");
     ASSERT_TRUE(kept) << kept.error().message;
@@ -73,7 +75,7 @@ TEST_F(CalibratesInTheWindow, ShowsTheDevicesRawValuesOnceTheyAreWatched)
     auto window = this->window();
     window.advance(std::chrono::milliseconds(500));
     EXPECT_TRUE(window.state().devices.readings.empty());
-    window.perform(WatchDevices { true });
+    window.perform(view::WatchDevices { true });
     for (int i = 0; i < 60; ++i)
         window.advance(std::chrono::milliseconds(16));
     auto const& readings = window.state().devices.readings;
@@ -81,9 +83,9 @@ TEST_F(CalibratesInTheWindow, ShowsTheDevicesRawValuesOnceTheyAreWatched)
     EXPECT_GT(readings[0].reports, 10u);
     EXPECT_TRUE(readings[1].last.has_value());
     EXPECT_FALSE(readings[1].fields.empty());
-    window.perform(WatchDevices { false });
+    window.perform(view::WatchDevices { false });
     EXPECT_TRUE(window.state().devices.readings.empty());
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,10 +28,11 @@ protected:
         sources.push_back(
             std::make_unique<ScriptedSource>(drivers::simple_pen(), std::move(reports)));
         auto options = live_options();
-        options.session = begin_session(path_, { small_model() }, all_methods().edits).value();
-        auto window
-            = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), std::move(options))
-                  .value();
+        options.session
+            = batch::begin_session(path_, { small_model() }, all_methods().edits).value();
+        auto window = LiveWindow::create(devices::LiveDevices::start(std::move(sources)).value(),
+                                         std::move(options))
+                          .value();
         advance_to_end(window);
         EXPECT_FALSE(window.state().live_ink.empty());
         EXPECT_EQ(window.station().counts().strokes, 0u);
@@ -39,7 +40,7 @@ protected:
     }
     std::size_t kept_steps() const
     {
-        return read_session(path_, all_methods().edits).value().last_step();
+        return session::read_session(path_, all_methods().edits).value().last_step();
     }
 
     fs::path path_
@@ -92,7 +93,7 @@ TEST_F(LiveWindowClosing, SaysWhichStepCannotBeKept)
     auto window = drawing();
     ASSERT_TRUE(window.close());
     FullDisk const disk(1);
-    window.perform(NextVariation {});
+    window.perform(view::NextVariation {});
     EXPECT_FALSE(window.close());
 }
 
@@ -101,11 +102,11 @@ TEST_F(LiveWindowClosing, SaysWhichFileCannotBeWritten)
     auto window = drawing();
     ASSERT_TRUE(window.may_close()); // The stroke is kept.
     FullDisk const disk(1);
-    window.perform(SavePicture { Image(2, 2) });
+    window.perform(view::SavePicture { render::Image(2, 2) });
     auto const closed = window.close();
     ASSERT_FALSE(closed);
     EXPECT_NE(closed.error().message.find(".png"), std::string::npos) << closed.error().message;
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace tractus {
+namespace tractus::controllers {
 
 // Sends what it is told to send, when it is told to; nothing else knows the time.
 class ScriptedSource : public drivers::ReportSource {
@@ -45,7 +45,7 @@ inline drivers::RawReport arrived(std::int64_t milliseconds, std::vector<std::by
 }
 
 // A stroke across the tablet, which ends when the tablet is unplugged if it `goes_away`.
-inline LiveDevices drawing_devices(bool goes_away)
+inline devices::LiveDevices drawing_devices(bool goes_away)
 {
     std::vector<drivers::RawReport> reports;
     for (int i = 0; i < 20; ++i)
@@ -54,7 +54,7 @@ inline LiveDevices drawing_devices(bool goes_away)
                                 : arrived(100, pen_report(150, 50, false)));
     std::vector<std::unique_ptr<drivers::ReportSource>> sources;
     sources.push_back(std::make_unique<ScriptedSource>(drivers::simple_pen(), std::move(reports)));
-    return LiveDevices::start(std::move(sources)).value();
+    return devices::LiveDevices::start(std::move(sources)).value();
 }
 
 inline LiveWindowOptions live_options()
@@ -72,4 +72,4 @@ inline void advance_to_end(LiveWindow& window)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -53,17 +53,17 @@ TEST_F(LiveWindowWithFolder, RecordsWhenItIsAskedTo)
 {
     auto window = this->window();
     EXPECT_FALSE(window.state().recording.is_on);
-    window.perform(ChooseTool { IndicateTool {} });
-    window.perform(SetRecording { true });
+    window.perform(view::ChooseTool { IndicateTool {} });
+    window.perform(view::SetRecording { true });
     EXPECT_TRUE(window.state().recording.is_on);
     EXPECT_EQ(window.state().recording.file.substr(0, 6), "small-");
     auto const begun = window.state().recording.bytes;
     EXPECT_GT(begun, 0u);
     advance_to_end(window);
-    window.perform(SetRecording { false });
+    window.perform(view::SetRecording { false });
     EXPECT_FALSE(window.state().recording.is_on);
     EXPECT_EQ(window.state().status.substr(0, 15), "Recorded small-");
-    window.perform(SetRecording { false }); // Not twice.
+    window.perform(view::SetRecording { false }); // Not twice.
 
     auto const logs = files(".tractus-log");
     ASSERT_EQ(logs.size(), 1u);
@@ -79,13 +79,13 @@ TEST_F(LiveWindowWithFolder, RecordsWhenItIsAskedTo)
 TEST_F(LiveWindowWithFolder, RecordsHowThePensOtherEndErasesFromTheBeginning)
 {
     auto window = this->window();
-    window.perform(ChooseTool { EraseTool { .erasing = EraseTool::Erasing::Part } });
-    window.perform(ChooseTool { DrawInOrderTool {} });
-    window.perform(Restart {});
+    window.perform(view::ChooseTool { EraseTool { .erasing = EraseTool::Erasing::Part } });
+    window.perform(view::ChooseTool { DrawInOrderTool {} });
+    window.perform(view::Restart {});
     EXPECT_EQ(window.state().remembered,
               std::vector<Tool> { EraseTool { EraseTool::Erasing::Part } });
-    window.perform(SetRecording { true });
-    window.perform(SetRecording { false });
+    window.perform(view::SetRecording { true });
+    window.perform(view::SetRecording { false });
     auto const log = drivers::read_log(files(".tractus-log").at(0)).value();
     ASSERT_EQ(log.tools.size(), 2u);
     EXPECT_EQ(log.tools[0].tool, "erase");
@@ -97,8 +97,8 @@ TEST_F(LiveWindowWithFolder, NeverRecordsOverARecording)
 {
     auto window = this->window();
     for (int i = 0; i < 2; ++i) {
-        window.perform(SetRecording { true });
-        window.perform(SetRecording { false });
+        window.perform(view::SetRecording { true });
+        window.perform(view::SetRecording { false });
     }
     EXPECT_EQ(files(".tractus-log").size(), 2u);
 }
@@ -108,7 +108,7 @@ TEST_F(LiveWindowWithFolder, SaysWhyItCannotRecord)
     auto window = this->window();
     fs::remove_all(folder_);
     std::ofstream(folder_) << "no folder any more";
-    window.perform(SetRecording { true });
+    window.perform(view::SetRecording { true });
     EXPECT_FALSE(window.state().recording.is_on);
     EXPECT_NE(window.state().status.find("cannot write"), std::string::npos);
 }
@@ -117,10 +117,10 @@ TEST_F(LiveWindowWithFolder, ExportsThePlantInTheBackground)
 {
     auto window = this->window();
     advance_to_end(window);
-    window.perform(ExportPlant { ExportPlant::Format::Glb });
-    window.perform(ExportPlant { ExportPlant::Format::Obj });
-    window.perform(ExportPlant { ExportPlant::Format::Mtg });
-    window.perform(SavePicture { Image(2, 2) });
+    window.perform(view::ExportPlant { view::ExportPlant::Format::Glb });
+    window.perform(view::ExportPlant { view::ExportPlant::Format::Obj });
+    window.perform(view::ExportPlant { view::ExportPlant::Format::Mtg });
+    window.perform(view::SavePicture { render::Image(2, 2) });
     EXPECT_TRUE(window.state().is_saving);
     EXPECT_EQ(window.state().status.substr(0, 8), "Writing ");
     window.settle();
@@ -135,18 +135,18 @@ TEST_F(LiveWindowWithFolder, ExportsThePlantInTheBackground)
 
 TEST_F(LiveWindowWithFolder, ExportsLeavesInTheMeshOrAsItIsAsked)
 {
-    using Organs = GlbOptions::Organs;
-    auto const edit = load_plant_edit(find_model("leaf").value());
+    using Organs = exports::GlbOptions::Organs;
+    auto const edit = io::load_plant_edit(files::find_model("leaf").value());
     ASSERT_TRUE(edit) << edit.error().message;
     auto const scene = apply_edit({}, *edit).value();
     for (auto const organs : { Organs::Merged, Organs::Instanced }) {
         auto window = this->window(false, scene);
         advance_to_end(window);
-        window.perform(ExportPlant { ExportPlant::Format::Glb, organs });
+        window.perform(view::ExportPlant { view::ExportPlant::Format::Glb, organs });
         window.settle();
         auto const written = files("-seed-1.glb");
         ASSERT_EQ(written.size(), 1u);
-        auto const mesh = read_glb(read_file(written[0]).value());
+        auto const mesh = exports::read_glb(read_file(written[0]).value());
         ASSERT_TRUE(mesh) << mesh.error().message;
         EXPECT_EQ(mesh->organs.empty(), organs == Organs::Merged);
         fs::remove(written[0]);
@@ -157,8 +157,8 @@ TEST_F(LiveWindowWithFolder, WritesAllFilesThoughTheWindowCloses)
 {
     {
         auto window = this->window();
-        window.perform(ExportPlant { ExportPlant::Format::Glb });
-        window.perform(ExportPlant { ExportPlant::Format::Obj });
+        window.perform(view::ExportPlant { view::ExportPlant::Format::Glb });
+        window.perform(view::ExportPlant { view::ExportPlant::Format::Obj });
     }
     EXPECT_EQ(files(".glb").size(), 1u);
     EXPECT_EQ(files(".obj").size(), 1u);
@@ -182,7 +182,7 @@ TEST_F(LiveWindowWithFolder, SaysWhyItCannotExport)
     auto window = this->window();
     fs::remove_all(folder_);
     std::ofstream(folder_) << "no folder any more";
-    window.perform(ExportPlant {});
+    window.perform(view::ExportPlant {});
     window.settle();
     EXPECT_FALSE(window.state().is_saving);
     EXPECT_NE(window.state().status.find("cannot make the folder"), std::string::npos)
@@ -190,4 +190,4 @@ TEST_F(LiveWindowWithFolder, SaysWhyItCannotExport)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

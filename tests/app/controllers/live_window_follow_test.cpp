@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
 Scene sketched(SketchTool const& tool)
@@ -15,14 +15,14 @@ Scene sketched(SketchTool const& tool)
 
 class LiveWindowFollow : public testing::Test {
 protected:
-    using Slider = ChangeGrowth::Slider;
+    using Slider = view::ChangeGrowth::Slider;
 
     LiveWindowFollow()
     {
         auto options = live_options();
         options.scene = sketched(drawn_);
         window_.emplace(LiveWindow::create(drawing_devices(false), std::move(options)).value());
-        window_->perform(ChooseTool { drawn_ });
+        window_->perform(view::ChooseTool { drawn_ });
         settle();
     }
 
@@ -46,19 +46,19 @@ TEST_F(LiveWindowFollow, ShowsWhatAHandleWouldDoAndDoesItWhenItIsLetGo)
     auto const skeleton = window_->state().skeleton.size();
     SketchTool more = drawn_;
     more.laterals = 4;
-    window_->perform(AdjustTool { more, Slider::Moving });
+    window_->perform(view::AdjustTool { more, Slider::Moving });
     settle();
     EXPECT_GT(triangles(), before);
     EXPECT_GT(window_->state().skeleton.size(), skeleton);
     EXPECT_EQ(laterals(), 2) << "nothing is done yet";
     EXPECT_EQ(window_->state().hand, Tool(drawn_));
 
-    window_->perform(AdjustTool { drawn_, Slider::Moving }); // Back to where it was.
+    window_->perform(view::AdjustTool { drawn_, Slider::Moving }); // Back to where it was.
     settle();
     EXPECT_EQ(triangles(), before);
     EXPECT_EQ(window_->state().skeleton.size(), skeleton);
 
-    window_->perform(AdjustTool { more, Slider::Released });
+    window_->perform(view::AdjustTool { more, Slider::Released });
     settle();
     EXPECT_EQ(laterals(), 4);
     EXPECT_GT(triangles(), before);
@@ -71,13 +71,13 @@ TEST_F(LiveWindowFollow, UndoGivesTheHandItsRuleBack)
 {
     SketchTool more = drawn_;
     more.laterals = 4;
-    window_->perform(AdjustTool { more, Slider::Released });
+    window_->perform(view::AdjustTool { more, Slider::Released });
     settle();
-    window_->perform(Undo {});
+    window_->perform(view::Undo {});
     settle();
     EXPECT_EQ(laterals(), 2);
     EXPECT_EQ(window_->state().hand, Tool(drawn_));
-    window_->perform(Redo {});
+    window_->perform(view::Redo {});
     settle();
     EXPECT_EQ(laterals(), 4);
     EXPECT_EQ(window_->state().hand, Tool(more));
@@ -86,21 +86,21 @@ TEST_F(LiveWindowFollow, UndoGivesTheHandItsRuleBack)
 TEST_F(LiveWindowFollow, LeavesWhatWasDrawnOtherwise)
 {
     SketchTool other { .laterals = 5 };
-    window_->perform(ChooseTool { other });
+    window_->perform(view::ChooseTool { other });
     auto const before = triangles();
     SketchTool next = other;
     next.laterals = 7;
-    window_->perform(AdjustTool { next, Slider::Moving });
+    window_->perform(view::AdjustTool { next, Slider::Moving });
     settle();
     EXPECT_EQ(triangles(), before);
-    window_->perform(AdjustTool { next, Slider::Released });
+    window_->perform(view::AdjustTool { next, Slider::Released });
     settle();
     EXPECT_EQ(laterals(), 2);
     EXPECT_EQ(window_->state().hand, Tool(next));
-    window_->perform(TakeLikeDrawn {});
+    window_->perform(view::TakeLikeDrawn {});
     settle();
     EXPECT_EQ(window_->state().hand, Tool(drawn_));
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

@@ -9,7 +9,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,7 +77,7 @@ TEST_F(FollowedModelWindow, IsTakenInWhenItIsSavedAndKeepsWhatWasDrawn)
     EXPECT_EQ(window.state().status, "The plant is that of mine.l as it was saved");
     EXPECT_GT(height_mm(window), before * 1.5);
     EXPECT_EQ(window.scene().associations.size(), 1u);
-    window.perform(Undo {});
+    window.perform(view::Undo {});
     window.settle();
     EXPECT_EQ(height_mm(window), before);
     EXPECT_EQ(window.scene().associations.size(), 1u);
@@ -110,8 +110,8 @@ TEST_F(FollowedModelWindow, TakesInWhatItIncludesAndItsView)
     save("mine.v", "line width: 3\n");
     pass_time(window);
     EXPECT_EQ(window.state().status, "The plant is that of mine.l as it was saved");
-    window.perform(Undo {});
-    window.perform(Undo {});
+    window.perform(view::Undo {});
+    window.perform(view::Undo {});
     window.settle();
     EXPECT_EQ(height_mm(window), before);
 }
@@ -125,10 +125,10 @@ TEST_F(FollowedModelWindow, IsNotTakenInAgainWhenNothingInItIsOther)
                         fs::file_time_type::clock::now() + std::chrono::seconds(5));
     pass_time(window);
     EXPECT_EQ(window.state().status, status);
-    window.perform(Undo {});
+    window.perform(view::Undo {});
     window.settle();
     EXPECT_TRUE(window.state().strokes.empty()) << "the stroke was the last step";
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

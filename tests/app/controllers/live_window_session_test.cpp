@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -18,10 +18,11 @@ LiveWindowOptions options_with_session(fs::path const& path)
 {
     auto options = live_options();
     options.session = fs::exists(path)
-        ? Session::open(path,
-                        session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; }))
+        ? session::Session::open(
+              path,
+              session::session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; }))
               .value()
-        : begin_session(path, { small_model() }, all_methods().edits).value();
+        : batch::begin_session(path, { small_model() }, all_methods().edits).value();
     return options;
 }
 
@@ -34,22 +35,22 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
             = LiveWindow::create(drawing_devices(false), options_with_session(path)).value();
         advance_to_end(window);
         window.settle();
-        EXPECT_EQ(read_session(path, all_methods().edits).value().step,
+        EXPECT_EQ(session::read_session(path, all_methods().edits).value().step,
                   1u); // While the window is open.
-        window.perform(Undo {});
+        window.perform(view::Undo {});
         window.settle();
         EXPECT_TRUE(window.state().strokes.empty());
-        EXPECT_EQ(read_session(path, all_methods().edits).value().step, 0u);
-        window.perform(Undo {});
+        EXPECT_EQ(session::read_session(path, all_methods().edits).value().step, 0u);
+        window.perform(view::Undo {});
         window.settle();
         EXPECT_NE(window.state().status.find("nothing to undo"), std::string::npos);
-        window.perform(Redo {});
+        window.perform(view::Redo {});
         window.settle();
         EXPECT_EQ(window.state().strokes.size(), 1u);
-        window.perform(Restart {});
+        window.perform(view::Restart {});
         window.settle();
         EXPECT_TRUE(window.state().strokes.empty());
-        window.perform(Undo {});
+        window.perform(view::Undo {});
         window.settle();
         EXPECT_EQ(window.state().strokes.size(), 1u);
     }
@@ -58,8 +59,8 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
     advance_to_end(again);
     again.settle();
     EXPECT_EQ(again.scene().associations.size(), 2u);
-    EXPECT_EQ(read_session(path, all_methods().edits).value().step, 2u);
-    EXPECT_EQ(read_session(path, all_methods().edits).value().last_step(),
+    EXPECT_EQ(session::read_session(path, all_methods().edits).value().step, 2u);
+    EXPECT_EQ(session::read_session(path, all_methods().edits).value().last_step(),
               2u); // Undone steps are gone.
     fs::remove(path);
 }
@@ -85,20 +86,20 @@ TEST_F(LiveWindowWithSession, NamesTheDrawingAndSavesCopies)
             = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
         EXPECT_TRUE(window.state().drawing_name);
         advance_to_end(window);
-        window.perform(NameDrawing { " Ash by the gate " });
+        window.perform(view::NameDrawing { " Ash by the gate " });
         EXPECT_EQ(window.state().drawing_name, "Ash by the gate");
         EXPECT_EQ(window.state().title, "tractus: Ash by the gate");
-        window.perform(SaveCopy { "oak/ash" });
+        window.perform(view::SaveCopy { "oak/ash" });
         window.settle();
         EXPECT_NE(window.state().status.find("oak-ash"), std::string::npos);
-        window.perform(NameDrawing { "" });
+        window.perform(view::NameDrawing { "" });
         EXPECT_NE(window.state().status.find("at least one letter"), std::string::npos);
         EXPECT_EQ(window.state().drawing_name, "Ash by the gate");
     }
     auto const drawings = recent_drawings(home / "tractus", 12, {});
     ASSERT_EQ(drawings.size(), 1u);
     EXPECT_EQ(drawings.front().name, "oak/ash");
-    EXPECT_EQ(read_session(drawings.front().file, all_methods().edits).value().step, 1u);
+    EXPECT_EQ(session::read_session(drawings.front().file, all_methods().edits).value().step, 1u);
     auto const again
         = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
     EXPECT_EQ(again.state().drawing_name, "Ash by the gate");
@@ -111,29 +112,29 @@ TEST(LiveWindow, HasNoNameWithoutAFile)
 {
     auto window = LiveWindow::create(drawing_devices(false), live_options()).value();
     EXPECT_FALSE(window.state().drawing_name);
-    window.perform(SaveCopy { "Ash" });
+    window.perform(view::SaveCopy { "Ash" });
     EXPECT_NE(window.state().status.find("memory alone"), std::string::npos);
 }
 
 TEST_F(LiveWindowWithSession, KeepsGrowthAndTakesItBack)
 {
     auto window = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
-    window.perform(ChangeGrowth { { "weeping", 0.5, 0.25 } });
+    window.perform(view::ChangeGrowth { { "weeping", 0.5, 0.25 } });
     window.settle();
     EXPECT_EQ(window.state().growth.preset, "weeping");
     EXPECT_EQ(window.scene().growth.variability, 0.5);
     EXPECT_EQ(window.scene().growth.age, 0.25);
-    window.perform(NextVariation {});
+    window.perform(view::NextVariation {});
     window.settle();
     EXPECT_EQ(window.state().seed, 2u);
     EXPECT_EQ(window.state().growth.age, 0.25);
-    auto const kept = read_session(path_, all_methods().edits).value();
+    auto const kept = session::read_session(path_, all_methods().edits).value();
     EXPECT_EQ(kept.last_step(), 2u);
     EXPECT_EQ(kept.edits.back().edit.get<SetGrowth>()->seed, 2u);
-    window.perform(Undo {});
+    window.perform(view::Undo {});
     window.settle();
     EXPECT_EQ(window.state().seed, 1u);
-    window.perform(Undo {});
+    window.perform(view::Undo {});
     window.settle();
     EXPECT_EQ(window.state().growth.preset, "usual");
     EXPECT_EQ(window.state().growth.age, 1);
@@ -141,47 +142,47 @@ TEST_F(LiveWindowWithSession, KeepsGrowthAndTakesItBack)
 
 TEST_F(LiveWindowWithSession, ShowsWhatASliderWouldGiveAndKeepsItWhenItIsReleased)
 {
-    using Slider = ChangeGrowth::Slider;
+    using Slider = view::ChangeGrowth::Slider;
     auto window = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
     window.settle();
     auto const triangles = window.state().plant->triangle_count();
-    window.perform(ChangeGrowth { { "", 1, 0.3 }, Slider::Moving });
+    window.perform(view::ChangeGrowth { { "", 1, 0.3 }, Slider::Moving });
     EXPECT_TRUE(window.state().is_growing);
     EXPECT_EQ(window.state().plant->triangle_count(), triangles); // It stays until the new one.
     window.settle();
     EXPECT_FALSE(window.state().is_growing);
     EXPECT_LT(window.state().plant->triangle_count(), triangles);
     EXPECT_EQ(window.state().growth.age, 0.3);
-    EXPECT_EQ(read_session(path_, all_methods().edits).value().last_step(), 0u);
-    window.perform(ChangeGrowth { { "", 1, 0.2 }, Slider::Released });
+    EXPECT_EQ(session::read_session(path_, all_methods().edits).value().last_step(), 0u);
+    window.perform(view::ChangeGrowth { { "", 1, 0.2 }, Slider::Released });
     window.settle();
-    EXPECT_EQ(read_session(path_, all_methods().edits).value().last_step(), 1u);
+    EXPECT_EQ(session::read_session(path_, all_methods().edits).value().last_step(), 1u);
 }
 
 TEST_F(LiveWindowWithSession, ShowsASeasonAndTakesItBack)
 {
-    using Slider = ChangeGrowth::Slider;
+    using Slider = view::ChangeGrowth::Slider;
     auto leafy = small_model();
     leafy.source.text.replace(leafy.source.text.find("]"), 1, "~l(1)]");
     leafy.source.view_text = "material: 2 leaf kind=leaf color=0.2,0.5,0.2\n"
                              "organ: l leaf kind=blade material=2 length=10 width=5\n";
     auto options = live_options();
-    options.session = begin_session(path_, { leafy }, all_methods().edits).value();
+    options.session = batch::begin_session(path_, { leafy }, all_methods().edits).value();
     auto window = LiveWindow::create(drawing_devices(false), std::move(options)).value();
     window.settle();
     auto const triangles = window.state().plant->triangle_count();
     Season const winter { .month = 1.5, .fallen = 0 };
-    window.perform(ChangeSeason { winter, Slider::Moving });
+    window.perform(view::ChangeSeason { winter, Slider::Moving });
     window.settle();
     EXPECT_LT(window.state().plant->triangle_count(), triangles);
-    EXPECT_EQ(read_session(path_, all_methods().edits).value().last_step(), 0u);
-    window.perform(ChangeSeason { winter });
+    EXPECT_EQ(session::read_session(path_, all_methods().edits).value().last_step(), 0u);
+    window.perform(view::ChangeSeason { winter });
     window.settle();
     EXPECT_LT(window.state().plant->triangle_count(), triangles);
     EXPECT_EQ(window.state().season, winter);
     EXPECT_EQ(window.state().status, "It is mid-January");
-    EXPECT_EQ(read_session(path_, all_methods().edits).value().last_step(), 1u);
-    window.perform(Undo {});
+    EXPECT_EQ(session::read_session(path_, all_methods().edits).value().last_step(), 1u);
+    window.perform(view::Undo {});
     window.settle();
     EXPECT_EQ(window.state().plant->triangle_count(), triangles);
     EXPECT_FALSE(window.state().season);
@@ -190,14 +191,14 @@ TEST_F(LiveWindowWithSession, ShowsASeasonAndTakesItBack)
 TEST_F(LiveWindowWithSession, MakesAVariationThePlant)
 {
     auto window = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
-    window.perform(AskForCollection { 4 });
+    window.perform(view::AskForCollection { 4 });
     window.settle();
     ASSERT_EQ(window.state().collection.size(), 4u);
-    window.perform(PickVariation { window.state().collection[2].seed });
+    window.perform(view::PickVariation { window.state().collection[2].seed });
     window.settle();
     EXPECT_EQ(window.state().seed, 3u);
     EXPECT_EQ(window.state().collection.size(), 4u) << "to pick another";
-    window.perform(Undo {});
+    window.perform(view::Undo {});
     window.settle();
     EXPECT_EQ(window.state().seed, 1u);
 }
@@ -205,18 +206,18 @@ TEST_F(LiveWindowWithSession, MakesAVariationThePlant)
 TEST_F(LiveWindowWithSession, RefusesGrowthThatThereIsNot)
 {
     auto window = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
-    window.perform(ChangeGrowth { { "upwards", 1, 1 } });
+    window.perform(view::ChangeGrowth { { "upwards", 1, 1 } });
     window.settle();
     EXPECT_NE(window.state().status.find("cannot grow \"upwards\""), std::string::npos);
-    window.perform(ChangeGrowth { { "", 5, 1 } });
+    window.perform(view::ChangeGrowth { { "", 5, 1 } });
     window.settle();
     EXPECT_NE(window.state().status.find("as it likes"), std::string::npos);
-    window.perform(ChangeGrowth { { "", 1, -1 } });
+    window.perform(view::ChangeGrowth { { "", 1, -1 } });
     window.settle();
     EXPECT_NE(window.state().status.find("full-grown"), std::string::npos);
     EXPECT_EQ(window.state().growth.age, 1); // What holds is shown.
-    EXPECT_EQ(read_session(path_, all_methods().edits).value().last_step(), 0u);
+    EXPECT_EQ(session::read_session(path_, all_methods().edits).value().last_step(), 0u);
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

@@ -5,10 +5,10 @@
 #include <set>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
-class LiveWindowSocket : public SocketPlace {
+class LiveWindowSocket : public stream::SocketPlace {
 protected:
     LiveWindow window() const
     {
@@ -31,7 +31,7 @@ std::vector<nlohmann::json> lines_of(std::string const& text)
 TEST_F(LiveWindowSocket, TellsWhatIsDrawn)
 {
     auto drawing = window();
-    LocalReader const reader(path_);
+    stream::LocalReader const reader(path_);
     advance_to_end(drawing);
     ASSERT_TRUE(drawing.close());
     EXPECT_EQ(drawing.document().stroke_count(), 1u);
@@ -51,7 +51,7 @@ TEST_F(LiveWindowSocket, TellsWhatIsDrawn)
 TEST_F(LiveWindowSocket, TellsItOnceHoweverOftenItIsAskedToClose)
 {
     auto drawing = window();
-    LocalReader const reader(path_);
+    stream::LocalReader const reader(path_);
     while (drawing.station().counts().strokes == 0) {
         EXPECT_TRUE(drawing.may_close());
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -82,4 +82,4 @@ TEST_F(LiveWindowSocket, IsRefusedWhereAnotherProgramListens)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

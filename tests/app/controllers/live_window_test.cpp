@@ -16,7 +16,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -56,7 +56,7 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     options.recording = path;
     {
         auto window = LiveWindow::create(drawing_devices(true), std::move(options)).value();
-        window.perform(ChooseTool { IndicateTool {} });
+        window.perform(view::ChooseTool { IndicateTool {} });
         EXPECT_EQ(window.state().tool, "Motion indicator");
         advance_to_end(window);
     }
@@ -77,8 +77,8 @@ TEST(LiveDevices, CutTimesToMicrosecondsAsLogsHaveThem)
     std::vector<std::unique_ptr<drivers::ReportSource>> sources;
     sources.push_back(
         std::make_unique<ScriptedSource>(drivers::simple_pen(), std::vector { report }));
-    auto devices = LiveDevices::start(std::move(sources)).value();
-    std::vector<LiveReport> reports;
+    auto devices = devices::LiveDevices::start(std::move(sources)).value();
+    std::vector<devices::LiveReport> reports;
     while (devices.any_left() && reports.empty()) {
         devices.take(reports);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -99,14 +99,14 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     Scene drawn;
     {
         auto window = LiveWindow::create(drawing_devices(true), std::move(options)).value();
-        window.perform(NextVariation {});
-        window.perform(ChangeGrowth { { "windy hillside", 0.5, 0.75 } });
+        window.perform(view::NextVariation {});
+        window.perform(view::ChangeGrowth { { "windy hillside", 0.5, 0.75 } });
         advance_to_end(window);
-        window.perform(NextVariation {});
-        window.perform(Undo {});
-        window.perform(Undo {}); // The stroke,
-        window.perform(Redo {}); // which comes back.
-        window.perform(PickVariation { 42 });
+        window.perform(view::NextVariation {});
+        window.perform(view::Undo {});
+        window.perform(view::Undo {}); // The stroke,
+        window.perform(view::Redo {}); // which comes back.
+        window.perform(view::PickVariation { 42 });
         window.settle();
         drawn = window.scene();
     }
@@ -117,23 +117,24 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     EXPECT_EQ(log.tools[0].tool, "step");
     EXPECT_EQ(log.tools[3].tool, "undo");
     EXPECT_EQ(log.tools[3].arguments, "1");
-    ReplayOptions replay_options { .methods = all_methods() };
+    station::ReplayOptions replay_options { .methods = all_methods() };
     replay_options.height = calib::parse_height_scenario("0").value();
     auto const [counts, scene, strokes] = replayed(log, replay_options);
     ASSERT_EQ(strokes.size(), 1u);
     EXPECT_EQ(strokes[0].refusal, "");
-    EXPECT_TRUE(same(scene.growth, drawn.growth));
+    EXPECT_TRUE(session::same(scene.growth, drawn.growth));
     ASSERT_EQ(scene.associations.size(), 1u);
-    EXPECT_TRUE(same(scene.associations[0].what.stroke, drawn.associations[0].what.stroke));
+    EXPECT_TRUE(
+        session::same(scene.associations[0].what.stroke, drawn.associations[0].what.stroke));
     fs::remove(path);
 }
 
 TEST(LiveWindow, BeginsAgainWithTheSameTool)
 {
     auto window = LiveWindow::create(drawing_devices(false), live_options()).value();
-    window.perform(ChooseTool { IndicateTool {} });
+    window.perform(view::ChooseTool { IndicateTool {} });
     advance_to_end(window);
-    window.perform(Restart {});
+    window.perform(view::Restart {});
     window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
     EXPECT_TRUE(window.state().layers.empty());
@@ -156,7 +157,7 @@ std::string trouble_after(int counts, std::int64_t now_ms)
     options.rig = calib::Rig {};
     auto now = at_ms(100);
     options.now = [&now] { return now; };
-    auto devices = LiveDevices::start(std::move(sources)).value();
+    auto devices = devices::LiveDevices::start(std::move(sources)).value();
     auto window = LiveWindow::create(std::move(devices), std::move(options)).value();
     while (window.station().counts().height_samples < 21) {
         window.advance(std::chrono::milliseconds(16));
@@ -187,7 +188,8 @@ TEST(LiveWindow, SaysThatReportsAreLost)
     std::vector<std::unique_ptr<drivers::ReportSource>> sources;
     sources.push_back(std::make_unique<Chatterbox>(
         drivers::simple_pen(), std::vector { arrived(0, pen_report(50, 50, false)) }));
-    auto window = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), live_options())
+    auto window = LiveWindow::create(devices::LiveDevices::start(std::move(sources)).value(),
+                                     live_options())
                       .value();
     while (window.state().status.find("lost") == std::string::npos)
         window.advance(Duration(0));
@@ -211,7 +213,7 @@ TEST(LiveWindow, SaysThatATabletsSizeIsAGuess)
         std::vector<std::unique_ptr<drivers::ReportSource>> sources;
         sources.push_back(
             std::make_unique<ScriptedSource>(tablet, std::vector<drivers::RawReport> {}));
-        return LiveWindow::create(LiveDevices::start(std::move(sources)).value(),
+        return LiveWindow::create(devices::LiveDevices::start(std::move(sources)).value(),
                                   std::move(options))
             .value()
             .state()
@@ -231,12 +233,12 @@ TEST(LiveWindow, AsksForACalibration)
                                                        std::vector<drivers::RawReport> {}));
     sources.push_back(std::make_unique<ScriptedSource>(drivers::simple_height_sensor(),
                                                        std::vector<drivers::RawReport> {}));
-    auto const window
-        = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), live_options());
+    auto const window = LiveWindow::create(devices::LiveDevices::start(std::move(sources)).value(),
+                                           live_options());
     ASSERT_FALSE(window);
     EXPECT_EQ(window.error().fault, Fault::User);
     EXPECT_NE(window.error().message.find("--rig"), std::string::npos);
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,14 +45,14 @@ protected:
     fs::path const path_
         = fs::temp_directory_path() / fmt::format("tractus_long_{}.tractus", ::getpid());
     std::int64_t now_ms_ = 1000;
-    Station station_ = flat_station();
+    station::Station station_ = flat_station();
     StationController controller_;
 
 private:
-    static Session session_at(fs::path const& path)
+    static session::Session session_at(fs::path const& path)
     {
         fs::remove(path);
-        return begin_session(path, { small_model() }, core_edit_kinds()).value();
+        return batch::begin_session(path, { small_model() }, core_edit_kinds()).value();
     }
 };
 
@@ -62,11 +62,12 @@ std::ptrdiff_t strokes_in_memory(Scene const& scene)
                          [](auto const& drawn) { return drawn.what.stroke.tips.is_in_memory(); });
 }
 
-bool is_ink_of(Stroke const& stroke, InkLine const& shown)
+bool is_ink_of(Stroke const& stroke, view::InkLine const& shown)
 {
-    auto const ink = thinned(ink_line(stroke.tips.in_memory().value(), {}));
+    auto const ink = view::thinned(view::ink_line(stroke.tips.in_memory().value(), {}));
     return std::equal(ink.points.begin(), ink.points.end(), shown.points.begin(),
-                      shown.points.end(), [](InkLine::Point const& a, InkLine::Point const& b) {
+                      shown.points.end(),
+                      [](view::InkLine::Point const& a, view::InkLine::Point const& b) {
                           return a.position_mm == b.position_mm && a.width_mm == b.width_mm;
                       });
 }
@@ -79,7 +80,7 @@ TEST_F(LongDrawing, LeavesWhatIsKeptToTheFile)
     EXPECT_EQ(strokes_in_memory(controller_.document().session().scene()), 0);
     EXPECT_EQ(strokes_in_memory(scene()), 0);
     EXPECT_EQ(scene().associations.size(), kStrokes);
-    EXPECT_EQ(read_session(path_, core_edit_kinds()).value().last_step(), kStrokes)
+    EXPECT_EQ(session::read_session(path_, core_edit_kinds()).value().last_step(), kStrokes)
         << "no lost edit";
 }
 
@@ -95,7 +96,7 @@ TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
     auto const& shown = controller_.view().state().strokes;
     ASSERT_EQ(shown.size(), 3u);
     EXPECT_TRUE(is_ink_of(first, shown[0]));
-    EXPECT_TRUE(same(scene().associations[0].what.stroke, first));
+    EXPECT_TRUE(session::same(scene().associations[0].what.stroke, first));
 }
 
 TEST_F(LongDrawing, ReadsAStrokeBackThatWasErasedInPart)
@@ -115,7 +116,7 @@ TEST_F(LongDrawing, ReadsAStrokeBackThatWasErasedInPart)
     make(DeleteStroke { numbered({ 3, 6 }) });
     ASSERT_EQ(controller_.view().state().strokes.size(), 3u);
     EXPECT_TRUE(is_ink_of(rest, controller_.view().state().strokes[0]));
-    EXPECT_TRUE(same(scene().associations[0].what.stroke, rest));
+    EXPECT_TRUE(session::same(scene().associations[0].what.stroke, rest));
 }
 
 TEST_F(LongDrawing, ShowsInkUntilTheStrokeIsInThePlant)
@@ -128,7 +129,7 @@ TEST_F(LongDrawing, ShowsInkUntilTheStrokeIsInThePlant)
     controller_.show(station_, at_ms(now_ms_));
     EXPECT_GE(state.live_ink.size() + state.strokes.size(), 2u);
     controller_.settle(station_, at_ms(now_ms_ + 2000));
-    EXPECT_EQ(read_session(path_, core_edit_kinds()).value().last_step(), 2u);
+    EXPECT_EQ(session::read_session(path_, core_edit_kinds()).value().last_step(), 2u);
     EXPECT_EQ(state.strokes.size(), 2u);
     EXPECT_TRUE(state.live_ink.empty());
     EXPECT_EQ(state.unkept_steps, 0u);
@@ -150,7 +151,7 @@ TEST_F(LongDrawing, ANewStationLosesNothingThatAFullDiskCouldNotKeep)
     }
     ASSERT_TRUE(controller_.finish(station_, at_ms(now_ms_)));
     EXPECT_EQ(controller_.view().state().unkept_steps, 0u);
-    EXPECT_EQ(read_session(path_, core_edit_kinds()).value().last_step(), 3u);
+    EXPECT_EQ(session::read_session(path_, core_edit_kinds()).value().last_step(), 3u);
 }
 
 TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)
@@ -159,7 +160,7 @@ TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)
     EXPECT_EQ(controller_.view().state().strokes.size(), 3u)
         << "one for each of the three branches";
     EXPECT_EQ(shaping_associations(scene()).size(), 3u);
-    controller_.perform(Undo {}, station_);
+    controller_.perform(view::Undo {}, station_);
     controller_.settle(station_, at_ms(now_ms_));
     EXPECT_EQ(scene().associations.size(), 29u);
     EXPECT_EQ(controller_.view().state().strokes.size(), 3u) << "the one before counts again";
@@ -170,15 +171,15 @@ TEST_F(LongDrawing, TakesBackEveryStepAndDoesItAgain)
     constexpr std::size_t kStrokes = 210; // Farther than scenes are kept.
     draw(kStrokes);
     for (std::size_t left = kStrokes; left-- > 0;) {
-        controller_.perform(Undo {}, station_);
+        controller_.perform(view::Undo {}, station_);
         controller_.settle(station_, at_ms(now_ms_));
         ASSERT_EQ(scene().associations.size(), left);
     }
     for (std::size_t i = 0; i < kStrokes; ++i)
-        controller_.perform(Redo {}, station_);
+        controller_.perform(view::Redo {}, station_);
     ASSERT_TRUE(controller_.finish(station_, at_ms(now_ms_)));
     EXPECT_EQ(scene().associations.size(), kStrokes);
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

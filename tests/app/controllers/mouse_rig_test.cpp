@@ -16,7 +16,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
 TEST(MouseRig, SendsTheMouseAsATabletDoes)
@@ -130,23 +130,24 @@ TEST(LiveWindow, LetsAMouseDrawWhereThereIsNothingElse)
                                 .scene = small_scene(),
                                 .now = clock_now };
     options.mouse.emplace(clock_now);
-    auto window = LiveWindow::create(LiveDevices::start({}).value(), std::move(options)).value();
+    auto window
+        = LiveWindow::create(devices::LiveDevices::start({}).value(), std::move(options)).value();
     EXPECT_TRUE(window.state().mouse_draws);
     EXPECT_TRUE(window.state().mouse_moves_surface);
     auto const at_surface = [&](double height_mm) {
         return std::abs(window.state().surface_height_mm - height_mm) < 0.6;
     };
     advance_until(window, [&] { return at_surface(100); });
-    window.perform(MoveSurface { 50 });
+    window.perform(view::MoveSurface { 50 });
     advance_until(window, [&] { return at_surface(150); });
     EXPECT_TRUE(at_surface(150)) << "seen before a pen is there";
     auto const heights = [&] { return window.station().counts().height_samples; };
     auto const still = heights() + 40; // Five milliseconds each: the last glide is over.
     advance_until(window, [&] { return heights() >= still; });
 
-    window.perform(ChooseTool { IndicateTool {} });
+    window.perform(view::ChooseTool { IndicateTool {} });
     for (int i = 0; i <= 10; ++i) {
-        window.perform(MoveMousePen {
+        window.perform(view::MoveMousePen {
             { { .place_mm = { -50.0 + 10 * i, 20 }, .in_range = true, .touching = i < 10 } } });
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
         window.advance(std::chrono::milliseconds(16));
@@ -178,9 +179,9 @@ TEST(LiveWindow, LetsAMouseMoveTheSurfaceUnderATablet)
         .methods = all_methods(), .height_mm = 200, .scene = small_scene(), .now = clock_now
     };
     options.mouse.emplace(clock_now);
-    auto window
-        = LiveWindow::create(LiveDevices::start(std::move(sources)).value(), std::move(options))
-              .value();
+    auto window = LiveWindow::create(devices::LiveDevices::start(std::move(sources)).value(),
+                                     std::move(options))
+                      .value();
     EXPECT_FALSE(window.state().mouse_draws);
     EXPECT_TRUE(window.state().mouse_moves_surface);
     auto const is_at_200 = [&] { return std::abs(window.state().surface_height_mm - 200) < 0.01; };
@@ -189,4 +190,4 @@ TEST(LiveWindow, LetsAMouseMoveTheSurfaceUnderATablet)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

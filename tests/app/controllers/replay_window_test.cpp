@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,7 +37,7 @@ protected:
 
     static void play(ReplayWindow& window)
     {
-        play(window, [](WindowState const&) {});
+        play(window, [](view::WindowState const&) {});
     }
 
     drivers::Log log_ = recorded_log();
@@ -61,7 +61,7 @@ TEST_F(ReplayedWindow, ShowsInkThenStrokesAndChangesThePlantAfterEach)
     auto plants = window.state().plant_revision;
     auto const before = plants;
     std::size_t strokes = 0;
-    play(window, [&](WindowState const& state) {
+    play(window, [&](view::WindowState const& state) {
         has_shown_ink |= !state.live_ink.empty() && state.pen.touching;
         if (state.strokes.size() != strokes) {
             EXPECT_GT(state.plant_revision, plants);
@@ -81,7 +81,7 @@ TEST_F(ReplayedWindow, ColoursTheBranchThatIsSelectedAndThenAssigned)
 {
     auto window = open();
     bool was_selected = false;
-    play(window, [&](WindowState const& state) {
+    play(window, [&](view::WindowState const& state) {
         was_selected |= state.skeleton.front().state == SkeletonLine::State::Selected;
     });
     EXPECT_TRUE(was_selected);
@@ -91,11 +91,11 @@ TEST_F(ReplayedWindow, StandsStillWhilePaused)
 {
     auto window = open();
     window.advance(std::chrono::milliseconds(500));
-    window.perform(SetPlaying { false });
+    window.perform(view::SetPlaying { false });
     auto const progress = window.state().progress;
     window.advance(std::chrono::seconds(1));
     EXPECT_EQ(window.state().progress, progress);
-    window.perform(SetPlaying { true });
+    window.perform(view::SetPlaying { true });
     window.advance(std::chrono::milliseconds(100));
     EXPECT_GT(window.state().progress, progress);
 }
@@ -103,9 +103,9 @@ TEST_F(ReplayedWindow, StandsStillWhilePaused)
 TEST_F(ReplayedWindow, KeepsTheSpeedWithinItsLimits)
 {
     auto window = open();
-    window.perform(SetSpeed { 100 });
+    window.perform(view::SetSpeed { 100 });
     EXPECT_EQ(window.state().speed, 4);
-    window.perform(SetSpeed { 0 });
+    window.perform(view::SetSpeed { 0 });
     EXPECT_EQ(window.state().speed, 0.25);
 }
 
@@ -113,7 +113,7 @@ TEST_F(ReplayedWindow, PlaysAgainFromTheBeginning)
 {
     auto window = open();
     play(window);
-    window.perform(Restart {});
+    window.perform(view::Restart {});
     EXPECT_TRUE(window.state().playing);
     EXPECT_EQ(window.state().progress, 0);
     window.settle();
@@ -122,7 +122,7 @@ TEST_F(ReplayedWindow, PlaysAgainFromTheBeginning)
     EXPECT_EQ(window.state().status, "The hand begins again");
     play(window);
     EXPECT_EQ(window.state().strokes.size(), 1u);
-    window.perform(SetPlaying { true }); // At the end this, too, begins again.
+    window.perform(view::SetPlaying { true }); // At the end this, too, begins again.
     window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
 }
@@ -133,7 +133,7 @@ TEST_F(ReplayedWindow, ShowsAnotherPlantForTheNextSeed)
     play(window);
     auto const before = window.state().plant_revision;
     auto const seed = window.state().seed;
-    window.perform(NextVariation {});
+    window.perform(view::NextVariation {});
     window.settle();
     EXPECT_EQ(window.state().plant_revision, before + 1);
     EXPECT_EQ(window.state().seed, seed + 1);
@@ -144,22 +144,23 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
     auto const path
         = fs::temp_directory_path() / fmt::format("tractus_replay_{}.tractus", ::getpid());
     fs::remove(path);
-    auto window
-        = ReplayWindow::create(log_, { .methods = all_methods() }, {}, ".",
-                               begin_session(path, { small_model() }, all_methods().edits).value())
-              .value();
+    auto window = ReplayWindow::create(
+                      log_, { .methods = all_methods() }, {}, ".",
+                      batch::begin_session(path, { small_model() }, all_methods().edits).value())
+                      .value();
     play(window);
-    EXPECT_EQ(read_session(path, all_methods().edits)->last_step(), 3u); // Includes what selects.
+    EXPECT_EQ(session::read_session(path, all_methods().edits)->last_step(),
+              3u); // Includes what selects.
     EXPECT_EQ(window.state().layers.size(), 1u);
-    window.perform(Undo {});
+    window.perform(view::Undo {});
     window.settle();
     EXPECT_TRUE(window.state().layers.empty());
-    window.perform(Restart {});
+    window.perform(view::Restart {});
     window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
     play(window);
     EXPECT_EQ(window.state().strokes.size(), 1u);
-    EXPECT_EQ(read_session(path, all_methods().edits)->last_step(), 6u)
+    EXPECT_EQ(session::read_session(path, all_methods().edits)->last_step(), 6u)
         << "beginning again is a step in place of undone ones";
     fs::remove(path);
 }
@@ -170,7 +171,7 @@ TEST_F(ReplayedWindow, SavesAPictureUnderANameOfItsOwn)
         = fs::temp_directory_path() / ("tractus_window_test_" + std::to_string(::getpid()));
     fs::create_directories(folder);
     auto window = open(folder);
-    window.perform(SavePicture { Image(4, 3) });
+    window.perform(view::SavePicture { render::Image(4, 3) });
     window.settle();
     ASSERT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
     auto const saved = fs::directory_iterator(folder)->path();
@@ -183,11 +184,11 @@ TEST_F(ReplayedWindow, SavesAPictureUnderANameOfItsOwn)
 TEST_F(ReplayedWindow, SaysWhyAPictureWasNotSaved)
 {
     auto window = open("/proc/nowhere");
-    window.perform(SavePicture { Image(4, 3) });
+    window.perform(view::SavePicture { render::Image(4, 3) });
     window.settle();
     EXPECT_NE(window.state().status.find("cannot make the folder /proc/nowhere"),
               std::string::npos);
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

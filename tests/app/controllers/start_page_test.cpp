@@ -17,7 +17,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::controllers {
 
 namespace {
 
@@ -77,7 +77,7 @@ protected:
                                 .unnamed = unnamed_ };
         if (at_page)
             how.start_page->open({});
-        auto devices = LiveDevices::play_log(file.string(), how.now).value();
+        auto devices = devices::LiveDevices::play_log(file.string(), how.now).value();
         return LiveWindow::create(std::move(devices), std::move(how)).value();
     }
 
@@ -109,7 +109,7 @@ protected:
         std::vector<fs::path> files;
         std::error_code ignored;
         for (auto const& entry : fs::directory_iterator(sessions(), ignored))
-            if (is_session_file(entry.path()))
+            if (batch::is_session_file(entry.path()))
                 files.push_back(entry.path());
         return files;
     }
@@ -149,7 +149,7 @@ TEST_F(StartPage, BeginsAnEmptySheetWhoseFirstStrokeIsAPlantThatIsKept)
         EXPECT_STREQ(window.state().hand.kind().word, "sketch");
         EXPECT_TRUE(window.scene().plants.empty());
         EXPECT_TRUE(window.state().has_session);
-        window.perform(NextVariation {});
+        window.perform(view::NextVariation {});
         window.settle();
         EXPECT_NE(window.state().status.find("There is no plant yet"), std::string::npos);
         EXPECT_TRUE(window.scene().plants.empty());
@@ -160,15 +160,15 @@ TEST_F(StartPage, BeginsAnEmptySheetWhoseFirstStrokeIsAPlantThatIsKept)
     }
     ASSERT_EQ(session_files().size(), 1u);
     EXPECT_TRUE(session_files()[0].filename().string().starts_with("drawing-"));
-    auto const kept = read_session(session_files()[0], all_methods().edits).value();
+    auto const kept = session::read_session(session_files()[0], all_methods().edits).value();
     ASSERT_EQ(kept.edits.size(), 2u);
-    EXPECT_TRUE(kept.edits[0].edit.get<BeginEmpty>());
+    EXPECT_TRUE(kept.edits[0].edit.get<session::BeginEmpty>());
     EXPECT_TRUE(kept.edits[1].edit.get<sketch::GrowAlongStroke>());
     // Who does not know how it began begins with an empty sheet, too.
     auto const others = all_methods().edits;
     std::vector<EditKind const*> fewer(others.begin(), others.end());
-    std::erase(fewer, &BeginEmpty::kKind);
-    EXPECT_EQ(load_session_scene(session_files()[0], fewer).value().plants.size(), 1u);
+    std::erase(fewer, &session::BeginEmpty::kKind);
+    EXPECT_EQ(batch::load_session_scene(session_files()[0], fewer).value().plants.size(), 1u);
 }
 
 TEST_F(StartPage, LeadsBackToTheEmptySheetByUndoAndByBeginningAgain)
@@ -177,13 +177,13 @@ TEST_F(StartPage, LeadsBackToTheEmptySheetByUndoAndByBeginningAgain)
     press(window, "Along a stroke");
     pass(window, 2000);
     ASSERT_EQ(window.scene().plants.size(), 1u);
-    window.perform(Undo {});
+    window.perform(view::Undo {});
     window.settle();
     EXPECT_TRUE(window.scene().plants.empty());
-    window.perform(Redo {});
+    window.perform(view::Redo {});
     window.settle();
     EXPECT_EQ(window.scene().plants.size(), 1u);
-    window.perform(Restart {});
+    window.perform(view::Restart {});
     window.settle();
     EXPECT_TRUE(window.scene().plants.empty());
 }
@@ -206,7 +206,7 @@ TEST_F(StartPage, ClosesTheDrawingAndSaysWhereItIsKept)
     press(window, "Along a stroke");
     pass(window, 2000);
     auto const before = window.state();
-    window.perform(OpenStartPage {});
+    window.perform(view::OpenStartPage {});
     ASSERT_NE(window.start_page(), nullptr);
     ASSERT_EQ(session_files().size(), 1u);
     auto const file = session_files()[0];
@@ -230,7 +230,7 @@ TEST_F(StartPage, KeepsNoFileWhereNothingWasDrawn)
     auto window = this->window();
     press(window, "Bare post");
     ASSERT_EQ(session_files().size(), 1u);
-    window.perform(OpenStartPage {});
+    window.perform(view::OpenStartPage {});
     ASSERT_NE(window.start_page(), nullptr);
     EXPECT_EQ(window.start_page()->state().note, "");
     EXPECT_TRUE(session_files().empty());
@@ -255,9 +255,9 @@ TEST_F(StartPage, StaysAndSaysWhyWhatCannotBeOpenedCannot)
 TEST_F(StartPage, EndsARecordingWithItsDrawing)
 {
     auto window = this->window(false);
-    window.perform(SetRecording { true });
+    window.perform(view::SetRecording { true });
     ASSERT_TRUE(window.state().recording.is_on);
-    window.perform(OpenStartPage {});
+    window.perform(view::OpenStartPage {});
     EXPECT_FALSE(window.state().recording.is_on);
     EXPECT_EQ(window.start_page()->state().note, "") << "this drawing was in no file";
 }
@@ -279,13 +279,14 @@ TEST_F(StartPage, ShowsPicturesAndKeepsThoseThatItHasMade)
         kept.push_back(entry.path());
     ASSERT_EQ(kept.size(), 1u);
     // The one that is kept is shown the next time, and the one beside the model before any.
-    auto const write = [](fs::path const& file, Image const& picture) {
-        ASSERT_TRUE(write_file(file, [&](std::ostream& out) { return write_png(out, picture); }));
+    auto const write = [](fs::path const& file, render::Image const& picture) {
+        ASSERT_TRUE(
+            write_file(file, [&](std::ostream& out) { return render::write_png(out, picture); }));
     };
-    Image const red(20, 10, { 255, 0, 0 });
+    render::Image const red(20, 10, { 255, 0, 0 });
     write(kept[0], red);
     EXPECT_EQ(*shown(), red);
-    Image const blue(20, 10, { 0, 0, 255 });
+    render::Image const blue(20, 10, { 0, 0, 255 });
     write(folder_ / "models" / "bare_post.png", blue);
     EXPECT_EQ(*shown(), blue);
 }
@@ -330,4 +331,4 @@ TEST(RecentDrawings, SayTheirTimeInWords)
     ::tzset();
 }
 
-} // namespace tractus
+} // namespace tractus::controllers

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::controllers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,10 +70,10 @@ TEST_F(UnnamedSession, GoesAgainOnlyIfNothingWasDrawn)
 {
     std::vector<Edit> const beginning { small_model() };
     auto const empty = path("empty");
-    ASSERT_TRUE(begin_session(empty, beginning, core_edit_kinds()));
+    ASSERT_TRUE(batch::begin_session(empty, beginning, core_edit_kinds()));
     auto const drawn = path("drawn");
     {
-        auto session = begin_session(drawn, beginning, core_edit_kinds()).value();
+        auto session = batch::begin_session(drawn, beginning, core_edit_kinds()).value();
         std::vector<Edit> const edits { SetGrowth {} };
         ASSERT_TRUE(session.append(edits));
         ASSERT_TRUE(session.undo());
@@ -94,4 +94,4 @@ TEST_F(UnnamedSession, SaysWhereNoneCanBe)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::controllers

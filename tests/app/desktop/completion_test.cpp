@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::desktop {
 namespace {
 
 class Completing : public testing::Test, protected SmallProgram {
@@ -72,4 +72,4 @@ TEST_F(Completing, SaysWhatAWordIsAbout)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::desktop

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::desktop {
 namespace {
 
 bool contains(std::string const& text, std::string const& part)
@@ -62,4 +62,4 @@ TEST_F(ManPage, OfACommandWithCommandsHasASectionForEach)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::desktop

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::desktop {
 
 // A program with two commands, one of which has commands itself, and one that is hidden.
 struct SmallProgram {
@@ -18,7 +18,7 @@ struct SmallProgram {
         grow->add_option("--into", folder, "Where it goes")->type_name("FOLDER");
         grow->add_option("--light", light, "What it stands in")
             ->type_name("HOW")
-            ->check(one_of({ "full sun", "shade" }))
+            ->check(options::one_of({ "full sun", "shade" }))
             ->capture_default_str();
         grow->add_option("--device", devices, "What to listen to")->type_name("DEVICE...");
         grow->add_flag("--dry", is_dry, "Say what would be done");
@@ -37,4 +37,4 @@ struct SmallProgram {
     bool is_dry = false;
 };
 
-} // namespace tractus
+} // namespace tractus::desktop

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <utility>
 
-namespace tractus {
+namespace tractus::devices {
 namespace {
 
 // A pen that touches (21) or hovers (20).
@@ -83,7 +83,7 @@ TEST(LiveRecorder, NeverWritesOverAFile)
 struct TestClock {
     Timestamp time = at_ms(5000);
 
-    Pace pace(Timestamp data_begin, double speed)
+    play::Pace pace(Timestamp data_begin, double speed)
     {
         return { .data_begin = data_begin,
                  .real_begin = time,
@@ -102,7 +102,7 @@ std::shared_ptr<drivers::Log const> two_reports()
 TEST(PacedLog, SendsEachReportWhenItsTimeHasCome)
 {
     TestClock clock;
-    auto const source = open_paced(two_reports(), 0, clock.pace(at_ms(10'000), 2));
+    auto const source = play::open_paced(two_reports(), 0, clock.pace(at_ms(10'000), 2));
     EXPECT_EQ(source->info().name, "pen");
     auto const first = source->read(std::chrono::milliseconds(50));
     ASSERT_TRUE(first && *first);
@@ -119,7 +119,7 @@ TEST(PacedLog, SendsEachReportWhenItsTimeHasCome)
 TEST(PacedLog, SaysThatItIsOver)
 {
     TestClock clock;
-    auto const source = open_paced(two_reports(), 0, clock.pace(at_ms(10'000), 1000));
+    auto const source = play::open_paced(two_reports(), 0, clock.pace(at_ms(10'000), 1000));
     ASSERT_TRUE(source->read(std::chrono::seconds(1)));
     ASSERT_TRUE(source->read(std::chrono::seconds(1)));
     auto const end = source->read(std::chrono::seconds(1));
@@ -132,10 +132,10 @@ LiveDevices played(std::string const& text)
 {
     auto const log
         = std::make_shared<drivers::Log const>(drivers::parse_log(text, "both.log").value());
-    auto const pace = pace_from_now(log->records.front().time, 1e6);
+    auto const pace = play::pace_from_now(log->records.front().time, 1e6);
     std::vector<std::unique_ptr<drivers::ReportSource>> sources;
     for (std::size_t i = 0; i < log->devices.size(); ++i)
-        sources.push_back(open_paced(log, i, pace));
+        sources.push_back(play::open_paced(log, i, pace));
     return LiveDevices::start(std::move(sources)).value();
 }
 
@@ -207,4 +207,4 @@ TEST(LiveDevices, NamesTheDeviceThatIsNotThere)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::devices

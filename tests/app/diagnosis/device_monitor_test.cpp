@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::diagnosis {
 namespace {
 
 std::string field(DeviceReading const& reading, std::string const& name)
@@ -82,4 +82,4 @@ TEST(DeviceMonitor, WatchesTheHeightSensor)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::diagnosis

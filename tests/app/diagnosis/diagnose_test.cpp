@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::diagnosis {
 namespace {
 
 DeviceFacts facts_of(drivers::DeviceInfo info, std::string location = "/dev/hidraw3")
@@ -293,4 +293,4 @@ TEST(PrintFindings, PutsTheRemedyBelow)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::diagnosis

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-namespace tractus {
+namespace tractus::diagnosis {
 
 inline drivers::RawReport report_at_ms(std::int64_t milliseconds, std::string const& hex)
 {
@@ -20,4 +20,4 @@ inline drivers::RawReport report_at_ms(std::int64_t milliseconds, std::string co
 // Report of simple_pen(): it touches at 100 mm from the left and 50 mm from the far edge.
 constexpr char const* kTouching = "02 21 10 27 88 13 00 04 00 00";
 
-} // namespace tractus
+} // namespace tractus::diagnosis

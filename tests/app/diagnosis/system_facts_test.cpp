@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::diagnosis {
 namespace {
 
 namespace fs = std::filesystem;
@@ -125,4 +125,4 @@ TEST(IsOlderVersion, ComparesNumberByNumber)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::diagnosis

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::diagnosis {
 namespace {
 
 TEST(UdevRules, AreThoseOfTheSeatOrOfAGroup)
@@ -58,4 +58,4 @@ TEST(UdevRules, PermitPensByUsageAndTabletsByMaker)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::diagnosis

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::diagnosis {
 namespace {
 
 TEST(WatchView, ShowsBytesBesideTheirMeaning)
@@ -14,7 +14,7 @@ TEST(WatchView, ShowsBytesBesideTheirMeaning)
     for (int i = 0; i < 10; ++i)
         monitor.push(report_at_ms(5 * i, kTouching));
     auto const reading = monitor.reading();
-    auto const lines = watch_lines(std::span(&reading, 1), 200);
+    auto const lines = devices::watch_lines(std::span(&reading, 1), 200);
     ASSERT_GE(lines.size(), 5u);
     EXPECT_EQ(lines[0], "Simple Pen (1209:0002) at ");
     EXPECT_EQ(lines[2],
@@ -31,7 +31,7 @@ TEST(WatchView, SaysThatADeviceIsAway)
     monitor.push(report_at_ms(0, kTouching));
     monitor.push(report_at_ms(5, ""));
     auto const reading = monitor.reading();
-    EXPECT_EQ(watch_lines(std::span(&reading, 1), 200)[2],
+    EXPECT_EQ(devices::watch_lines(std::span(&reading, 1), 200)[2],
               "  gone; waiting for it to come back; 1 reports");
 }
 
@@ -40,9 +40,9 @@ TEST(WatchView, FitsTheScreen)
     DeviceMonitor monitor(drivers::simple_pen());
     monitor.push(report_at_ms(0, kTouching));
     auto const reading = monitor.reading();
-    for (auto const& line : watch_lines(std::span(&reading, 1), 30))
+    for (auto const& line : devices::watch_lines(std::span(&reading, 1), 30))
         EXPECT_LE(line.size(), 30u);
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::diagnosis

@@ -29,7 +29,7 @@ WantedStep seeded(std::uint64_t seed)
     return { change, WantedStep::Of::Growth };
 }
 
-class DocumentTest : public SessionFolder {
+class DocumentTest : public session::SessionFolder {
 protected:
     Document new_document() const { return { create().value(), kOnItsThread }; }
 
@@ -58,8 +58,8 @@ TEST_F(DocumentTest, DrawsShowsAndKeepsInOrder)
     auto const snapshot = document.newest();
     EXPECT_EQ(snapshot->unkept, 0u);
     EXPECT_EQ(snapshot->scene.associations.size(), 5u);
-    EXPECT_TRUE(same_scene(snapshot->scene, document.session().scene()));
-    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().last_step(), 5u);
+    EXPECT_TRUE(session::same_scene(snapshot->scene, document.session().scene()));
+    EXPECT_EQ(session::read_session(path(), core_edit_kinds()).value().last_step(), 5u);
 }
 
 // Strokes each go to the next branch: two quick ones are not both given the same.
@@ -135,7 +135,7 @@ TEST_F(DocumentTest, ARefusedStrokeChangesNothingAndSaysWhy)
     EXPECT_TRUE(drawn[0].edits.empty());
     EXPECT_EQ(document.newest()->revision, 0u);
     EXPECT_TRUE(document.waiting().empty());
-    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().last_step(), 0u);
+    EXPECT_EQ(session::read_session(path(), core_edit_kinds()).value().last_step(), 0u);
 }
 
 TEST_F(DocumentTest, BeginsAgainAsAStepLikeAnother)
@@ -183,8 +183,8 @@ TEST_F(DocumentTest, DrawsOnWhileTheDiskIsFullAndKeepsAllAfterwards)
     EXPECT_EQ(document.newest()->unkept, 0u);
     EXPECT_EQ(document.newest()->not_kept, "");
     EXPECT_EQ(document.newest()->revision, seen->revision) << "it is the same scene";
-    EXPECT_TRUE(same_scene(document.newest()->scene, seen->scene));
-    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().last_step(), 4u);
+    EXPECT_TRUE(session::same_scene(document.newest()->scene, seen->scene));
+    EXPECT_EQ(session::read_session(path(), core_edit_kinds()).value().last_step(), 4u);
 }
 
 TEST_F(DocumentTest, ClosingDoesAllThatHasCome)
@@ -194,7 +194,7 @@ TEST_F(DocumentTest, ClosingDoesAllThatHasCome)
         for (int i = 1; i <= 30; ++i)
             document.draw(stroke_number(i));
     }
-    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().last_step(), 30u);
+    EXPECT_EQ(session::read_session(path(), core_edit_kinds()).value().last_step(), 30u);
 }
 
 TEST_F(DocumentTest, WithoutAFileStepsCanBeTakenBack)
@@ -254,15 +254,15 @@ RC_GTEST_FIXTURE_PROP(DocumentTest, WithAThreadIsTheSameAsWithout, ())
         ++number;
     }
     one.settle();
-    RC_ASSERT(same_scene(one.newest()->scene, other.newest()->scene));
+    RC_ASSERT(session::same_scene(one.newest()->scene, other.newest()->scene));
     RC_ASSERT(one.newest()->revision == other.newest()->revision);
     RC_ASSERT(said_by(one) == said_by(other));
-    auto const a = read_session(path("a.tractus"), core_edit_kinds()).value();
-    auto const b = read_session(path("b.tractus"), core_edit_kinds()).value();
+    auto const a = session::read_session(path("a.tractus"), core_edit_kinds()).value();
+    auto const b = session::read_session(path("b.tractus"), core_edit_kinds()).value();
     RC_ASSERT(a.step == b.step);
     RC_ASSERT(a.edits.size() == b.edits.size());
     for (std::size_t i = 0; i < a.edits.size(); ++i)
-        RC_ASSERT(same(a.edits[i].edit, b.edits[i].edit));
+        RC_ASSERT(session::same(a.edits[i].edit, b.edits[i].edit));
 }
 
 } // namespace

@@ -20,7 +20,7 @@ RC_GTEST_PROP(LoggedStep, EditsComeBackBitForBit, ())
 {
     DoneStep done { .status = "" };
     for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
-        done.edits.push_back(random_edit());
+        done.edits.push_back(session::random_edit());
     auto const words = words_for(done, 17);
     RC_ASSERT(words.arguments.find('\n') == std::string::npos);
     auto const step = parse_step(words.name, words.arguments, core_edit_kinds());
@@ -30,7 +30,7 @@ RC_GTEST_PROP(LoggedStep, EditsComeBackBitForBit, ())
     RC_ASSERT((*step)->strokes_before == 17u);
     RC_ASSERT((*step)->edits.size() == done.edits.size());
     for (std::size_t i = 0; i < done.edits.size(); ++i)
-        RC_ASSERT(same((*step)->edits[i], done.edits[i]));
+        RC_ASSERT(session::same((*step)->edits[i], done.edits[i]));
 }
 
 TEST(LoggedStep, IsReadableByEye)

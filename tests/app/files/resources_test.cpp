@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::files {
 namespace {
 
 TEST(Resources, AreFoundInTheSourceTree)
@@ -27,4 +27,4 @@ TEST(Resources, AModelIsAFileOrOneOfOurs)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::files

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-namespace tractus {
+namespace tractus::play {
 namespace {
 
 // Reports that the devices of a test were sent, in order: "DEVICE:FIRST BYTE".
@@ -134,4 +134,4 @@ TEST_F(DeviceParts, EndWithTheErrorOfADevice)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::play

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::play {
 namespace {
 
 TEST(SimulatedRecording, HasTwoDevicesARigAndAToolForEachGesture)
@@ -56,4 +56,4 @@ TEST(SimulatedRecording, NamesWhatTheRigCannotReach)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::play

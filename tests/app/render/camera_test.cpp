@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -132,4 +132,4 @@ TEST(FramingCamera, TakesAnEmptyBox)
     EXPECT_GT(camera.distance_mm(), 50);
 }
 
-} // namespace tractus
+} // namespace tractus::render

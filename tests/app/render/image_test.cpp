@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -169,4 +169,4 @@ TEST(ContactSheet, LeavesRoomForATitleOnlyWhereThereIsOne)
     EXPECT_GT(inked(sheet, 0, 0, 200, 60, style.paper), 100);
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -9,7 +9,7 @@
 #define STBI_WRITE_NO_STDIO
 #include <stb_image_write.h>
 
-namespace tractus {
+namespace tractus::render {
 namespace {
 
 // A blue JPEG of that size, red where its first row begins and green where that ends.
@@ -101,4 +101,4 @@ TEST(ReadPicture, TakesNonsenseForUpright)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::render

@@ -6,7 +6,7 @@
 #include <png.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::render {
 
 // The picture in a PNG file's bytes; a failed test and an empty picture if they are none.
 inline Image read_png(std::string const& bytes)
@@ -24,4 +24,4 @@ inline Image read_png(std::string const& bytes)
     return picture;
 }
 
-} // namespace tractus
+} // namespace tractus::render

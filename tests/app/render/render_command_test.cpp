@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::render {
 
 class RenderCommand : public testing::Test {
 protected:
@@ -27,8 +27,8 @@ protected:
     {
         std::array const arguments { "tractus",      "render", input.c_str(), "-o",
                                      output.c_str(), "--size", size };
-        return run_command_line(static_cast<int>(arguments.size()), arguments.data(),
-                                all_methods());
+        return commands::run_command_line(static_cast<int>(arguments.size()), arguments.data(),
+                                          all_methods());
     }
 
     std::filesystem::path folder_;
@@ -37,9 +37,9 @@ protected:
 TEST_F(RenderCommand, DrawsAGlbInTheAskedSize)
 {
     auto const mesh = post_with_leaves();
-    std::array const plants { PlacedMesh { .mesh = &mesh } };
+    std::array const plants { exports::PlacedMesh { .mesh = &mesh } };
     auto const written = write_file(file("post.glb"), [&](std::ostream& out) -> Result<void> {
-        TRY(write_glb(out, plants));
+        TRY(exports::write_glb(out, plants));
         return {};
     });
     ASSERT_TRUE(written) << written.error().message;
@@ -68,4 +68,4 @@ TEST_F(RenderCommand, RefusesWhatIsNoSize)
         EXPECT_EQ(render(file("any.glb"), file("any.png"), size), 2) << size;
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <optional>
 
-namespace tractus {
+namespace tractus::render {
 
 constexpr int kWidth = 400;
 constexpr int kHeight = 300;
@@ -70,4 +70,4 @@ protected:
     std::optional<Renderer> renderer_;
 };
 
-} // namespace tractus
+} // namespace tractus::render

@@ -5,7 +5,7 @@
 #include <memory>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -321,4 +321,4 @@ TEST_F(RendererTest, TakesAnEmptyMesh)
     EXPECT_EQ(picture(stage).width(), kWidth);
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -65,4 +65,4 @@ TEST(MeshBounds, HoldSurfacesAndEveryInstance)
     EXPECT_TRUE(box.max_mm.isApprox(Vec3(250, 20, 300), 1e-4));
 }
 
-} // namespace tractus
+} // namespace tractus::render

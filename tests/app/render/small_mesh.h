@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::render {
 
 constexpr MaterialId kBarkMaterial = 0;
 constexpr MaterialId kLeafMaterial = 1;
@@ -52,4 +52,4 @@ inline mesh::Mesh post_with_leaves()
     return mesh;
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -7,7 +7,7 @@
 #include <memory>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::render {
 
 namespace {
 
@@ -142,7 +142,7 @@ TEST_F(SurfacePictureTest, WhatAMaskTakesCastsNoShadow)
 TEST_F(SurfacePictureTest, APlantThroughAFileIsAsLightAsBefore)
 {
     auto mesh = post_with_leaves();
-    auto read = read_glb(glb_of(mesh));
+    auto read = exports::read_glb(exports::glb_of(mesh));
     ASSERT_TRUE(read) << read.error().message;
     auto const mean = [&](mesh::Mesh const& shown) {
         auto const seen = picture_of(shown);
@@ -164,4 +164,4 @@ TEST_F(SurfacePictureTest, APlantThroughAFileIsAsLightAsBefore)
         EXPECT_NEAR(after[k], before[k], 8) << k;
 }
 
-} // namespace tractus
+} // namespace tractus::render

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace tractus {
+namespace tractus::session {
 namespace {
 
 std::string refusal(EditRecord const& record)
@@ -51,7 +51,7 @@ TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
     EXPECT_EQ(record_of(EraseTips { numbered({ 4, 5 }), { { 0, 2 }, { 9, 9 } } }).fields,
               R"({"associations":[4,5],"ranges":[[0,2],[9,9]]})");
     Associate stroke;
-    stroke.propagation = Propagation::Both;
+    stroke.propagation = variation::Propagation::Both;
     auto& tip = stroke.stroke.tips.own().emplace_back();
     tip.time = timestamp_ns(258);
     tip.touching = true;
@@ -121,4 +121,4 @@ TEST(EditRecord, RefusesWhatHasAnotherForm)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::session

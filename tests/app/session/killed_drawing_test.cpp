@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,12 +100,12 @@ protected:
     void draw_into(fs::path const& path, Say const& say) const
     {
         constexpr Duration kFrame = std::chrono::milliseconds(16);
-        auto const edits = growing_plant_edits({ folder_ / "small.l", {} }, {}, 1).value();
-        auto session = begin_session(path, edits, all_methods().edits).value();
+        auto const edits = batch::growing_plant_edits({ folder_ / "small.l", {} }, {}, 1).value();
+        auto session = batch::begin_session(path, edits, all_methods().edits).value();
         auto const log = drivers::read_log(this->log()).value();
-        auto replay = LogReplay::create(log, { .methods = all_methods() }).value();
+        auto replay = station::LogReplay::create(log, { .methods = all_methods() }).value();
         auto& station = replay.station();
-        StationController controller(station, std::move(session), {}, folder_);
+        controllers::StationController controller(station, std::move(session), {}, folder_);
         int done = -1;
         auto const say_done = [&] {
             auto const strokes = static_cast<int>(station.counts().strokes);
@@ -204,4 +204,4 @@ TEST_F(KilledDrawing, LosesNoFinishedStrokeAndOpensAgain)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::session

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::session {
 
 // Any double there is, also those that are not finite.
 inline double random_double()
@@ -54,12 +54,12 @@ inline Stroke random_stroke()
     return stroke;
 }
 
-inline MotionIndicator random_indicator()
+inline variation::MotionIndicator random_indicator()
 {
-    MotionIndicator indicator;
+    variation::MotionIndicator indicator;
     indicator.start_mm = random_vec3();
     indicator.end_mm = random_vec3();
-    indicator.kind = random_enum<MotionIndicator::Kind>(2);
+    indicator.kind = random_enum<variation::MotionIndicator::Kind>(2);
     indicator.below = *rc::gen::arbitrary<std::vector<SegmentId>>();
     if (*rc::gen::arbitrary<bool>())
         indicator.reach_mm = random_double();
@@ -67,10 +67,10 @@ inline MotionIndicator random_indicator()
     return indicator;
 }
 
-inline GrowthParameters random_growth()
+inline variation::GrowthParameters random_growth()
 {
-    GrowthParameters growth;
-    growth.steps = random_enum<GrowthParameters::Steps>(2);
+    variation::GrowthParameters growth;
+    growth.steps = random_enum<variation::GrowthParameters::Steps>(2);
     for (auto* const value :
          { &growth.steps_per_axis, &growth.strength, &growth.gain, &growth.noise_rad,
            &growth.noise_memory, &growth.indicator_gain, &growth.circumnutation_rad,
@@ -185,10 +185,10 @@ inline Edit random_edit()
     case 1:
         return random_skeleton();
     case 2:
-        return Select { *rc::gen::arbitrary<Selection>(), random_paths() };
+        return Select { *rc::gen::arbitrary<variation::Selection>(), random_paths() };
     case 3:
-        return Associate { random_stroke(), random_enum<Propagation>(3), random_enum<StrokeFit>(3),
-                           random_double(), random_id() };
+        return Associate { random_stroke(), random_enum<variation::Propagation>(3),
+                           random_enum<variation::StrokeFit>(3), random_double(), random_id() };
     case 4:
         return Oversketch { random_items(), random_stroke() };
     case 5:
@@ -219,4 +219,4 @@ inline Edit random_edit()
     }
 }
 
-} // namespace tractus
+} // namespace tractus::session

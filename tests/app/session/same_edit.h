@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::session {
 
 // Whether two edits are the same in every bit: numbers that are not numbers, too.
 
@@ -41,7 +41,7 @@ inline bool same(Stroke const& one, Stroke const& other)
     return true;
 }
 
-inline bool same(MotionIndicator const& one, MotionIndicator const& other)
+inline bool same(variation::MotionIndicator const& one, variation::MotionIndicator const& other)
 {
     return same(one.start_mm, other.start_mm) && same(one.end_mm, other.end_mm)
         && one.kind == other.kind && one.below == other.below
@@ -50,9 +50,9 @@ inline bool same(MotionIndicator const& one, MotionIndicator const& other)
         && one.is_orphaned == other.is_orphaned;
 }
 
-inline bool same(GrowthParameters const& one, GrowthParameters const& other)
+inline bool same(variation::GrowthParameters const& one, variation::GrowthParameters const& other)
 {
-    auto const values = [](GrowthParameters const& growth) {
+    auto const values = [](variation::GrowthParameters const& growth) {
         std::vector<std::uint64_t> bits;
         for (double const value :
              { growth.steps_per_axis, growth.strength, growth.gain, growth.noise_rad,
@@ -235,4 +235,4 @@ inline bool same(Edit const& one, Edit const& other)
         || same_of<HideBranch>(one, other) || same_of<UnknownEdit>(one, other);
 }
 
-} // namespace tractus
+} // namespace tractus::session

@@ -1,7 +1,7 @@
 #include "app/session/session_copy.h"
 #include "tests/app/session/small_session.h"
 
-namespace tractus {
+namespace tractus::session {
 namespace {
 
 using SessionCopy = SessionFolder;
@@ -75,4 +75,4 @@ TEST_F(SessionCopy, NeverWritesOverAFile)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::session

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <random>
 
-namespace tractus {
+namespace tractus::session {
 namespace {
 
 // Remedy for a damaged file, without the file's name.
@@ -130,4 +130,4 @@ TEST_F(SessionDamage, AFileThatMayNotBeWrittenCanBeRead)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::session

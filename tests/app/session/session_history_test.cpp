@@ -5,7 +5,7 @@
 
 #include <rapidcheck/gtest.h>
 
-namespace tractus {
+namespace tractus::session {
 namespace {
 
 // Steps that are kept in memory, and counted as a file counts their edits.
@@ -200,4 +200,4 @@ TEST(SessionHistory, GoesOnWithoutAStepThatCannotBeMade)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::session

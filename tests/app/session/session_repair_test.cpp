@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-namespace tractus {
+namespace tractus::session {
 namespace {
 
 constexpr std::size_t kPageBytes = 4096;
@@ -229,7 +229,7 @@ TEST_F(SessionRepair, NamesWhatIsLostAndGoesOnWithoutIt)
 // session, which have no ids.
 TEST_F(SessionRepair, WhatIsLeftKeepsItsName)
 {
-    Anchored<Association> erased;
+    Anchored<variation::Association> erased;
     {
         auto session = open().value();
         erased = session.scene().associations[20];
@@ -297,4 +297,4 @@ TEST_F(SessionRepair, WhatIsNoSession)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::session

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-namespace tractus {
+namespace tractus::session {
 namespace {
 
 using SessionTest = SessionFolder;
@@ -46,7 +46,8 @@ TEST_F(SessionTest, SaysOnceThatAnEarlierLanguagesPlantsAreDerivedAnew)
 {
     ASSERT_TRUE(create());
     EXPECT_FALSE(open().value().is_derived_anew());
-    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().origin.language, kLanguageVersion);
+    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().origin.language,
+              lsystem::kLanguageVersion);
     ASSERT_TRUE(Database::open(path(), Database::Access::Write)
                     .value()
                     .execute("DELETE FROM meta WHERE key = 'language'"));
@@ -231,4 +232,4 @@ TEST_F(SessionTest, MayHaveAnyName)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::session

@@ -13,7 +13,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::session {
 
 // A clock that stands still.
 inline SessionOptions options_for_tests()
@@ -124,4 +124,4 @@ private:
         / ("tractus_session_" + std::to_string(::getpid()));
 };
 
-} // namespace tractus
+} // namespace tractus::session

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::session {
 namespace {
 
 // Edits that another tractus would write, with more methods than this one.
@@ -147,4 +147,4 @@ TEST_F(UnknownEditsTest, OfTheBeginningLeaveItsPlant)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::session

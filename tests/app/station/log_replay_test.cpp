@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::station {
 namespace {
 
 std::string refusal(drivers::Log const& log)
@@ -23,7 +23,7 @@ TEST(LogReplay, DoesWhatTheHandDid)
     auto const [counts, scene, strokes] = replayed(log);
     ASSERT_EQ(scene.associations.size(), 1u);
     EXPECT_EQ(scene.associations[0].what.path, segments_of(scene.base->axes[0]));
-    EXPECT_EQ(scene.associations[0].what.propagation, Propagation::Both);
+    EXPECT_EQ(scene.associations[0].what.propagation, variation::Propagation::Both);
     ASSERT_EQ(scene.indicators.size(), 1u);
     EXPECT_NEAR((scene.indicators[0].what.end_mm - Vec3(30, 0, 110)).norm(), 0, 3);
     EXPECT_EQ(counts.reports, log.records.size());
@@ -159,4 +159,4 @@ TEST(LogReplay, OfAnEmptyLogIsOverAtOnce)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::station

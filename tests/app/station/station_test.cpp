@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::station {
 namespace {
 
 // At a height of 100 mm that no sensor measures.
@@ -364,4 +364,4 @@ TEST(Station, NeedsAPenAndAHeight)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::station

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::station {
 namespace {
 
 DrawingStation station_in_hand(std::optional<Tool> const& tool = {})
@@ -260,4 +260,4 @@ TEST(StationTools, ErasesWithThePensOtherEnd)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::station

@@ -7,7 +7,7 @@
 #include <list>
 #include <sys/stat.h>
 
-namespace tractus {
+namespace tractus::stream {
 namespace {
 
 constexpr auto kKeep = LineServer::Importance::Keep;
@@ -176,4 +176,4 @@ TEST_F(LineServerTest, RefusesAPlaceThatIsTaken)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::stream

@@ -9,7 +9,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::stream {
 
 // A program that reads from a local socket, in the test's own thread: a socket's buffer takes what
 // is sent before it reads.
@@ -65,4 +65,4 @@ protected:
         = std::filesystem::temp_directory_path() / ("tractus_stream_" + std::to_string(::getpid()));
 };
 
-} // namespace tractus
+} // namespace tractus::stream

@@ -10,12 +10,12 @@
 #include <algorithm>
 #include <iterator>
 
-namespace tractus {
+namespace tractus::stream {
 namespace {
 
-LogReplay small_replay(drivers::Log const& log)
+station::LogReplay small_replay(drivers::Log const& log)
 {
-    return LogReplay::create(log, { .methods = all_methods() }).value();
+    return station::LogReplay::create(log, { .methods = all_methods() }).value();
 }
 
 drivers::Log small_log()
@@ -108,4 +108,4 @@ TEST_F(StreamSocket, NeverStopsTheDrawing)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::stream

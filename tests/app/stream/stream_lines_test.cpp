@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace tractus {
+namespace tractus::stream {
 namespace {
 
 TEST(StreamLines, BeginWithTheVersion)
@@ -17,12 +17,12 @@ TEST(StreamLines, BeginWithTheVersion)
 
 TEST(StreamLines, HaveATipWithItsTimeToTheNanosecond)
 {
-    PenMoment const moment { .in_range = true,
-                             .touching = true,
-                             .pressure = 0.25,
-                             .position_mm = { -0.0001, 2, 3.14159 },
-                             .time
-                             = timestamp_ns(9'007'199'254'740'993) }; // More than a double has.
+    station::PenMoment const moment { .in_range = true,
+                                      .touching = true,
+                                      .pressure = 0.25,
+                                      .position_mm = { -0.0001, 2, 3.14159 },
+                                      .time = timestamp_ns(
+                                          9'007'199'254'740'993) }; // More than a double has.
     EXPECT_EQ(tip_line(moment),
               "{\"type\":\"tip\",\"pen\":0,\"time_s\":9007199.254740993,"
               "\"position_mm\":[0.000,2.000,3.142],\"pressure\":0.2500,"
@@ -31,7 +31,7 @@ TEST(StreamLines, HaveATipWithItsTimeToTheNanosecond)
 
 TEST(StreamLines, HaveTheTiltWhereTheTabletTellsIt)
 {
-    PenMoment moment;
+    station::PenMoment moment;
     moment.tilt_rad = Vec2(kPi / 6, -kPi / 4);
     auto const json = nlohmann::json::parse(tip_line(moment));
     EXPECT_EQ(json["tilt_deg"], (std::vector { 30.0, -45.0 }));
@@ -39,14 +39,14 @@ TEST(StreamLines, HaveTheTiltWhereTheTabletTellsIt)
 
 TEST(StreamLines, CountTimesBeforeALogsBeginning)
 {
-    PenMoment moment;
+    station::PenMoment moment;
     moment.time = timestamp_ns(-5'000'001);
     EXPECT_NE(tip_line(moment).find("\"time_s\":-0.005000001,"), std::string::npos);
 }
 
 TEST(StreamLines, HaveAStrokeWithWhatItIsFor)
 {
-    ToolStroke stroke { {}, DrawTool { Propagation::Both } };
+    ToolStroke stroke { {}, DrawTool { variation::Propagation::Both } };
     stroke.stroke.tips.push_back(
         { .time = timestamp_ns(1'000'000), .position_mm = { 1, 2, 3 }, .pressure = 0.5 });
     stroke.stroke.tips.push_back(
@@ -73,4 +73,4 @@ TEST(StreamLines, AreAllJson)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::stream

@@ -13,7 +13,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::terminal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,8 +111,8 @@ std::string printed_to_a_terminal(std::string const& model)
     int const standard_error = ::dup(STDERR_FILENO);
     ::dup2(screen, STDERR_FILENO);
     std::array<char const*, 4> const arguments { "tractus", "derive", model.c_str(), "--string" };
-    int const code
-        = run_command_line(static_cast<int>(arguments.size()), arguments.data(), all_methods());
+    int const code = commands::run_command_line(static_cast<int>(arguments.size()),
+                                                arguments.data(), all_methods());
     ::dup2(standard_error, STDERR_FILENO);
     EXPECT_EQ(code, 1);
     std::array<char, 4096> text {};
@@ -140,4 +140,4 @@ TEST_F(ErrorText, IsColoredOnATerminalOnly)
 // NOLINTEND(concurrency-mt-unsafe)
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::terminal

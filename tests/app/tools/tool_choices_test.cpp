@@ -82,7 +82,7 @@ TEST(ToolChoices, OfferAllThatTheToolInHandMayMean)
     EXPECT_EQ(buttons(Tool(*tools[0])),
               "Branch by branch*, Selected, All it bears, Both, | Redraw, Smooth!, Take away!, ");
     EXPECT_EQ(
-        buttons(DrawTool { Propagation::Both, StrokeFit::World }),
+        buttons(DrawTool { variation::Propagation::Both, variation::StrokeFit::World }),
         "Branch by branch, Selected, All it bears, Both*, | From its base, Base to tip, As it "
         "lies*, | Redraw, Smooth!, Take away!, ");
     EXPECT_EQ(buttons(SelectTool {}),
@@ -95,9 +95,12 @@ TEST(ToolChoices, OfferAllThatTheToolInHandMayMean)
 TEST(ToolChoices, KeepTheOtherOptionsOfTheToolInHand)
 {
     auto const meanings
-        = meanings_of(all_methods().tools, DrawTool { Propagation::Both, StrokeFit::World });
-    EXPECT_EQ(meanings[2].tool, Tool(DrawTool { Propagation::Descendants, StrokeFit::World }));
-    EXPECT_EQ(meanings[4].tool, Tool(DrawTool { Propagation::Both, StrokeFit::Start }));
+        = meanings_of(all_methods().tools,
+                      DrawTool { variation::Propagation::Both, variation::StrokeFit::World });
+    EXPECT_EQ(meanings[2].tool,
+              Tool(DrawTool { variation::Propagation::Descendants, variation::StrokeFit::World }));
+    EXPECT_EQ(meanings[4].tool,
+              Tool(DrawTool { variation::Propagation::Both, variation::StrokeFit::Start }));
 }
 
 } // namespace

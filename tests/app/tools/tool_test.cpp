@@ -44,8 +44,8 @@ TEST(Tool, IsReadAndWrittenAsWords)
         IndicateTool {},
         DrawInOrderTool {},
         DrawTool {},
-        DrawTool { Propagation::Descendants },
-        DrawTool { Propagation::Both },
+        DrawTool { variation::Propagation::Descendants },
+        DrawTool { variation::Propagation::Both },
         EraseTool {},
         EraseTool { EraseTool::Erasing::Part },
         Tool(SmoothTool {}).done_at_once(),
@@ -90,7 +90,8 @@ TEST(SelectTool, SelectsTheAxisThatThePenFollows)
     auto const edits = edits_of(SelectTool {}, stroke, scene);
     ASSERT_TRUE(edits) << edits.error().message;
     ASSERT_EQ(edits->size(), 1u);
-    EXPECT_EQ(after(*edits, scene).selection, Selection { segments_of(scene.base->axes[0]) });
+    EXPECT_EQ(after(*edits, scene).selection,
+              variation::Selection { segments_of(scene.base->axes[0]) });
 }
 
 // A branch is chosen where it is seen; a log that does not say so chooses at rest, as ever.
@@ -101,12 +102,12 @@ TEST(SelectTool, ChoosesOnTheSkeletonAsBentWhereItSaysSo)
     select(scene, { trunk });
     scene = apply_edit(scene,
                        Associate { .stroke = stroke_through({ { 0, 0, 0 }, { 100, 0, 10 } }),
-                                   .fit = StrokeFit::World })
+                                   .fit = variation::StrokeFit::World })
                 .value();
     std::vector<Vec3> nodes_mm;
     SceneShaper shaper;
     ASSERT_TRUE(shaper.set_plant(scene));
-    place_nodes(*scene.base, *scene.rest, shaper.shape(), nodes_mm);
+    variation::place_nodes(*scene.base, *scene.rest, shaper.shape(), nodes_mm);
     auto const stroke = stroke_through(
         { shown(scene, 0.8 * nodes_mm[0] + 0.2 * nodes_mm[1]), shown(scene, nodes_mm[5]) });
     EXPECT_FALSE(edits_of(SelectTool {}, stroke, scene)) << "at rest it stands upright";
@@ -137,9 +138,9 @@ TEST(DrawTool, ShapesWhatIsSelected)
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } });
     EXPECT_FALSE(edits_of(DrawTool {}, stroke, scene));
     select(scene, { segments_of(scene.base->axes[1]) });
-    auto const edits = edits_of(DrawTool { Propagation::Both }, stroke, scene);
+    auto const edits = edits_of(DrawTool { variation::Propagation::Both }, stroke, scene);
     ASSERT_TRUE(edits);
-    EXPECT_EQ((*edits)[0].get<Associate>()->propagation, Propagation::Both);
+    EXPECT_EQ((*edits)[0].get<Associate>()->propagation, variation::Propagation::Both);
 }
 
 TEST(IndicateTool, TakesTheEndsOfTheStroke)
@@ -166,11 +167,11 @@ TEST(DrawInOrderTool, ShapesTheTrunkFirstAndThenTheLongestBranch)
     EXPECT_EQ(scene.base->axes[order[1]].segment_count, 4u);
 }
 
-Selection selection_by(Selecting selecting, Stroke const& stroke, Scene const& scene)
+variation::Selection selection_by(Selecting selecting, Stroke const& stroke, Scene const& scene)
 {
     auto const edits = edits_of(SelectTool { selecting }, stroke, scene);
     EXPECT_TRUE(edits) << edits.error().message;
-    return edits ? after(*edits, scene).selection.vector() : Selection {};
+    return edits ? after(*edits, scene).selection.vector() : variation::Selection {};
 }
 
 TEST(Tool, KnowsAllItsArguments)
@@ -212,11 +213,14 @@ TEST(SelectTool, ChoosesInAllWays)
     EXPECT_EQ(path[0].back(), second.back());
 
     auto const touch = along(tip_of(1) + Vec3(0, 0, 1), tip_of(1));
-    EXPECT_EQ(selection_by(Selecting::Order, touch, scene), (Selection { first, second }));
-    EXPECT_EQ(selection_by(Selecting::Alike, touch, scene), (Selection { first, second }));
+    EXPECT_EQ(selection_by(Selecting::Order, touch, scene),
+              (variation::Selection { first, second }));
+    EXPECT_EQ(selection_by(Selecting::Alike, touch, scene),
+              (variation::Selection { first, second }));
     select(scene, { trunk });
-    EXPECT_EQ(selection_by(Selecting::Invert, touch, scene), (Selection { first, second }));
-    EXPECT_EQ(selection_by(Selecting::Nothing, touch, scene), Selection {});
+    EXPECT_EQ(selection_by(Selecting::Invert, touch, scene),
+              (variation::Selection { first, second }));
+    EXPECT_EQ(selection_by(Selecting::Nothing, touch, scene), variation::Selection {});
     EXPECT_EQ(selection_by(Selecting::Add, touch, scene).size(), 2u);
     select(scene, { first, second });
     auto const taken
@@ -238,7 +242,7 @@ TEST(IndicateTool, MayActOnTheSelectedBranchOrNearTheStroke)
     auto const near
         = edits_of(parse_tool(tools(), "indicate", "near light").value(), stroke, scene).value();
     EXPECT_NEAR(*near[0].get<Indicate>()->indicator.reach_mm, std::hypot(80, 20), 1e-9);
-    EXPECT_EQ(near[0].get<Indicate>()->indicator.kind, MotionIndicator::Kind::Light);
+    EXPECT_EQ(near[0].get<Indicate>()->indicator.kind, variation::MotionIndicator::Kind::Light);
 }
 
 TEST(IndicatorTools, MoveAndDeleteTheOneWhereTheyBegin)
@@ -275,7 +279,7 @@ TEST(StrokeTools, EditTheStrokesOfTheSelectedBranch)
 
 Associate association_of(Stroke stroke)
 {
-    return { .stroke = std::move(stroke), .propagation = Propagation::Both };
+    return { .stroke = std::move(stroke), .propagation = variation::Propagation::Both };
 }
 
 // Two strokes along x, the second 50 mm above the first, each on one axis, and the second on two.
@@ -354,7 +358,7 @@ Stroke level_stroke(double height_mm = 20)
     return stroke;
 }
 
-Scene scene_with(Stroke const& stroke, StrokeFit fit = StrokeFit::Start)
+Scene scene_with(Stroke const& stroke, variation::StrokeFit fit = variation::StrokeFit::Start)
 {
     auto scene = small_scene();
     select(scene, { segments_of(scene.base->axes[0]) });
@@ -419,7 +423,7 @@ TEST(ErasePartTool, TakesAStrokeWholeOfWhichNothingIsLeftThatShapes)
               .touching = true });
     loop.tips.own().back().position_mm = loop.tips.front().position_mm;
     loop.tips.push_back({ .time = timestamp_ns(400'000'000), .position_mm = { 70, 0, 20 } });
-    auto const by_chord = scene_with(loop, StrokeFit::Chord);
+    auto const by_chord = scene_with(loop, variation::StrokeFit::Chord);
     auto const over = stroke_through({ { 69, -10, 30 }, { 69, 10, 30 } });
     auto const edits = edits_of(kErasePart, over, by_chord).value();
     EXPECT_TRUE(edits.at(0).get<DeleteStroke>());

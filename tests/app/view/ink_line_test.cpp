@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::view {
 
 namespace {
 
@@ -97,4 +97,4 @@ TEST(InkLine, IsBroadAcrossTheLeanOfAPencilsSide)
 
 } // namespace
 
-} // namespace tractus
+} // namespace tractus::view

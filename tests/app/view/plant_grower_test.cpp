@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::view {
 namespace {
 
 std::shared_ptr<Scene const> shared_scene()
@@ -27,7 +27,7 @@ bool same_vertices(mesh::Mesh const& one, mesh::Mesh const& other)
 mesh::Mesh mesh_of(Scene const& scene, std::uint64_t seed)
 {
     auto const plan = plan_growth(scene).value();
-    return mesh::make_mesh(Grower(plan).grow({ seed, 0 }));
+    return mesh::make_mesh(variation::Grower(plan).grow({ seed, 0 }));
 }
 
 TEST(PlantGrower, GrowsThePlantThatTheSceneSays)
@@ -111,4 +111,4 @@ TEST(PlantGrower, MayGoWhileItGrows)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::view

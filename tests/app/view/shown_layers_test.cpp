@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::view {
 namespace {
 
 using Lines = std::vector<std::vector<Vec3f>>;
@@ -111,4 +111,4 @@ TEST(ShownLayers, FadeInFewSteps)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::view

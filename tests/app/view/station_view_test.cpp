@@ -17,7 +17,7 @@
 #include <gtest/gtest.h>
 #include <optional>
 
-namespace tractus {
+namespace tractus::view {
 namespace {
 
 // A station with the tools of this test alone: the thread sanitizer need not see all methods.
@@ -146,7 +146,7 @@ TEST(StationView, ShowsWhatPropagationShapes)
     scene = apply_edit(
                 scene,
                 Associate { .stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 30 }, { 40, 0, 60 } }),
-                            .propagation = Propagation::Descendants })
+                            .propagation = variation::Propagation::Descendants })
                 .value();
     auto station = station_on(scene, DrawTool {});
     StationView const view(station, station.document());
@@ -272,7 +272,7 @@ TEST(StationView, ListsWhatHasLostItsBranch)
 
 TEST(StationView, ShowsTheSurfaceMoveUnderAPenThatRests)
 {
-    DrawingStation station(Station::create(simple_rig(), {}).value(), small_scene());
+    DrawingStation station(station::Station::create(simple_rig(), {}).value(), small_scene());
     StationView view(station, station.document());
     auto const move_surface = [&](int from_ms, int counts) {
         for (int i = 0; i < 10; ++i)
@@ -316,4 +316,4 @@ TEST(StationView, GrowsACollectionOneByOne)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::view

@@ -5,7 +5,7 @@
 #include <rapidcheck/gtest.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::window {
 namespace {
 
 constexpr ButtonGaps kGaps { 10, 30 };
@@ -70,4 +70,4 @@ RC_GTEST_PROP(ButtonRows, HoldEachButtonOnceAndNoneOutside, ())
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::window

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::window {
 
 using namespace layout_tests;
 
@@ -31,4 +31,4 @@ TEST_F(LayoutTest, ShowsCalibratingInTheWindow)
     }
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -9,27 +9,27 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::window {
 namespace {
 
 // Shows it.
-class StillWindow : public WindowModel {
+class StillWindow : public view::WindowModel {
 public:
     void advance(Duration) override { }
-    WindowState const& state() const override { return state_; }
-    void perform(WindowCommand const&) override { }
-    CalibrationModel* calibration() override { return &still; }
+    view::WindowState const& state() const override { return state_; }
+    void perform(view::WindowCommand const&) override { }
+    calibration::CalibrationModel* calibration() override { return &still; }
 
     StillCalibration still {};
 
 private:
-    WindowState state_;
+    view::WindowState state_;
 };
 
 // How many pixels are within 12 levels of a colour.
-int colored(Image const& picture, Vec3f const& srgb)
+int colored(render::Image const& picture, Vec3f const& srgb)
 {
-    auto const wanted = color_from(srgb);
+    auto const wanted = render::color_from(srgb);
     auto const near = [](std::uint8_t a, std::uint8_t b) { return std::abs(a - b) <= 12; };
     int count = 0;
     for (auto const& pixel : picture.pixels())
@@ -46,7 +46,7 @@ TEST(CalibrationPanel, ShowsCapturesAndPlots)
     auto const shown
         = run_window(model, { .width = 1500, .height = 900, .frames = 3, .screenshot = path });
     ASSERT_TRUE(shown) << shown.error().message;
-    auto const picture = read_png(read_file(path).value());
+    auto const picture = render::read_png(read_file(path).value());
     std::filesystem::remove(path);
     EXPECT_GT(colored(picture, theme::palette().assigned), 2000) << "the fit's curves";
     EXPECT_GT(colored(picture, theme::palette().selected), 5000)
@@ -57,4 +57,4 @@ TEST(CalibrationPanel, ShowsCapturesAndPlots)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::window

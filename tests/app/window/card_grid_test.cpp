@@ -7,15 +7,17 @@
 #include <set>
 #include <vector>
 
-namespace tractus {
+namespace tractus::window {
 namespace {
 
-std::vector<StartCards> groups_of(std::size_t recent)
+std::vector<view::StartCards> groups_of(std::size_t recent)
 {
-    std::vector<StartCards> groups { { "An empty sheet", std::vector<StartCard>(3), {} } };
+    std::vector<view::StartCards> groups {
+        { "An empty sheet", std::vector<view::StartCard>(3), {} }
+    };
     if (recent > 0)
-        groups.push_back({ "Recent", std::vector<StartCard>(recent), "Earlier" });
-    groups.push_back({ "From a model", std::vector<StartCard>(14), {} });
+        groups.push_back({ "Recent", std::vector<view::StartCard>(recent), "Earlier" });
+    groups.push_back({ "From a model", std::vector<view::StartCard>(14), {} });
     return groups;
 }
 
@@ -37,7 +39,7 @@ std::vector<Box> boxes_of(CardGrid const& grid)
     return boxes;
 }
 
-void check_grid(std::vector<StartCards> const& groups, float width, float scale)
+void check_grid(std::vector<view::StartCards> const& groups, float width, float scale)
 {
     constexpr float kPenHits_px = 56; // theme::kButtonHeight_px
     auto const grid = arrange_cards(groups, width, scale);
@@ -118,4 +120,4 @@ TEST(CardGrid, LeadsTheArrowsFromCardToCard)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::window

@@ -3,7 +3,7 @@
 #include <array>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -46,4 +46,4 @@ TEST(Display, IsFoundByNumberOrName)
     EXPECT_FALSE(find_display(kScreens, ""));
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -23,7 +23,7 @@
 
 // The first plant of each method, from the start page, with each kind of device: presses and
 // seconds until it is there, and a recording that replays to it.
-namespace tractus {
+namespace tractus::window {
 
 using namespace layout_tests;
 
@@ -177,7 +177,7 @@ private:
 // The window, in frames of a sixtieth of a second.
 class Frames {
 public:
-    Frames(ImVec2 const& size, Renderer& renderer)
+    Frames(ImVec2 const& size, render::Renderer& renderer)
         : renderer_(renderer)
     {
         ImGui::CreateContext();
@@ -198,7 +198,7 @@ public:
         ImGui::DestroyContext();
     }
 
-    void show(LiveWindow& window, HandInput const& input = {})
+    void show(controllers::LiveWindow& window, HandInput const& input = {})
     {
         window.advance(from_seconds(1.0 / 60));
         window.settle();
@@ -211,7 +211,7 @@ public:
     PenArea const& area() const { return layout_->pen_area(); }
 
     // The middle of a card of the start page, which must be seen whole.
-    ImVec2 card(StartPageState const& page, std::string const& title) const
+    ImVec2 card(view::StartPageState const& page, std::string const& title) const
     {
         DrawnFrame drawn;
         auto const* const data = ImGui::GetDrawData();
@@ -234,7 +234,7 @@ public:
     }
 
 private:
-    Renderer& renderer_;
+    render::Renderer& renderer_;
     std::optional<Layout> layout_;
     PenPointer pen_;
 };
@@ -245,7 +245,7 @@ Timestamp clock_now()
 }
 
 // Of what was chosen, by another thread, however long that takes: the log's time stands still.
-void wait_for_opening(LiveWindow& window)
+void wait_for_opening(controllers::LiveWindow& window)
 {
     while (window.start_page() && window.start_page()->state().is_opening) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -278,20 +278,21 @@ protected:
     }
     fs::path recording() const { return folder_ / "first.tractus-log"; }
 
-    LiveWindowOptions options() const
+    controllers::LiveWindowOptions options() const
     {
-        StartPageOptions page { .kinds = all_methods().edits, .tools = all_methods().tools };
-        page.models = { find_resource("models").value() };
+        controllers::StartPageOptions page { .kinds = all_methods().edits,
+                                             .tools = all_methods().tools };
+        page.models = { files::find_resource("models").value() };
         page.sessions = folder_ / "tractus";
         page.now = [] { return std::chrono::sys_seconds(); };
-        LiveWindowOptions options { .methods = all_methods(), .folder = folder_ };
+        controllers::LiveWindowOptions options { .methods = all_methods(), .folder = folder_ };
         options.recording = recording();
-        options.start_page = std::make_unique<StartPageController>(std::move(page));
+        options.start_page = std::make_unique<controllers::StartPageController>(std::move(page));
         options.start_page->open({});
         return options;
     }
 
-    LiveWindow window_of(PenHand& hand) const
+    controllers::LiveWindow window_of(PenHand& hand) const
     {
         auto const file = folder_ / "hand.tractus-log";
         std::ofstream(file) << hand.text();
@@ -303,8 +304,8 @@ protected:
             all.rig = calib::Rig { .tablet_size_mm = { 200, 100 } };
         else
             all.height_mm = 100;
-        auto devices = LiveDevices::play_log(file.string(), all.now).value();
-        return LiveWindow::create(std::move(devices), std::move(all)).value();
+        auto devices = devices::LiveDevices::play_log(file.string(), all.now).value();
+        return controllers::LiveWindow::create(std::move(devices), std::move(all)).value();
     }
 
     // Returns how long it took, in seconds, and what is drawn then.
@@ -353,7 +354,9 @@ std::pair<double, Scene> FirstPlants::draw_with_mouse()
     auto all = options();
     all.now = clock_now;
     all.mouse.emplace(clock_now);
-    auto window = LiveWindow::create(LiveDevices::start({}).value(), std::move(all)).value();
+    auto window
+        = controllers::LiveWindow::create(devices::LiveDevices::start({}).value(), std::move(all))
+              .value();
     Frames frames(size(), *renderer_);
     auto const begin = clock_now();
     auto const show = [&](ImVec2 const& at, bool is_down) {
@@ -413,7 +416,7 @@ TEST_P(FirstPlants, TakesOnePressAndIsRecorded)
                           / fmt::format("{}-{}.tractus-log", plant().method, name_of(device())),
                       fs::copy_options::overwrite_existing);
     auto const log = drivers::read_log(recording()).value();
-    ReplayOptions options { .methods = all_methods() };
+    station::ReplayOptions options { .methods = all_methods() };
     if (device() == Device::Tablet || device() == Device::PenDisplay)
         options.height = calib::parse_height_scenario("100").value();
     auto const again = replayed(log, options, is_shaped ? our_plant("birch") : Scene {});
@@ -428,12 +431,13 @@ TEST_P(FirstPlants, TakesOnePressAndIsRecorded)
 TEST(FirstPlantRecordings, ReplayToAPlant)
 {
     std::size_t count = 0;
-    for (auto const& entry : fs::directory_iterator(find_resource("demo/first-plants").value())) {
+    for (auto const& entry :
+         fs::directory_iterator(files::find_resource("demo/first-plants").value())) {
         SCOPED_TRACE(entry.path().filename().string());
         ++count;
         auto const name = entry.path().stem().string();
         bool const is_shaped = name.starts_with("strokes");
-        ReplayOptions options { .methods = all_methods() };
+        station::ReplayOptions options { .methods = all_methods() };
         if (name.ends_with("tablet"))
             options.height = calib::parse_height_scenario("100").value();
         auto const log = drivers::read_log(entry.path()).value();
@@ -455,4 +459,4 @@ INSTANTIATE_TEST_SUITE_P(All, FirstPlants,
                                                 first_plants()[std::get<1>(test.param)].method);
                          });
 
-} // namespace tractus
+} // namespace tractus::window

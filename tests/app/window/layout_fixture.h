@@ -20,39 +20,42 @@
 #include <vector>
 
 // What the window draws without a display, for tests of where things lie.
-namespace tractus::layout_tests {
+namespace tractus::window::layout_tests {
 
 // A page of so many recent drawings, and with pictures as large as those of models.
-class CardsModel : public StartPageModel {
+class CardsModel : public view::StartPageModel {
 public:
     explicit CardsModel(std::size_t recent)
     {
-        auto const picture = std::make_shared<Image const>(360, 300, Color { 90, 120, 60 });
-        StartCard const model { "Broadleaf", "A broadleaf tree like a young lime", picture };
-        StartCard const drawing { "Lombardy poplar", "28 February, 23:59", picture };
-        StartCard const sheet {
+        auto const picture
+            = std::make_shared<render::Image const>(360, 300, render::Color { 90, 120, 60 });
+        view::StartCard const model { "Broadleaf", "A broadleaf tree like a young lime", picture };
+        view::StartCard const drawing { "Lombardy poplar", "28 February, 23:59", picture };
+        view::StartCard const sheet {
             "Along a stroke", "A rule grows along the stroke", {}, "5095 5050", 'K'
         };
-        state_.groups = { { "An empty sheet", std::vector<StartCard>(3, sheet), {} },
-                          { "From a model", std::vector<StartCard>(14, model), {} } };
+        state_.groups = { { "An empty sheet", std::vector<view::StartCard>(3, sheet), {} },
+                          { "From a model", std::vector<view::StartCard>(14, model), {} } };
         if (recent > 0)
-            state_.groups.insert(
-                state_.groups.begin() + 1,
-                { "Recent drawings", std::vector<StartCard>(recent, drawing), "Earlier drawings" });
+            state_.groups.insert(state_.groups.begin() + 1,
+                                 { "Recent drawings", std::vector<view::StartCard>(recent, drawing),
+                                   "Earlier drawings" });
     }
 
-    StartPageState const& state() const override { return state_; }
+    view::StartPageState const& state() const override { return state_; }
     void choose(std::size_t group, std::size_t card) override { chosen.emplace_back(group, card); }
     void show_study()
     {
-        auto const picture = std::make_shared<Image const>(64, 64, Color { 90, 120, 60 });
-        StartStudy::Picture const shown { "light through", picture };
-        state_.study
-            = StartStudy { .large = shown,
-                           .details = std::vector<StartStudy::Picture>(4, shown),
-                           .others = std::vector<StartStudy::Picture>(6, shown),
-                           .sliders = std::vector<StartStudy::Slider>(7, { "spots 100 %", 1, 0.2 }),
-                           .accept = "Put on the plant" };
+        auto const picture
+            = std::make_shared<render::Image const>(64, 64, render::Color { 90, 120, 60 });
+        view::StartStudy::Picture const shown { "light through", picture };
+        state_.study = view::StartStudy {
+            .large = shown,
+            .details = std::vector<view::StartStudy::Picture>(4, shown),
+            .others = std::vector<view::StartStudy::Picture>(6, shown),
+            .sliders = std::vector<view::StartStudy::Slider>(7, { "spots 100 %", 1, 0.2 }),
+            .accept = "Put on the plant"
+        };
     }
     void slide(std::size_t slider, double value) override { slid.emplace_back(slider, value); }
     void accept() override { ++accepted; }
@@ -63,14 +66,14 @@ public:
     int accepted = 0;
 
 private:
-    StartPageState state_;
+    view::StartPageState state_;
 };
 
-class DrawingModel : public WindowModel {
+class DrawingModel : public view::WindowModel {
 public:
     DrawingModel()
         : methods_(all_methods())
-        , mesh_(post_with_leaves())
+        , mesh_(render::post_with_leaves())
     {
         state_ = small_state();
         state_.plant = &mesh_;
@@ -84,24 +87,24 @@ public:
     }
 
     void advance(Duration) override { }
-    WindowState const& state() const override { return state_; }
-    StartPageModel* start_page() override { return start ? &*start : nullptr; }
-    CalibrationModel* calibration() override { return calibrated; }
-    void perform(WindowCommand const& command) override
+    view::WindowState const& state() const override { return state_; }
+    view::StartPageModel* start_page() override { return start ? &*start : nullptr; }
+    calibration::CalibrationModel* calibration() override { return calibrated; }
+    void perform(view::WindowCommand const& command) override
     {
-        if (auto const* const choice = std::get_if<ChooseTool>(&command))
+        if (auto const* const choice = std::get_if<view::ChooseTool>(&command))
             state_.hand = choice->tool;
-        if (auto const* const adjusted = std::get_if<AdjustTool>(&command)) {
-            bool const moves = adjusted->slider == ChangeGrowth::Slider::Moving;
+        if (auto const* const adjusted = std::get_if<view::AdjustTool>(&command)) {
+            bool const moves = adjusted->slider == view::ChangeGrowth::Slider::Moving;
             if (!moves)
                 state_.hand = adjusted->tool;
             (moves ? moved : released).push_back(adjusted->tool);
         }
-        if (auto const* const named = std::get_if<NameDrawing>(&command))
+        if (auto const* const named = std::get_if<view::NameDrawing>(&command))
             given_names.push_back(named->name);
-        if (auto const* const pen = std::get_if<MoveMousePen>(&command))
+        if (auto const* const pen = std::get_if<view::MoveMousePen>(&command))
             touches += std::any_of(pen->path.begin(), pen->path.end(),
-                                   [](MousePen const& moment) { return moment.touching; });
+                                   [](view::MousePen const& moment) { return moment.touching; });
     }
 
     void name(std::string drawing) { state_.drawing_name = std::move(drawing); }
@@ -113,12 +116,13 @@ public:
     std::size_t touches = 0;
 
     std::optional<CardsModel> start {};
-    CalibrationModel* calibrated = nullptr; // What is shown in place of the drawing; not owned.
+    calibration::CalibrationModel* calibrated
+        = nullptr; // What is shown in place of the drawing; not owned.
 
 private:
     Methods methods_;
     mesh::Mesh mesh_;
-    WindowState state_;
+    view::WindowState state_;
 };
 
 struct Box {
@@ -217,10 +221,10 @@ class LayoutTest : public testing::Test {
 protected:
     void SetUp() override
     {
-        auto context = OffscreenContext::create();
+        auto context = render::OffscreenContext::create();
         ASSERT_TRUE(context) << context.error().message;
         context_.emplace(std::move(*context));
-        renderer_.emplace(Renderer::create().value());
+        renderer_.emplace(render::Renderer::create().value());
         glEnable(GL_RASTERIZER_DISCARD); // Where things lie is looked at, not their pixels.
     }
 
@@ -297,8 +301,8 @@ protected:
         ImGui::DestroyContext();
     }
 
-    std::optional<OffscreenContext> context_;
-    std::optional<Renderer> renderer_;
+    std::optional<render::OffscreenContext> context_;
+    std::optional<render::Renderer> renderer_;
 };
 
 struct Size {
@@ -361,4 +365,4 @@ inline std::string text_of(Size const& size)
     return fmt::format("{} x {} points at {}", size.width, size.height, size.scale);
 }
 
-} // namespace tractus::layout_tests
+} // namespace tractus::window::layout_tests

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::window {
 
 using namespace layout_tests;
 
@@ -14,7 +14,9 @@ TEST_F(LayoutTest, ShowsEveryButtonOfEachToolWhole)
             SCOPED_TRACE(fmt::format("{}, {}", text_of(size), choice.text));
             show(
                 { size.width, size.height }, size.scale,
-                [&](Layout&, DrawingModel& model) { model.perform(ChooseTool { choice.tool }); },
+                [&](Layout&, DrawingModel& model) {
+                    model.perform(view::ChooseTool { choice.tool });
+                },
                 check_buttons);
         }
 }
@@ -110,4 +112,4 @@ TEST_F(LayoutTest, LetsTheMouseDrawOnStageUntilEscape)
     EXPECT_FALSE(wants_to_close);
 }
 
-} // namespace tractus
+} // namespace tractus::window

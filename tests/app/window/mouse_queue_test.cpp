@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -68,4 +68,4 @@ TEST(MouseQueue, HasNothingWhileTheMouseRests)
 
 } // namespace
 
-} // namespace tractus
+} // namespace tractus::window

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::window {
 
 using namespace layout_tests;
 using Of = Workbench::AskedName::Of;
@@ -89,4 +89,4 @@ TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
     EXPECT_EQ(model.touches, 0u) << "nothing is drawn below the panel";
 }
 
-} // namespace tractus
+} // namespace tractus::window

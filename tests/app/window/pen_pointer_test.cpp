@@ -3,7 +3,7 @@
 #include <cfloat>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -33,7 +33,7 @@ protected:
     }
     ~PenPointerTest() override { ImGui::DestroyContext(); }
 
-    void frame(std::vector<PenView> path, float step_s = 1.0f / 60)
+    void frame(std::vector<view::PenView> path, float step_s = 1.0f / 60)
     {
         state_.pen_path = std::move(path);
         ImGui::GetIO().DeltaTime = step_s;
@@ -44,13 +44,13 @@ protected:
     }
 
     PenArea area_;
-    WindowState state_;
+    view::WindowState state_;
     PenPointer pen_;
 };
 
 namespace {
 
-PenView pen_at(float x_mm, float y_mm, bool touching = false, bool pressing = false)
+view::PenView pen_at(float x_mm, float y_mm, bool touching = false, bool pressing = false)
 {
     return {
         .in_range = true, .touching = touching, .tip_mm = { x_mm, y_mm, 100 }, .pressing = pressing
@@ -154,4 +154,4 @@ TEST_F(PenPointerTest, LeavesTheMouseToThoseWhoHaveNoTablet)
     EXPECT_FLOAT_EQ(ImGui::GetIO().MousePos.x, 7);
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -21,7 +21,7 @@
 #include <sstream>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
@@ -137,12 +137,13 @@ protected:
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
-    LiveWindow window_of(PenScript& script, bool records = false, bool has_sensor = false)
+    controllers::LiveWindow window_of(PenScript& script, bool records = false,
+                                      bool has_sensor = false)
     {
         auto const file = folder_ / "pen.tractus-log";
         std::ofstream(file) << script.text();
         auto const now = std::make_shared<Timestamp>();
-        LiveWindowOptions options {
+        controllers::LiveWindowOptions options {
             .methods = all_methods(),
             .rig_file = folder_ / "table.rig.toml",
             .height_mm = has_sensor ? std::nullopt : std::optional(100.0),
@@ -153,36 +154,36 @@ protected:
         };
         if (records)
             options.recording = folder_ / "again.tractus-log";
-        auto devices = LiveDevices::play_log(file.string(), options.now).value();
-        return LiveWindow::create(std::move(devices), std::move(options)).value();
+        auto devices = devices::LiveDevices::play_log(file.string(), options.now).value();
+        return controllers::LiveWindow::create(std::move(devices), std::move(options)).value();
     }
 
     // A pen works the window also before there is a drawing.
-    LiveWindow window_at_start(PenScript& script)
+    controllers::LiveWindow window_at_start(PenScript& script)
     {
         auto const file = folder_ / "pen.tractus-log";
         std::ofstream(file) << script.text();
         auto const now = std::make_shared<Timestamp>();
-        LiveWindowOptions options {
+        controllers::LiveWindowOptions options {
             .methods = all_methods(),
             .height_mm = 100.0,
             .folder = folder_,
             .now = [now] { return *now; },
             .counted_time = now,
-            .start_page = std::make_unique<StartPageController>(
-                StartPageOptions { .kinds = all_methods().edits,
-                                   .tools = all_methods().tools,
-                                   .models = {},
-                                   .sessions = folder_,
-                                   .pictures = {},
-                                   .now = [] { return std::chrono::sys_seconds(); } }),
+            .start_page = std::make_unique<controllers::StartPageController>(
+                controllers::StartPageOptions { .kinds = all_methods().edits,
+                                                .tools = all_methods().tools,
+                                                .models = {},
+                                                .sessions = folder_,
+                                                .pictures = {},
+                                                .now = [] { return std::chrono::sys_seconds(); } }),
         };
         options.start_page->open({});
-        auto devices = LiveDevices::play_log(file.string(), options.now).value();
-        return LiveWindow::create(std::move(devices), std::move(options)).value();
+        auto devices = devices::LiveDevices::play_log(file.string(), options.now).value();
+        return controllers::LiveWindow::create(std::move(devices), std::move(options)).value();
     }
 
-    void run(LiveWindow& window, PenScript const& script)
+    void run(controllers::LiveWindow& window, PenScript const& script)
     {
         auto const result = run_window(window,
                                        { .width = kWidth_px,
@@ -259,7 +260,7 @@ TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
     auto window = window_of(script, true);
     run(window, script);
     auto const log = drivers::read_log(folder_ / "again.tractus-log").value();
-    ReplayOptions options { .methods = all_methods() };
+    station::ReplayOptions options { .methods = all_methods() };
     options.height = calib::parse_height_scenario("100").value();
     auto const replay = replayed(log, options);
     auto const& again = replay.scene.indicators;
@@ -292,12 +293,12 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     EXPECT_NEAR(tips.back().position_mm.x(), 36, 0.1);
 
     auto const log = drivers::read_log(folder_ / "again.tractus-log").value();
-    ReplayOptions options { .methods = all_methods() };
+    station::ReplayOptions options { .methods = all_methods() };
     options.height = calib::parse_height_scenario("100").value();
     auto const scene = replayed(log, options).scene;
     ASSERT_EQ(scene.associations.size(), 1u);
-    EXPECT_TRUE(
-        same(scene.associations[0].what.stroke, window.scene().associations[0].what.stroke));
+    EXPECT_TRUE(session::same(scene.associations[0].what.stroke,
+                              window.scene().associations[0].what.stroke));
 }
 
 // A table whose height sensor nobody has calibrated yet, and a person without keyboard and mouse.
@@ -372,7 +373,7 @@ TEST_F(PenWorksWindow, FillsTheDisplay)
     script.wait(300);
     auto window = window_of(script);
     run(window, script);
-    auto const picture = read_png(read_file(folder_ / "window.png").value());
+    auto const picture = render::read_png(read_file(folder_ / "window.png").value());
     EXPECT_GT(picture.width(), kWidth_px);
     EXPECT_GT(picture.height(), kHeight_px);
 }
@@ -393,4 +394,4 @@ TEST_F(PenWorksWindow, PressesACardAndDrawsOnTheEmptySheet)
     EXPECT_EQ(window.scene().plants.size(), 1u) << window.state().status;
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
 // Notes what is asked for.
-class AskedModel : public WindowModel {
+class AskedModel : public view::WindowModel {
 public:
     AskedModel()
     {
@@ -21,18 +21,18 @@ public:
     }
 
     void advance(Duration) override { }
-    WindowState const& state() const override { return state_; }
-    void perform(WindowCommand const& command) override { asked.push_back(command); }
+    view::WindowState const& state() const override { return state_; }
+    void perform(view::WindowCommand const& command) override { asked.push_back(command); }
 
     template<typename Command> bool was_last_asked_for() const
     {
         return !asked.empty() && std::holds_alternative<Command>(asked.back());
     }
 
-    std::vector<WindowCommand> asked;
+    std::vector<view::WindowCommand> asked;
 
 private:
-    WindowState state_ = small_state();
+    view::WindowState state_ = small_state();
 };
 
 class Shortcuts : public testing::Test {
@@ -52,17 +52,17 @@ TEST_F(Shortcuts, UndoAndRedoNeedControl)
     press('Z');
     EXPECT_TRUE(model.asked.empty());
     press('Z', true);
-    EXPECT_TRUE(model.was_last_asked_for<Undo>());
+    EXPECT_TRUE(model.was_last_asked_for<view::Undo>());
     press('Z', true, true);
-    EXPECT_TRUE(model.was_last_asked_for<Redo>());
+    EXPECT_TRUE(model.was_last_asked_for<view::Redo>());
 }
 
 TEST_F(Shortcuts, AnotherOneIsForTheKeyAloneAndAnotherDrawingForControl)
 {
     press('N');
-    EXPECT_TRUE(model.was_last_asked_for<NextVariation>());
+    EXPECT_TRUE(model.was_last_asked_for<view::NextVariation>());
     press('N', true);
-    EXPECT_TRUE(model.was_last_asked_for<OpenStartPage>());
+    EXPECT_TRUE(model.was_last_asked_for<view::OpenStartPage>());
 }
 
 TEST_F(Shortcuts, ToolsAreForAKeyAlone)
@@ -70,10 +70,10 @@ TEST_F(Shortcuts, ToolsAreForAKeyAlone)
     press('E', true);
     EXPECT_TRUE(model.asked.empty());
     press('E');
-    ASSERT_TRUE(model.was_last_asked_for<ChooseTool>());
-    EXPECT_TRUE(std::get<ChooseTool>(model.asked.back()).tool.get<EraseTool>());
+    ASSERT_TRUE(model.was_last_asked_for<view::ChooseTool>());
+    EXPECT_TRUE(std::get<view::ChooseTool>(model.asked.back()).tool.get<EraseTool>());
     press('C');
-    EXPECT_TRUE(std::get<ChooseTool>(model.asked.back()).tool.get<SelectTool>());
+    EXPECT_TRUE(std::get<view::ChooseTool>(model.asked.back()).tool.get<SelectTool>());
 }
 
 TEST_F(Shortcuts, PressedTwiceInAFrameTheFullScreenStaysOff)
@@ -111,7 +111,7 @@ TEST_F(Shortcuts, NothingThatIsPressedAfterwardsKeepsTheWindowOpen)
 TEST_F(Shortcuts, InTheCalibrationEscapeLeadsBack)
 {
     take_calibration_shortcut({ KeyPress::kEscape }, model, bench);
-    EXPECT_TRUE(model.was_last_asked_for<CloseCalibration>());
+    EXPECT_TRUE(model.was_last_asked_for<view::CloseCalibration>());
     EXPECT_FALSE(bench.wants_to_close);
     take_calibration_shortcut({ 'N' }, model, bench);
     EXPECT_EQ(model.asked.size(), 1u);
@@ -130,4 +130,4 @@ TEST(Status, BeginsWithACapitalUnlessItBeginsWithAName)
 
 } // namespace
 
-} // namespace tractus
+} // namespace tractus::window

@@ -4,13 +4,13 @@
 #include "app/view/window_model.h"
 #include "tests/app/render/small_mesh.h"
 
-namespace tractus {
+namespace tractus::window {
 
 // A drawing volume of 200 x 150 x 300 mm with its surface half way up, a stroke that rises through
 // the surface, the pen on the surface, and a skeleton of a trunk and two branches in two states.
-inline WindowState small_state()
+inline view::WindowState small_state()
 {
-    WindowState state;
+    view::WindowState state;
     state.volume_mm.add(Vec3(-100, -75, 0));
     state.volume_mm.add(Vec3(100, 75, 300));
     state.surface_height_mm = 150;
@@ -39,4 +39,4 @@ inline WindowState small_state()
     return state;
 }
 
-} // namespace tractus
+} // namespace tractus::window

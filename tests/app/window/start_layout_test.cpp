@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::window {
 
 using namespace layout_tests;
 
@@ -127,4 +127,4 @@ TEST_F(LayoutTest, PressesCardsByTheKeys)
     EXPECT_EQ(model.start->chosen[1], std::pair(std::size_t { 0 }, std::size_t { 0 }));
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -4,11 +4,11 @@
 #include "app/calibration/height_plots.h"
 #include "sim/simulated_person.h"
 
-namespace tractus {
+namespace tractus::window {
 
 // One calibration of a string potentiometer's heights, seven captures of which one slipped, that
 // stays as it is.
-class StillCalibration : public CalibrationModel {
+class StillCalibration : public calibration::CalibrationModel {
 public:
     StillCalibration()
     {
@@ -18,20 +18,20 @@ public:
         auto const fit = calib::fit_height(view_.captures).value();
         view_.residuals_mm = fit.residuals_mm;
         view_.slipped = fit.slipped;
-        view_.plots = height_plots(fit, view_.captures, 4095);
+        view_.plots = calibration::height_plots(fit, view_.captures, 4095);
         view_.reading = "2034.0 counts, noise 1.0, at rest";
         view_.message = "Press Keep to write the rig's file, or capture more heights.";
         view_.report = fit.reason;
         view_.may_keep = true;
     }
 
-    CalibrationView const& view() const override { return view_; }
-    void perform(CalibrationCommand const&) override { ++commands; }
+    calibration::CalibrationView const& view() const override { return view_; }
+    void perform(calibration::CalibrationCommand const&) override { ++commands; }
 
     int commands = 0;
 
 private:
-    CalibrationView view_;
+    calibration::CalibrationView view_;
 };
 
-} // namespace tractus
+} // namespace tractus::window

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::window {
 
 using namespace layout_tests;
 
@@ -15,7 +15,7 @@ TEST_F(LayoutTest, ShowsCardsOfToolsInTheWindow)
                 { size.width, size.height }, size.scale,
                 [&](Layout& layout, DrawingModel& model) {
                     Tool const tool(*find_tool_kind(all_methods().tools, word));
-                    model.perform(ChooseTool { tool });
+                    model.perform(view::ChooseTool { tool });
                     for (int i = 1; i <= 12; ++i)
                         model.add_card({ fmt::format("A card of a long name, {}", i), tool });
                     layout.bench().cards_are_shown = true;
@@ -40,7 +40,7 @@ TEST_F(LayoutTest, TakesACardIntoTheHand)
 {
     DrawingModel model;
     Tool const tool(*find_tool_kind(all_methods().tools, "sketch"));
-    model.perform(ChooseTool { tool });
+    model.perform(view::ChooseTool { tool });
     auto const second = ready_cards(tool)[1].tool;
     std::vector<Moment> moments { { { 0, 0 } }, { { 0, 0 } } };
     for (float y = 300; y < 420; y += 20) { // Wherever the second card of the first row is.
@@ -58,7 +58,7 @@ TEST_F(LayoutTest, TakesACardIntoTheHand)
 TEST_F(LayoutTest, DragsTheHandlesOfTheRule)
 {
     DrawingModel model;
-    model.perform(ChooseTool { Tool(*find_tool_kind(all_methods().tools, "sketch")) });
+    model.perform(view::ChooseTool { Tool(*find_tool_kind(all_methods().tools, "sketch")) });
     std::vector<Moment> drags { { { 0, 0 } }, { { 0, 0 } } };
     for (float x = 355; x < 560; x += 16)
         for (float y = 70; y < 280; y += 16) {
@@ -75,4 +75,4 @@ TEST_F(LayoutTest, DragsTheHandlesOfTheRule)
     EXPECT_EQ(model.touches, 0u);
 }
 
-} // namespace tractus
+} // namespace tractus::window

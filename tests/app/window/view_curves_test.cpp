@@ -7,17 +7,18 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
-bool starts_at(Curve const& curve, Vec3f const& position_mm)
+bool starts_at(render::Curve const& curve, Vec3f const& position_mm)
 {
     return curve.points.front().position_mm.isApprox(position_mm);
 }
 
 // A copy: g++ 14 takes a reference for one to the place.
-Curve find(std::vector<Curve> const& curves, Vec3f const& begin_mm, Curve::WidthUnit unit)
+render::Curve find(std::vector<render::Curve> const& curves, Vec3f const& begin_mm,
+                   render::Curve::WidthUnit unit)
 {
     auto const found = std::ranges::find_if(curves, [&](auto const& curve) {
         return curve.width_unit == unit && starts_at(curve, begin_mm);
@@ -41,7 +42,7 @@ TEST(PadCurves, HaveAGridAtTheSurface)
 TEST(PadCurves, FadeStrokesWithTheDepthBelowTheSurface)
 {
     auto const curves = pad_stroke_curves(small_state());
-    auto const stroke = find(curves, { -60, -40, 20 }, Curve::WidthUnit::Millimetres);
+    auto const stroke = find(curves, { -60, -40, 20 }, render::Curve::WidthUnit::Millimetres);
     EXPECT_TRUE(stroke.fades);
     EXPECT_EQ(stroke.points[0].color, theme::palette().stroke);
     EXPECT_EQ(stroke.points[0].width, 6);
@@ -54,7 +55,8 @@ TEST(PadCurves, ShowWhereTheEraserWasButNotAsInk)
 {
     auto state = small_state();
     auto const places = [&] {
-        return find(pad_live_curves(state), { 0, 30, 150 }, Curve::WidthUnit::Millimetres).points;
+        return find(pad_live_curves(state), { 0, 30, 150 }, render::Curve::WidthUnit::Millimetres)
+            .points;
     };
     EXPECT_EQ(places()[0].color, theme::palette().ink);
     state.live_ink[0].look = InkStyle::Look::Eraser;
@@ -66,13 +68,13 @@ TEST(PadCurves, DashWhatWasRefused)
 {
     auto state = small_state();
     auto const before = pad_live_curves(state).size();
-    RefusedStroke refused { .why = "nothing is selected" };
+    view::RefusedStroke refused { .why = "nothing is selected" };
     for (int i = 0; i <= 40; ++i)
         refused.ink.points.push_back({ { static_cast<float>(i), 50, 150 }, 5 });
     state.refused = refused;
     auto const dashed = pad_live_curves(state);
     ASSERT_EQ(dashed.size(), before + 5) << "40 mm in dashes and gaps of 4";
-    auto const first = find(dashed, { 0, 50, 150 }, Curve::WidthUnit::Pixels);
+    auto const first = find(dashed, { 0, 50, 150 }, render::Curve::WidthUnit::Pixels);
     EXPECT_TRUE(first.points.back().position_mm.isApprox(Vec3f(4, 50, 150)));
     EXPECT_NE(first.points[0].color, theme::palette().ink);
     state.hand = OutlineTool {}; // It draws on paper, where that stroke was not.
@@ -86,7 +88,7 @@ TEST(PadCurves, ShowTheBranchesThatTheInkWouldMove)
                         .width_mm = 15,
                         .state = SkeletonLine::State::Assigned } };
     auto const curves = pad_preview_curves(state);
-    auto const moved = find(curves, { 0, 0, 80 }, Curve::WidthUnit::Pixels);
+    auto const moved = find(curves, { 0, 0, 80 }, render::Curve::WidthUnit::Pixels);
     EXPECT_TRUE(moved.points.back().position_mm.isApprox(Vec3f(0, 40, 160)));
     EXPECT_EQ(preview_curves(state).front().points[0].color, theme::palette().assigned);
 }
@@ -94,7 +96,7 @@ TEST(PadCurves, ShowTheBranchesThatTheInkWouldMove)
 TEST(PadCurves, DropALineFromThePenToTheFloor)
 {
     auto const curves = pad_live_curves(small_state());
-    auto const drop = find(curves, { 40, 30, 150 }, Curve::WidthUnit::Pixels);
+    auto const drop = find(curves, { 40, 30, 150 }, render::Curve::WidthUnit::Pixels);
     EXPECT_EQ(drop.points.back().position_mm, Vec3f(40, 30, 0));
 }
 
@@ -109,14 +111,14 @@ TEST(PadCurves, LeaveThePenOutWhenItIsAway)
 TEST(PadCurves, PutTheSkeletonIntoTheVolume)
 {
     auto const curves = pad_skeleton_curves(small_state());
-    auto const branch = find(curves, { 0, 0, 80 }, Curve::WidthUnit::Pixels);
+    auto const branch = find(curves, { 0, 0, 80 }, render::Curve::WidthUnit::Pixels);
     EXPECT_TRUE(branch.points.back().position_mm.isApprox(Vec3f(-80, 0, 160)));
 }
 
 TEST(SkeletonCurves, ShowEachStateInItsColour)
 {
     auto const curves = skeleton_curves(small_state());
-    EXPECT_EQ(find(curves, { 0, 0, 0 }, Curve::WidthUnit::Pixels).points[0].color,
+    EXPECT_EQ(find(curves, { 0, 0, 0 }, render::Curve::WidthUnit::Pixels).points[0].color,
               theme::palette().unselected);
     auto const colored = [&](Vec3f const& color) {
         return std::ranges::count_if(
@@ -136,8 +138,8 @@ TEST(SkeletonCurves, ShowEachStateInItsColour)
 TEST(SkeletonCurves, DrawIndicatorsAsArrows)
 {
     auto const curves = skeleton_curves(small_state());
-    auto const arrow = find(curves, { -150, 0, 60 }, Curve::WidthUnit::Pixels);
-    EXPECT_EQ(arrow.end, Curve::End::Arrow);
+    auto const arrow = find(curves, { -150, 0, 60 }, render::Curve::WidthUnit::Pixels);
+    EXPECT_EQ(arrow.end, render::Curve::End::Arrow);
     EXPECT_EQ(arrow.points[0].color, theme::palette().indicator);
 }
 
@@ -177,4 +179,4 @@ TEST(PadCurves, LayTheSheetOnTheSurfaceForToolsThatDrawOnPaper)
         << "what is nearer to the user is nearer to the eye";
 }
 
-} // namespace tractus
+} // namespace tractus::window

@@ -8,15 +8,15 @@
 #include <filesystem>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::window {
 
 namespace {
 
 // Shows one state and counts what the window asks of it.
-class StillModel : public WindowModel {
+class StillModel : public view::WindowModel {
 public:
     explicit StillModel(std::string trouble = {})
-        : mesh_(post_with_leaves())
+        : mesh_(render::post_with_leaves())
     {
         state_ = small_state();
         state_.trouble = std::move(trouble);
@@ -29,8 +29,8 @@ public:
         ++steps;
         time += real_step;
     }
-    WindowState const& state() const override { return state_; }
-    void perform(WindowCommand const&) override { ++commands; }
+    view::WindowState const& state() const override { return state_; }
+    void perform(view::WindowCommand const&) override { ++commands; }
 
     int steps = 0;
     Duration time {};
@@ -38,7 +38,7 @@ public:
 
 private:
     mesh::Mesh mesh_;
-    WindowState state_;
+    view::WindowState state_;
 };
 
 struct Part {
@@ -49,9 +49,9 @@ struct Part {
 };
 
 // How many pixels of the part are within 12 levels of a colour.
-int colored(Image const& picture, Part const& part, Vec3f const& srgb)
+int colored(render::Image const& picture, Part const& part, Vec3f const& srgb)
 {
-    auto const wanted = color_from(srgb);
+    auto const wanted = render::color_from(srgb);
     auto const near = [](std::uint8_t a, std::uint8_t b) { return std::abs(a - b) <= 12; };
     int count = 0;
     for (int y = part.top; y < part.bottom; ++y)
@@ -74,7 +74,7 @@ protected:
     }
     void TearDown() override { std::filesystem::remove(path_); }
 
-    Image last_frame(StillModel& model, bool is_light = false)
+    render::Image last_frame(StillModel& model, bool is_light = false)
     {
         WindowOptions const options { .width = 1500,
                                       .height = 800,
@@ -87,7 +87,7 @@ protected:
             return {};
         }
         auto const bytes = read_file(path_);
-        return bytes ? read_png(*bytes) : Image();
+        return bytes ? render::read_png(*bytes) : render::Image();
     }
 
     std::filesystem::path path_;
@@ -180,4 +180,4 @@ TEST_F(WindowTest, SaysWhatToDoWhereThereIsNoDisplay)
     EXPECT_NE(result.error().message.find("tractus demo -o DIR"), std::string::npos);
 }
 
-} // namespace tractus
+} // namespace tractus::window

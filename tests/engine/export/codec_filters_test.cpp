@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 // What a reader makes of filtered numbers.
@@ -111,4 +111,4 @@ TEST(CodecFilters, TakeNothing)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

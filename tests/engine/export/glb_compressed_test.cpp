@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 using Vertices = GlbOptions::Vertices;
@@ -257,4 +257,4 @@ TEST(CompressedGlb, IsReadSafelyWhereItIsDamaged)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

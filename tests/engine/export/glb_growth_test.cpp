@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 constexpr std::size_t kAges = 5;
@@ -60,9 +60,10 @@ protected:
         return values;
     }
 
-    static constexpr PlantKey kKey { 1, 0 };
-    GrowthPlan plan_ = plan_of(mesh::sample_tree(1), { .sag = 2 }, { 0.5, 0, 0 });
-    Grower grower_ { plan_ };
+    static constexpr variation::PlantKey kKey { 1, 0 };
+    variation::GrowthPlan plan_
+        = variation::plan_of(mesh::sample_tree(1), { .sag = 2 }, { 0.5, 0, 0 });
+    variation::Grower grower_ { plan_ };
     Plant whole_ = grower_.grow(kKey);
     mesh::AgedMesh mesh_ { whole_ };
     GrowthFilm film_;
@@ -142,7 +143,7 @@ TEST_F(GlbGrowth, LooksAtEachAgeAsTheYoungPlantItselfDoes)
         for (auto const& surface : vertices)
             for (auto const& position : surface.positions_mm)
                 box.add(position.cast<double>());
-        Plant const alone = without_unborn(young);
+        Plant const alone = variation::without_unborn(young);
         Bounds expected; // Bounds of its own mesh, leaves as triangles, too.
         mesh::AgedMesh const own(alone);
         for (auto const& surface : own.whole().surfaces)
@@ -180,8 +181,9 @@ TEST_F(GlbGrowth, GoesEvenlyFromAgeToAge)
 
 TEST_F(GlbGrowth, TakesNoBytesForNormalsThatDoNotTurn)
 {
-    auto const plan = plan_of(mesh::sample_tree(1), {}); // No weight: what stands, stands.
-    Grower grower(plan);
+    auto const plan
+        = variation::plan_of(mesh::sample_tree(1), {}); // No weight: what stands, stands.
+    variation::Grower grower(plan);
     Plant const whole = grower.grow(kKey);
     mesh::AgedMesh const mesh(whole);
     film_.mesh = &mesh;
@@ -234,4 +236,4 @@ TEST_F(GlbGrowth, RefusesACoordinateThatIsNotFinite)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 void append_u32(std::string& bytes, std::size_t value)
@@ -122,4 +122,4 @@ TEST(GlbLines, AnyBytesAreSafe)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

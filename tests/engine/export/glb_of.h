@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-namespace tractus {
+namespace tractus::exports {
 
 inline GlbOptions const kInstanced { .organs = GlbOptions::Organs::Instanced };
 
@@ -38,4 +38,4 @@ inline nlohmann::json json_of(std::string const& glb)
     return nlohmann::json::parse(glb.substr(20, size));
 }
 
-} // namespace tractus
+} // namespace tractus::exports

@@ -9,7 +9,7 @@
 #include <rapidcheck/gtest.h>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 // Makes the same cases each time, unless the environment says otherwise.
@@ -121,4 +121,4 @@ RC_GTEST_PROP(GlbProperties, QuantizedVerticesAreNearTheRealOnes, ())
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

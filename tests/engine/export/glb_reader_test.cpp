@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 // A file of a JSON text and no binary part.
@@ -297,4 +297,4 @@ TEST(GlbReader, SurvivesDamagedFiles)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

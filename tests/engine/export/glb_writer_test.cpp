@@ -14,7 +14,7 @@
 #include <set>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 std::uint32_t u32_at(std::string const& bytes, std::size_t offset)
@@ -524,4 +524,4 @@ TEST(GlbWriter, RefusesACoordinateThatIsNotFinite)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

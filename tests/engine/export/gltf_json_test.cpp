@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 TEST(GltfJson, FloatsAreWrittenWithTheDigitsOfFloats)
@@ -74,4 +74,4 @@ TEST(GltfJson, ADocumentNamesItsExtensionsNodesAndBuffer)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

@@ -7,7 +7,7 @@
 #include <rapidcheck/gtest.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 std::span<std::byte const> bytes_of(auto const& numbers)
@@ -150,4 +150,4 @@ TEST(MeshCodec, SaysWhatCannotBe)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 struct ObjCounts {
@@ -126,4 +126,4 @@ TEST(ObjWriter, SaysThatTheStreamFailed)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 std::string glb_of(std::vector<Stroke> const& strokes)
@@ -84,4 +84,4 @@ TEST(StrokeGlb, RefusesATipThatIsNowhere)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

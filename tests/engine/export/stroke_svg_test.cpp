@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 std::string svg_of(std::vector<Stroke> const& strokes, StrokeView view)
@@ -57,4 +57,4 @@ TEST(StrokeSvg, SaysThatTheDiskIsFull)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 // A square of side 1 that faces up; its texture is as a picture lies on it, the first row at the
@@ -81,4 +81,4 @@ TEST(Tangents, RunRoundATube)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 std::uint32_t u32_be_at(std::string const& bytes, std::size_t offset)
@@ -83,4 +83,4 @@ TEST(Texture, WritesAPngThatUnpacksToItsPixels)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports

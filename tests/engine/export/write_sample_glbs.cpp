@@ -15,7 +15,7 @@
 #include <functional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::exports {
 namespace {
 
 // A little of everything: each kind of organ and material, polygons, no radius, sharp turns.
@@ -92,8 +92,8 @@ std::string counts_line(std::string_view file, std::size_t plants, std::uint64_t
 // A tree as it grows, in wind and with weight.
 Result<void> write_growth(std::filesystem::path const& path, std::string& counts)
 {
-    auto const plan = plan_of(mesh::sample_tree(4), { .sag = 2 }, { 0.5, 0, 0 });
-    Grower grower(plan);
+    auto const plan = variation::plan_of(mesh::sample_tree(4), { .sag = 2 }, { 0.5, 0, 0 });
+    variation::Grower grower(plan);
     Plant const whole = grower.grow({ 1, 0 });
     mesh::AgedMesh const mesh(whole);
     GrowthFilm film { .name = "grows", .mesh = &mesh, .ages = { 0.25, 0.5, 0.75, 1 } };
@@ -200,7 +200,7 @@ Result<void> write_samples(std::filesystem::path const& folder)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::exports
 
 int main(int argument_count, char** arguments)
 {
@@ -208,7 +208,7 @@ int main(int argument_count, char** arguments)
         fmt::print(stderr, "usage: write_sample_glbs FOLDER\n");
         return 2;
     }
-    auto const result = tractus::write_samples(arguments[1]);
+    auto const result = tractus::exports::write_samples(arguments[1]);
     if (!result)
         fmt::print(stderr, "error: {}\n", result.error().message);
     return result ? 0 : 1;

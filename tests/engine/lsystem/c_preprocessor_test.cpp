@@ -18,7 +18,7 @@
 
 // Random programs of C's preprocessor, against what gcc makes of them.
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 constexpr int kProgramCount = 600;
@@ -382,4 +382,4 @@ TEST(CPreprocessor, ReadsWhatIsRareAsGcc)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

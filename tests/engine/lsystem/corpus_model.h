@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Compiles FOLDER/NAME.l with the view beside it; `view` when that has another name.
 inline Result<Model> compile_file(std::filesystem::path const& path, std::string const& view = {})
@@ -25,4 +25,4 @@ inline Result<Model> compile_file(std::filesystem::path const& path, std::string
     });
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -14,7 +14,7 @@
 #include <set>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 nlohmann::json read_json(std::filesystem::path const& path)
@@ -336,4 +336,4 @@ TEST(CountedSystems, AreAllCompared)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

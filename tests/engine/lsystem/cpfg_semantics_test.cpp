@@ -6,7 +6,7 @@
 #include <tbb/global_control.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 // Derives with the table of contexts, and without it: a rule with a parameter that never applies
@@ -111,4 +111,4 @@ TEST(LocalVariables, AreWarnedOfWhereTheyAreUsedBeforeTheyAreSet)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

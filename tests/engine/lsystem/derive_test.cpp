@@ -6,7 +6,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 TEST(Rules, ApplyInParallel)
@@ -249,4 +249,4 @@ TEST(Counts, JoinTheTurtlesLongSymbols)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 // Modules ?E of five parameters at places.
@@ -240,4 +240,4 @@ TEST(Environments, SayWhichThereAre)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 // A model that uses most of the language.
@@ -182,4 +182,4 @@ TEST(HostileModels, CannotIncludeWithoutEnd)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 // Contents of a rule, an L-system and a model, without their form. Parameters of successors are
@@ -338,4 +338,4 @@ RC_GTEST_PROP(LanguageProperty, ExpressionsKeepTheirTree, ())
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 // Two leaves: a triangle, and one twice as long. `size` is that of the pictures' files.
@@ -172,4 +172,4 @@ TEST(LeafSheet, SaysInItsNameHowFarAgesAreSpread)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 // A limit of time that has passed when it is asked for the third time: no test looks at a clock.
@@ -203,4 +203,4 @@ TEST(MemoryLimit, CountsRulesThatRewriteEachOthersModules)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 TEST(ModelErrors, NameTheLineAndColumn)
@@ -248,4 +248,4 @@ TEST(Messages, EscapeWhatIsNoText)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

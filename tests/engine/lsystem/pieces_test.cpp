@@ -10,7 +10,7 @@
 
 // However a string is cut, and on any number of threads, it draws the same plant.
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 std::string text(Vec3 const& v)
@@ -250,4 +250,4 @@ TEST(Pieces, KeepTheOrderOfGlobalVariables)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

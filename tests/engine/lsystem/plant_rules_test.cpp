@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 // Rows of segments, whatever their order: from, to, the radius at the base and at an axis' tip.
@@ -68,4 +68,4 @@ TEST(PlantRules, DrawNothingOfNothing)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 // The text that a parser reads, without blanks and empty lines.
@@ -325,4 +325,4 @@ TEST(Preprocessor, BoundsWhatHostileMacrosCost)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -9,7 +9,7 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 // Makes the same cases each time, unless the environment says otherwise.
@@ -328,4 +328,4 @@ TEST(LSystemThreads, GlobalVariablesKeepTheOrderOfModules)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 std::vector<float> parameters_of(std::string const& axiom_and_rules, int steps = 0)
@@ -309,4 +309,4 @@ TEST(KeptCuts, KeepWhatBranchesOfTheCutOnesKeep)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

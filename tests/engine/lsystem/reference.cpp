@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 ReferenceRewriter::ReferenceRewriter(Model const& model, std::uint64_t seed)
     : model_(model)
@@ -319,4 +319,4 @@ std::vector<ReferenceSegment> draw_reference(Model const& model, ReferenceString
     return segments;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

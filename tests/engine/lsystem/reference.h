@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // What the language means, written as short as it can be: no tables, no indices, no pieces, one
 // module after the other. The program's fast ways are held against it. Compiled programs are run by
@@ -69,4 +69,4 @@ struct ReferenceSegment {
 std::vector<ReferenceSegment> draw_reference(Model const& model, ReferenceString const& string,
                                              double angle_deg, double width);
 
-} // namespace tractus
+} // namespace tractus::lsystem

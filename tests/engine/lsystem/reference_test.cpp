@@ -11,7 +11,7 @@
 
 // Every way in which the program rewrites and draws, against one that is as short as it can be.
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -196,4 +196,4 @@ RC_GTEST_PROP(Reference, SegmentsAgree, ())
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // SHA-256 (FIPS 180-4) as hexadecimal digits, to compare strings that are too long to keep.
 inline std::string sha256(std::string message)
@@ -71,4 +71,4 @@ inline std::string sha256(std::string message)
     return result;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 Contour contour(std::string const& text)
@@ -264,4 +264,4 @@ TEST(PublishedShapes, AreRead)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Compiles rules that are right.
 inline Model compiled(std::string const& rules, std::string const& view = {})
@@ -64,4 +64,4 @@ inline Plant drawn(std::string const& axiom, std::string const& view = {})
     return *std::move(plant);
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

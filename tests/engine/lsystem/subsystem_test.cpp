@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 // A main L-system and one sub-L-system, number 2.
@@ -186,4 +186,4 @@ TEST(Subsystems, PrintWhatTheirHomomorphismsPrint)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 // A row's symbols stand before one more F of length 1, whose tip is `tip`: so it shows where the
@@ -192,4 +192,4 @@ TEST(TurtleSymbols, AreLeftOutWithOneSentence)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 Vec3 tip(Plant const& plant)
@@ -532,4 +532,4 @@ TEST(Turtle, TwistsCylindersWhereTheViewSaysSo)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

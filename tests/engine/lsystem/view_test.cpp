@@ -5,7 +5,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::lsystem {
 namespace {
 
 View parsed(std::string const& text)
@@ -229,4 +229,4 @@ TEST(View, ReadsCurves)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lsystem

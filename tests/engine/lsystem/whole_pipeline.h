@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::lsystem {
 
 // Everything that can be done with text that may be a model, under small limits. Zero bytes divide
 // rules, view and, in any files that these name, what stands there; without it that is a function.
@@ -48,4 +48,4 @@ inline bool run_whole_pipeline(std::string_view text)
     return true;
 }
 
-} // namespace tractus
+} // namespace tractus::lsystem

@@ -11,8 +11,9 @@ namespace {
 
 TEST(BranchAddress, FindsEverySegmentAgain)
 {
-    auto plant = forking_tree(5, 3);
-    add_axis(plant, straight({ 900, 0, 0 }, { 900, 0, 100 }, 4)); // A second stem.
+    auto plant = variation::forking_tree(5, 3);
+    variation::add_axis(plant,
+                        variation::straight({ 900, 0, 0 }, { 900, 0, 100 }, 4)); // A second stem.
     AddressIndex const index(plant);
     for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
         EXPECT_EQ(index.find_segment(plant, index.address_of(plant, segment)),
@@ -21,7 +22,7 @@ TEST(BranchAddress, FindsEverySegmentAgain)
 
 TEST(BranchAddress, SaysTheWayFromTheRoot)
 {
-    auto const plant = hand_made_plant();
+    auto const plant = variation::hand_made_plant();
     AddressIndex const index(plant);
     EXPECT_EQ(index.address_of(plant, 3), (SegmentAddress { 0, 3 }));
     EXPECT_EQ(index.address_of(plant, 8), (SegmentAddress { 0, 1, 0, 0, 0, 1 }));
@@ -31,19 +32,21 @@ TEST(BranchAddress, SaysTheWayFromTheRoot)
 
 TEST(BranchAddress, HoldsWhenThePlantChangesElsewhere)
 {
-    auto const plant = hand_made_plant();
+    auto const plant = variation::hand_made_plant();
     std::vector<SegmentId> const path { 1, 4, 7, 8 };
     auto const address = AddressIndex(plant).address_of(plant, path);
 
     // A copy with a new branch low on the trunk, so that all numbers change.
     Plant changed;
-    auto const trunk = add_axis(changed, straight({ 0, 0, 0 }, { 0, 0, 400 }, 4));
-    add_axis(changed, straight({ 0, 0, 100 }, { 0, 90, 100 }, 5), trunk, 0);
-    auto const right = add_axis(changed, straight({ 0, 0, 200 }, { 150, 0, 200 }, 3), trunk, 1);
+    auto const trunk
+        = variation::add_axis(changed, variation::straight({ 0, 0, 0 }, { 0, 0, 400 }, 4));
+    variation::add_axis(changed, variation::straight({ 0, 0, 100 }, { 0, 90, 100 }, 5), trunk, 0);
+    auto const right = variation::add_axis(
+        changed, variation::straight({ 0, 0, 200 }, { 150, 0, 200 }, 3), trunk, 1);
     EXPECT_EQ(PlantAddresses(changed).find_path(changed, address),
               std::nullopt); // The twig is not there yet.
-    add_axis(changed, straight({ 50, 0, 200 }, { 50, 0, 260 }, 2), right,
-             changed.axes[right].first_segment);
+    variation::add_axis(changed, variation::straight({ 50, 0, 200 }, { 50, 0, 260 }, 2), right,
+                        changed.axes[right].first_segment);
     EXPECT_EQ(PlantAddresses(changed).find_path(changed, address),
               (std::vector<SegmentId> { 1, 9, 12, 13 }));
 }
@@ -51,7 +54,7 @@ TEST(BranchAddress, HoldsWhenThePlantChangesElsewhere)
 // A branch with a key is found wherever it stands and however many segments it has.
 TEST(BranchAddress, FollowsTheKeyOfAnAxis)
 {
-    auto const plant = hand_made_plant();
+    auto const plant = variation::hand_made_plant();
     std::vector<SegmentId> const path { 4, 5, 6 };
     AxisKeys keys(plant.axes.size(), 0);
     keys[axis_of(plant, 4)] = axis_key("right");
@@ -64,9 +67,11 @@ TEST(BranchAddress, FollowsTheKeyOfAnAxis)
                   std::optional(segment));
 
     Plant changed;
-    auto const trunk = add_axis(changed, straight({ 0, 0, 0 }, { 0, 0, 400 }, 9));
-    add_axis(changed, straight({ 0, 0, 100 }, { 0, 90, 100 }, 5), trunk, 0);
-    auto const right = add_axis(changed, straight({ 0, 0, 300 }, { 150, 0, 200 }, 7), trunk, 6);
+    auto const trunk
+        = variation::add_axis(changed, variation::straight({ 0, 0, 0 }, { 0, 0, 400 }, 9));
+    variation::add_axis(changed, variation::straight({ 0, 0, 100 }, { 0, 90, 100 }, 5), trunk, 0);
+    auto const right = variation::add_axis(
+        changed, variation::straight({ 0, 0, 300 }, { 150, 0, 200 }, 7), trunk, 6);
     AxisKeys changed_keys(changed.axes.size(), 0);
     changed_keys[right] = axis_key("right");
     auto const first = changed.axes[right].first_segment;
@@ -83,7 +88,7 @@ TEST(BranchAddress, FollowsTheKeyOfAnAxis)
 TEST(BranchAddress, FindsNothingOnAnEmptyPlantOrByAnEmptyAddress)
 {
     EXPECT_EQ(AddressIndex().find_segment({}, { 0, 0 }), std::nullopt);
-    auto const plant = hand_made_plant();
+    auto const plant = variation::hand_made_plant();
     AddressIndex const index(plant);
     EXPECT_EQ(index.find_segment(plant, {}), std::nullopt);
     EXPECT_EQ(index.find_segment(plant, { 0, 99 }), std::nullopt);

@@ -25,7 +25,7 @@ std::vector<SkeletonPiece> pieces_of(Plant const& plant)
 
 TEST(SkeletonLines, BecomeThePlantThatTheyWereTakenFrom)
 {
-    auto const plant = hand_made_plant();
+    auto const plant = variation::hand_made_plant();
     auto const found = plant_from_lines("x", pieces_of(plant));
     ASSERT_TRUE(found) << found.error().message;
     check_plant(*found);
@@ -44,7 +44,7 @@ TEST(SkeletonLines, BecomeThePlantThatTheyWereTakenFrom)
 
 TEST(SkeletonLines, OfALargeTreeAreJoinedWithinTheTolerance)
 {
-    auto const plant = forking_tree(10, 4);
+    auto const plant = variation::forking_tree(10, 4);
     auto pieces = pieces_of(plant);
     for (std::size_t i = 0; i < pieces.size(); ++i)
         pieces[i].to_mm += 0.01 * Vec3(i % 2 ? 1 : -1, i % 3 ? 1 : -1, 0);

@@ -81,9 +81,10 @@ TEST(SelectionView, ShowsAllOfASparsePlantAndTheFirstOrderOfADenseOne)
     EXPECT_EQ(fit_selection_view(bushy_plant(40)).max_order, 1u);
     EXPECT_EQ(fit_selection_view(bushy_plant(100)).max_order, 1u);
     auto const dense = bushy_plant(100);
-    EXPECT_EQ(
-        ProjectedSkeleton(dense, skeleton_projection(fit_selection_view(dense))).lines().size(),
-        101u);
+    EXPECT_EQ(variation::ProjectedSkeleton(dense, skeleton_projection(fit_selection_view(dense)))
+                  .lines()
+                  .size(),
+              101u);
 }
 
 TEST(SelectionView, ProjectsAsItShows)

@@ -49,7 +49,7 @@ Plant plant_of(Scene scene)
 {
     scene.growth.parameters.strength = 0;
     auto const plan = plan_growth(scene).value();
-    return Grower(plan).grow({});
+    return variation::Grower(plan).grow({});
 }
 
 TEST(DrawnEdits, AStrokeIsOrphanedWithItsBranchAndFoundAgain)
@@ -179,7 +179,8 @@ TEST(DrawnEdits, ErasingRefusesToLeaveWhatShapesNothing)
     for (double const x : { 0.0, 10.0, 20.0, 10.0, 0.0, -10.0 })
         loop.tips.push_back({ .position_mm = { x, std::abs(x - 5), 0 }, .touching = true });
     loop.tips.own()[4].position_mm = loop.tips[0].position_mm;
-    auto const by_chord = after({ Associate { .stroke = loop, .fit = StrokeFit::Chord } }, scene);
+    auto const by_chord
+        = after({ Associate { .stroke = loop, .fit = variation::StrokeFit::Chord } }, scene);
     EXPECT_FALSE(apply_edit(by_chord, EraseTips { numbered({ 1 }), { { 5, 5 } } }));
     EXPECT_TRUE(apply_edit(by_chord, EraseTips { numbered({ 1 }), { { 4, 5 } } }));
 }

@@ -28,9 +28,9 @@ Plant small_plant()
     return plant;
 }
 
-LeafSheet small_sheet()
+lsystem::LeafSheet small_sheet()
 {
-    LeafSheet sheet;
+    lsystem::LeafSheet sheet;
     for (int i = 0; i < 4; ++i)
         sheet.leaves.push_back(std::make_shared<CutLeaf const>(
             CutLeaf { .corners = { { 0, -0.2 }, { 0.3, 0.5 }, { 0, 1 }, { -0.3, 0.5 } },
@@ -38,8 +38,8 @@ LeafSheet small_sheet()
                       .sheet = "ours 4 0.5.leaf-sheet",
                       .number = i }));
     sheet.mean_color = { 0.1f, 0.9f, 0.2f };
-    sheet.color = leaf_page("\x89PNG\r\n\x1a\ncolor");
-    sheet.normal = leaf_page("\x89PNG\r\n\x1a\nnormal");
+    sheet.color = lsystem::leaf_page("\x89PNG\r\n\x1a\ncolor");
+    sheet.normal = lsystem::leaf_page("\x89PNG\r\n\x1a\nnormal");
     return sheet;
 }
 
@@ -87,7 +87,7 @@ TEST(DressPlant, IsAnEditOfOnePlantThatAnotherModelEnds)
     EXPECT_FALSE(apply_edit(scene, DressPlant { plant, "ours 4 0.5.leaf-sheet" }))
         << "the document keeps none";
     EXPECT_FALSE(apply_edit(scene, DressPlant { 77, "" }));
-    auto const sheet = print_leaf_sheet(small_sheet());
+    auto const sheet = lsystem::print_leaf_sheet(small_sheet());
     auto const edits = std::vector<Edit> { KeepLeaves { "ours 4 0.5.leaf-sheet", sheet },
                                            DressPlant { plant, "ours 4 0.5.leaf-sheet" } };
     auto const after = apply_edits(scene, edits).value();

@@ -41,7 +41,7 @@ Vec3 tip_of(Plant const& plant, SegmentId segment)
 
 Associate bend()
 {
-    return { .stroke = stroke_towards({ 40, 0, 0 }), .fit = StrokeFit::World };
+    return { .stroke = stroke_towards({ 40, 0, 0 }), .fit = variation::StrokeFit::World };
 }
 
 TEST(Grafts, APlantBecomesPartOfAnother)
@@ -83,7 +83,7 @@ TEST(Grafts, FollowWhatBearsThem)
     scene = after({ select_paths(scene, { segments_of(trunk) }), bend() }, scene);
     auto const plan = plan_growth(scene);
     ASSERT_TRUE(plan);
-    Grower grower(*plan);
+    variation::Grower grower(*plan);
     auto const& grown = grower.grow({ 1, 0 }, 1);
     EXPECT_GT(tip_of(grown, 3).x(), 5) << "the trunk is bent";
     EXPECT_TRUE(grown.positions(grown.axes[4])[0].isApprox(tip_of(grown, 3), 1e-9));
@@ -179,8 +179,8 @@ TEST(HiddenBranches, AreKeptWithWhatWasDrawnOnThem)
 {
     auto scene = after({ SetScale { 1 }, tree() });
     auto const host = scene.state.active;
-    auto const paths
-        = Selection { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) };
+    auto const paths = variation::Selection { segments_of(scene.base->axes[1]),
+                                              segments_of(scene.base->axes[2]) };
     scene = after({ select_paths(scene, paths), bend() }, scene);
     auto const at = scene.rest->addresses.address_of(*scene.base, paths[0].front());
     auto const hidden = after({ HideBranch { host, at } }, scene);

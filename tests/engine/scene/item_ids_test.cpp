@@ -16,9 +16,9 @@ LoadModel trunk_with_branches(std::string const& below = "")
              .drawn = Drawn::Keep };
 }
 
-Selection axes_of(Plant const& plant, std::initializer_list<std::size_t> axes)
+variation::Selection axes_of(Plant const& plant, std::initializer_list<std::size_t> axes)
 {
-    Selection paths;
+    variation::Selection paths;
     for (auto const axis : axes)
         paths.push_back(segments_of(plant.axes[axis]));
     return paths;

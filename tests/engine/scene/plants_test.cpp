@@ -98,11 +98,11 @@ TEST(Plants, GrowAlikeWhereverTheyStand)
     auto const indicator = [](Vec3 const& moved_mm) {
         return Indicate { { .start_mm = moved_mm,
                             .end_mm = Vec3(60, 0, 90) + moved_mm,
-                            .kind = MotionIndicator::Kind::Light } };
+                            .kind = variation::MotionIndicator::Kind::Light } };
     };
     auto const grown = [](Scene const& scene) {
         auto const plan = plan_growth(scene).value();
-        return Grower(plan).grow({}).node_position_mm;
+        return variation::Grower(plan).grow({}).node_position_mm;
     };
     auto const here = after({ model(6), indicator(Vec3::Zero()) });
     auto const there = after({ model(6, Drawn::Beside, there_mm), indicator(there_mm) });

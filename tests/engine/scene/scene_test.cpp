@@ -31,7 +31,7 @@ Stroke bent_stroke()
     return stroke;
 }
 
-Selection trunk(Scene const& scene)
+variation::Selection trunk(Scene const& scene)
 {
     return { segments_of(scene.base->axes[0]) };
 }
@@ -118,7 +118,7 @@ TEST(Scene, GrowsTheDrawnShapeWithoutNoise)
     auto const scene = fold(edits).value();
     auto const plan = plan_growth(scene);
     ASSERT_TRUE(plan) << plan.error().message;
-    Grower grower(*plan);
+    variation::Grower grower(*plan);
     auto const& plant = grower.grow({ 1, 0 });
     check_plant(plant);
     // The trunk leans to the right now, and is as long as it was.
@@ -132,20 +132,21 @@ TEST(Scene, KnowsTheStrokesThatStillShapeSomething)
     auto const loaded = apply_edit({}, small_model()).value();
     Edit const select = Select { trunk(loaded) };
     Edit const stroke = Associate { bent_stroke() };
-    Edit const on_branches = Associate { bent_stroke(), Propagation::Descendants };
+    Edit const on_branches = Associate { bent_stroke(), variation::Propagation::Descendants };
     auto const straight
         = Associate { { { { .position_mm = { 0, 0, 0 } }, { .position_mm = { 0, 0, 90 } } } } };
     std::vector<Edit> edits { small_model(), select, straight, on_branches, stroke };
     auto const scene = fold(edits).value();
     auto const shaping = shaping_associations(scene);
     ASSERT_EQ(shaping.size(), 2u);
-    EXPECT_EQ(shaping[0].propagation, Propagation::Descendants);
-    EXPECT_EQ(shaping[1].propagation, Propagation::Selected);
-    std::vector<Association> all;
+    EXPECT_EQ(shaping[0].propagation, variation::Propagation::Descendants);
+    EXPECT_EQ(shaping[1].propagation, variation::Propagation::Selected);
+    std::vector<variation::Association> all;
     for (auto const& association : scene.associations)
         all.push_back(association.what);
-    auto const of_all = resolve_associations(*scene.base, *scene.rest, all).value();
-    auto const of_shaping = resolve_associations(*scene.base, *scene.rest, shaping).value();
+    auto const of_all = variation::resolve_associations(*scene.base, *scene.rest, all).value();
+    auto const of_shaping
+        = variation::resolve_associations(*scene.base, *scene.rest, shaping).value();
     for (std::size_t i = 0; i < of_all.frame.size(); ++i)
         EXPECT_EQ(of_shaping.frame[i].coeffs(), of_all.frame[i].coeffs()) << i;
 }

@@ -173,12 +173,12 @@ TEST(Season, IsTheSameTwice)
     }
 }
 
-std::shared_ptr<LeafSheet const> sheet_of(std::string const& name, double length)
+std::shared_ptr<lsystem::LeafSheet const> sheet_of(std::string const& name, double length)
 {
-    auto sheet = std::make_shared<LeafSheet>();
+    auto sheet = std::make_shared<lsystem::LeafSheet>();
     sheet->mean_color = { 0.8f, 0.6f, 0.2f };
-    sheet->color = leaf_page("\x89PNG");
-    sheet->normal = leaf_page("\x89PNG");
+    sheet->color = lsystem::leaf_page("\x89PNG");
+    sheet->normal = lsystem::leaf_page("\x89PNG");
     sheet->leaves.push_back(std::make_shared<CutLeaf const>(
         CutLeaf { .corners = { { 0, 0 }, { 0.3, 0.5 }, { 0, length } },
                   .triangles = { { 0, 1, 2 } },
@@ -194,7 +194,7 @@ TEST(Season, TakesGrownLeavesOfItsAge)
     Season const autumn { 10.4 };
     auto const missing = missing_leaves(plant, autumn, {});
     ASSERT_EQ(missing.size(), 1u);
-    auto const order = parse_leaf_sheet_name(*missing.begin());
+    auto const order = lsystem::parse_leaf_sheet_name(*missing.begin());
     ASSERT_TRUE(order);
     EXPECT_EQ(order->grammar, "birch");
     EXPECT_EQ(order->variants, 1);
@@ -220,20 +220,20 @@ TEST(Season, TakesGrownLeavesOfItsAge)
 
 TEST(LeafAge, IsSpreadAboutTheOrders)
 {
-    LeafOrder const order { .variants = 64, .age = 0.5, .spread = 0.08 };
+    lsystem::LeafOrder const order { .variants = 64, .age = 0.5, .spread = 0.08 };
     double sum = 0;
     double squares = 0;
     for (int i = 0; i < order.variants; ++i) {
-        double const off = leaf_age(order, i) - order.age;
+        double const off = lsystem::leaf_age(order, i) - order.age;
         sum += off;
         squares += off * off;
-        LeafOrder const later { .variants = 64, .age = 0.6, .spread = 0.08 };
-        EXPECT_NEAR(leaf_age(later, i) - later.age, off, 1e-12);
+        lsystem::LeafOrder const later { .variants = 64, .age = 0.6, .spread = 0.08 };
+        EXPECT_NEAR(lsystem::leaf_age(later, i) - later.age, off, 1e-12);
     }
     EXPECT_NEAR(sum / order.variants, 0, 0.01);
     EXPECT_NEAR(std::sqrt(squares / order.variants), 0.08, 0.01);
-    EXPECT_EQ(leaf_age({ .age = 0.5 }, 7), 0.5);
-    EXPECT_LE(leaf_age({ .age = 1, .spread = 0.5 }, 3), 1);
+    EXPECT_EQ(lsystem::leaf_age({ .age = 0.5 }, 7), 0.5);
+    EXPECT_LE(lsystem::leaf_age({ .age = 1, .spread = 0.5 }, 3), 1);
 }
 
 Scene with_leaves()

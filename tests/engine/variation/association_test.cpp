@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 // A quarter circle that starts upwards and ends to the right.
@@ -291,4 +291,4 @@ TEST(Association, APlantWithSegmentsWithoutLengthSurvives)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

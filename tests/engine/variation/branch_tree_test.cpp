@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 using Path = std::vector<SegmentId>;
@@ -78,4 +78,4 @@ TEST(BranchTree, OfAnEmptyPlantIsEmpty)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 // Nodes in a row, each moved by `offset`.
@@ -52,4 +52,4 @@ TEST(Diversity, OfNoneOrOneHasNoSpread)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

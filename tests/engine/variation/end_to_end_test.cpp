@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 // A pen over the front of `plant`, up from `from` to `to`.
@@ -76,4 +76,4 @@ TEST(EndToEnd, StrokesThatPeopleDrewBendAPlant)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

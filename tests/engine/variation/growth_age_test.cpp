@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 GrowthParameters lively()
@@ -205,4 +205,4 @@ TEST(WithoutUnborn, KeepsWhoBearsWhom)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

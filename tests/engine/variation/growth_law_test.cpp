@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 // Covariance of (d, x) after a step from a state of covariance `before`.
@@ -151,4 +151,4 @@ TEST(GrowthLaw, SaysWhichParameterIsOutOfRange)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

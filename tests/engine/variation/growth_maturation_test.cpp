@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 using Steps = GrowthParameters::Steps;
@@ -145,4 +145,4 @@ TEST(GrowthVariability, RunsFromAsDrawnToAsItLikes)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

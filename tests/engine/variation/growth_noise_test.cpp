@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 constexpr std::size_t kSteps = 64;
@@ -96,4 +96,4 @@ TEST(GrowthNoise, DiffersByPlantAndAxis)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

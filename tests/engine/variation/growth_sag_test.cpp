@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 // A rod that is clamped at one end, above the ground.
@@ -118,4 +118,4 @@ TEST(Sag, OfSegmentsWithoutThicknessOrLengthIsStillAPlant)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 using Steps = GrowthParameters::Steps;
@@ -305,4 +305,4 @@ TEST(Growth, TheWildestPlantIsStillAPlant)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

@@ -11,7 +11,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 GrowthParameters quiet()
@@ -282,4 +282,4 @@ TEST(Growth, AnEmptyPlantStaysEmpty)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 constexpr ShownPlant kShown { .height_mm = 200, .scale = 0.5 }; // The plant is 400 mm high.
@@ -120,4 +120,4 @@ TEST(NearestIndicator, IsTheOneWhoseLineIsUnderTheFinger)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 Vec3 summed_influence(std::vector<MotionIndicator> const& indicators, double shown_height_mm)
@@ -50,4 +50,4 @@ TEST(MotionIndicator, RefusesAStrokeWithoutEnds)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // Returns what resolve_associations gives, for a plant whose rest shape nobody needs else.
 inline Result<PredefinedShape> shape_of(Plant const& plant,
@@ -23,4 +23,4 @@ inline GrowthPlan plan_of(Plant const& plant, GrowthParameters const& parameters
     return plan_growth(plant, rest, shape, parameters, { .everywhere = influence }).value();
 }
 
-} // namespace tractus
+} // namespace tractus::variation

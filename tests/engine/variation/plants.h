@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 
 // An axis with its nodes at `points`, standing on the end of `parent_segment` of `parent_axis`.
 inline AxisId add_axis(Plant& plant, std::vector<Vec3> const& points, AxisId parent_axis = kNone,
@@ -124,4 +124,4 @@ inline Vec3 direction_of(Plant const& plant, SegmentId segment)
     return (plant.node_position_mm[nodes.tip] - plant.node_position_mm[nodes.base]).normalized();
 }
 
-} // namespace tractus
+} // namespace tractus::variation

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 using Path = std::vector<SegmentId>;
@@ -62,4 +62,4 @@ TEST(SelectBranches, AddToAndTakeFrom)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

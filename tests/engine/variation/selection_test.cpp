@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 using Path = std::vector<SegmentId>;
@@ -297,4 +297,4 @@ TEST(ProjectedSkeleton, NothingIsPickedOutsideOrOnAnEmptyPlant)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 Plant two_segments()
@@ -54,4 +54,4 @@ TEST(SharedRestShape, IsFoundOnceWhoeverAsks)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

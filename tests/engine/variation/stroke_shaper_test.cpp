@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 
-namespace tractus {
+namespace tractus::variation {
 namespace {
 
 Stroke hook(double angle)
@@ -230,4 +230,4 @@ TEST(SubtreeOf, IsTheRestOfTheAxisAndAllThatStandsOnIt)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::variation

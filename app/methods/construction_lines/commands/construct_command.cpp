@@ -64,7 +64,7 @@ Result<Stems> measure(ConstructArguments const& arguments, lines::LineDrawing co
     auto result = TRY(lines::measure_stems(drawing.stems));
     for (auto const& notes : { drawing.notes, lines::notes_of(result) })
         for (auto const& note : notes)
-            print_warning(fmt::format("{}: {}", arguments.sketch.string(), note));
+            terminal::print_warning(fmt::format("{}: {}", arguments.sketch.string(), note));
     return result;
 }
 
@@ -91,9 +91,10 @@ Result<std::string> write_folder(ConstructArguments const& arguments, LoadModel 
     TRY(write_model_files(base, model));
     if (!arguments.report)
         for (auto const* const ending : { ".png", ".glb" })
-            TRY(write_plant_file(plant, name, fs::path(base).concat(ending)));
+            TRY(batch::write_plant_file(plant, name, fs::path(base).concat(ending)));
     if (arguments.session)
-        TRY(begin_session(fs::path(base).concat(".tractus"), { load }, arguments.methods.edits));
+        TRY(batch::begin_session(fs::path(base).concat(".tractus"), { load },
+                                 arguments.methods.edits));
     std::size_t const surfaces = model.functions.count(name + "_organ.s");
     return fmt::format("{}.l, .v, {} .func,{} .png, .glb{}", base.string(),
                        model.functions.size() - surfaces, surfaces > 0 ? " _organ.s," : "",
@@ -118,7 +119,7 @@ Result<lines::LineModel> write_model(ConstructArguments const& arguments,
     auto const sketch
         = TRY(lines::load_composed(arguments.sketch, file, stems, smoothing_of(arguments), notes));
     for (auto const& note : notes)
-        print_warning(note);
+        terminal::print_warning(note);
     auto model = lines::write_composed_model(sketch, name);
     if (!model)
         return about(arguments.sketch, model.error());
@@ -137,15 +138,15 @@ Result<void> make_plant(ConstructArguments const& arguments, lines::LineSketchFi
     auto const scene = TRY(apply_edit({}, load, make_load_options()));
     auto written = arguments.output.string();
     if (to_file)
-        TRY(write_plant_file(*scene.base, name, arguments.output));
+        TRY(batch::write_plant_file(*scene.base, name, arguments.output));
     else
         written = TRY(write_folder(arguments, load, model, *scene.base));
     if (arguments.report)
-        return print_out(lines::print_report(stems, *scene.base, drawing));
+        return terminal::print_out(lines::print_report(stems, *scene.base, drawing));
     std::size_t nodes = 0;
     for (auto const& stem : stems)
         nodes += stem.construction.nodes.size();
-    return print_out(
+    return terminal::print_out(
         fmt::format("{}: {} nodes, {} organs\n", written, nodes, scene.base->organs.size()));
 }
 
@@ -159,8 +160,8 @@ Result<void> construct_plant(ConstructArguments const& arguments)
                                                        : arguments.output / "model.l"));
     auto const file = TRY(lines::load_line_sketch(arguments.sketch, arguments.given));
     for (auto const& key : file.unknown_keys)
-        print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so",
-                                  arguments.sketch.string(), key.substr(0, 40)));
+        terminal::print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so",
+                                            arguments.sketch.string(), key.substr(0, 40)));
     auto const drawing = lines::prepare_drawing(file, smoothing_of(arguments));
     if (!drawing)
         return about(arguments.sketch, drawing.error());
@@ -198,14 +199,14 @@ void add_options(CLI::App& command, ConstructArguments& arguments)
         .add_option("--divergence", arguments.given.divergence_deg,
                     "Degrees from organ to organ, of spiral and alternate")
         ->type_name("DEGREES")
-        ->check(number(-360, 360));
+        ->check(options::number(-360, 360));
     command
         .add_option("--nodes", arguments.given.nodes_per_layer,
                     "How many nodes each layer has, from below, such as 9,14")
         ->type_name("N,N,...")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(whole_number(0, lines::kMostNodesInLayer));
+        ->check(options::whole_number(0, lines::kMostNodesInLayer));
     command.add_flag("--smooth", arguments.smooth,
                      "The lines are a hand's: take its tremor out of them first");
     command.add_flag("--session", arguments.session, "Also begin a session with the plant");
@@ -215,7 +216,7 @@ void add_options(CLI::App& command, ConstructArguments& arguments)
 
 } // namespace
 
-void add_construct_command(CLI::App& root, Action& action, Methods const& methods)
+void add_construct_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<ConstructArguments>();
     arguments->methods = methods;

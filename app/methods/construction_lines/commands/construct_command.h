@@ -6,6 +6,6 @@
 namespace tractus {
 
 // tractus construct SKETCH -o DIR: a plant from construction lines.
-void add_construct_command(CLI::App& root, Action& action, Methods const& methods);
+void add_construct_command(CLI::App& root, options::Action& action, Methods const& methods);
 
 } // namespace tractus

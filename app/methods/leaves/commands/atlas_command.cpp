@@ -104,8 +104,8 @@ Result<void> make_atlas(AtlasArguments arguments)
     options.channels
         = *std::ranges::find(atlas_channels(), arguments.engine, &AtlasChannels::engine);
     auto const made = TRY(write_atlas(options, arguments.output));
-    return print_out(fmt::format("wrote {}: leaves {}, pages {}\n", arguments.output.string(),
-                                 made.leaves, made.pages));
+    return terminal::print_out(fmt::format("wrote {}: leaves {}, pages {}\n",
+                                           arguments.output.string(), made.leaves, made.pages));
 }
 
 void add_page_options(CLI::App& leaves, AtlasArguments& arguments)
@@ -116,7 +116,7 @@ void add_page_options(CLI::App& leaves, AtlasArguments& arguments)
     leaves.add_option("-o,--output", arguments.output, "A folder for the pages")->type_name("DIR");
     leaves.add_option("--count", options.count, "How many of each, all different")
         ->type_name("N")
-        ->check(whole_number(1, kMostOfEach))
+        ->check(options::whole_number(1, kMostOfEach))
         ->capture_default_str();
     leaves.add_option("--pixels", options.cell, "Each leaf's square is so wide, a power of two")
         ->check(power_of_two(32, 2048))
@@ -126,7 +126,7 @@ void add_page_options(CLI::App& leaves, AtlasArguments& arguments)
         ->capture_default_str();
     leaves.add_option("--channels", arguments.engine, "Which maps, for which engine")
         ->type_name("ENGINE")
-        ->check(one_of(engines()))
+        ->check(options::one_of(engines()))
         ->capture_default_str();
     leaves.add_flag("--mips", arguments.has_mips,
                     "Write smaller pictures, too, in which as much of each leaf is left");
@@ -143,33 +143,33 @@ void add_leaf_options(CLI::App& leaves, AtlasArguments& arguments)
         ->capture_default_str();
     leaves.add_option("--seed", options.seed, "Which leaf; the next ones follow")
         ->type_name("SEED")
-        ->check(seed_number())
+        ->check(options::seed_number())
         ->capture_default_str();
     leaves.add_option("--variation", options.variation, "How far leaves differ; 0: not at all")
         ->type_name("V")
-        ->check(number(0, 3))
+        ->check(options::number(0, 3))
         ->capture_default_str();
     leaves.add_option("--larvae", damage.larvae, "How many larvae ate of each")
         ->type_name("N")
-        ->check(whole_number(0, 100));
+        ->check(options::whole_number(0, 100));
     leaves.add_option("--spots", damage.spots, "How much of each has brown spots")
         ->type_name("SHARE")
-        ->check(number(0, 1));
+        ->check(options::number(0, 1));
     leaves.add_option("--mildew", damage.mildew, "How much of each is white with mildew")
         ->type_name("SHARE")
-        ->check(number(0, 1));
+        ->check(options::number(0, 1));
     leaves.add_option("--mines", damage.mines, "How many ways larvae have eaten under its skin")
         ->type_name("N")
-        ->check(whole_number(0, 100));
+        ->check(options::whole_number(0, 100));
     leaves.add_option("--dead", damage.dead, "How far its old colour has become a dead one")
         ->type_name("SHARE")
-        ->check(number(0, 1));
+        ->check(options::number(0, 1));
     leaves.add_flag("--skeleton", damage.is_skeleton, "Leave nothing but veins");
 }
 
 } // namespace
 
-void add_atlas_options(CLI::App& leaves, Action& action)
+void add_atlas_options(CLI::App& leaves, options::Action& action)
 {
     auto arguments = std::make_shared<AtlasArguments>();
     add_page_options(leaves, *arguments);

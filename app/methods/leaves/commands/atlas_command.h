@@ -5,6 +5,6 @@
 namespace tractus {
 
 // tractus leaves LEAF... -o DIR: pages of leaves for game engines.
-void add_atlas_options(CLI::App& leaves, Action& action);
+void add_atlas_options(CLI::App& leaves, options::Action& action);
 
 } // namespace tractus

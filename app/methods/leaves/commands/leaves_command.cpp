@@ -122,16 +122,16 @@ Result<void> count_cells(LeavesArguments const& arguments)
         TRY(leaf.derive());
         steps.push_back(TRY(step_json(grammar, leaf)));
     }
-    return print_out(Json { { "steps", steps } }.dump() + "\n");
+    return terminal::print_out(Json { { "steps", steps } }.dump() + "\n");
 }
 
 Result<void> check_grammar(LeavesArguments const& arguments)
 {
     auto const grammar = TRY(load_grammar(arguments.grammar));
     TRY(leaf::Leaf::begin(grammar, {}));
-    return print_out(fmt::format("{}: understood: faces {}, rules {}, variables {}\n", grammar.name,
-                                 grammar.faces.size(), grammar.rules.size(),
-                                 grammar.variables.size()));
+    return terminal::print_out(fmt::format("{}: understood: faces {}, rules {}, variables {}\n",
+                                           grammar.name, grammar.faces.size(), grammar.rules.size(),
+                                           grammar.variables.size()));
 }
 
 // Grows the leaf by a number of steps, if there is one; else as old as it is to be.
@@ -175,11 +175,11 @@ Result<void> draw_leaf(LeavesArguments const& arguments)
     auto const grown = TRY(leaf_to_draw(grammar, arguments));
     auto const& triangles = grown.triangles;
     auto const mesh = TRY(mesh_to_draw(grammar, grown, arguments));
-    TRY(write_mesh_file(mesh, arguments.grammar.stem().string(), arguments.output));
+    TRY(batch::write_mesh_file(mesh, arguments.grammar.stem().string(), arguments.output));
     if (triangles.overlapping_faces > 0)
-        print_error(fmt::format("{}: parts of the limb overlap themselves: {}\n", grammar.name,
-                                triangles.overlapping_faces));
-    return print_out(
+        terminal::print_error(fmt::format("{}: parts of the limb overlap themselves: {}\n",
+                                          grammar.name, triangles.overlapping_faces));
+    return terminal::print_out(
         fmt::format("wrote {}: {} triangles\n", arguments.output.string(), mesh.triangle_count()));
 }
 
@@ -194,17 +194,17 @@ void add_growth_options(CLI::App& command, LeavesArguments& arguments)
 {
     command.add_option("--steps", arguments.steps, "How many steps to derive")
         ->type_name("N")
-        ->check(whole_number(0, kMostSteps));
+        ->check(options::whole_number(0, kMostSteps));
     command
         .add_option("--finalstep", arguments.final_step,
                     "What the grammar reads as finalstep; without it, N")
         ->type_name("M")
-        ->check(whole_number(0, kMostSteps));
+        ->check(options::whole_number(0, kMostSteps));
     command
         .add_option("--age", arguments.age,
                     "What the grammar reads as age, 0 to 1; without --steps, how old it is")
         ->type_name("AGE")
-        ->check(number(0, 1));
+        ->check(options::number(0, 1));
     command.add_option("--seed", arguments.seed, "Which random numbers ran and nran give")
         ->type_name("SEED")
         ->capture_default_str();
@@ -212,7 +212,7 @@ void add_growth_options(CLI::App& command, LeavesArguments& arguments)
 
 } // namespace
 
-void add_leaves_command(CLI::App& root, Action& action, Methods const& methods)
+void add_leaves_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     auto* const command
         = root.add_subcommand("leaves", "Derive leaves from grammars, and make pages of them");
@@ -244,16 +244,16 @@ void add_leaves_command(CLI::App& root, Action& action, Methods const& methods)
     add_growth_options(*draw, *drawn);
     draw->add_option("-o,--output", drawn->output, "A picture (.png), or triangles (.glb, .obj)")
         ->type_name("FILE")
-        ->check(name_ending_in({ ".png", ".glb", ".obj" }))
+        ->check(options::name_ending_in({ ".png", ".glb", ".obj" }))
         ->required();
     draw->add_option("--size", drawn->size_mm, "The longer side of the flat leaf, in mm")
         ->type_name("MM")
-        ->check(number(0.1, 10'000))
+        ->check(options::number(0.1, 10'000))
         ->capture_default_str();
     draw->add_option("--paint", drawn->paint,
                      "Paint it with its grammar's colours, in pictures so wide and high")
         ->type_name("PIXELS")
-        ->check(whole_number(16, 4096));
+        ->check(options::whole_number(16, 4096));
     draw->callback([drawn, &action] { action = [drawn] { return draw_leaf(*drawn); }; });
     add_sketch_leaf_command(*command, action, methods);
     add_paint_commands(*command, action);

@@ -6,6 +6,6 @@
 namespace tractus {
 
 // tractus leaves: leaf grammars.
-void add_leaves_command(CLI::App& root, Action& action, Methods const& methods);
+void add_leaves_command(CLI::App& root, options::Action& action, Methods const& methods);
 
 } // namespace tractus

@@ -119,13 +119,14 @@ Result<std::vector<PaintedLeaf>> paint_all(PaintArguments const& arguments)
 
 Result<void> write_sheet(std::span<PaintedLeaf const> leaves, fs::path const& path)
 {
-    SheetStyle style;
+    render::SheetStyle style;
     style.columns = static_cast<int>(std::ceil(std::sqrt(double(leaves.size()))));
-    std::vector<SheetTile> tiles;
+    std::vector<render::SheetTile> tiles;
     for (auto const& leaf : leaves)
         tiles.push_back({ on_paper(leaf.picture, style.paper), leaf.name });
-    auto const image = leaves.size() == 1 ? tiles.front().picture : contact_sheet(tiles, style);
-    return write_file(path, [&](std::ostream& out) { return write_png(out, image); });
+    auto const image
+        = leaves.size() == 1 ? tiles.front().picture : render::contact_sheet(tiles, style);
+    return write_file(path, [&](std::ostream& out) { return render::write_png(out, image); });
 }
 
 // Cells on a square grid; the unused ones are empty.
@@ -164,11 +165,11 @@ Result<void> write_page(Page const& page, std::span<PaintedLeaf const> leaves, f
     for (std::size_t i = 0; i < leaves.size(); ++i)
         page.place(pixels, i, get(leaves[i].picture));
     return write_file(path,
-                      png_bytes({ .width = page.side(),
-                                  .height = page.side(),
-                                  .channels = channels,
-                                  .pixels = pixels,
-                                  .packing = PngPicture::Packing::Fast }));
+                      exports::png_bytes({ .width = page.side(),
+                                           .height = page.side(),
+                                           .channels = channels,
+                                           .pixels = pixels,
+                                           .packing = exports::PngPicture::Packing::Fast }));
 }
 
 Json page_json(Page const& page, std::span<PaintedLeaf const> leaves)
@@ -231,7 +232,7 @@ Result<void> paint_leaves(PaintArguments const& arguments)
         TRY(write_sheet(leaves, arguments.output));
     else
         TRY(write_maps(leaves, arguments.output));
-    return print_out(
+    return terminal::print_out(
         fmt::format("wrote {}: leaves {}\n", arguments.output.string(), leaves.size()));
 }
 
@@ -239,7 +240,7 @@ Result<void> list_leaves()
 {
     for (auto const& name : leaf_names()) {
         auto const grammar = TRY(load_leaf_grammar(name));
-        TRY(print_out(
+        TRY(terminal::print_out(
             fmt::format("{:<12} {:>4.0f} mm, {} steps\n", name, grammar.size_mm, grammar.steps)));
     }
     return {};
@@ -257,52 +258,52 @@ void add_paint_options(CLI::App& paint, PaintArguments& arguments)
         ->required();
     paint.add_option("--count", arguments.count, "How many of each, all different")
         ->type_name("N")
-        ->check(whole_number(1, kMostLeaves))
+        ->check(options::whole_number(1, kMostLeaves))
         ->capture_default_str();
     paint.add_option("--pixels", arguments.side, "Each leaf's picture is so wide and high")
         ->type_name("N")
-        ->check(whole_number(16, 4096))
+        ->check(options::whole_number(16, 4096))
         ->capture_default_str();
     paint.add_option("--age", arguments.age, "0: a bud, 0.5: grown up, 1: an old leaf")
         ->type_name("AGE")
-        ->check(number(0, 1))
+        ->check(options::number(0, 1))
         ->capture_default_str();
     paint.add_option("--age-to", arguments.age_to, "The last leaf's age; those between follow")
         ->type_name("AGE")
-        ->check(number(0, 1));
+        ->check(options::number(0, 1));
     paint.add_option("--steps", arguments.steps, "Of a grown-up; without it, the grammar's own")
         ->type_name("N")
-        ->check(whole_number(1, 1000));
+        ->check(options::whole_number(1, 1000));
     paint.add_option("--seed", arguments.seed, "Which leaf; the next ones follow")
         ->type_name("SEED")
         ->capture_default_str();
     paint.add_option("--variation", arguments.variation, "How far leaves differ; 0: not at all")
         ->type_name("V")
-        ->check(number(0, 3))
+        ->check(options::number(0, 3))
         ->capture_default_str();
     paint.add_option("--larvae", arguments.larvae, "How many larvae ate of it")
         ->type_name("N")
-        ->check(whole_number(0, 100))
+        ->check(options::whole_number(0, 100))
         ->capture_default_str();
     paint.add_option("--spots", arguments.spots, "How much of it has brown spots")
         ->type_name("SHARE")
-        ->check(number(0, 1))
+        ->check(options::number(0, 1))
         ->capture_default_str();
     paint.add_option("--mildew", arguments.mildew, "How much of it is white with mildew")
         ->type_name("SHARE")
-        ->check(number(0, 1));
+        ->check(options::number(0, 1));
     paint.add_option("--mines", arguments.mines, "How many ways larvae have eaten under its skin")
         ->type_name("N")
-        ->check(whole_number(0, 100));
+        ->check(options::whole_number(0, 100));
     paint.add_option("--dead", arguments.dead, "How far its old colour has become a dead one")
         ->type_name("SHARE")
-        ->check(number(0, 1));
+        ->check(options::number(0, 1));
     paint.add_flag("--skeleton", arguments.is_skeleton, "Leave nothing but veins");
 }
 
 } // namespace
 
-void add_paint_commands(CLI::App& leaves, Action& action)
+void add_paint_commands(CLI::App& leaves, options::Action& action)
 {
     auto painted = std::make_shared<PaintArguments>();
     auto* const paint

@@ -5,6 +5,6 @@
 namespace tractus {
 
 // tractus leaves paint and tractus leaves list, below `leaves`.
-void add_paint_commands(CLI::App& leaves, Action& action);
+void add_paint_commands(CLI::App& leaves, options::Action& action);
 
 } // namespace tractus

@@ -86,10 +86,10 @@ Result<leaf::LeafDrawing> load_drawing(SketchedLeaf const& arguments)
     if (ending == ".json" || ending == ".svg")
         return load_leaf_sketch(arguments.sketch);
     leaf::LeafDrawing drawing;
-    DrawingOptions options { .log = arguments.sketch, .methods = arguments.methods };
+    batch::DrawingOptions options { .log = arguments.sketch, .methods = arguments.methods };
     if (!arguments.height.empty())
         options.height = arguments.height;
-    for (auto const& stroke : TRY(drawn_strokes(options))) {
+    for (auto const& stroke : TRY(batch::drawn_strokes(options))) {
         auto& points = drawing.strokes.emplace_back();
         for (auto const& tip : TRY(stroke.tips.in_memory()))
             points.push_back(tip.position_mm);
@@ -113,15 +113,15 @@ Result<void> write_sketched_leaf(SketchedLeaf const& arguments)
         return about_sketch(arguments, outline.error());
     double const overlap = leaf::overlap_of(*outline, fit->outline);
     if (arguments.reports)
-        return print_out(report_json(*fit, *seen, overlap).dump(2) + "\n");
-    return print_out(fmt::format("wrote {}: {} mm, veins {}, outline {:.1f} % as drawn\n",
-                                 arguments.output.string(), fit->leaf.size_mm, fit->veins.size(),
-                                 100 * overlap));
+        return terminal::print_out(report_json(*fit, *seen, overlap).dump(2) + "\n");
+    return terminal::print_out(fmt::format("wrote {}: {} mm, veins {}, outline {:.1f} % as drawn\n",
+                                           arguments.output.string(), fit->leaf.size_mm,
+                                           fit->veins.size(), 100 * overlap));
 }
 
 } // namespace
 
-void add_sketch_leaf_command(CLI::App& leaves, Action& action, Methods const& methods)
+void add_sketch_leaf_command(CLI::App& leaves, options::Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<SketchedLeaf>();
     arguments->methods = methods;
@@ -135,11 +135,11 @@ void add_sketch_leaf_command(CLI::App& leaves, Action& action, Methods const& me
         ->required();
     sketch->add_option("-o,--output", arguments->output, "The grammar's file")
         ->type_name("FILE.leaf")
-        ->check(name_ending_in({ ".leaf" }))
+        ->check(options::name_ending_in({ ".leaf" }))
         ->required();
     sketch->add_flag("--report", arguments->reports,
                      "Print as JSON what each stroke is, and how near the grammar comes to it");
-    add_height_option(*sketch, arguments->height);
+    options::add_height_option(*sketch, arguments->height);
     sketch->footer(
         "JSON is {\"strokes\": [[[x, y, z], ...], ...]}, in millimetres. The strokes are the\n"
         "outline, as one closed line, two halves or one half, the midrib, and veins on it or\n"

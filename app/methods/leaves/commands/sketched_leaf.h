@@ -7,6 +7,6 @@ namespace tractus {
 
 // "fit" among the commands of leaves: makes a grammar's file of a leaf that was drawn, from a
 // drawing (load_leaf_sketch), a recording of a pen, or a file of strokes.
-void add_sketch_leaf_command(CLI::App& leaves, Action& action, Methods const& methods);
+void add_sketch_leaf_command(CLI::App& leaves, options::Action& action, Methods const& methods);
 
 } // namespace tractus

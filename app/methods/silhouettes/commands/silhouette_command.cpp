@@ -49,7 +49,7 @@ struct SilhouetteArguments {
     bool report = false;
     bool session = false;
     Methods methods;
-    PlantFileOptions file;
+    batch::PlantFileOptions file;
 };
 
 // Patterns of each level; the last one goes on.
@@ -67,13 +67,14 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
 // The plant that a style is measured on, as it is drawn or was drawn on.
 Result<Plant> plant_of_style(SilhouetteArguments const& arguments)
 {
-    if (is_session_file(arguments.style))
-        return shown_plant(TRY(load_session_scene(arguments.style, arguments.methods.edits)));
-    auto const path = TRY(find_model(arguments.style));
-    auto const edit = TRY(load_plant_edit(path));
+    if (batch::is_session_file(arguments.style))
+        return batch::shown_plant(
+            TRY(batch::load_session_scene(arguments.style, arguments.methods.edits)));
+    auto const path = TRY(files::find_model(arguments.style));
+    auto const edit = TRY(io::load_plant_edit(path));
     auto const scene = TRY(apply_edit({}, edit));
     for (auto const& warning : scene.model_warnings)
-        print_warning(warning);
+        terminal::print_warning(warning);
     return *scene.base;
 }
 
@@ -121,12 +122,12 @@ Result<std::string> write_tree(SilhouetteArguments const& arguments, fs::path co
 {
     auto const name = drawing.stem().string();
     if (is_tree_file(arguments.output)) {
-        TRY(write_plant_file(plant, name, arguments.output, arguments.file));
+        TRY(batch::write_plant_file(plant, name, arguments.output, arguments.file));
         return arguments.output.string();
     }
     auto const base = arguments.output / name;
     for (auto const* const ending : { ".png", ".glb" })
-        TRY(write_plant_file(plant, name, fs::path(base).concat(ending), arguments.file));
+        TRY(batch::write_plant_file(plant, name, fs::path(base).concat(ending), arguments.file));
     return base.string() + ".png, .glb";
 }
 
@@ -141,7 +142,7 @@ Result<std::string> write_session(SilhouetteArguments const& arguments, fs::path
         return about_drawing(file, edits.error());
     auto path = arguments.output / file.stem();
     path += ".tractus";
-    TRY(begin_session(path, *std::move(edits), arguments.methods.edits));
+    TRY(batch::begin_session(path, *std::move(edits), arguments.methods.edits));
     return path.filename().string();
 }
 
@@ -150,8 +151,8 @@ Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& 
 {
     auto file = TRY(silhouette::load_silhouette(drawing));
     for (auto const& key : file.unknown_keys)
-        print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so", drawing.string(),
-                                  key.substr(0, 40)));
+        terminal::print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so",
+                                            drawing.string(), key.substr(0, 40)));
     auto const form = form_of(arguments);
     auto const as_read = file;
     auto const skeleton
@@ -159,7 +160,7 @@ Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& 
     if (!skeleton)
         return about_drawing(drawing, skeleton.error());
     for (auto const& note : skeleton->systems[0].notes)
-        print_warning(fmt::format("{}: {}", drawing.string(), note));
+        terminal::print_warning(fmt::format("{}: {}", drawing.string(), note));
     auto const tree = silhouette::make_tree(
         *skeleton, silhouette::tree_options(form, 1000 * arguments.height_m));
     std::string written;
@@ -168,10 +169,12 @@ Result<void> make_tree_of(SilhouetteArguments const& arguments, fs::path const& 
     if (arguments.session)
         written += ", " + TRY(write_session(arguments, drawing, as_read, *skeleton));
     if (arguments.report)
-        return print_out(silhouette::print_report(*skeleton, tree, style, as_read.crown_lines));
-    return print_out(fmt::format("{}: {} branches, {} leaves, {:.0f} % of the outline covered\n",
-                                 written, tree.plant.axes.size() - 1 + tree.sprays, tree.leaves,
-                                 100 * skeleton->systems[0].coverage_after));
+        return terminal::print_out(
+            silhouette::print_report(*skeleton, tree, style, as_read.crown_lines));
+    return terminal::print_out(
+        fmt::format("{}: {} branches, {} leaves, {:.0f} % of the outline covered\n", written,
+                    tree.plant.axes.size() - 1 + tree.sprays, tree.leaves,
+                    100 * skeleton->systems[0].coverage_after));
 }
 
 Result<void> arrange_alone(SilhouetteArguments const& arguments)
@@ -183,7 +186,8 @@ Result<void> arrange_alone(SilhouetteArguments const& arguments)
     auto const pattern = *silhouette::pattern_of(arguments.patterns[0]);
     auto const arrangement = silhouette::arrange(
         {}, { .pattern = pattern, .count = *arguments.count }, { .seed = arguments.form.seed });
-    return print_out(silhouette::print_arrangement(arrangement, pattern, arguments.form.seed));
+    return terminal::print_out(
+        silhouette::print_arrangement(arrangement, pattern, arguments.form.seed));
 }
 
 Result<void> make_trees(SilhouetteArguments arguments)
@@ -227,7 +231,7 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
             "How the tree's branches stand, how many there are, and its leaves, but for what other "
             "options say: oak, pine, willow, eucalyptus or fir")
         ->type_name("NAME")
-        ->check(one_of({ "oak", "pine", "willow", "eucalyptus", "fir" }));
+        ->check(options::one_of({ "oak", "pine", "willow", "eucalyptus", "fir" }));
     command
         .add_option("--style", arguments.style,
                     "Branches as they are measured on a plant, but for what other options say: one "
@@ -246,13 +250,13 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
             "beside it, deeper, those and the ones below, or none")
         ->type_name("WHOM")
         ->default_str("none")
-        ->check(one_of({ "siblings", "deeper", "none" }));
+        ->check(options::one_of({ "siblings", "deeper", "none" }));
     command
         .add_option("--levels", arguments.form.levels,
                     "How often branches branch before twigs come")
         ->type_name("N")
         ->capture_default_str()
-        ->check(whole_number(1, kMostLevels));
+        ->check(options::whole_number(1, kMostLevels));
     command
         .add_option("--arrangement", arguments.patterns,
                     "How branches stand around what bears them, for all levels or one after the "
@@ -260,23 +264,24 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
         ->type_name("PATTERN,...")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(one_of({ "even", "spiral", "decussate", "whorls", "two-rows", "horizontal" }));
+        ->check(
+            options::one_of({ "even", "spiral", "decussate", "whorls", "two-rows", "horizontal" }));
     command
         .add_option("--density", arguments.form.density,
                     "Times as many branches as usual besides those in the drawing's plane")
         ->type_name("TIMES")
         ->capture_default_str()
-        ->check(number(0, 10));
+        ->check(options::number(0, 10));
     command.add_option("--leaves", arguments.form.leaves, "Leaves on each twig")
         ->type_name("N")
         ->capture_default_str()
-        ->check(whole_number(1, 500));
+        ->check(options::whole_number(1, 500));
     command
         .add_option("--leaf-width", arguments.form.leaf_width,
                     "Of a leaf, as a share of its length")
         ->type_name("SHARE")
         ->capture_default_str()
-        ->check(number(0.01, 2));
+        ->check(options::number(0.01, 2));
 }
 
 void add_options(CLI::App& command, SilhouetteArguments& arguments)
@@ -294,26 +299,26 @@ void add_options(CLI::App& command, SilhouetteArguments& arguments)
     command.add_option("--height", arguments.height_m, "Of the whole tree, metres")
         ->type_name("METRES")
         ->capture_default_str()
-        ->check(number(0.01, 200));
+        ->check(options::number(0.01, 200));
     command.add_option("--seed", arguments.form.seed, "Of what the drawing leaves open")
         ->type_name("N")
         ->capture_default_str()
-        ->check(seed_number());
+        ->check(options::seed_number());
     command
         .add_option("--count", arguments.count,
                     "Without a drawing: prints an arrangement of so many branches as JSON")
         ->type_name("N")
-        ->check(whole_number(1, kMostPlaces));
+        ->check(options::whole_number(1, kMostPlaces));
     command.add_flag("--report", arguments.report,
                      "Print as JSON what was inferred from each drawing");
     command.add_flag("--session", arguments.session,
                      "Write a session, too, in which the tree is as if a pen had drawn it");
-    add_glb_options(command, arguments.file.glb);
+    options::add_glb_options(command, arguments.file.glb);
 }
 
 } // namespace
 
-void add_silhouette_command(CLI::App& root, Action& action, Methods const& methods)
+void add_silhouette_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<SilhouetteArguments>();
     arguments->methods = methods;

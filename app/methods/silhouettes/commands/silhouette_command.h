@@ -6,6 +6,6 @@
 namespace tractus {
 
 // tractus silhouette FILE … -o OUTPUT: a tree from the outline of its crown.
-void add_silhouette_command(CLI::App& root, Action& action, Methods const& methods);
+void add_silhouette_command(CLI::App& root, options::Action& action, Methods const& methods);
 
 } // namespace tractus

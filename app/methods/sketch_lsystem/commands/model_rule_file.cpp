@@ -13,7 +13,7 @@ bool names_model(std::filesystem::path const& rule)
 {
     if (rule.extension() == ".l")
         return true;
-    auto const ours = model_names();
+    auto const ours = files::model_names();
     std::error_code error;
     return std::find(ours.begin(), ours.end(), rule.string()) != ours.end()
         && !std::filesystem::is_regular_file(rule, error);
@@ -26,15 +26,15 @@ static sketch::ModelRule rule_of_model(LoadModel edit)
 
 Result<sketch::ModelRule> load_model_rule(std::filesystem::path const& name)
 {
-    auto const path = TRY(find_model(name.string()));
-    auto edit = TRY(load_model_edit(path));
-    warn_of_unused_companions(path);
+    auto const path = TRY(files::find_model(name.string()));
+    auto edit = TRY(io::load_model_edit(path));
+    io::warn_of_unused_companions(path);
     return rule_of_model(std::move(edit));
 }
 
 std::string describe_contract(std::filesystem::path const& model, LoadOptions const& options)
 {
-    auto edit = load_model_edit(model);
+    auto edit = io::load_model_edit(model);
     if (!edit)
         return {}; // The check has said why.
     auto const lacks = sketch::lacks_for_stroke(rule_of_model(*std::move(edit)), options);

@@ -56,10 +56,10 @@ struct SketchArguments {
 
 Result<Stroke> choose_stroke(SketchArguments const& arguments)
 {
-    DrawingOptions options { .log = arguments.stroke, .methods = arguments.methods };
+    batch::DrawingOptions options { .log = arguments.stroke, .methods = arguments.methods };
     if (!arguments.height.empty())
         options.height = arguments.height;
-    auto const strokes = TRY(drawn_strokes(options));
+    auto const strokes = TRY(batch::drawn_strokes(options));
     if (arguments.number <= strokes.size())
         return strokes[arguments.number - 1];
     return fail(Fault::User,
@@ -71,7 +71,7 @@ Result<Stroke> choose_stroke(SketchArguments const& arguments)
 StrokeSurface surface_for(SketchArguments const& arguments)
 {
     if (arguments.surface.empty())
-        return is_stroke_file(arguments.stroke) ? StrokeSurface::Space : StrokeSurface::Decided;
+        return io::is_stroke_file(arguments.stroke) ? StrokeSurface::Space : StrokeSurface::Decided;
     return arguments.surface == "space" ? StrokeSurface::Space : StrokeSurface::Paper;
 }
 
@@ -130,7 +130,7 @@ Result<sketch::ModelRule> read_model(SketchArguments const& arguments)
     return model;
 }
 
-Result<void> write_model_files(fs::path const& base, ModelSource const& model)
+Result<void> write_model_files(fs::path const& base, lsystem::ModelSource const& model)
 {
     TRY(write_file(fs::path(base).concat(".l"), model.text));
     return write_file(fs::path(base).concat(".v"), model.view_text);
@@ -139,7 +139,7 @@ Result<void> write_model_files(fs::path const& base, ModelSource const& model)
 void warn_of_cut(sketch::Rule const& rule, sketch::DrawnAxis const& axis)
 {
     if (axis.depth < sketch::kUncutDepth)
-        print_warning(
+        terminal::print_warning(
             fmt::format("laterals fork at most {} times, so that the plant stays within {:g} "
                         "internodes; \"limit\" in the rule allows more",
                         axis.depth, rule.most_internodes));
@@ -166,12 +166,13 @@ Result<void> write_plant(SketchArguments const& arguments, Edit const& load, fs:
     auto const scene = TRY(apply_edit({}, load, make_load_options()));
     auto const name = arguments.stroke.stem().string();
     for (auto const* const ending : { ".png", ".glb" })
-        TRY(write_plant_file(*scene.base, name, fs::path(base).concat(ending)));
+        TRY(batch::write_plant_file(*scene.base, name, fs::path(base).concat(ending)));
     if (arguments.session) {
         auto const edit = TRY(Result<sketch::GrowAlongStroke>(drawn));
-        TRY(begin_session(fs::path(base).concat(".tractus"), { edit }, arguments.methods.edits));
+        TRY(batch::begin_session(fs::path(base).concat(".tractus"), { edit },
+                                 arguments.methods.edits));
     }
-    return print_out(
+    return terminal::print_out(
         fmt::format("{0}.l, .v, .png, .glb{1}: {2} segments drawn, {3} internodes, {4} "
                     "leaves\n",
                     base.string(), arguments.session ? ", .tractus" : "", segments,
@@ -188,10 +189,10 @@ Result<void> sketch_rule(SketchArguments const& arguments)
     auto const source = sketch::write_model(rule, axis, leaves, name);
     TRY(write_model_files(base, source));
     if (arguments.report) {
-        auto const model = TRY(compile_model(source));
+        auto const model = TRY(lsystem::compile_model(source));
         auto const report
             = TRY(sketch::print_report({ axis, sketch::nodes_of(axis, rule), axis.depth }, model));
-        return print_out(report);
+        return terminal::print_out(report);
     }
     warn_of_cut(rule, axis);
     return write_plant(arguments, LoadModel { .source = source }, base, drawn_edit(arguments, rule),
@@ -202,7 +203,7 @@ Result<void> sketch_rule(SketchArguments const& arguments)
 Result<void> write_includes(fs::path const& folder, sketch::ModelRule const& model)
 {
     for (auto const& [name, text] : model.includes)
-        if (!parse_leaf_sheet_name(name))
+        if (!lsystem::parse_leaf_sheet_name(name))
             TRY(write_file(folder / name, text));
     return {};
 }
@@ -219,10 +220,10 @@ Result<void> sketch_model(SketchArguments const& arguments, sketch::ModelRule mo
     auto axis = TRY(sketch::axis_along(drawn.model, nodes_mm, drawn.scale));
     if (!arguments.report)
         return write_plant(arguments, drawn, base, drawn, axis.axis.segments());
-    auto const compiled = TRY(compile_model(source, model_includes(base)));
+    auto const compiled = TRY(lsystem::compile_model(source, io::model_includes(base)));
     auto const report
         = TRY(sketch::print_report({ axis.axis, axis.nodes_mm, {} }, compiled, drawn.model.seed));
-    return print_out(report);
+    return terminal::print_out(report);
 }
 
 Result<void> sketch_plant(SketchArguments const& arguments)
@@ -251,7 +252,7 @@ void add_options(CLI::App& command, SketchArguments& arguments)
         ->required();
     command.add_option("--stroke", arguments.number, "Which of the strokes in the file")
         ->type_name("N")
-        ->check(whole_number(1, 1'000'000))
+        ->check(options::whole_number(1, 1'000'000))
         ->capture_default_str();
     command
         .add_option(
@@ -259,13 +260,13 @@ void add_options(CLI::App& command, SketchArguments& arguments)
             "Whether the stroke was drawn in \"space\", or on \"paper\" that stands upright; "
             "without it a recording is on paper if its surface hardly moved")
         ->type_name("SURFACE")
-        ->check(one_of({ "space", "paper" }));
-    add_height_option(command, arguments.height);
+        ->check(options::one_of({ "space", "paper" }));
+    options::add_height_option(command, arguments.height);
     command
         .add_option("--seed", arguments.seed,
                     "Of a model's chance: another seed, other laterals along the same axis")
         ->type_name("N")
-        ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
+        ->check(options::whole_number(0, std::numeric_limits<std::int64_t>::max()))
         ->capture_default_str();
     command.add_flag("--bare", arguments.bare, "Without leaves; a model has its own");
     command.add_flag("--session", arguments.session, "Also begin a session with the plant");
@@ -276,7 +277,7 @@ void add_options(CLI::App& command, SketchArguments& arguments)
 
 } // namespace
 
-void add_sketch_command(CLI::App& root, Action& action, Methods const& methods)
+void add_sketch_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     auto arguments = std::make_shared<SketchArguments>();
     arguments->methods = methods;

@@ -6,6 +6,6 @@
 namespace tractus {
 
 // tractus sketch STROKE -o DIR: a rule grows along a drawn stroke.
-void add_sketch_command(CLI::App& root, Action& action, Methods const& methods);
+void add_sketch_command(CLI::App& root, options::Action& action, Methods const& methods);
 
 } // namespace tractus

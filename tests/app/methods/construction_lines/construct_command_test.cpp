@@ -30,7 +30,7 @@ protected:
     std::string refusal(std::string const& text)
     {
         std::ofstream(folder_ / "wrong.json") << text;
-        auto const outcome = run({ "construct", path("wrong.json"), "-o", path("out") });
+        auto const outcome = commands::run({ "construct", path("wrong.json"), "-o", path("out") });
         EXPECT_EQ(outcome.exit_code, 1);
         EXPECT_EQ(outcome.out, "");
         EXPECT_FALSE(fs::exists(folder_ / "out"));
@@ -50,14 +50,14 @@ std::string sketch(char const* name)
 TEST_F(ConstructCommand, WritesAModelWithItsFunctions)
 {
     auto const outcome
-        = run({ "construct", sketch("hand_spiral.json"), "-o", path("out"), "--report" });
+        = commands::run({ "construct", sketch("hand_spiral.json"), "-o", path("out"), "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     for (auto const* const ending :
          { ".l", ".v", "_heading.func", "_depth.func", "_angle_left.func", "_angle_right.func",
            "_size_left.func", "_size_right.func", "_internode.func" })
         EXPECT_TRUE(fs::exists(path("out/hand_spiral") + ending)) << ending;
-    auto const checked = run({ "lsystem", "check", path("out/hand_spiral.l") });
+    auto const checked = commands::run({ "lsystem", "check", path("out/hand_spiral.l") });
     EXPECT_EQ(checked.exit_code, 0) << checked.err;
     EXPECT_EQ(checked.err, "");
 }
@@ -67,11 +67,14 @@ TEST_F(ConstructCommand, TheExportedTextGivesTheSamePlant)
 {
     for (std::string const name : { "hand_decussate", "bent", "deep", "hand_whorled", "cone" }) {
         auto const file = name + ".json";
-        ASSERT_EQ(
-            run({ "construct", sketch(file.c_str()), "-o", path(name), "--report" }).exit_code, 0);
-        ASSERT_EQ(run({ "construct", sketch(file.c_str()), "-o", path(name + ".glb") }).exit_code,
+        ASSERT_EQ(commands::run({ "construct", sketch(file.c_str()), "-o", path(name), "--report" })
+                      .exit_code,
                   0);
-        auto const again = run({ "grow", path(name + "/" + name + ".l"), "-o", path("again.glb") });
+        ASSERT_EQ(commands::run({ "construct", sketch(file.c_str()), "-o", path(name + ".glb") })
+                      .exit_code,
+                  0);
+        auto const again
+            = commands::run({ "grow", path(name + "/" + name + ".l"), "-o", path("again.glb") });
         ASSERT_EQ(again.exit_code, 0) << again.err;
         auto const written = file_bytes(path(name + ".glb"));
         EXPECT_GT(written.size(), 1'000U);
@@ -90,13 +93,16 @@ TEST_F(ConstructCommand, TheExportedTextOfOrgansInThreeViewsGivesTheSamePlant)
                 "organ":{"left":[[0,0],[-20,30],[0,80]],"right":[[0,0],[20,30],[0,80]],
                 "midrib":[[0,0],[40,12],[80,0]],"section":[[-10,4],[0,0],[10,4]]}})";
         ASSERT_EQ(
-            run({ "construct", path("petals.json"), "-o", path(pattern), "--report" }).exit_code,
+            commands::run({ "construct", path("petals.json"), "-o", path(pattern), "--report" })
+                .exit_code,
             0);
         EXPECT_TRUE(fs::exists(path(pattern + "/petals_organ.s")));
-        ASSERT_EQ(run({ "construct", path("petals.json"), "-o", path("once.glb") }).exit_code, 0);
+        ASSERT_EQ(
+            commands::run({ "construct", path("petals.json"), "-o", path("once.glb") }).exit_code,
+            0);
         auto const text = path(pattern + "/petals.l");
-        EXPECT_EQ(run({ "lsystem", "check", text }).err, "");
-        ASSERT_EQ(run({ "grow", text, "-o", path("again.glb") }).exit_code, 0);
+        EXPECT_EQ(commands::run({ "lsystem", "check", text }).err, "");
+        ASSERT_EQ(commands::run({ "grow", text, "-o", path("again.glb") }).exit_code, 0);
         auto const written = file_bytes(path("once.glb"));
         EXPECT_GT(written.size(), 20'000U);
         EXPECT_TRUE(written == file_bytes(path("again.glb"))) << pattern;
@@ -117,7 +123,8 @@ constexpr char const* kFourLines = R"("left":[[-40,-9],[-40,350]],"right":[[40,-
 TEST_F(ConstructCommand, BoundariesInSpaceKeepTheirAzimuths)
 {
     std::ofstream(folder_ / "cylinder.json") << in_cylinder("spiral", kFourLines);
-    auto const outcome = run({ "construct", path("cylinder.json"), "-o", path("out"), "--report" });
+    auto const outcome
+        = commands::run({ "construct", path("cylinder.json"), "-o", path("out"), "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     auto const report = nlohmann::json::parse(outcome.out);
@@ -136,12 +143,15 @@ TEST_F(ConstructCommand, TheExportedTextOfBoundariesInSpaceGivesTheSamePlant)
     for (std::string const pattern : { "decussate", "spiral", "whorled(5)" }) {
         std::ofstream(folder_ / "cylinder.json") << in_cylinder(pattern, kFourLines);
         ASSERT_EQ(
-            run({ "construct", path("cylinder.json"), "-o", path(pattern), "--report" }).exit_code,
+            commands::run({ "construct", path("cylinder.json"), "-o", path(pattern), "--report" })
+                .exit_code,
             0);
-        ASSERT_EQ(run({ "construct", path("cylinder.json"), "-o", path("once.glb") }).exit_code, 0);
+        ASSERT_EQ(
+            commands::run({ "construct", path("cylinder.json"), "-o", path("once.glb") }).exit_code,
+            0);
         auto const text = path(pattern + "/cylinder.l");
-        EXPECT_EQ(run({ "lsystem", "check", text }).err, "");
-        ASSERT_EQ(run({ "grow", text, "-o", path("again.glb") }).exit_code, 0);
+        EXPECT_EQ(commands::run({ "lsystem", "check", text }).err, "");
+        ASSERT_EQ(commands::run({ "grow", text, "-o", path("again.glb") }).exit_code, 0);
         EXPECT_TRUE(file_bytes(path("once.glb")) == file_bytes(path("again.glb"))) << pattern;
     }
 }
@@ -152,7 +162,7 @@ TEST_F(ConstructCommand, TellsBoundariesInSpaceByTheirDepth)
     auto const functions = [&](std::string const& text) {
         std::ofstream(folder_ / "lines.json") << text;
         auto const outcome
-            = run({ "construct", path("lines.json"), "-o", path("out"), "--report" });
+            = commands::run({ "construct", path("lines.json"), "-o", path("out"), "--report" });
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         auto report = nlohmann::json::parse(outcome.out);
         report.erase("roles");
@@ -182,7 +192,7 @@ TEST_F(ConstructCommand, SizesMayFollowHalfEllipses)
         std::vector<std::string> words { "construct", path("round.json"), "-o", path("out"),
                                          "--report" };
         words.insert(words.end(), options.begin(), options.end());
-        auto const outcome = run(words);
+        auto const outcome = commands::run(words);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         std::vector<double> found;
         auto const report = nlohmann::json::parse(outcome.out);
@@ -210,14 +220,19 @@ TEST_F(ConstructCommand, OrgansMayBeSketches)
         outer.replace(outer.find("[12]"), 4, "[3]");
         std::ofstream(folder_ / "outer.json") << outer;
         ASSERT_EQ(
-            run({ "construct", path("outer.json"), "-o", path(pattern), "--report" }).exit_code, 0);
-        ASSERT_EQ(run({ "construct", path("outer.json"), "-o", path("once.glb") }).exit_code, 0);
+            commands::run({ "construct", path("outer.json"), "-o", path(pattern), "--report" })
+                .exit_code,
+            0);
+        ASSERT_EQ(
+            commands::run({ "construct", path("outer.json"), "-o", path("once.glb") }).exit_code,
+            0);
         auto const text = path(pattern + "/outer.l");
-        EXPECT_EQ(run({ "lsystem", "check", text }).err, "");
-        ASSERT_EQ(run({ "grow", text, "-o", path("again.glb") }).exit_code, 0);
+        EXPECT_EQ(commands::run({ "lsystem", "check", text }).err, "");
+        ASSERT_EQ(commands::run({ "grow", text, "-o", path("again.glb") }).exit_code, 0);
         EXPECT_TRUE(file_bytes(path("once.glb")) == file_bytes(path("again.glb"))) << pattern;
     }
-    auto const report = run({ "construct", path("outer.json"), "-o", path("out"), "--report" });
+    auto const report
+        = commands::run({ "construct", path("outer.json"), "-o", path("out"), "--report" });
     EXPECT_EQ(nlohmann::json::parse(report.out)["leaf_tips"].size(), 4U * 3 * 13);
 }
 
@@ -261,12 +276,16 @@ TEST_F(ConstructCommand, TheExportedTextOfSeveralStemsGivesTheSamePlant)
     for (std::string const pattern : { "distichous", "decussate", "spiral", "whorled(4)" }) {
         std::ofstream(folder_ / "stems.json") << stems_in(pattern);
         ASSERT_EQ(
-            run({ "construct", path("stems.json"), "-o", path(pattern), "--report" }).exit_code, 0);
-        ASSERT_EQ(run({ "construct", path("stems.json"), "-o", path("once.glb") }).exit_code, 0);
+            commands::run({ "construct", path("stems.json"), "-o", path(pattern), "--report" })
+                .exit_code,
+            0);
+        ASSERT_EQ(
+            commands::run({ "construct", path("stems.json"), "-o", path("once.glb") }).exit_code,
+            0);
         auto const text = path(pattern + "/stems.l");
-        auto const checked = run({ "lsystem", "check", text });
+        auto const checked = commands::run({ "lsystem", "check", text });
         EXPECT_EQ(checked.err, "");
-        auto const again = run({ "grow", text, "-o", path("again.glb") });
+        auto const again = commands::run({ "grow", text, "-o", path("again.glb") });
         ASSERT_EQ(again.exit_code, 0) << again.err;
         auto const written = file_bytes(path("once.glb"));
         EXPECT_GT(written.size(), 1'000U);
@@ -277,7 +296,8 @@ TEST_F(ConstructCommand, TheExportedTextOfSeveralStemsGivesTheSamePlant)
 TEST_F(ConstructCommand, ReportsEachStem)
 {
     std::ofstream(folder_ / "stems.json") << stems_in("distichous");
-    auto const outcome = run({ "construct", path("stems.json"), "-o", path("out"), "--report" });
+    auto const outcome
+        = commands::run({ "construct", path("stems.json"), "-o", path("out"), "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const report = nlohmann::json::parse(outcome.out);
     auto const& stems = report["stems"];
@@ -300,7 +320,8 @@ TEST_F(ConstructCommand, TellsTheStrokesOfSeveralStems)
         << R"({"pattern":"distichous","nodes_per_layer":[4],"strokes":[[[0,0],[0,200]],
                {"stem":[[140,0],[140,150]]},[[-60,160],[40,160]],[[40,80],[0,40],[-60,100]],
                [[180,0],[170,170]],[[-50,0],[-50,300]],{"stem":[[2,120],[90,170]]}]})";
-    auto const outcome = run({ "construct", path("strokes.json"), "-o", path("told"), "--report" });
+    auto const outcome
+        = commands::run({ "construct", path("strokes.json"), "-o", path("told"), "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const told = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(told["roles"],
@@ -332,8 +353,8 @@ TEST_F(ConstructCommand, ReadsSeveralStemsFromAnSvgDrawing)
         << R"(<svg xmlns="http://www.w3.org/2000/svg" width="100mm" viewBox="0 0 100 300">
               <path id="stem" d="M0 0V-200"/><path id="left" d="M-50 0V-300"/>
               <path id="another-stem" d="M100 0V-100"/><path id="right2" d="M130 0V-150"/></svg>)";
-    auto const drawn = run({ "construct", path("drawn.svg"), "--pattern", "distichous", "--nodes",
-                             "4", "-o", path("drawn"), "--report" });
+    auto const drawn = commands::run({ "construct", path("drawn.svg"), "--pattern", "distichous",
+                                       "--nodes", "4", "-o", path("drawn"), "--report" });
     ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
     auto const report = nlohmann::json::parse(drawn.out);
     ASSERT_EQ(report["stems"].size(), 2U);
@@ -346,25 +367,27 @@ TEST_F(ConstructCommand, ReadsSeveralStemsFromAnSvgDrawing)
 
 TEST_F(ConstructCommand, WritesAGraphThatIsAPlant)
 {
-    ASSERT_EQ(run({ "construct", sketch("bent.json"), "-o", path("bent.mtg") }).exit_code, 0);
-    auto const grown = run({ "grow", path("bent.mtg"), "-o", path("again.mtg") });
+    ASSERT_EQ(commands::run({ "construct", sketch("bent.json"), "-o", path("bent.mtg") }).exit_code,
+              0);
+    auto const grown = commands::run({ "grow", path("bent.mtg"), "-o", path("again.mtg") });
     ASSERT_EQ(grown.exit_code, 0) << grown.err;
     EXPECT_FALSE(fs::is_directory(path("bent.mtg")));
 }
 
 TEST_F(ConstructCommand, ASketchIsReadAsASessionAgain)
 {
-    ASSERT_EQ(run({ "construct", sketch("bent.json"), "-o", path("out"), "--report", "--session" })
+    ASSERT_EQ(commands::run(
+                  { "construct", sketch("bent.json"), "-o", path("out"), "--report", "--session" })
                   .exit_code,
               0);
-    auto const grown = run({ "session", "info", path("out/bent.tractus") });
+    auto const grown = commands::run({ "session", "info", path("out/bent.tractus") });
     EXPECT_EQ(grown.exit_code, 0) << grown.err;
 }
 
 TEST_F(ConstructCommand, ASessionNeedsAFolder)
 {
     auto const outcome
-        = run({ "construct", sketch("bent.json"), "-o", path("plant.glb"), "--session" });
+        = commands::run({ "construct", sketch("bent.json"), "-o", path("plant.glb"), "--session" });
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_NE(outcome.err.find("plant.glb: a session needs a folder"), std::string::npos);
     EXPECT_FALSE(fs::exists(path("plant.glb")));
@@ -372,9 +395,10 @@ TEST_F(ConstructCommand, ASessionNeedsAFolder)
 
 TEST_F(ConstructCommand, SmoothsHandDrawnLines)
 {
-    auto const plain = run({ "construct", sketch("bent.json"), "-o", path("a"), "--report" });
-    auto const smooth
-        = run({ "construct", sketch("bent.json"), "-o", path("b"), "--report", "--smooth" });
+    auto const plain
+        = commands::run({ "construct", sketch("bent.json"), "-o", path("a"), "--report" });
+    auto const smooth = commands::run(
+        { "construct", sketch("bent.json"), "-o", path("b"), "--report", "--smooth" });
     ASSERT_EQ(smooth.exit_code, 0) << smooth.err;
     auto const drawn = nlohmann::json::parse(plain.out);
     auto const meant = nlohmann::json::parse(smooth.out);
@@ -393,7 +417,7 @@ TEST_F(ConstructCommand, SaysWhatIsWrongWithASketch)
     EXPECT_EQ(refusal(R"({"pattern":"spiral","nodes_per_layer":[3]})"),
               "the stem is missing or only a dot: draw it from the plant's foot to its top, as the "
               "first line\n");
-    auto const nothing = run({ "construct", path("none.json"), "-o", path("out") });
+    auto const nothing = commands::run({ "construct", path("none.json"), "-o", path("out") });
     EXPECT_EQ(nothing.exit_code, 1);
     EXPECT_NE(nothing.err.find("none.json"), std::string::npos) << nothing.err;
 }
@@ -415,7 +439,8 @@ TEST_F(ConstructCommand, SaysWhatItHadToGuess)
     std::ofstream(folder_ / "half.json")
         << R"({"pattern":"alternate","name":"half a frond","stem":[[0,0],[0,90]],
                "left":[[-30,0],[-20,120]],"nodes_per_layer":[6]})";
-    auto const outcome = run({ "construct", path("half.json"), "-o", path("out"), "--report" });
+    auto const outcome
+        = commands::run({ "construct", path("half.json"), "-o", path("out"), "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("\"name\" is left out"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("the right boundary is missing"), std::string::npos) << outcome.err;
@@ -429,7 +454,8 @@ TEST_F(ConstructCommand, TellsStrokesThatDoNotSayWhatTheyAre)
         << R"({"pattern":"spiral","nodes_per_layer":[4],"strokes":[[[0,0],[0,200]],
                [[40,160],[-60,160]],[[30,300],[30,0]],[[90,90],[99,99]],[[-50,0],[-50,300]],
                [[-60,100],[0,40],[40,80]]]})";
-    auto const outcome = run({ "construct", path("strokes.json"), "-o", path("told"), "--report" });
+    auto const outcome
+        = commands::run({ "construct", path("strokes.json"), "-o", path("told"), "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("stroke 4 is left out: this line neither"), std::string::npos)
         << outcome.err;
@@ -438,7 +464,8 @@ TEST_F(ConstructCommand, TellsStrokesThatDoNotSayWhatTheyAre)
               (std::vector<std::string> { "stem", "inclination", "right", "unsure", "left",
                                           "inclination" }));
     auto const said = nlohmann::json::parse(
-        run({ "construct", sketch("hand_spiral.json"), "-o", path("said"), "--report" }).out);
+        commands::run({ "construct", sketch("hand_spiral.json"), "-o", path("said"), "--report" })
+            .out);
     EXPECT_EQ(told["functions"], said["functions"]);
     EXPECT_EQ(told["leaf_tips"], said["leaf_tips"]);
     EXPECT_EQ(
@@ -456,22 +483,23 @@ TEST_F(ConstructCommand, ReadsAnSvgDrawing)
         << R"(<svg xmlns="http://www.w3.org/2000/svg" width="100mm" viewBox="0 0 100 300">
               <path d="M0 0V-200"/><path d="M-50 0V-300"/><path d="M-60-100 0-40 40-80"/>
               <path d="M30 0V-300"/><path d="M-60-160H40"/></svg>)";
-    auto const drawn = run({ "construct", path("drawn.svg"), "--pattern", "spiral", "--nodes", "4",
-                             "-o", path("drawn"), "--report" });
+    auto const drawn = commands::run({ "construct", path("drawn.svg"), "--pattern", "spiral",
+                                       "--nodes", "4", "-o", path("drawn"), "--report" });
     ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
-    auto const written
-        = run({ "construct", sketch("hand_spiral.json"), "-o", path("written"), "--report" });
+    auto const written = commands::run(
+        { "construct", sketch("hand_spiral.json"), "-o", path("written"), "--report" });
     auto report = nlohmann::json::parse(drawn.out);
     report.erase("roles");
     EXPECT_EQ(report, nlohmann::json::parse(written.out));
-    auto const without = run({ "construct", path("drawn.svg"), "-o", path("drawn") });
+    auto const without = commands::run({ "construct", path("drawn.svg"), "-o", path("drawn") });
     EXPECT_NE(without.err.find("drawn.svg: pattern is missing"), std::string::npos) << without.err;
 }
 
 TEST_F(ConstructCommand, WhatIsGivenBesidesCountsInPlaceOfTheSketchs)
 {
-    auto const outcome = run({ "construct", "--pattern", "whorled(5)", "--nodes", "2,1", "-o",
-                               path("out"), "--report", sketch("hand_layers.json") });
+    auto const outcome
+        = commands::run({ "construct", "--pattern", "whorled(5)", "--nodes", "2,1", "-o",
+                          path("out"), "--report", sketch("hand_layers.json") });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const report = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(report["node_x"].size(), 4U);
@@ -495,7 +523,8 @@ TEST_F(ConstructCommand, TakesTheLargestSketch)
     }
     file["nodes_per_layer"] = std::vector<int>(20, 499);
     std::ofstream(folder_ / "large.json") << file;
-    auto const outcome = run({ "construct", path("large.json"), "-o", path("out"), "--report" });
+    auto const outcome
+        = commands::run({ "construct", path("large.json"), "-o", path("out"), "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(nlohmann::json::parse(outcome.out)["leaf_tips"].size(), 2U * (20 * 499 + 1));
 }

@@ -65,7 +65,7 @@ TEST(ConstructExpectedValues, ReportsAreWhatAnotherProgramComputed)
             continue;
         auto expected = path;
         expected.replace_extension(".expected.json");
-        auto const outcome = run(
+        auto const outcome = commands::run(
             { "construct", path.string(), "-o", (folder / path.stem()).string(), "--report" });
         ASSERT_EQ(outcome.exit_code, 0) << path << outcome.err;
         expect_report(json::parse(outcome.out), read_json(expected), path.stem().string());

@@ -138,9 +138,9 @@ TEST(LineCurves, ABentStemIsKept)
     auto const handle = handle_that_says(kLineCurves.show(scene).value(), "Stem: ");
     auto const edits = kLineCurves.drag(scene, handle.id, Vec2(-0.05, -0.9)).value();
     ASSERT_EQ(edits.size(), 1u);
-    auto const record = record_of(edits[0]);
-    auto const again = edit_of(record, all_methods().edits).value();
-    EXPECT_EQ(record_of(again).fields, record.fields);
+    auto const record = session::record_of(edits[0]);
+    auto const again = session::edit_of(record, all_methods().edits).value();
+    EXPECT_EQ(session::record_of(again).fields, record.fields);
     EXPECT_EQ(again.describe().substr(0, 11), "bends stem ");
     EXPECT_EQ(apply_edits(scene, std::vector { again }).value().base->node_position_mm,
               apply_edits(scene, edits).value().base->node_position_mm);

@@ -163,8 +163,8 @@ protected:
             file["strokes"].push_back(line);
         }
         EXPECT_TRUE(write_file(path("lines.json"), file.dump()));
-        auto const outcome
-            = run({ "construct", path("lines.json"), "--smooth", "--report", "-o", path("out") });
+        auto const outcome = commands::run(
+            { "construct", path("lines.json"), "--smooth", "--report", "-o", path("out") });
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return nlohmann::json::parse(outcome.out);
     }
@@ -239,8 +239,8 @@ TEST_F(LineToolAndCommand, GiveTheSameTextOfBoundariesInSpace)
         file["strokes"].push_back(line);
     }
     ASSERT_TRUE(write_file(path("lines.json"), file.dump()));
-    auto const outcome
-        = run({ "construct", path("lines.json"), "--smooth", "--report", "-o", path("out") });
+    auto const outcome = commands::run(
+        { "construct", path("lines.json"), "--smooth", "--report", "-o", path("out") });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const report = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(report["roles"][5], "around");
@@ -329,7 +329,7 @@ TEST_F(LineToolAndCommand, GiveTheSamePlantFromALog)
 }
 
 // Draws in a session, and gives what the document amounts to at the end.
-Scene drawn_in(Session session, void (*draw)(Document& document) = draw_frond)
+Scene drawn_in(session::Session session, void (*draw)(Document& document) = draw_frond)
 {
     Document document(std::move(session), Document::Working::AtOnce);
     draw(document);
@@ -340,10 +340,10 @@ Scene drawn_in(Session session, void (*draw)(Document& document) = draw_frond)
     for (auto const& drawn : document.take_drawn()) {
         EXPECT_EQ(drawn.refusal, "");
         for (auto const& edit : drawn.edits) {
-            auto const record = record_of(edit);
-            auto const again = edit_of(record, all_methods().edits).value();
-            EXPECT_EQ(record_of(again).fields, record.fields);
-            EXPECT_EQ(record_of(again).numbers, record.numbers);
+            auto const record = session::record_of(edit);
+            auto const again = session::edit_of(record, all_methods().edits).value();
+            EXPECT_EQ(session::record_of(again).fields, record.fields);
+            EXPECT_EQ(session::record_of(again).numbers, record.numbers);
             EXPECT_EQ(again.describe(), edit.describe());
         }
     }
@@ -353,19 +353,20 @@ Scene drawn_in(Session session, void (*draw)(Document& document) = draw_frond)
 
 TEST_F(LineToolAndCommand, ASessionKeepsTheSketch)
 {
-    auto const options = session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; });
-    auto const before
-        = drawn_in(Session::create(path("lines.tractus"), { .plant = "small.l", .program = "1" },
-                                   std::vector<Edit> { small_model() }, options)
-                       .value());
-    auto const again = Session::open(path("lines.tractus"), options).value();
+    auto const options
+        = session::session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; });
+    auto const before = drawn_in(
+        session::Session::create(path("lines.tractus"), { .plant = "small.l", .program = "1" },
+                                 std::vector<Edit> { small_model() }, options)
+            .value());
+    auto const again = session::Session::open(path("lines.tractus"), options).value();
     EXPECT_EQ(again.unknown().count, 0U);
     ASSERT_EQ(again.scene().plants.size(), 2U);
     EXPECT_EQ(again.scene().base->node_position_mm, before.base->node_position_mm);
     ASSERT_EQ(again.scene().base->organs.size(), 8U);
     for (std::size_t i = 0; i < 8; ++i)
         EXPECT_EQ(again.scene().base->organs[i].position_mm, before.base->organs[i].position_mm);
-    auto const log = run({ "session", "log", path("lines.tractus") });
+    auto const log = commands::run({ "session", "log", path("lines.tractus") });
     EXPECT_NE(log.out.find("begins a plant of construction lines, spiral"), std::string::npos)
         << log.out << log.err;
     EXPECT_NE(log.out.find("alternate, 180 degrees"), std::string::npos) << log.out;
@@ -373,13 +374,14 @@ TEST_F(LineToolAndCommand, ASessionKeepsTheSketch)
 
 TEST_F(LineToolAndCommand, ASessionKeepsBoundariesInSpace)
 {
-    auto const options = session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; });
-    auto const before
-        = drawn_in(Session::create(path("space.tractus"), { .plant = "small.l", .program = "1" },
-                                   std::vector<Edit> { small_model() }, options)
-                       .value(),
-                   draw_frond_in_space);
-    auto const again = Session::open(path("space.tractus"), options).value();
+    auto const options
+        = session::session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; });
+    auto const before = drawn_in(
+        session::Session::create(path("space.tractus"), { .plant = "small.l", .program = "1" },
+                                 std::vector<Edit> { small_model() }, options)
+            .value(),
+        draw_frond_in_space);
+    auto const again = session::Session::open(path("space.tractus"), options).value();
     EXPECT_EQ(again.unknown().count, 0U);
     auto const* const sketch = lines::active_pen_sketch(again.scene().state);
     ASSERT_TRUE(sketch);
@@ -390,18 +392,19 @@ TEST_F(LineToolAndCommand, ASessionKeepsBoundariesInSpace)
 
 TEST_F(LineToolAndCommand, ASessionKeepsStemsAndWhatTheyStandOn)
 {
-    auto const options = session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; });
-    auto const before
-        = drawn_in(Session::create(path("stems.tractus"), { .plant = "small.l", .program = "1" },
-                                   std::vector<Edit> { small_model() }, options)
-                       .value(),
-                   draw_two_stems_and_a_lateral);
-    auto const again = Session::open(path("stems.tractus"), options).value();
+    auto const options
+        = session::session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; });
+    auto const before = drawn_in(
+        session::Session::create(path("stems.tractus"), { .plant = "small.l", .program = "1" },
+                                 std::vector<Edit> { small_model() }, options)
+            .value(),
+        draw_two_stems_and_a_lateral);
+    auto const again = session::Session::open(path("stems.tractus"), options).value();
     EXPECT_EQ(again.unknown().count, 0U);
     ASSERT_EQ(again.scene().plants.size(), 2U);
     EXPECT_EQ(again.scene().base->axes.size(), 3U);
     EXPECT_EQ(again.scene().base->node_position_mm, before.base->node_position_mm);
-    auto const log = run({ "session", "log", path("stems.tractus") });
+    auto const log = commands::run({ "session", "log", path("stems.tractus") });
     EXPECT_NE(log.out.find("adds another stem to plant"), std::string::npos) << log.out << log.err;
 }
 
@@ -421,8 +424,8 @@ TEST_F(LineToolAndCommand, GiveTheSameTextOfSeveralStems)
             strokes.push_back(nlohmann::json::object({ { "stem", line } }));
     }
     ASSERT_TRUE(write_file(path("lines.json"), file.dump()));
-    auto const outcome
-        = run({ "construct", path("lines.json"), "--smooth", "--report", "-o", path("out") });
+    auto const outcome = commands::run(
+        { "construct", path("lines.json"), "--smooth", "--report", "-o", path("out") });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const model
         = lines::model_of(*lines::active_pen_sketch(document.newest()->scene.state)).value();
@@ -481,7 +484,7 @@ TEST(LineTool, SaysWhatTheLineWasTakenForAndWhatIsMissing)
     EXPECT_EQ(drawn[1].said.substr(0, 37), "It has no effect: this line neither c");
     EXPECT_EQ(drawn[2].refusal, "this is only a dot: draw a line of the sketch");
     auto const station = flat_station();
-    StationView view(station, document);
+    view::StationView view(station, document);
     view.tell(drawn[0]);
     EXPECT_EQ(view.state().status, drawn[0].said);
     view.tell(drawn[2]);

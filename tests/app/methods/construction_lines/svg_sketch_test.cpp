@@ -17,7 +17,7 @@ using Line = std::vector<Vec2>;
 // The only line of a path.
 Line path(char const* data)
 {
-    auto const lines = parse_svg_path(data);
+    auto const lines = svg::parse_svg_path(data);
     EXPECT_TRUE(lines) << data;
     EXPECT_TRUE(lines && lines->size() == 1) << data;
     return lines && !lines->empty() ? lines->front() : Line();
@@ -26,15 +26,15 @@ Line path(char const* data)
 nlohmann::json sketch(std::string const& content, std::string const& attributes = "")
 {
     auto const result
-        = svg_as_sketch("<?xml version=\"1.0\"?><svg " + attributes
-                        + " xmlns=\"http://www.w3.org/2000/svg\">" + content + "</svg>");
+        = svg::svg_as_sketch("<?xml version=\"1.0\"?><svg " + attributes
+                             + " xmlns=\"http://www.w3.org/2000/svg\">" + content + "</svg>");
     EXPECT_TRUE(result) << result.error().message;
     return result ? *result : nlohmann::json();
 }
 
 std::string svg_refusal(std::string const& text)
 {
-    auto const result = svg_as_sketch(text);
+    auto const result = svg::svg_as_sketch(text);
     return result ? "it is read" : result.error().message;
 }
 
@@ -44,7 +44,7 @@ TEST(SvgPath, ReadsStraightLinesInAllTheirForms)
     EXPECT_EQ(path("m1 2 3 4 5-6"), (Line { Vec2(1, 2), Vec2(4, 6), Vec2(9, 0) }));
     EXPECT_EQ(path("M.5.5H2v-1.5e0 1z"),
               (Line { Vec2(0.5, 0.5), Vec2(2, 0.5), Vec2(2, -1), Vec2(2, 0), Vec2(0.5, 0.5) }));
-    auto const lines = parse_svg_path("M0 0L1 0M5 5m1 1l2 2");
+    auto const lines = svg::parse_svg_path("M0 0L1 0M5 5m1 1l2 2");
     ASSERT_TRUE(lines);
     ASSERT_EQ(lines->size(), 2U);
     EXPECT_EQ((*lines)[1], (Line { Vec2(6, 6), Vec2(8, 8) }));
@@ -77,22 +77,23 @@ TEST(SvgPath, RefusesWhatIsNoPath)
 {
     for (auto const* const data : { "L1 2", "M1", "M1 2 3", "M1 2L", "M1 2X3", "M1 2Z3 4",
                                     "M0 0A1 1 0 2 0 5 5", "M0 0Linf 1", "M1e999 0" })
-        EXPECT_FALSE(parse_svg_path(data)) << data;
-    EXPECT_TRUE(parse_svg_path("")->empty());
+        EXPECT_FALSE(svg::parse_svg_path(data)) << data;
+    EXPECT_TRUE(svg::parse_svg_path("")->empty());
 }
 
 TEST(SvgTransform, TheLastIsDoneFirst)
 {
-    auto const transform = parse_svg_transform("translate(10,20) scale(2)  rotate(90)");
+    auto const transform = svg::parse_svg_transform("translate(10,20) scale(2)  rotate(90)");
     ASSERT_TRUE(transform);
     EXPECT_NEAR((*transform * Vec2(1, 0) - Vec2(10, 22)).norm(), 0, 1e-12);
-    auto const about = parse_svg_transform("rotate(180 5 5)");
+    auto const about = svg::parse_svg_transform("rotate(180 5 5)");
     EXPECT_NEAR((*about * Vec2(0, 0) - Vec2(10, 10)).norm(), 0, 1e-12);
-    EXPECT_NEAR((*parse_svg_transform("matrix(1 2 3 4 5 6)") * Vec2(1, 1) - Vec2(9, 12)).norm(), 0,
-                1e-12);
-    EXPECT_FALSE(parse_svg_transform("translate(1"));
-    EXPECT_FALSE(parse_svg_transform("turn(1)"));
-    EXPECT_FALSE(parse_svg_transform("scale()"));
+    EXPECT_NEAR(
+        (*svg::parse_svg_transform("matrix(1 2 3 4 5 6)") * Vec2(1, 1) - Vec2(9, 12)).norm(), 0,
+        1e-12);
+    EXPECT_FALSE(svg::parse_svg_transform("translate(1"));
+    EXPECT_FALSE(svg::parse_svg_transform("turn(1)"));
+    EXPECT_FALSE(svg::parse_svg_transform("scale()"));
 }
 
 TEST(SvgSketch, ReadsLinesByTheirNamesUprightAndInMillimetres)

@@ -49,8 +49,8 @@ protected:
 TEST_F(LeafAtlas, HasPagesWithEmptyGutters)
 {
     auto const outcome
-        = run({ "leaves", "maple", "oak", "--count", "3", "--pixels", "128", "--page", "256",
-                "--age", "0.3:0.9", "--larvae", "2", "-o", folder("page") });
+        = commands::run({ "leaves", "maple", "oak", "--count", "3", "--pixels", "128", "--page",
+                          "256", "--age", "0.3:0.9", "--larvae", "2", "-o", folder("page") });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("leaves 6, pages 2"), std::string::npos) << outcome.out;
     auto const page = nlohmann::json::parse(file_bytes(folder("page/leaves.json")));
@@ -79,8 +79,8 @@ TEST_F(LeafAtlas, HasPagesWithEmptyGutters)
 
 TEST_F(LeafAtlas, CutsShapesOutThatHoldTheirLeaves)
 {
-    ASSERT_EQ(run({ "leaves", "maple", "--count", "1", "--pixels", "128", "--page", "128", "-o",
-                    folder("shape") })
+    ASSERT_EQ(commands::run({ "leaves", "maple", "--count", "1", "--pixels", "128", "--page", "128",
+                              "-o", folder("shape") })
                   .exit_code,
               0);
     auto const json = nlohmann::json::parse(file_bytes(folder("shape/leaves.json")));
@@ -121,8 +121,8 @@ TEST_F(LeafAtlas, CutsShapesOutThatHoldTheirLeaves)
 TEST_F(LeafAtlas, PacksChannelsAsEachEngineTakesThem)
 {
     auto const make = [&](std::string const& engine) {
-        ASSERT_EQ(run({ "leaves", "birch", "--count", "1", "--pixels", "64", "--page", "64",
-                        "--channels", engine, "-o", folder(engine) })
+        ASSERT_EQ(commands::run({ "leaves", "birch", "--count", "1", "--pixels", "64", "--page",
+                                  "64", "--channels", engine, "-o", folder(engine) })
                       .exit_code,
                   0);
     };
@@ -148,8 +148,8 @@ TEST_F(LeafAtlas, PacksChannelsAsEachEngineTakesThem)
 TEST_F(LeafAtlas, IsTheSameHoweverManyLeavesFollow)
 {
     auto const make = [&](std::string const& name, std::string const& count) {
-        EXPECT_EQ(run({ "leaves", "rose", "--count", count, "--pixels", "64", "--page", "64",
-                        "--age", "0.2:1", "-o", folder(name) })
+        EXPECT_EQ(commands::run({ "leaves", "rose", "--count", count, "--pixels", "64", "--page",
+                                  "64", "--age", "0.2:1", "-o", folder(name) })
                       .exit_code,
                   0);
     };
@@ -163,8 +163,8 @@ TEST_F(LeafAtlas, IsTheSameHoweverManyLeavesFollow)
 
 TEST_F(LeafAtlas, WritesSmallerPicturesInWhichLeavesStay)
 {
-    ASSERT_EQ(run({ "leaves", "fern", "--count", "1", "--pixels", "256", "--page", "256", "--mips",
-                    "-o", folder("mips") })
+    ASSERT_EQ(commands::run({ "leaves", "fern", "--count", "1", "--pixels", "256", "--page", "256",
+                              "--mips", "-o", folder("mips") })
                   .exit_code,
               0);
     auto const there = [&](std::string const& name) {
@@ -183,14 +183,17 @@ TEST_F(LeafAtlas, WritesSmallerPicturesInWhichLeavesStay)
 
 TEST_F(LeafAtlas, SaysWhatItWants)
 {
-    EXPECT_NE(run({ "leaves" }).err.find("which leaves?"), std::string::npos);
-    EXPECT_NE(run({ "leaves", "maple" }).err.find("-o DIR"), std::string::npos);
-    EXPECT_NE(run({ "leaves", "maple", "--age", "0.3:2", "-o", folder("x") }).err.find("0.3:0.9"),
+    EXPECT_NE(commands::run({ "leaves" }).err.find("which leaves?"), std::string::npos);
+    EXPECT_NE(commands::run({ "leaves", "maple" }).err.find("-o DIR"), std::string::npos);
+    EXPECT_NE(commands::run({ "leaves", "maple", "--age", "0.3:2", "-o", folder("x") })
+                  .err.find("0.3:0.9"),
               std::string::npos);
-    EXPECT_NE(run({ "leaves", "maple", "--pixels", "100", "-o", folder("x") }).err.find("power of"),
+    EXPECT_NE(commands::run({ "leaves", "maple", "--pixels", "100", "-o", folder("x") })
+                  .err.find("power of"),
               std::string::npos);
-    EXPECT_NE(run({ "leaves", "oka", "-o", folder("x") }).err.find("there is no leaf oka"),
-              std::string::npos);
+    EXPECT_NE(
+        commands::run({ "leaves", "oka", "-o", folder("x") }).err.find("there is no leaf oka"),
+        std::string::npos);
     EXPECT_FALSE(fs::exists(folder("x")));
 }
 

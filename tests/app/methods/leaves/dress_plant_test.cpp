@@ -24,7 +24,8 @@ std::size_t leaves_of(Plant const& plant, std::string_view grammar)
     return static_cast<std::size_t>(
         std::count_if(plant.organs.begin(), plant.organs.end(), [&](Organ const& organ) {
             auto const& shape = plant.organ_shapes[organ.shape];
-            auto const order = shape.cut ? parse_leaf_sheet_name(shape.cut->sheet) : std::nullopt;
+            auto const order
+                = shape.cut ? lsystem::parse_leaf_sheet_name(shape.cut->sheet) : std::nullopt;
             return order && order->grammar.starts_with(grammar);
         }));
 }
@@ -44,7 +45,7 @@ TEST(DressPlant, GivesAModelAnotherSpeciesLeaves)
     EXPECT_GT(leaves_of(*scene.in_season, "maple"), 100u);
     EXPECT_EQ(leaves_of(*own.in_season, "maple"), 0u);
     EXPECT_EQ(leaves_of(*dressed_in(scene, "").in_season, "maple"), 0u) << "its own again";
-    auto const autumn = with_season(scene, Season { .month = 10.5 }).value();
+    auto const autumn = batch::with_season(scene, Season { .month = 10.5 }).value();
     EXPECT_GT(leaves_of(*autumn.in_season, "maple"), 10u) << "older ones";
     auto const& texture = autumn.in_season->materials.back().textures.base_color;
     EXPECT_NE(texture, scene.in_season->materials.back().textures.base_color);
@@ -59,7 +60,7 @@ TEST(DressPlant, KeepsAGrammarOfOnesOwn)
     EXPECT_GT(leaves_of(*scene.in_season, "my-own-"), 100u);
     ASSERT_EQ(scene.state.leaf_grammars.size(), 1u);
     fs::remove(file);
-    auto const autumn = with_season(scene, Season { .month = 10.5 });
+    auto const autumn = batch::with_season(scene, Season { .month = 10.5 });
     ASSERT_TRUE(autumn) << autumn.error().message;
     EXPECT_GT(leaves_of(*autumn->in_season, "my-own-"), 10u);
 }
@@ -97,15 +98,15 @@ TEST(SketchLeaf, MakesAGrammarThatPlantsWear)
     }
     auto const grammar = folder / "mine.leaf";
     auto const made
-        = run({ "leaves", "fit", drawing.string(), "-o", grammar.string(), "--report" });
+        = commands::run({ "leaves", "fit", drawing.string(), "-o", grammar.string(), "--report" });
     ASSERT_EQ(made.exit_code, 0) << made.err;
     EXPECT_NE(made.out.find("\"midrib\""), std::string::npos) << made.out;
-    auto const checked = run({ "leaves", "check", grammar.string() });
+    auto const checked = commands::run({ "leaves", "check", grammar.string() });
     EXPECT_EQ(checked.exit_code, 0) << checked.err;
     EXPECT_GT(leaves_of(*dressed_in(our_plant("broadleaf"), grammar.string()).in_season, "mine-"),
               100u);
-    auto const wrong
-        = run({ "leaves", "fit", (folder / "none.json").string(), "-o", grammar.string() });
+    auto const wrong = commands::run(
+        { "leaves", "fit", (folder / "none.json").string(), "-o", grammar.string() });
     EXPECT_NE(wrong.exit_code, 0);
     EXPECT_NE(wrong.err.find("none.json"), std::string::npos) << wrong.err;
     fs::remove_all(folder);

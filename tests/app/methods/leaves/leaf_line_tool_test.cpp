@@ -125,16 +125,16 @@ TEST(DrawnLeaves, AreKeptAndWorn)
 {
     auto const folder = fs::temp_directory_path() / fmt::format("tractus_drawn_{}", ::getpid());
     auto const scene = drawn_leaf();
-    auto const files = write_drawn_leaves(scene.state, folder / "cache");
+    auto const files = controllers::write_drawn_leaves(scene.state, folder / "cache");
     ASSERT_EQ(files.size(), 1u);
-    EXPECT_EQ(write_drawn_leaves(scene.state, folder / "cache"), files);
-    auto const kept = keep_leaf(files[0].file, folder / "own");
+    EXPECT_EQ(controllers::write_drawn_leaves(scene.state, folder / "cache"), files);
+    auto const kept = controllers::keep_leaf(files[0].file, folder / "own");
     ASSERT_TRUE(kept) << kept.error().message;
-    EXPECT_EQ(keep_leaf(files[0].file, folder / "own").value(), *kept)
+    EXPECT_EQ(controllers::keep_leaf(files[0].file, folder / "own").value(), *kept)
         << "the text is there already";
     auto const other = drawn_leaf({ .teeth = 12 });
-    auto const others = write_drawn_leaves(other.state, folder / "cache");
-    EXPECT_NE(keep_leaf(others.at(0).file, folder / "own").value(), *kept);
+    auto const others = controllers::write_drawn_leaves(other.state, folder / "cache");
+    EXPECT_NE(controllers::keep_leaf(others.at(0).file, folder / "own").value(), *kept);
     auto const tree = our_plant("broadleaf");
     auto const edits = dressing_edits(tree, tree.state.active, { .leaves = kept->string() });
     ASSERT_TRUE(edits) << edits.error().message;

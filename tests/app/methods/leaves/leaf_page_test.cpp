@@ -12,21 +12,24 @@ namespace tractus {
 namespace {
 
 // What the pen draws is there already: it would be undone in place of the leaves.
-LiveWindow window_with_tree()
+controllers::LiveWindow window_with_tree()
 {
-    auto options = live_options();
+    auto options = controllers::live_options();
     options.scene = our_plant("broadleaf");
-    auto window = LiveWindow::create(drawing_devices(false), std::move(options)).value();
-    advance_to_end(window);
+    auto window
+        = controllers::LiveWindow::create(controllers::drawing_devices(false), std::move(options))
+              .value();
+    controllers::advance_to_end(window);
     return window;
 }
 
 // Where the card of that title is.
-std::pair<std::size_t, std::size_t> card_of(StartPageState const& page, std::string const& title)
+std::pair<std::size_t, std::size_t> card_of(view::StartPageState const& page,
+                                            std::string const& title)
 {
     for (std::size_t group = 0; group < page.groups.size(); ++group) {
         auto const& cards = page.groups[group].cards;
-        auto const found = std::ranges::find(cards, title, &StartCard::title);
+        auto const found = std::ranges::find(cards, title, &view::StartCard::title);
         if (found != cards.end())
             return { group, static_cast<std::size_t>(found - cards.begin()) };
     }
@@ -34,9 +37,9 @@ std::pair<std::size_t, std::size_t> card_of(StartPageState const& page, std::str
     return { 0, 0 };
 }
 
-void choose(LiveWindow& window, std::string const& title)
+void choose(controllers::LiveWindow& window, std::string const& title)
 {
-    window.perform(OpenLeaves {});
+    window.perform(view::OpenLeaves {});
     auto* const page = window.start_page();
     ASSERT_NE(page, nullptr);
     auto const [group, card] = card_of(page->state(), title);
@@ -68,7 +71,7 @@ TEST(LeafPage, PutsLeavesOnThePlantAsItShowsThem)
     EXPECT_EQ(window.scene().drawn->leaves, "maple+spots=0.5 16 0.93.leaf-sheet");
     choose(window, "Maple");
     EXPECT_EQ(window.start_page()->state().study->sliders[0].value, 0.93) << "as it wears them";
-    window.perform(Undo {});
+    window.perform(view::Undo {});
     window.settle();
     EXPECT_EQ(window.scene().drawn->leaves, "");
 }

@@ -64,9 +64,9 @@ void expect_counts(fs::path const& folder, std::size_t grammars)
         for (auto const& wanted : runs) {
             auto const steps = static_cast<int>(wanted["steps"].size()) - 1;
             auto const final_step = wanted["finalstep"].get<int>();
-            auto const outcome
-                = run({ "leaves", "count", path.string(), "--steps", std::to_string(steps),
-                        "--finalstep", std::to_string(final_step) });
+            auto const outcome = commands::run({ "leaves", "count", path.string(), "--steps",
+                                                 std::to_string(steps), "--finalstep",
+                                                 std::to_string(final_step) });
             ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
             auto const found = json::parse(outcome.out)["steps"];
             ASSERT_EQ(found.size(), wanted["steps"].size());
@@ -91,7 +91,7 @@ TEST(LeafCorpus, CountsAreWhatAnotherProgramCounts)
 TEST(LeavesCommand, CheckSaysWhatAGrammarHas)
 {
     auto const path = shipped("leaves") / "hand.leaf";
-    auto const outcome = run({ "leaves", "check", path.string() });
+    auto const outcome = commands::run({ "leaves", "check", path.string() });
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, path.string() + ": understood: faces 7, rules 7, variables 0\n");
 }
@@ -101,7 +101,7 @@ TEST(LeavesCommand, CheckSaysWhatIsWrongWhere)
     auto const path
         = fs::temp_directory_path() / ("tractus_leaves." + std::to_string(getpid()) + ".leaf");
     std::ofstream(path) << "#define A(4,1,0,0,0,1,1)\n#axiom : A\nr A -> A[B]E\n";
-    auto const outcome = run({ "leaves", "check", path.string() });
+    auto const outcome = commands::run({ "leaves", "check", path.string() });
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_NE(outcome.err.find(path.string() + ":3:10: no face B is defined"), std::string::npos)
         << outcome.err;
@@ -130,8 +130,9 @@ TEST(LeavesCommand, DrawWritesTrianglesOfTheWantedSize)
     auto const folder
         = fs::temp_directory_path() / ("tractus_leaves_draw." + std::to_string(getpid()));
     auto const file = folder / "hand.obj";
-    auto const outcome = run({ "leaves", "draw", (shipped("leaves") / "hand.leaf").string(),
-                               "--steps", "7", "--size", "80", "-o", file.string() });
+    auto const outcome
+        = commands::run({ "leaves", "draw", (shipped("leaves") / "hand.leaf").string(), "--steps",
+                          "7", "--size", "80", "-o", file.string() });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     std::ifstream lines(file);
     std::size_t triangles = 0;
@@ -148,7 +149,7 @@ TEST(LeavesCommand, DrawWritesTrianglesOfTheWantedSize)
 
 TEST(LeavesCommand, AFileThatIsNotThereIsSaid)
 {
-    auto const outcome = run({ "leaves", "check", "/nowhere/my.leaf" });
+    auto const outcome = commands::run({ "leaves", "check", "/nowhere/my.leaf" });
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_NE(outcome.err.find("/nowhere/my.leaf"), std::string::npos) << outcome.err;
 }

@@ -68,8 +68,9 @@ INSTANTIATE_TEST_SUITE_P(Ours, PlantLeaves, testing::ValuesIn(leaf_names()), [](
 TEST(PlantLeaf, IsTheSameEachTime)
 {
     auto const grammar = load_own_leaf_grammar("lime").value();
-    auto const text = print_leaf_sheet(grow_leaf_sheet(grammar, { .variants = 2 }).value());
-    EXPECT_EQ(print_leaf_sheet(grow_leaf_sheet(grammar, { .variants = 2 }).value()), text);
+    auto const text
+        = lsystem::print_leaf_sheet(grow_leaf_sheet(grammar, { .variants = 2 }).value());
+    EXPECT_EQ(lsystem::print_leaf_sheet(grow_leaf_sheet(grammar, { .variants = 2 }).value()), text);
 }
 
 } // namespace

@@ -140,8 +140,9 @@ protected:
 TEST_F(PaintCommand, WritesTheMapsOfAMaterial)
 {
     auto const to = (folder_ / "maps").string();
-    auto const outcome = run({ "leaves", "paint", "oak", "birch", "--count", "2", "--pixels", "64",
-                               "--age", "0.3", "--age-to", "0.9", "-o", to });
+    auto const outcome
+        = commands::run({ "leaves", "paint", "oak", "birch", "--count", "2", "--pixels", "64",
+                          "--age", "0.3", "--age-to", "0.9", "-o", to });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     for (auto const* const name :
          { "color.png", "normal.png", "occlusion-roughness.png", "translucency.png" })
@@ -158,7 +159,7 @@ TEST_F(PaintCommand, WritesTheMapsOfAMaterial)
 TEST_F(PaintCommand, WritesAPicture)
 {
     auto const to = (folder_ / "leaf.png").string();
-    auto const outcome = run({ "leaves", "paint", "maple", "--pixels", "80", "-o", to });
+    auto const outcome = commands::run({ "leaves", "paint", "maple", "--pixels", "80", "-o", to });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(png_size(to), std::pair(80u, 80u));
 }
@@ -167,7 +168,8 @@ TEST_F(PaintCommand, DrawsWhatRollsUpAsItGrowsOld)
 {
     auto const height = [&](std::string const& age) {
         auto const to = (folder_ / "leaf.obj").string();
-        EXPECT_EQ(run({ "leaves", "draw", "beech", "--age", age, "-o", to }).exit_code, 0);
+        EXPECT_EQ(commands::run({ "leaves", "draw", "beech", "--age", age, "-o", to }).exit_code,
+                  0);
         std::ifstream file(to);
         double low = 1e9;
         double high = -1e9;
@@ -185,7 +187,7 @@ TEST_F(PaintCommand, PutsItsPicturesOnALeaf)
 {
     auto const to = (folder_ / "leaf.glb").string();
     auto const outcome
-        = run({ "leaves", "draw", "oak", "--paint", "64", "--age", "0.8", "-o", to });
+        = commands::run({ "leaves", "draw", "oak", "--paint", "64", "--age", "0.8", "-o", to });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     std::string const bytes = file_bytes(to);
     std::size_t const length
@@ -204,7 +206,7 @@ TEST_F(PaintCommand, PutsItsPicturesOnALeaf)
 TEST_F(PaintCommand, RefusesToPaintWhatItsPictureWouldNotShow)
 {
     auto const to = (folder_ / "leaf.png").string();
-    auto const outcome = run({ "leaves", "draw", "oak", "--paint", "64", "-o", to });
+    auto const outcome = commands::run({ "leaves", "draw", "oak", "--paint", "64", "-o", to });
     EXPECT_NE(outcome.exit_code, 0);
     EXPECT_NE(outcome.err.find("shows no painting"), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(to));
@@ -212,13 +214,14 @@ TEST_F(PaintCommand, RefusesToPaintWhatItsPictureWouldNotShow)
 
 TEST_F(PaintCommand, NamesTheLeavesThatThereAre)
 {
-    auto const outcome = run({ "leaves", "paint", "oka", "-o", (folder_ / "x.png").string() });
+    auto const outcome
+        = commands::run({ "leaves", "paint", "oka", "-o", (folder_ / "x.png").string() });
     EXPECT_NE(outcome.exit_code, 0);
     EXPECT_NE(outcome.err.find("there is no leaf oka: give the path of a leaf grammar, or one of "
                                "beech, birch"),
               std::string::npos)
         << outcome.err;
-    EXPECT_NE(run({ "leaves", "list" }).out.find("tulip-tree"), std::string::npos);
+    EXPECT_NE(commands::run({ "leaves", "list" }).out.find("tulip-tree"), std::string::npos);
 }
 
 } // namespace

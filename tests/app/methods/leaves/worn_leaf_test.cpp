@@ -37,7 +37,7 @@ Stroke worn_outline(double half_width_mm)
 class WornLeaf : public testing::Test {
 protected:
     WornLeaf()
-        : document_(our_plant("broadleaf"), Document::Working::AtOnce, following_edits)
+        : document_(our_plant("broadleaf"), Document::Working::AtOnce, batch::following_edits)
         , tree_(scene().state.active)
     {
         draw(worn_outline(20));
@@ -82,7 +82,7 @@ protected:
         auto shown = scene();
         std::erase_if(shown.plants, [&](auto const& plant) { return plant->drawn->id != tree_; });
         auto const path = fs::temp_directory_path() / fmt::format("worn-{}.glb", ::getpid());
-        EXPECT_TRUE(write_plant_file(shown_plants(shown).value(), "tree", path));
+        EXPECT_TRUE(batch::write_plant_file(batch::shown_plants(shown).value(), "tree", path));
         auto const bytes = read_text_file(path, std::size_t { 1 } << 30);
         fs::remove(path);
         return bytes.value();
@@ -115,8 +115,8 @@ TEST_F(WornLeaf, FollowsItsDrawingAsIfItWerePutOnAfterwards)
     auto const afterwards = apply_edits(drawn, *edits).value();
     auto const& name = afterwards.state.plants[0]->leaves;
     ASSERT_EQ(scene().state.plants[0]->leaves, name);
-    EXPECT_EQ(print_leaf_sheet(*scene().state.leaf_sheets.at(name)),
-              print_leaf_sheet(*afterwards.state.leaf_sheets.at(name)));
+    EXPECT_EQ(lsystem::print_leaf_sheet(*scene().state.leaf_sheets.at(name)),
+              lsystem::print_leaf_sheet(*afterwards.state.leaf_sheets.at(name)));
     EXPECT_EQ(scene().state.leaf_sheets.size(), 1u) << "that of the earlier drawing is gone";
 }
 
@@ -130,7 +130,7 @@ TEST_F(WornLeaf, FollowsItsNumbersAndKeepsHowItIsWorn)
     ASSERT_TRUE(worn);
     EXPECT_EQ(worn->drawn, leaf_);
     EXPECT_EQ(worn->age, 0.6);
-    EXPECT_EQ(worn->damage, (LeafDamage { .spots = 0.25, .larvae = 2 }));
+    EXPECT_EQ(worn->damage, (lsystem::LeafDamage { .spots = 0.25, .larvae = 2 }));
 }
 
 TEST_F(WornLeaf, StaysWhenItsDrawingIsRemoved)
@@ -152,7 +152,7 @@ TEST_F(WornLeaf, StaysWhenItsDrawingIsRemoved)
 TEST_F(WornLeaf, FollowsInTheSeason)
 {
     put_on({ .drawn = leaf_ });
-    make(season_edits(scene(), Season { .month = 10.5 }).value());
+    make(batch::season_edits(scene(), Season { .month = 10.5 }).value());
     auto const before = tree();
     draw_vein();
     EXPECT_NE(tree(), before);
@@ -184,13 +184,13 @@ TEST_F(WornLeaf, WearsNoLeavesItself)
 
 TEST(LeafWord, SaysWhatIsDoneToLeaves)
 {
-    LeafWord const wanted { "my+own.leaf", { .spots = 0.25, .mines = 2, .withered = 1 } };
-    EXPECT_EQ(leaf_word(wanted), "my+own.leaf+spots=0.25+mines=2+withered=1");
-    EXPECT_EQ(parse_leaf_word(leaf_word(wanted)), wanted);
-    EXPECT_EQ(leaf_word({ "oak", {} }), "oak");
-    EXPECT_TRUE(check_leaf_name("my+own.leaf"));
+    lsystem::LeafWord const wanted { "my+own.leaf", { .spots = 0.25, .mines = 2, .withered = 1 } };
+    EXPECT_EQ(lsystem::leaf_word(wanted), "my+own.leaf+spots=0.25+mines=2+withered=1");
+    EXPECT_EQ(lsystem::parse_leaf_word(lsystem::leaf_word(wanted)), wanted);
+    EXPECT_EQ(lsystem::leaf_word({ "oak", {} }), "oak");
+    EXPECT_TRUE(lsystem::check_leaf_name("my+own.leaf"));
     for (auto const* const name : { "a+b", "a+spots=2", "a+spots=x", "a+spots=", "oak+rust=1" })
-        EXPECT_EQ(parse_leaf_word(name).grammar, name);
+        EXPECT_EQ(lsystem::parse_leaf_word(name).grammar, name);
     auto const wrong = own_leaf_path("oak+spots=3");
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().message,
@@ -198,7 +198,7 @@ TEST(LeafWord, SaysWhatIsDoneToLeaves)
               "mines (0 to 20), larvae (0 to 20), withered (0 to 1)");
 }
 
-double share_of_paper(Image const& image, Color const& paper)
+double share_of_paper(render::Image const& image, render::Color const& paper)
 {
     return static_cast<double>(std::ranges::count(image.pixels(), paper))
         / static_cast<double>(image.pixels().size());
@@ -206,7 +206,7 @@ double share_of_paper(Image const& image, Color const& paper)
 
 TEST(LeafStudy, ShowsALeafWithItsDamage)
 {
-    Color const paper { 250, 250, 248, 255 };
+    render::Color const paper { 250, 250, 248, 255 };
     auto const grammar = load_own_leaf_grammar("oak").value();
     auto const whole = study_leaf(grammar, {}, paper).value();
     auto const eaten = study_leaf(grammar, { .damage = { .larvae = 8 } }, paper).value();

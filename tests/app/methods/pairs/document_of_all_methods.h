@@ -12,9 +12,9 @@
 
 namespace tractus {
 
-inline SessionOptions options_for_all_methods()
+inline session::SessionOptions options_for_all_methods()
 {
-    auto options = options_for_tests();
+    auto options = session::options_for_tests();
     options.kinds = all_methods().edits;
     return options;
 }
@@ -22,11 +22,11 @@ inline SessionOptions options_for_all_methods()
 // All that is shown of a document, as a .glb.
 inline std::string exported(Scene const& scene)
 {
-    auto const mesh = mesh::make_mesh(shown_plants(scene).value());
+    auto const mesh = mesh::make_mesh(batch::shown_plants(scene).value());
     std::ostringstream out;
-    PlacedMesh placed;
+    exports::PlacedMesh placed;
     placed.mesh = &mesh;
-    EXPECT_TRUE(write_glb(out, std::span(&placed, 1)));
+    EXPECT_TRUE(exports::write_glb(out, std::span(&placed, 1)));
     return out.str();
 }
 

@@ -171,17 +171,17 @@ std::size_t segments_of_part(Scene const& scene, ItemId part)
     return count;
 }
 
-class Pairs : public SessionFolder {
+class Pairs : public session::SessionFolder {
 protected:
     // A session with both plants, the guest on the host, and a stroke on the guest.
-    Result<Session> begin(MethodOfPair const& host, MethodOfPair const& guest)
+    Result<session::Session> begin(MethodOfPair const& host, MethodOfPair const& guest)
     {
         std::vector<Edit> first { SetScale { 0.1 } };
         auto const scene = apply_edits({}, first).value();
         for (auto& edit : made(host, scene, 0))
             first.push_back(edit);
-        auto session = TRY(Session::create(path(), { .plant = "pair", .program = "1" }, first,
-                                           options_for_all_methods()));
+        auto session = TRY(session::Session::create(path(), { .plant = "pair", .program = "1" },
+                                                    first, options_for_all_methods()));
         host_ = session.scene().state.active;
         TRY(session.append(made(guest, session.scene(), 120)));
         guest_ = session.scene().state.active;
@@ -228,11 +228,11 @@ TEST_F(Pairs, AreOnePlantWhateverMadeTheTwo)
             EXPECT_FALSE(session.scene().associations[0].what.is_orphaned);
             // Undone, saved, opened, exported.
             ASSERT_TRUE(session.undo());
-            EXPECT_TRUE(same_scene(session.scene(), drawn));
+            EXPECT_TRUE(session::same_scene(session.scene(), drawn));
             opened = tl::unexpected(Error {});
-            opened = Session::open(path(), options_for_all_methods());
+            opened = session::Session::open(path(), options_for_all_methods());
             ASSERT_TRUE(opened) << opened.error().message;
-            EXPECT_TRUE(same_scene(opened->scene(), drawn));
+            EXPECT_TRUE(session::same_scene(opened->scene(), drawn));
             EXPECT_TRUE(exported(opened->scene()) == file);
             ASSERT_TRUE(opened->redo());
             EXPECT_EQ(segments_of_part(opened->scene(), guest_), segments_of_part(drawn, guest_));

@@ -12,7 +12,7 @@
 namespace tractus {
 namespace {
 
-using RandomEdits = SessionFolder;
+using RandomEdits = session::SessionFolder;
 
 // Draws until there are so many steps that count; some are undone and done again on the way.
 void draw_at_random(Document& document, RandomHand& hand, std::size_t steps)
@@ -72,16 +72,16 @@ TEST_F(RandomEdits, OfAllMethodsAreInTheSessionsFile)
     constexpr std::size_t kSteps = 150; // Each waits for the disk.
     std::string file;
     {
-        Document document(Session::create(path(), { .plant = "empty", .program = "1" },
-                                          std::vector<Edit> { BeginEmpty {} },
-                                          options_for_all_methods())
+        Document document(session::Session::create(path(), { .plant = "empty", .program = "1" },
+                                                   std::vector<Edit> { session::BeginEmpty {} },
+                                                   options_for_all_methods())
                               .value(),
                           Document::Working::AtOnce);
         RandomHand hand(5);
         draw_at_random(document, hand, kSteps);
         file = exported_again(document, kSteps);
     }
-    auto const opened = Session::open(path(), options_for_all_methods());
+    auto const opened = session::Session::open(path(), options_for_all_methods());
     ASSERT_TRUE(opened) << opened.error().message;
     EXPECT_TRUE(exported(opened->scene()) == file);
 }

@@ -132,9 +132,10 @@ TEST(PictureTool, RefusesADotAndAHeightAboveTheHorizon)
 TEST(PictureTool, KeepsTheGroundInItsRecord)
 {
     SetPictureGround const edit { known_at(-2, 12, 1.8) };
-    auto const again = edit_of(record_of(edit), all_methods().edits).value();
+    auto const again = session::edit_of(session::record_of(edit), all_methods().edits).value();
     EXPECT_EQ(again.get<SetPictureGround>()->ground, edit.ground);
-    auto const none = edit_of(record_of(SetPictureGround {}), all_methods().edits).value();
+    auto const none
+        = session::edit_of(session::record_of(SetPictureGround {}), all_methods().edits).value();
     EXPECT_EQ(none.get<SetPictureGround>()->ground, PictureGround {});
 }
 

@@ -32,15 +32,18 @@ protected:
         return folder_ / name;
     }
 
-    LiveWindow window(fs::path const& session = {}) const
+    controllers::LiveWindow window(fs::path const& session = {}) const
     {
-        auto options = live_options();
+        auto options = controllers::live_options();
         options.folder = folder_;
         options.picture_folders = { folder_ };
         if (!session.empty())
-            options.session
-                = Session::open(session, session_by_the_clock(options.methods.edits, {})).value();
-        return LiveWindow::create(drawing_devices(false), std::move(options)).value();
+            options.session = session::Session::open(
+                                  session, session::session_by_the_clock(options.methods.edits, {}))
+                                  .value();
+        return controllers::LiveWindow::create(controllers::drawing_devices(false),
+                                               std::move(options))
+            .value();
     }
 
     fs::path const folder_
@@ -55,16 +58,16 @@ TEST_F(Pictures, AreListedTheNewestFirst)
     fs::last_write_time(newer, fs::file_time_type::clock::now() - std::chrono::hours(1));
     put(".hidden.png");
     put("notes.txt", "no picture");
-    EXPECT_EQ(pictures_in(folder_, 10), (std::vector { newer, old }));
-    EXPECT_EQ(pictures_in(folder_, 1), std::vector { newer });
-    EXPECT_TRUE(pictures_in(folder_ / "nowhere", 10).empty());
+    EXPECT_EQ(controllers::pictures_in(folder_, 10), (std::vector { newer, old }));
+    EXPECT_EQ(controllers::pictures_in(folder_, 1), std::vector { newer });
+    EXPECT_TRUE(controllers::pictures_in(folder_ / "nowhere", 10).empty());
 }
 
 TEST_F(Pictures, LieBehindWhatIsDrawnWhenTheyAreChosen)
 {
     put("oak.png", small_png(300, 100));
     auto window = this->window();
-    window.perform(OpenPictures {});
+    window.perform(view::OpenPictures {});
     window.settle();
     auto* const page = window.start_page();
     ASSERT_NE(page, nullptr);
@@ -91,7 +94,7 @@ TEST_F(Pictures, AreLeftAsTheyWereWithoutAChoice)
 {
     put("oak.png");
     auto window = this->window();
-    window.perform(OpenPictures {});
+    window.perform(view::OpenPictures {});
     window.start_page()->leave();
     window.advance({});
     window.settle();
@@ -101,8 +104,8 @@ TEST_F(Pictures, AreLeftAsTheyWereWithoutAChoice)
 
 TEST_F(Pictures, WhereThereAreNoneItIsSaidWhereToPutThem)
 {
-    ChoicePage page({});
-    page.open(picture_choices({ folder_ }));
+    controllers::ChoicePage page({});
+    page.open(controllers::picture_choices({ folder_ }));
     EXPECT_TRUE(page.state().groups.empty());
     EXPECT_NE(page.state().note.find(folder_.string()), std::string::npos);
 }
@@ -111,11 +114,11 @@ TEST_F(Pictures, ThatCannotBeReadAreRefusedByName)
 {
     auto const broken = put("broken.png", small_png().substr(0, 60));
     auto window = this->window();
-    window.perform(LayPictureFile { broken });
+    window.perform(view::LayPictureFile { broken });
     window.settle();
     EXPECT_NE(window.state().status.find("broken.png"), std::string::npos);
     EXPECT_FALSE(window.state().picture);
-    window.perform(LayPictureFile { folder_ / "nothing.png" });
+    window.perform(view::LayPictureFile { folder_ / "nothing.png" });
     window.settle();
     EXPECT_NE(window.state().status.find("nothing.png"), std::string::npos);
 }
@@ -125,14 +128,14 @@ TEST_F(Pictures, AreKeptInTheSession)
 {
     auto const session = folder_ / "drawing.tractus";
     {
-        auto options = live_options();
-        auto const kinds = session_by_the_clock(options.methods.edits, {});
-        Session::create(session, {}, std::vector<Edit> { small_model() }, kinds).value();
+        auto options = controllers::live_options();
+        auto const kinds = session::session_by_the_clock(options.methods.edits, {});
+        session::Session::create(session, {}, std::vector<Edit> { small_model() }, kinds).value();
     }
     auto const oak = put("oak.png", small_png(50, 70));
     {
         auto window = this->window(session);
-        window.perform(LayPictureFile { oak });
+        window.perform(view::LayPictureFile { oak });
         ASSERT_TRUE(window.close());
     }
     fs::remove(oak);
@@ -141,11 +144,11 @@ TEST_F(Pictures, AreKeptInTheSession)
     ASSERT_TRUE(window.state().picture);
     EXPECT_EQ(window.state().picture->image->height(), 70);
     for (int i = 0; i < 3; ++i) // The devices have drawn a stroke in each window.
-        window.perform(Undo {});
+        window.perform(view::Undo {});
     window.settle();
     EXPECT_FALSE(window.state().picture);
     for (int i = 0; i < 3; ++i)
-        window.perform(Redo {});
+        window.perform(view::Redo {});
     window.settle();
     EXPECT_TRUE(window.state().picture);
 }
@@ -156,11 +159,13 @@ TEST_F(Pictures, AreStepsOfARecording)
     auto const png = small_png(50, 70);
     auto const log = folder_ / "evening.tractus-log";
     {
-        auto options = live_options();
+        auto options = controllers::live_options();
         options.folder = folder_;
         options.recording = log;
         options.picture = put("oak.png", png);
-        auto window = LiveWindow::create(drawing_devices(false), std::move(options)).value();
+        auto window = controllers::LiveWindow::create(controllers::drawing_devices(false),
+                                                      std::move(options))
+                          .value();
         window.settle();
         ASSERT_TRUE(window.close());
     }

@@ -110,10 +110,10 @@ TEST(PictureEdits, RefuseWhatCannotBe)
 TEST(PictureEdits, KeepTheFileAsItIs)
 {
     auto const png = small_png();
-    auto const record = record_of(LayPicture { "oak.png", png });
+    auto const record = session::record_of(LayPicture { "oak.png", png });
     EXPECT_EQ(record.numbers, png);
     EXPECT_LT(record.fields.size(), 200u);
-    auto const edit = edit_of(record, core_edit_kinds()).value();
+    auto const edit = session::edit_of(record, core_edit_kinds()).value();
     EXPECT_EQ(edit.get<LayPicture>()->file, png);
 }
 
@@ -121,7 +121,7 @@ TEST(PictureEdits, KeepTheFileAsItIs)
 TEST(PictureTool, ShowsTheOutcomeWhileThePenMoves)
 {
     auto station = station_on(with_picture(), PictureTool {});
-    StationView view(station, station.document());
+    view::StationView view(station, station.document());
     view.show(station, station.document());
     view.settle();
     ASSERT_TRUE(view.state().picture);
@@ -145,7 +145,7 @@ TEST(PictureTool, ShowsTheOutcomeWhileThePenMoves)
 TEST(PictureTool, GivesALockedPictureBack)
 {
     auto station = station_on(with_picture({ .is_locked = true }), PictureTool {});
-    StationView view(station, station.document());
+    view::StationView view(station, station.document());
     view.show(station, station.document());
     view.settle();
     for (int i = 0; i < 10; ++i)

@@ -12,7 +12,7 @@ namespace tractus {
 inline std::string small_png(int width = 40, int height = 30)
 {
     std::ostringstream out;
-    EXPECT_TRUE(write_png(out, Image(width, height, { 10, 200, 30, 255 })));
+    EXPECT_TRUE(render::write_png(out, render::Image(width, height, { 10, 200, 30, 255 })));
     return out.str();
 }
 

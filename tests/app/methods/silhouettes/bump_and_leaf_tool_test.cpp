@@ -83,15 +83,15 @@ TEST(OutlineTool, WritesTouchesInSessions)
 {
     auto const tree = crowned();
     auto const edit = meant(tap(22, 32), tree, { .what = OutlineTool::What::Split });
-    auto const again = edit_of(record_of(edit), all_methods().edits).value();
+    auto const again = session::edit_of(session::record_of(edit), all_methods().edits).value();
     EXPECT_EQ(again.get<DrawTree>()->part, DrawTree::Part::Split);
     EXPECT_EQ(apply_edit(tree, again)->base->node_position_mm,
               apply_edit(tree, edit)->base->node_position_mm);
     silhouette::DeclareLeaf const leaf { tree.state.active, 0, true };
-    EXPECT_EQ(record_of(leaf).fields.find("outline"), std::string::npos) << "the crown's";
-    auto const declared = edit_of(record_of(leaf), all_methods().edits).value();
+    EXPECT_EQ(session::record_of(leaf).fields.find("outline"), std::string::npos) << "the crown's";
+    auto const declared = session::edit_of(session::record_of(leaf), all_methods().edits).value();
     EXPECT_TRUE(declared.get<silhouette::DeclareLeaf>()->is_leaf);
-    auto const usual = record_of(meant(lobe_of_crown(), tree));
+    auto const usual = session::record_of(meant(lobe_of_crown(), tree));
     EXPECT_EQ(usual.fields.find("is_leaf"), std::string::npos) << "as before there were leaves";
 }
 

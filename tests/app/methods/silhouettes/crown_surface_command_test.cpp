@@ -63,7 +63,7 @@ protected:
         std::vector<std::string> arguments { "silhouette", write("tree.json", drawing),
                                              "--report" };
         arguments.insert(arguments.end(), more.begin(), more.end());
-        auto const outcome = run(arguments);
+        auto const outcome = commands::run(arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_EQ(outcome.err, "");
         return json::parse(outcome.out);
@@ -81,7 +81,8 @@ protected:
 
     std::string refusal(json const& drawing) const
     {
-        auto const outcome = run({ "silhouette", write("bad.json", drawing), "--report" });
+        auto const outcome
+            = commands::run({ "silhouette", write("bad.json", drawing), "--report" });
         EXPECT_NE(outcome.exit_code, 0);
         return outcome.err;
     }
@@ -153,12 +154,13 @@ TEST_F(CrownSurfaceCommand, WritesASessionOfItsLines)
             drawing.erase("branches");
         }
         auto const file = write(name + ".json", drawing);
-        auto const outcome
-            = run({ "silhouette", file, "-o", path("out"), "--session", "--levels", "1" });
+        auto const outcome = commands::run(
+            { "silhouette", file, "-o", path("out"), "--session", "--levels", "1" });
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         auto const scene
-            = load_session_scene(path("out/" + name + ".tractus"), all_methods().edits).value();
-        ASSERT_TRUE(write_plant_file(*scene.base, name, path("again.glb")));
+            = batch::load_session_scene(path("out/" + name + ".tractus"), all_methods().edits)
+                  .value();
+        ASSERT_TRUE(batch::write_plant_file(*scene.base, name, path("again.glb")));
         EXPECT_TRUE(file_bytes(path("out/" + name + ".glb")) == file_bytes(path("again.glb")));
     }
 }

@@ -217,7 +217,7 @@ TEST(CrownTool, ReplaysToTheSameTree)
     EXPECT_EQ(alone.base->node_position_mm, replay.scene.base->node_position_mm);
     // As a session's record has it.
     auto const edits = meant_by(replay.strokes[0].stroke, {}).value();
-    auto const again = edit_of(record_of(edits[0]), all_methods().edits);
+    auto const again = session::edit_of(session::record_of(edits[0]), all_methods().edits);
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(apply_edit(Scene {}, *again).value().base->node_position_mm,
               apply_edit(Scene {}, edits[0]).value().base->node_position_mm);

@@ -219,7 +219,7 @@ TEST(OutlineTool, CarriesAStyle)
     auto const& styles = edits[0].get<silhouette::ChooseStyles>()->styles;
     ASSERT_GE(styles.size(), 1u);
     EXPECT_EQ(styles.begin()->second, source);
-    auto const again = edit_of(record_of(edits[0]), all_methods().edits).value();
+    auto const again = session::edit_of(session::record_of(edits[0]), all_methods().edits).value();
     EXPECT_EQ(again.get<silhouette::ChooseStyles>()->styles, styles);
     auto const scene = std::make_shared<Scene const>(document.newest()->scene);
     Tool const tool = carrying;
@@ -255,7 +255,7 @@ TEST(OutlineTool, DrawsOnBranchesOfBranches)
     auto const own = meant(twig, tree, alone);
     EXPECT_EQ(own.part, DrawTree::Part::OwnBranch);
     EXPECT_EQ(own.search, silhouette::Search::AnyLevel);
-    auto const again = edit_of(record_of(own), all_methods().edits).value();
+    auto const again = session::edit_of(session::record_of(own), all_methods().edits).value();
     EXPECT_EQ(again.get<DrawTree>()->search, silhouette::Search::AnyLevel);
     auto const deeper = apply_edit(tree, own).value();
     auto const& drawn = silhouette::outlined_tree(*deeper.drawn)->own_branches;
@@ -265,7 +265,7 @@ TEST(OutlineTool, DrawsOnBranchesOfBranches)
     EXPECT_EQ(said, "The branch bears 1 branch that you drew");
     OutlineTool const of_trunks { .branches = OutlineTool::Branches::OfNearest };
     EXPECT_EQ(meant(twig, tree, of_trunks).search, silhouette::Search::OnTrunk);
-    auto const record = record_of(meant(twig, tree, of_trunks));
+    auto const record = session::record_of(meant(twig, tree, of_trunks));
     EXPECT_EQ(record.fields.find("at_any_level"), std::string::npos);
 }
 

@@ -66,7 +66,7 @@ json reported(std::vector<DrawnStroke> const& strokes)
     std::ofstream(file) << json { { "trunk", points_of(strokes[0].stroke) },
                                   { "outline", points_of(strokes[1].stroke) },
                                   { "parts", { points_of(strokes[2].stroke) } } };
-    auto const outcome = run({ "silhouette", file.string(), "--report" });
+    auto const outcome = commands::run({ "silhouette", file.string(), "--report" });
     std::filesystem::remove(file);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return json::parse(outcome.out);

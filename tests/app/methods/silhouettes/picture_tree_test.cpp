@@ -44,9 +44,9 @@ struct PaintedTree {
 };
 
 // Sky above level grass, and trees with rough leaves in it.
-Image painted(std::vector<PaintedTree> const& trees)
+render::Image painted(std::vector<PaintedTree> const& trees)
 {
-    Image image(kWidth, kHeight);
+    render::Image image(kWidth, kHeight);
     Random random({ .seed = 7, .stream = 1, .substream = 0 });
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
@@ -67,7 +67,7 @@ Image painted(std::vector<PaintedTree> const& trees)
             }
             double const light = random.uniform(-rough, rough);
             Vec3f const shown = (color + light * Vec3::Ones()).cast<float>();
-            image.at(x, y) = color_from(shown);
+            image.at(x, y) = render::color_from(shown);
         }
     return image;
 }
@@ -86,7 +86,7 @@ Scene with_photo(std::vector<PaintedTree> const& trees, PicturePlace place = {})
 {
     place.width_mm = kSheet_mm;
     std::ostringstream file;
-    EXPECT_TRUE(write_png(file, painted(trees)));
+    EXPECT_TRUE(render::write_png(file, painted(trees)));
     return apply_edit({}, LayPicture { "photo.png", file.str(), place }).value();
 }
 

@@ -61,7 +61,7 @@ protected:
 
     std::string refusal(std::vector<std::string> const& arguments)
     {
-        auto const outcome = run(arguments);
+        auto const outcome = commands::run(arguments);
         EXPECT_NE(outcome.exit_code, 0);
         EXPECT_EQ(outcome.out, "");
         return outcome.err;
@@ -73,7 +73,7 @@ protected:
 
 TEST_F(SilhouetteCommand, ReportsWhatItInfers)
 {
-    auto const outcome = run({ "silhouette", path("oak.json"), "--report" });
+    auto const outcome = commands::run({ "silhouette", path("oak.json"), "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const report = json::parse(outcome.out);
     EXPECT_EQ(report["samples"], 256);
@@ -104,8 +104,8 @@ TEST_F(SilhouetteCommand, TheSameSeedGivesTheSameFile)
 {
     for (auto const& [name, seed] :
          { std::pair("a.glb", "7"), std::pair("b.glb", "7"), std::pair("c.glb", "8") })
-        ASSERT_EQ(run({ "silhouette", path("oak.json"), "-o", path(name), "--levels", "1", "--seed",
-                        seed, "--organs", "instanced" })
+        ASSERT_EQ(commands::run({ "silhouette", path("oak.json"), "-o", path(name), "--levels", "1",
+                                  "--seed", seed, "--organs", "instanced" })
                       .exit_code,
                   0);
     EXPECT_GT(file_bytes(path("a.glb")).size(), 10'000U);
@@ -120,7 +120,7 @@ TEST_F(SilhouetteCommand, AReadyFormIsItsOptions)
         auto const file = path("tree.glb");
         arguments.insert(arguments.begin(),
                          { "silhouette", path("oak.json"), "-o", file, "--organs", "instanced" });
-        auto const outcome = run(arguments);
+        auto const outcome = commands::run(arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return file_bytes(file);
     };
@@ -139,8 +139,8 @@ TEST_F(SilhouetteCommand, TakesTheStyleOfAPlant)
     auto low = crown();
     low["trunk"] = { { 0, -69 }, { 0, 50 } };
     std::ofstream(folder_ / "low.json") << low;
-    auto const outcome
-        = run({ "silhouette", path("low.json"), "--style", "poplar", "--seed", "3", "--report" });
+    auto const outcome = commands::run(
+        { "silhouette", path("low.json"), "--style", "poplar", "--seed", "3", "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const style = json::parse(outcome.out)["style"];
     ASSERT_EQ(style["measured"].size(), 3U);
@@ -152,8 +152,8 @@ TEST_F(SilhouetteCommand, TakesTheStyleOfAPlant)
         auto const mean = wanted[key]["mean"].get<double>();
         EXPECT_NEAR(given[key]["mean"].get<double>(), mean, 0.1 * mean) << key;
     }
-    auto const flat = run({ "silhouette", path("oak.json"), "--style", "poplar", "--arrangement",
-                            "horizontal", "--levels", "1", "--report" });
+    auto const flat = commands::run({ "silhouette", path("oak.json"), "--style", "poplar",
+                                      "--arrangement", "horizontal", "--levels", "1", "--report" });
     auto const report = json::parse(flat.out);
     for (auto const& place : report["arrangement"][0])
         EXPECT_TRUE(place["theta"] == 0 || place["theta"] == 180) << place;
@@ -161,19 +161,22 @@ TEST_F(SilhouetteCommand, TakesTheStyleOfAPlant)
 
 TEST_F(SilhouetteCommand, TakesTheStyleOfAFile)
 {
-    ASSERT_EQ(run({ "silhouette", path("oak.json"), "-o", path("out"), "--session" }).exit_code, 0);
-    ASSERT_EQ(run({ "silhouette", path("oak.json"), "-o", path("oak.mtg") }).exit_code, 0);
+    ASSERT_EQ(
+        commands::run({ "silhouette", path("oak.json"), "-o", path("out"), "--session" }).exit_code,
+        0);
+    ASSERT_EQ(commands::run({ "silhouette", path("oak.json"), "-o", path("oak.mtg") }).exit_code,
+              0);
     for (std::string const name : { "out/oak.tractus", "oak.mtg" }) {
         auto const again = "again-" + name.substr(name.size() - 3);
-        auto const outcome = run({ "silhouette", path("oak.json"), "--style", path(name), "-o",
-                                   path(again), "--session", "--report" });
+        auto const outcome = commands::run({ "silhouette", path("oak.json"), "--style", path(name),
+                                             "-o", path(again), "--session", "--report" });
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         auto const style = json::parse(outcome.out)["style"];
         EXPECT_EQ(style["measured"].size(), 2U);
         // The session's tree is in the style, too.
         auto const scene
-            = load_session_scene(path(again + "/oak.tractus"), all_methods().edits).value();
-        ASSERT_TRUE(write_plant_file(*scene.base, "oak", path("again.glb")));
+            = batch::load_session_scene(path(again + "/oak.tractus"), all_methods().edits).value();
+        ASSERT_TRUE(batch::write_plant_file(*scene.base, "oak", path("again.glb")));
         EXPECT_TRUE(file_bytes(path(again + "/oak.glb")) == file_bytes(path("again.glb"))) << name;
     }
 }
@@ -183,11 +186,11 @@ TEST_F(SilhouetteCommand, AFormWithoutStylesIsWrittenWithoutThem)
 {
     using silhouette::FormTree;
     FormTree edit { .plant = 7, .form = {} };
-    EXPECT_EQ(record_of(edit).fields,
+    EXPECT_EQ(session::record_of(edit).fields,
               R"({"plant":7,"levels":2,"trunk_pattern":"even","branch_pattern":"even",)"
               R"("twig_pattern":"even","density":1.0,"leaves":24,"leaf_width":0.4,"seed":1})");
     edit.form.styles[1] = { .children = 4, .unbranched = 0.25, .first_angle_deg = 50 };
-    auto const again = edit_of(record_of(edit), all_methods().edits);
+    auto const again = session::edit_of(session::record_of(edit), all_methods().edits);
     ASSERT_TRUE(again) << again.error().message;
     ASSERT_TRUE(again->get<FormTree>());
     EXPECT_EQ(again->get<FormTree>()->form, edit.form);
@@ -196,9 +199,10 @@ TEST_F(SilhouetteCommand, AFormWithoutStylesIsWrittenWithoutThem)
 TEST_F(SilhouetteCommand, WritesAGraphThatIsAPlant)
 {
     ASSERT_EQ(
-        run({ "silhouette", path("oak.json"), "-o", path("oak.mtg"), "--levels", "1" }).exit_code,
+        commands::run({ "silhouette", path("oak.json"), "-o", path("oak.mtg"), "--levels", "1" })
+            .exit_code,
         0);
-    auto const grown = run({ "grow", path("oak.mtg"), "-o", path("again.mtg") });
+    auto const grown = commands::run({ "grow", path("oak.mtg"), "-o", path("again.mtg") });
     ASSERT_EQ(grown.exit_code, 0) << grown.err;
     EXPECT_FALSE(std::filesystem::is_directory(path("oak.mtg")));
 }
@@ -206,14 +210,14 @@ TEST_F(SilhouetteCommand, WritesAGraphThatIsAPlant)
 TEST_F(SilhouetteCommand, PrintsAnArrangementAlone)
 {
     auto const outcome
-        = run({ "silhouette", "--arrangement", "even", "--count", "30", "--seed", "3" });
+        = commands::run({ "silhouette", "--arrangement", "even", "--count", "30", "--seed", "3" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const arrangement = json::parse(outcome.out);
     EXPECT_EQ(arrangement["pattern"], "even");
     EXPECT_EQ(arrangement["places"].size(), 30U);
     EXPECT_LT(arrangement["cost_after"], arrangement["cost_before"]);
     auto const again
-        = run({ "silhouette", "--arrangement", "even", "--count", "30", "--seed", "3" });
+        = commands::run({ "silhouette", "--arrangement", "even", "--count", "30", "--seed", "3" });
     EXPECT_EQ(again.out, outcome.out);
 }
 
@@ -221,7 +225,8 @@ TEST_F(SilhouetteCommand, PatternsAreOfLevels)
 {
     auto const report = [&](std::string const& patterns) {
         return json::parse(
-            run({ "silhouette", path("oak.json"), "--report", "--arrangement", patterns }).out);
+            commands::run({ "silhouette", path("oak.json"), "--report", "--arrangement", patterns })
+                .out);
     };
     auto const flat = report("horizontal,even");
     for (auto const& place : flat["arrangement"][0])
@@ -237,14 +242,16 @@ TEST_F(SilhouetteCommand, WritesASessionOfItsLines)
     drawing["parts"] = json::array({ part() });
     std::ofstream(folder_ / "oak.json") << drawing;
     auto const outcome
-        = run({ "silhouette", path("oak.json"), "-o", path("out"), "--session", "--arrangement",
-                "spiral,whorls", "--leaves", "9", "--height", "3" });
+        = commands::run({ "silhouette", path("oak.json"), "-o", path("out"), "--session",
+                          "--arrangement", "spiral,whorls", "--leaves", "9", "--height", "3" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    auto const scene = load_session_scene(path("out/oak.tractus"), all_methods().edits).value();
+    auto const scene
+        = batch::load_session_scene(path("out/oak.tractus"), all_methods().edits).value();
     EXPECT_NEAR(bounds(*scene.base).max_mm.z(), 3000, 400);
-    ASSERT_TRUE(write_plant_file(*scene.base, "oak", path("again.glb")));
+    ASSERT_TRUE(batch::write_plant_file(*scene.base, "oak", path("again.glb")));
     EXPECT_TRUE(file_bytes(path("out/oak.glb")) == file_bytes(path("again.glb")));
-    auto const flat = run({ "silhouette", path("oak.json"), "-o", path("x.glb"), "--session" });
+    auto const flat
+        = commands::run({ "silhouette", path("oak.json"), "-o", path("x.glb"), "--session" });
     EXPECT_NE(flat.err.find("a session needs a folder"), std::string::npos);
 }
 
@@ -253,7 +260,7 @@ TEST_F(SilhouetteCommand, ReportsBranchesWithOutlinesOfTheirOwn)
     auto drawing = crown();
     drawing["parts"] = json::array({ part() });
     std::ofstream(folder_ / "part.json") << drawing;
-    auto const outcome = run({ "silhouette", path("part.json"), "--report" });
+    auto const outcome = commands::run({ "silhouette", path("part.json"), "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     int outlined = 0;
@@ -273,7 +280,8 @@ TEST_F(SilhouetteCommand, ReportsBranchesWithOutlinesOfTheirOwn)
 TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
 {
     std::ofstream(folder_ / "plain.json") << crown();
-    auto const plain = json::parse(run({ "silhouette", path("plain.json"), "--report" }).out);
+    auto const plain
+        = json::parse(commands::run({ "silhouette", path("plain.json"), "--report" }).out);
     auto const& parent = plain["branch"][0];
     auto const number = [&](char const* of, std::size_t i) { return parent[of][i].get<double>(); };
     double const from_x = 0.4 * number("base", 0) + 0.6 * number("end", 0);
@@ -284,7 +292,7 @@ TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
     std::ofstream(folder_ / "twig.json") << drawing;
     auto const reported = [&](std::vector<std::string> more) {
         more.insert(more.begin(), { "silhouette", path("twig.json"), "--report" });
-        auto const outcome = run(more);
+        auto const outcome = commands::run(more);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return json::parse(outcome.out);
     };
@@ -303,11 +311,12 @@ TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
     }
     EXPECT_EQ(reported({ "--style-to", "none" }), none);
     EXPECT_GE(count(reported({ "--style-to", "siblings" }), "follows"), 5);
-    auto const written = run({ "silhouette", path("twig.json"), "-o", path("out"), "--session",
-                               "--style-to", "siblings" });
+    auto const written = commands::run({ "silhouette", path("twig.json"), "-o", path("out"),
+                                         "--session", "--style-to", "siblings" });
     ASSERT_EQ(written.exit_code, 0) << written.err;
-    auto const scene = load_session_scene(path("out/twig.tractus"), all_methods().edits).value();
-    ASSERT_TRUE(write_plant_file(*scene.base, "twig", path("again.glb")));
+    auto const scene
+        = batch::load_session_scene(path("out/twig.tractus"), all_methods().edits).value();
+    ASSERT_TRUE(batch::write_plant_file(*scene.base, "twig", path("again.glb")));
     EXPECT_TRUE(file_bytes(path("out/twig.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
 
@@ -317,14 +326,15 @@ TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
     auto drawing = crown();
     drawing["parts"] = json::array({ part() });
     std::ofstream(folder_ / "part.json") << drawing;
-    auto const plain = json::parse(run({ "silhouette", path("part.json"), "--report" }).out);
+    auto const plain
+        = json::parse(commands::run({ "silhouette", path("part.json"), "--report" }).out);
     EXPECT_FALSE(plain.contains("refined"));
     // From the end of the branch in the part's lobe above.
     json const twig = { { 62, 34 }, { 58, 36 }, { 56, 40 } };
     drawing["parts"].push_back(twig);
     std::ofstream(folder_ / "deep.json") << drawing;
-    auto const outcome = run({ "silhouette", path("deep.json"), "--report", "-o", path("out"),
-                               "--session", "--style-to", "deeper" });
+    auto const outcome = commands::run({ "silhouette", path("deep.json"), "--report", "-o",
+                                         path("out"), "--session", "--style-to", "deeper" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const report = json::parse(outcome.out);
     ASSERT_EQ(report["refined"].size(), 1u);
@@ -332,8 +342,9 @@ TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
     EXPECT_NE(refined["path"].get<std::string>().find('/'), std::string::npos);
     ASSERT_EQ(refined["bearing"]["drawn"].size(), 1u);
     EXPECT_NEAR(refined["bearing"]["drawn"][0]["end"][0].get<double>(), 56, 1e-9);
-    auto const scene = load_session_scene(path("out/deep.tractus"), all_methods().edits).value();
-    ASSERT_TRUE(write_plant_file(*scene.base, "deep", path("again.glb")));
+    auto const scene
+        = batch::load_session_scene(path("out/deep.tractus"), all_methods().edits).value();
+    ASSERT_TRUE(batch::write_plant_file(*scene.base, "deep", path("again.glb")));
     EXPECT_TRUE(file_bytes(path("out/deep.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
 
@@ -343,7 +354,8 @@ TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
     auto drawing = crown();
     drawing["parts"] = json::array({ part() });
     std::ofstream(folder_ / "plain.json") << drawing;
-    auto const plain = json::parse(run({ "silhouette", path("plain.json"), "--report" }).out);
+    auto const plain
+        = json::parse(commands::run({ "silhouette", path("plain.json"), "--report" }).out);
     auto const source
         = std::find_if(plain["branch"].begin(), plain["branch"].end(),
                        [](json const& branch) { return branch.contains("outlined"); });
@@ -356,8 +368,8 @@ TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
     drawing["styles"] = json::array(
         { json::array({ source->at("end"), { place(target, 0.9, 0), place(target, 0.9, 1) } }) });
     std::ofstream(folder_ / "styled.json") << drawing;
-    auto const outcome
-        = run({ "silhouette", path("styled.json"), "--report", "-o", path("out"), "--session" });
+    auto const outcome = commands::run(
+        { "silhouette", path("styled.json"), "--report", "-o", path("out"), "--session" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const report = json::parse(outcome.out);
     std::size_t styled = 0;
@@ -370,8 +382,9 @@ TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
     }
     EXPECT_GE(styled, 1u);
     EXPECT_LT(styled, report["branch"].size() - 1);
-    auto const scene = load_session_scene(path("out/styled.tractus"), all_methods().edits).value();
-    ASSERT_TRUE(write_plant_file(*scene.base, "styled", path("again.glb")));
+    auto const scene
+        = batch::load_session_scene(path("out/styled.tractus"), all_methods().edits).value();
+    ASSERT_TRUE(batch::write_plant_file(*scene.base, "styled", path("again.glb")));
     EXPECT_TRUE(file_bytes(path("out/styled.glb")) == file_bytes(path("again.glb")))
         << "as by a pen";
     drawing["styles"] = json::array({ json::array({ { 900, 900 }, { 901, 900 } }) });
@@ -388,7 +401,7 @@ TEST_F(SilhouetteCommand, SplitsAndJoinsBumps)
     auto const reported = [&](json const& drawing, std::vector<std::string> more = {}) {
         std::ofstream(folder_ / "touched.json") << drawing;
         more.insert(more.begin(), { "silhouette", path("touched.json"), "--report" });
-        auto const outcome = run(more);
+        auto const outcome = commands::run(more);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         return json::parse(outcome.out);
     };
@@ -404,8 +417,9 @@ TEST_F(SilhouetteCommand, SplitsAndJoinsBumps)
     drawing["parts"] = json::array({ part() });
     auto const all = reported(drawing, { "-o", path("out"), "--session" });
     EXPECT_EQ(all["bumps"], bumps - 1) << "both splits are in the part";
-    auto const scene = load_session_scene(path("out/touched.tractus"), all_methods().edits).value();
-    ASSERT_TRUE(write_plant_file(*scene.base, "touched", path("again.glb")));
+    auto const scene
+        = batch::load_session_scene(path("out/touched.tractus"), all_methods().edits).value();
+    ASSERT_TRUE(batch::write_plant_file(*scene.base, "touched", path("again.glb")));
     EXPECT_TRUE(file_bytes(path("out/touched.glb")) == file_bytes(path("again.glb")))
         << "as by a pen";
     auto const touches = silhouette::outlined_tree(*scene.drawn)->touches;
@@ -419,29 +433,31 @@ TEST_F(SilhouetteCommand, DrawsLeaves)
     auto drawing = crown();
     drawing["leaves"] = json::array({ part() });
     std::ofstream(folder_ / "leafy.json") << drawing;
-    auto const outcome = run({ "silhouette", path("leafy.json"), "--report", "-o", path("out"),
-                               "--session", "--style-to", "siblings" });
+    auto const outcome = commands::run({ "silhouette", path("leafy.json"), "--report", "-o",
+                                         path("out"), "--session", "--style-to", "siblings" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const report = json::parse(outcome.out);
     for (auto const& branch : report["branch"])
         EXPECT_EQ(branch["leaf"], true);
     EXPECT_EQ(report["leaves"], report["branches"]);
-    auto const scene = load_session_scene(path("out/leafy.tractus"), all_methods().edits).value();
-    ASSERT_TRUE(write_plant_file(*scene.base, "leafy", path("again.glb")));
+    auto const scene
+        = batch::load_session_scene(path("out/leafy.tractus"), all_methods().edits).value();
+    ASSERT_TRUE(batch::write_plant_file(*scene.base, "leafy", path("again.glb")));
     EXPECT_TRUE(file_bytes(path("out/leafy.glb")) == file_bytes(path("again.glb")))
         << "as by a pen";
     auto whole = crown();
     whole["leaves"] = json::array({ whole["outline"] });
     whole.erase("outline");
     std::ofstream(folder_ / "leaf.json") << whole;
-    auto const leaf
-        = run({ "silhouette", path("leaf.json"), "--report", "-o", path("out"), "--session" });
+    auto const leaf = commands::run(
+        { "silhouette", path("leaf.json"), "--report", "-o", path("out"), "--session" });
     ASSERT_EQ(leaf.exit_code, 0) << leaf.err;
     auto const one = json::parse(leaf.out);
     EXPECT_EQ(one["leaf"], true);
     EXPECT_EQ(one["leaves"], 1);
     EXPECT_EQ(one["bumps"], 0);
-    auto const again = load_session_scene(path("out/leaf.tractus"), all_methods().edits).value();
+    auto const again
+        = batch::load_session_scene(path("out/leaf.tractus"), all_methods().edits).value();
     EXPECT_EQ(again.base->organs.size(), 1u);
 }
 
@@ -514,7 +530,7 @@ TEST_F(SilhouetteCommand, SaysWhatItHadToGuess)
     drawing.erase("trunk");
     drawing["colour"] = "green";
     std::ofstream(folder_ / "bare.json") << drawing;
-    auto const outcome = run({ "silhouette", path("bare.json"), "--report" });
+    auto const outcome = commands::run({ "silhouette", path("bare.json"), "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("\"colour\" is left out"), std::string::npos);
     EXPECT_NE(outcome.err.find("there is no trunk"), std::string::npos);
@@ -529,7 +545,7 @@ TEST(SilhouetteCommandCorpus, ReportsTheBumpsOfThePublishedOutlines)
         if (entry.path().extension() != ".json" || entry.path().stem() == "arrangement")
             continue;
         ++files;
-        auto const outcome = run({ "silhouette", entry.path().string(), "--report" });
+        auto const outcome = commands::run({ "silhouette", entry.path().string(), "--report" });
         ASSERT_EQ(outcome.exit_code, 0) << entry.path() << outcome.err;
         auto const report = json::parse(outcome.out);
         std::ifstream stream(entry.path());

@@ -40,8 +40,8 @@ protected:
 
 TEST_F(SketchCommand, ReportsWhatAStrokeAmountsTo)
 {
-    auto const outcome = run({ "sketch", path("straight.txt"), "--rule", path("rule.toml"), "-o",
-                               path("out"), "--report" });
+    auto const outcome = commands::run({ "sketch", path("straight.txt"), "--rule",
+                                         path("rule.toml"), "-o", path("out"), "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const report = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(report["segments"], 3);
@@ -56,11 +56,12 @@ TEST_F(SketchCommand, ReportsWhatAStrokeAmountsTo)
 
 TEST_F(SketchCommand, WritesAModelThatDerivesToThePlantsString)
 {
-    ASSERT_EQ(run({ "sketch", path("straight.txt"), "--rule", path("rule.toml"), "-o", path("out"),
-                    "--report" })
+    ASSERT_EQ(commands::run({ "sketch", path("straight.txt"), "--rule", path("rule.toml"), "-o",
+                              path("out"), "--report" })
                   .exit_code,
               0);
-    auto const derived = run({ "derive", "--string", "--steps", "1", path("out/straight.l") });
+    auto const derived
+        = commands::run({ "derive", "--string", "--steps", "1", path("out/straight.l") });
     EXPECT_EQ(derived.err, "");
     EXPECT_EQ(derived.out,
               "/(0)+(0)\\(0)!(4)F(40)[/(90)+(45)L(20,2,64)][/(270)+(45)L(20,2,64)]T(1,32,2)\n");
@@ -69,14 +70,14 @@ TEST_F(SketchCommand, WritesAModelThatDerivesToThePlantsString)
 TEST_F(SketchCommand, SaysWhatIsWrongWithAStroke)
 {
     std::ofstream(folder_ / "short.txt") << "0 0 0\n0 0 20\n";
-    auto const outcome = run({ "sketch", path("short.txt"), "-o", path("out") });
+    auto const outcome = commands::run({ "sketch", path("short.txt"), "-o", path("out") });
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_NE(outcome.err.find("the stroke never gets 30 mm away from where it begins"),
               std::string::npos)
         << outcome.err;
     EXPECT_FALSE(fs::exists(folder_ / "out"));
     auto const missing
-        = run({ "sketch", path("straight.txt"), "--stroke", "2", "-o", path("out") });
+        = commands::run({ "sketch", path("straight.txt"), "--stroke", "2", "-o", path("out") });
     EXPECT_NE(missing.err.find("it has no stroke 2, its last is 1"), std::string::npos)
         << missing.err;
 }
@@ -96,7 +97,7 @@ protected:
     // The first block without a language of the manual's page, the model that it shows.
     static std::string model_of_manual()
     {
-        std::string const text = file_bytes(find_resource("manual/models.md").value());
+        std::string const text = file_bytes(files::find_resource("manual/models.md").value());
         auto const begin = text.find("#define SEGMENTS 0");
         return text.substr(begin, text.find("```", begin) - begin);
     }
@@ -104,8 +105,8 @@ protected:
 
 TEST_F(SketchedModel, ReportsItsAxisAndNoDepth)
 {
-    auto const outcome
-        = run({ "sketch", path("bow.txt"), "--rule", "vine", "-o", path("out"), "--report" });
+    auto const outcome = commands::run(
+        { "sketch", path("bow.txt"), "--rule", "vine", "-o", path("out"), "--report" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const report = nlohmann::json::parse(outcome.out);
     std::size_t const segments = report["segments"];
@@ -121,14 +122,16 @@ TEST_F(SketchedModel, ReportsItsAxisAndNoDepth)
 // What is written derives to the plant, and keeps the contract for another stroke.
 TEST_F(SketchedModel, IsWrittenAsAModel)
 {
-    ASSERT_EQ(run({ "sketch", path("bow.txt"), "--rule", "palm", "-o", path("out") }).exit_code, 0);
+    ASSERT_EQ(
+        commands::run({ "sketch", path("bow.txt"), "--rule", "palm", "-o", path("out") }).exit_code,
+        0);
     for (auto const* const file : { "out/bow.l", "out/bow.v", "out/bow.png", "out/bow.glb" })
         EXPECT_TRUE(fs::exists(path(file))) << file;
-    auto const checked = run({ "lsystem", "check", path("out/bow.l") });
+    auto const checked = commands::run({ "lsystem", "check", path("out/bow.l") });
     EXPECT_NE(checked.out.find("\nCan be grown along a stroke\n"), std::string::npos)
         << checked.out << checked.err;
-    auto const again = run({ "sketch", path("straight.txt"), "--rule", path("out/bow.l"), "-o",
-                             path("again"), "--report" });
+    auto const again = commands::run({ "sketch", path("straight.txt"), "--rule", path("out/bow.l"),
+                                       "-o", path("again"), "--report" });
     EXPECT_EQ(nlohmann::json::parse(again.out)["segments"], 15) << "100 mm by 6.5";
 }
 
@@ -136,10 +139,11 @@ TEST_F(SketchedModel, BeginsASessionThatHoldsItsText)
 {
     auto const text = model_of_manual();
     std::ofstream(folder_ / "whip.l") << text;
-    auto const outcome = run({ "sketch", path("bow.txt"), "--rule", path("whip.l"), "--seed", "7",
-                               "--session", "-o", path("out") });
+    auto const outcome = commands::run({ "sketch", path("bow.txt"), "--rule", path("whip.l"),
+                                         "--seed", "7", "--session", "-o", path("out") });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    auto const session = read_session(path("out/bow.tractus"), all_methods().edits).value();
+    auto const session
+        = session::read_session(path("out/bow.tractus"), all_methods().edits).value();
     ASSERT_EQ(session.edits.size(), 1u);
     auto const* const edit = session.edits.front().edit.get<sketch::GrowAlongStroke>();
     ASSERT_NE(edit, nullptr);
@@ -153,20 +157,21 @@ TEST_F(SketchedModel, MayBeThatOfACard)
 {
     std::ofstream(folder_ / "mine.card") << "# A card.\nsketch vine\n";
     auto const report = [&](std::string const& rule) {
-        return run({ "sketch", path("bow.txt"), "--rule", rule, "-o", path("out"), "--report" });
+        return commands::run(
+            { "sketch", path("bow.txt"), "--rule", rule, "-o", path("out"), "--report" });
     };
     EXPECT_EQ(report(path("mine.card")).out, report("vine").out);
 }
 
 TEST_F(SketchedModel, SaysWhatAModelLacks)
 {
-    auto const checked = run({ "lsystem", "check", path("lacking.l") });
+    auto const checked = commands::run({ "lsystem", "check", path("lacking.l") });
     EXPECT_EQ(checked.exit_code, 0) << checked.err;
     auto const begins = checked.out.find("\nCannot be grown along a stroke\n  ");
     ASSERT_NE(begins, std::string::npos) << checked.out;
     EXPECT_NE(checked.out.find("lacking.l: it has no array plane", begins), std::string::npos);
-    auto const refused
-        = run({ "sketch", path("bow.txt"), "--rule", path("lacking.l"), "-o", path("out") });
+    auto const refused = commands::run(
+        { "sketch", path("bow.txt"), "--rule", path("lacking.l"), "-o", path("out") });
     EXPECT_EQ(refused.exit_code, 1);
     EXPECT_NE(refused.err.find("so it cannot grow along a stroke; \"tractus lsystem check\" says "
                                "all that it lacks"),
@@ -179,10 +184,10 @@ TEST_F(SketchedModel, CanBeEachOfOursThatTheHelpNames)
 {
     for (auto const* const name :
          { "birch", "broadleaf", "conifer", "frond", "palm", "poplar", "vine" }) {
-        auto const checked = run({ "lsystem", "check", name });
+        auto const checked = commands::run({ "lsystem", "check", name });
         EXPECT_NE(checked.out.find("\nCan be grown along a stroke\n"), std::string::npos) << name;
     }
-    auto const shrub = run({ "lsystem", "check", "shrub" });
+    auto const shrub = commands::run({ "lsystem", "check", "shrub" });
     EXPECT_NE(shrub.out.find("\nCannot be grown along a stroke\n"), std::string::npos);
 }
 

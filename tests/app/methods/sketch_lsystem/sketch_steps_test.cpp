@@ -27,7 +27,7 @@ std::vector<Json> told_along_a_line(SketchTool const& tool, double length_mm,
         lines.push_back(Json::parse(line));
         return Result<void>();
     };
-    auto output = StreamOutput::open(write, {}, StreamOutput::What::All).value();
+    auto output = stream::StreamOutput::open(write, {}, stream::StreamOutput::What::All).value();
     auto const take = [&] { ASSERT_TRUE(output.take(station, scene)); };
     int ms = 0;
     for (double x_mm = 0; x_mm <= length_mm; x_mm += 2, ms += 5) {
@@ -137,7 +137,7 @@ TEST(SketchSteps, StandOnTheGroundOnPaper)
             text += line;
         return Result<void>();
     };
-    auto output = StreamOutput::open(write, {}, StreamOutput::What::All).value();
+    auto output = stream::StreamOutput::open(write, {}, stream::StreamOutput::What::All).value();
     for (int i = 0; i <= 20; ++i)
         station.push(kPen, at_ms(5 * i), pen_report(50, 90 - 2 * i, true));
     ASSERT_TRUE(output.take(station, {}));
@@ -158,7 +158,7 @@ TEST(SketchSteps, AreWhenThePreviewChanges)
 {
     auto station = flat_station(in_space());
     Document document(Scene {}, Document::Working::AtOnce);
-    StationView view(station, document);
+    view::StationView view(station, document);
     auto draw_to = [&, i = 0](double x_mm) mutable {
         for (; 2 * i <= x_mm; ++i)
             station.push(kPen, at_ms(5 * i), pen_report(50 + 2 * i, 50, true));

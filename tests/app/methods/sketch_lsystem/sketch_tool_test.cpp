@@ -195,13 +195,13 @@ TEST(SketchTool, RefusesAPlantThatCannotGrowAnew)
 // Sessions of rules stay as they were, byte for byte.
 TEST(SketchTool, KeepsNothingOfModelsWithRules)
 {
-    auto const fields_of = [](Edit const& edit) { return record_of(edit).fields; };
+    auto const fields_of = [](Edit const& edit) { return session::record_of(edit).fields; };
     for (auto const& fields :
          { fields_of(sketch::GrowAlongStroke {}), fields_of(sketch::ChangeSketch {}) })
         for (auto const* const name : { "model", "view", "includes", "seed" })
             EXPECT_EQ(fields.find(name), std::string::npos) << fields;
     auto const grown = drawn_with(SketchTool::Card::Vine);
-    auto const read = edit_of(record_of(grown), all_methods().edits).value();
+    auto const read = session::edit_of(session::record_of(grown), all_methods().edits).value();
     EXPECT_EQ(read.get<sketch::GrowAlongStroke>()->model, grown.model);
 }
 
@@ -385,7 +385,7 @@ TEST(SketchTool, GrowsOnWhatStrokesHaveBent)
     select(scene, { { 0, 1, 2, 3, 4, 5 } });
     scene = apply_edit(scene,
                        Associate { stroke_through({ { 0, 0, 0 }, { 90, 0, 60 } }),
-                                   Propagation::Selected, StrokeFit::World })
+                                   variation::Propagation::Selected, variation::StrokeFit::World })
                 .value();
     Tool const tool
         = SketchTool { .leaves = sketch::Leaves::Bare, .place = SketchTool::Place::Branch };
@@ -396,7 +396,7 @@ TEST(SketchTool, GrowsOnWhatStrokesHaveBent)
     SceneShaper shaper;
     ASSERT_TRUE(shaper.set_plant(after));
     std::vector<Vec3> nodes_mm;
-    place_nodes(*after.base, *after.rest, shaper.shape(), nodes_mm);
+    variation::place_nodes(*after.base, *after.rest, shaper.shape(), nodes_mm);
     auto const alone
         = apply_edits(
               scene,

@@ -20,7 +20,7 @@ void list(Fields& fields, BlowGust& edit)
 
 Result<DocumentState> applied(DocumentState state, BlowGust const& edit, SceneBuilder&)
 {
-    auto indicator = TRY(motion_indicator(edit.stroke));
+    auto indicator = TRY(variation::motion_indicator(edit.stroke));
     indicator.end_mm = indicator.start_mm + edit.strength * (indicator.end_mm - indicator.start_mm);
     auto const id = take_id(state, 0);
     change_active(state, [&](PlantState& plant) {

@@ -19,17 +19,17 @@ public:
     {
         value = *rc::gen::inRange(0, static_cast<int>(words.size()));
     }
-    void numbers(Stroke& stroke) override { stroke = random_stroke(); }
+    void numbers(Stroke& stroke) override { stroke = session::random_stroke(); }
     void numbers(std::vector<SkeletonPiece>&) override { }
-    void bytes(std::string& file) override { file = random_bytes(); }
+    void bytes(std::string& file) override { file = session::random_bytes(); }
 
 private:
     static void set(bool& value) { value = *rc::gen::arbitrary<bool>(); }
     static void set(int& value) { value = *rc::gen::arbitrary<int>(); }
     static void set(std::uint64_t& value) { value = *rc::gen::arbitrary<std::uint64_t>(); }
-    static void set(double& value) { value = random_double(); }
-    static void set(std::string& value) { value = random_bytes(); }
-    static void set(Vec3& value) { value = random_vec3(); }
+    static void set(double& value) { value = session::random_double(); }
+    static void set(std::string& value) { value = session::random_bytes(); }
+    static void set(Vec3& value) { value = session::random_vec3(); }
     template<typename T> static void set(T&) { } // The core's edits have these.
 };
 
@@ -39,10 +39,10 @@ RC_GTEST_PROP(MethodEdits, ComeBackFromTheirRecords, ())
     for (auto const* const kind : all_methods().edits) {
         RandomFields random;
         auto const edit = Edit(*kind, kind->make()).changed_by(random);
-        auto const record = record_of(edit);
-        auto const read = edit_of(record, all_methods().edits);
+        auto const record = session::record_of(edit);
+        auto const read = session::edit_of(record, all_methods().edits);
         RC_ASSERT(read.has_value());
-        auto const again = record_of(*read);
+        auto const again = session::record_of(*read);
         RC_ASSERT(again.kind == record.kind);
         RC_ASSERT(again.fields == record.fields);
         RC_ASSERT(again.numbers == record.numbers);

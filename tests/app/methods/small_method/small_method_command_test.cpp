@@ -11,14 +11,14 @@
 namespace tractus {
 namespace {
 
-void add_gust_command(CLI::App& root, Action& action, Methods const& methods)
+void add_gust_command(CLI::App& root, options::Action& action, Methods const& methods)
 {
     auto strength = std::make_shared<double>(1);
     auto* const command = root.add_subcommand("gust", "Blow");
     command->add_option("--strength", *strength, "How much");
     command->callback([strength, count = methods.tools.size(), &action] {
         action = [strength, count] {
-            return print_out(fmt::format("{} of {} tools\n", *strength, count));
+            return terminal::print_out(fmt::format("{} of {} tools\n", *strength, count));
         };
     });
 }
@@ -30,7 +30,9 @@ TEST(SmallMethod, HasACommandWithAnOption)
     methods.commands = kCommands;
     std::array const arguments { "tractus", "gust", "--strength", "2.5" };
     ::testing::internal::CaptureStdout();
-    EXPECT_EQ(run_command_line(static_cast<int>(arguments.size()), arguments.data(), methods), 0);
+    EXPECT_EQ(
+        commands::run_command_line(static_cast<int>(arguments.size()), arguments.data(), methods),
+        0);
     EXPECT_EQ(::testing::internal::GetCapturedStdout(),
               fmt::format("2.5 of {} tools\n", methods.tools.size()));
 }
@@ -39,7 +41,7 @@ TEST(SmallMethod, IsListedByTheProgramsOwnCommands)
 {
     std::array const arguments { "tractus", "tools", "gust" };
     ::testing::internal::CaptureStdout();
-    EXPECT_EQ(run_command_line(3, arguments.data(), methods_with_gust()), 0);
+    EXPECT_EQ(commands::run_command_line(3, arguments.data(), methods_with_gust()), 0);
     EXPECT_EQ(::testing::internal::GetCapturedStdout(),
               "gust [towards_start] [strength=0.1..5]  (key G)\n    leans the plant along the "
               "stroke\n");

@@ -58,20 +58,22 @@ protected:
     SmallMethodSession(SmallMethodSession const&) = delete;
     SmallMethodSession& operator=(SmallMethodSession const&) = delete;
 
-    SessionOptions options() const
+    session::SessionOptions options() const
     {
-        return session_by_the_clock(methods_with_gust().edits, [] { return LoadOptions {}; });
+        return session::session_by_the_clock(methods_with_gust().edits,
+                                             [] { return LoadOptions {}; });
     }
     fs::path path() const { return folder_ / "gust.tractus"; }
-    Session session() const
+    session::Session session() const
     {
         std::vector<Edit> const beginning { small_model() };
-        return Session::create(path(), { .plant = "small.l", .program = "1" }, beginning, options())
+        return session::Session::create(path(), { .plant = "small.l", .program = "1" }, beginning,
+                                        options())
             .value();
     }
-    static StationOptions rig()
+    static station::StationOptions rig()
     {
-        StationOptions rig;
+        station::StationOptions rig;
         rig.scripted_height = calib::ScriptedHeight {
             .scenario = { .kind = calib::HeightScenario::Kind::Constant, .constant_mm = 100 },
             .first_pen = {},
@@ -85,7 +87,8 @@ protected:
     // Strokes of the simple pen with the tool go to a document on the session.
     void draw(Document& document) const
     {
-        auto station = Station::create(std::vector { drivers::simple_pen() }, rig()).value();
+        auto station
+            = station::Station::create(std::vector { drivers::simple_pen() }, rig()).value();
         draw_across(station, 10);
         station.finish();
         for (auto& stroke : station.take_strokes())
@@ -98,7 +101,7 @@ protected:
 
 TEST_F(SmallMethodSession, KeepsWhatIsDrawnAndUndone)
 {
-    MotionIndicator drawn;
+    variation::MotionIndicator drawn;
     {
         Document document(session(), Document::Working::AtOnce);
         draw(document);
@@ -113,7 +116,7 @@ TEST_F(SmallMethodSession, KeepsWhatIsDrawnAndUndone)
         EXPECT_TRUE(document.newest()->scene.indicators.empty());
         document.redo();
     }
-    auto const again = Session::open(path(), options()).value();
+    auto const again = session::Session::open(path(), options()).value();
     EXPECT_EQ(again.unknown().count, 0u);
     ASSERT_EQ(again.scene().indicators.size(), 1u);
     EXPECT_EQ(again.scene().indicators[0].what.end_mm, drawn.end_mm);
@@ -121,9 +124,9 @@ TEST_F(SmallMethodSession, KeepsWhatIsDrawnAndUndone)
 
 TEST_F(SmallMethodSession, HasALayerInTheViews)
 {
-    auto station = Station::create(std::vector { drivers::simple_pen() }, rig()).value();
+    auto station = station::Station::create(std::vector { drivers::simple_pen() }, rig()).value();
     Document document(session(), Document::Working::AtOnce);
-    StationView view(station, document);
+    view::StationView view(station, document);
     EXPECT_TRUE(view.state().layers.empty()) << "no layer has lines";
     draw(document);
     view.show(station, document);
@@ -141,13 +144,15 @@ TEST_F(SmallMethodSession, StaysInASessionThatDoesNotKnowIt)
         Document document(session(), Document::Working::AtOnce);
         draw(document);
     }
-    auto const contents = read_session(path(), all_methods().edits).value();
+    auto const contents = session::read_session(path(), all_methods().edits).value();
     ASSERT_EQ(contents.edits.size(), 2u);
     auto const* const unknown = contents.edits[1].edit.get<UnknownEdit>();
     ASSERT_TRUE(unknown);
     EXPECT_EQ(unknown->word, "blow_gust");
-    EXPECT_TRUE(
-        read_session(path(), methods_with_gust().edits).value().edits[1].edit.get<BlowGust>());
+    EXPECT_TRUE(session::read_session(path(), methods_with_gust().edits)
+                    .value()
+                    .edits[1]
+                    .edit.get<BlowGust>());
 }
 
 TEST_F(SmallMethodSession, HasItsEditsInLogs)

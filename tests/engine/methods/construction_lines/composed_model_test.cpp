@@ -146,9 +146,9 @@ TEST(ComposedModel, GrowsUntilAllIsThere)
                                           .organs = { leaf() },
                                           .organ_of_layer = { 1 } }));
     auto const after = [&](int steps) {
-        DeriveOptions options;
+        lsystem::DeriveOptions options;
         options.steps = steps;
-        return *interpret(text, *derive(text, options));
+        return *lsystem::interpret(text, *lsystem::derive(text, options));
     };
     auto const whole = after(text.steps);
     EXPECT_EQ(after(text.steps + 3).organs.size(), whole.organs.size());

@@ -7,11 +7,11 @@ namespace tractus::lines {
 namespace {
 
 // As a model finds them.
-std::vector<FunctionTable> tabulated(Construction const& construction)
+std::vector<lsystem::FunctionTable> tabulated(Construction const& construction)
 {
-    std::vector<FunctionTable> tables;
+    std::vector<lsystem::FunctionTable> tables;
     for (auto const& curve : function_curves(construction)) {
-        auto const read = parse_functions(curve.name, function_file(curve));
+        auto const read = lsystem::parse_functions(curve.name, function_file(curve));
         EXPECT_TRUE(read) << read.error().message;
         tables.push_back(read->front());
     }

@@ -11,10 +11,10 @@ using Kind = Pattern::Kind;
 std::string derived(Construction const& construction, Pattern const& pattern, int steps = -1)
 {
     auto const model = compiled(write_model(construction, pattern, "plant"));
-    DeriveOptions options;
+    lsystem::DeriveOptions options;
     if (steps >= 0)
         options.steps = steps;
-    return to_string(model, *derive(model, options));
+    return lsystem::to_string(model, *lsystem::derive(model, options));
 }
 
 TEST(LineModel, DerivesToTheNodesInAllPatterns)

@@ -169,9 +169,9 @@ TEST(SeveralStems, EachStepAddsToThePlant)
                                            alone(bow({ 50, 190 }, 40, 0, 90), 0),
                                            alone(bow({ -90, 0 }, 0, 0, 90)) }));
     auto const after = [&](int steps) {
-        DeriveOptions options;
+        lsystem::DeriveOptions options;
         options.steps = steps;
-        return to_string(model, *derive(model, options));
+        return lsystem::to_string(model, *lsystem::derive(model, options));
     };
     EXPECT_NE(after(model.steps), after(model.steps - 1));
     EXPECT_EQ(after(model.steps), after(model.steps + 1));

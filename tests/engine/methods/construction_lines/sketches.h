@@ -101,11 +101,12 @@ inline std::string refusal(LineSketch const& sketch)
     return result ? "it is measured" : result.error().message;
 }
 
-inline Model compiled(LineModel const& model)
+inline lsystem::Model compiled(LineModel const& model)
 {
-    auto result = compile_model(model.source, [&](std::string const& name) -> Result<std::string> {
-        return model.functions.at(name);
-    });
+    auto result
+        = lsystem::compile_model(model.source, [&](std::string const& name) -> Result<std::string> {
+              return model.functions.at(name);
+          });
     EXPECT_TRUE(result) << result.error().message;
     EXPECT_TRUE(result->warnings.empty()) << result->warnings.front();
     return *result;
@@ -114,7 +115,7 @@ inline Model compiled(LineModel const& model)
 inline Plant grown(LineModel const& model)
 {
     auto const text = compiled(model);
-    return *interpret(text, *derive(text));
+    return *lsystem::interpret(text, *lsystem::derive(text));
 }
 
 // The tips of the organs that the model of a sketch gives.

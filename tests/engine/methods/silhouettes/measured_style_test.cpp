@@ -217,10 +217,10 @@ Plant grown(std::string const& name)
 {
     auto const folder = std::filesystem::path(__FILE__).parent_path() / "../../../../app/models";
     auto const text = [&](std::string const& file) { return file_bytes(folder / file); };
-    ModelSource const source { .name = name + ".l",
-                               .text = text(name + ".l"),
-                               .view_name = name + ".v",
-                               .view_text = text(name + ".v") };
+    lsystem::ModelSource const source { .name = name + ".l",
+                                        .text = text(name + ".l"),
+                                        .view_name = name + ".v",
+                                        .view_text = text(name + ".v") };
     auto const scene = apply_edit({}, LoadModel { .source = source });
     EXPECT_TRUE(scene) << scene.error().message;
     return scene ? *scene->base : Plant();

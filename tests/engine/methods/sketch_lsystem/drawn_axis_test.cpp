@@ -22,10 +22,10 @@ DrawnAxis axis_of(Rule const& rule, std::vector<Vec3> const& tips)
 
 std::string string_of(Rule const& rule, DrawnAxis const& axis)
 {
-    auto const model = compile_model(write_model(rule, axis, Leaves::Leafy, "sketch"));
+    auto const model = lsystem::compile_model(write_model(rule, axis, Leaves::Leafy, "sketch"));
     EXPECT_TRUE(model) << model.error().message;
     EXPECT_TRUE(model->warnings.empty());
-    return to_string(*model, *derive(*model));
+    return lsystem::to_string(*model, *lsystem::derive(*model));
 }
 
 // The string that the other program has derived.
@@ -135,9 +135,9 @@ TEST(DrawnAxis, IsDrawnByTheModelWhereThePenWas)
 {
     auto const nodes_mm = resample_stroke(kBowRule, bow());
     auto const axis = draw_axis(kBowRule, nodes_mm);
-    auto const model = compile_model(write_model(kBowRule, axis, Leaves::Bare, "sketch"));
+    auto const model = lsystem::compile_model(write_model(kBowRule, axis, Leaves::Bare, "sketch"));
     ASSERT_TRUE(model) << model.error().message;
-    auto const plant = interpret(*model, *derive(*model));
+    auto const plant = lsystem::interpret(*model, *lsystem::derive(*model));
     ASSERT_TRUE(plant) << plant.error().message;
     for (std::size_t i = 1; i < nodes_mm.size(); ++i) {
         double nearest_mm = 1e9;
@@ -150,9 +150,9 @@ TEST(DrawnAxis, IsDrawnByTheModelWhereThePenWas)
 TEST(DrawnAxis, HasTheSameStringWithAndWithoutLeaves)
 {
     auto const axis = axis_of(kBowRule, bow());
-    auto const bare = compile_model(write_model(kBowRule, axis, Leaves::Bare, "sketch"));
+    auto const bare = lsystem::compile_model(write_model(kBowRule, axis, Leaves::Bare, "sketch"));
     ASSERT_TRUE(bare) << bare.error().message;
-    EXPECT_EQ(to_string(*bare, *derive(*bare)), string_of(kBowRule, axis));
+    EXPECT_EQ(lsystem::to_string(*bare, *lsystem::derive(*bare)), string_of(kBowRule, axis));
 }
 
 TEST(DrawnAxis, GrowsWithoutLaterals)

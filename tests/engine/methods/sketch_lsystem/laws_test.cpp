@@ -64,11 +64,11 @@ std::vector<Vec3> random_stroke()
 
 std::string string_after(Rule const& rule, DrawnAxis const& axis, int steps)
 {
-    auto const model = compile_model(write_model(rule, axis, Leaves::Bare, "sketch"));
+    auto const model = lsystem::compile_model(write_model(rule, axis, Leaves::Bare, "sketch"));
     RC_ASSERT(bool(model));
-    auto const string = derive(*model, { .steps = steps });
+    auto const string = lsystem::derive(*model, { .steps = steps });
     RC_ASSERT(bool(string));
-    return to_string(*model, *string);
+    return lsystem::to_string(*model, *string);
 }
 
 // The plant of a stroke's beginning is what the whole stroke's model has derived by then.

@@ -158,9 +158,10 @@ TEST(OurModels, GiveTheSameStringsWithoutAStroke)
         Before { "vine", 2, 0xcf2b7745fda8736e },
     };
     for (auto const& [name, seed, string] : kBefore) {
-        auto const model = compile_model(model_named(name).source).value();
-        auto const derived = derive(model, { .seed = seed }).value();
-        EXPECT_EQ(fnv1a_64(to_string(model, derived)), string) << name << ", seed " << seed;
+        auto const model = lsystem::compile_model(model_named(name).source).value();
+        auto const derived = lsystem::derive(model, { .seed = seed }).value();
+        EXPECT_EQ(fnv1a_64(lsystem::to_string(model, derived)), string)
+            << name << ", seed " << seed;
     }
 }
 
