@@ -9,7 +9,7 @@ int main(int argc, char** argv)
 {
     tractus::terminal::prepare_console();
     tractus::remove_unfinished_file_on_signals();
-    auto const methods = tractus::with_commands(tractus::all_methods());
+    auto const methods = tractus::methods::with_commands(tractus::methods::all_methods());
     int const exit_code = tractus::commands::run_command_line(argc, argv, methods);
     tractus::end_worker_threads();
     return exit_code;

@@ -41,7 +41,7 @@ public:
     Result<CollectionReport> run();
 
 private:
-    Result<Scene> load();
+    Result<scene::Scene> load();
     Result<void> compare(CollectionGrower& grower);
     double spacing_mm(CollectionGrower& grower);
     Result<std::vector<ManifestPlant>> write_one_file(CollectionGrower& grower,
@@ -108,7 +108,7 @@ Result<CollectionReport> Collection::run()
     return report_;
 }
 
-Result<Scene> Collection::load()
+Result<scene::Scene> Collection::load()
 {
     progress_.begin("deriving the plant");
     auto scene = TRY(

@@ -40,7 +40,7 @@ constexpr std::size_t kMostDetails = 6;
 
 struct CollectionOptions {
     std::filesystem::path model {};
-    EditKinds kinds {};                       // Kinds of its edits, if it is a session.
+    scene::EditKinds kinds {};                // Kinds of its edits, if it is a session.
     std::optional<DrawingOptions> drawing {}; // If there is none, plants vary by chance alone.
     GrowthOptions growth {};
     // How much each plant is another one than what was drawn before it grows: the arrangement of an

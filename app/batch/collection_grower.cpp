@@ -6,18 +6,19 @@
 
 namespace tractus::batch {
 
-Result<std::unique_ptr<CollectionGrower::Planned>> CollectionGrower::planned(Scene scene)
+Result<std::unique_ptr<CollectionGrower::Planned>> CollectionGrower::planned(scene::Scene scene)
 {
     auto result = std::make_unique<Planned>(std::move(scene));
-    result->plan = std::make_unique<variation::GrowthPlan const>(TRY(plan_growth(result->scene)));
+    result->plan
+        = std::make_unique<variation::GrowthPlan const>(TRY(scene::plan_growth(result->scene)));
     result->grower = std::make_unique<variation::Grower>(*result->plan);
     return result;
 }
 
-Result<CollectionGrower> CollectionGrower::create(Scene scene, double construction)
+Result<CollectionGrower> CollectionGrower::create(scene::Scene scene, double construction)
 {
     CollectionGrower grower;
-    grower.construction_ = has_sources_that_vary(scene) ? construction : 0;
+    grower.construction_ = scene::has_sources_that_vary(scene) ? construction : 0;
     grower.shared_ = TRY(planned(std::move(scene)));
     return grower;
 }
@@ -26,7 +27,7 @@ Result<Plant> CollectionGrower::drawn() const
 {
     auto as_drawn = shared_->scene;
     as_drawn.growth.variability = 0;
-    auto const plan = TRY(plan_growth(as_drawn));
+    auto const plan = TRY(scene::plan_growth(as_drawn));
     return variation::Grower(plan).grow({});
 }
 
@@ -38,9 +39,9 @@ Plant const& CollectionGrower::grow(variation::PlantKey const& key, double age)
     bool const is_same = key_ && key_->seed == key.seed && key_->plant_index == key.plant_index;
     if (!is_same) {
         key_ = key;
-        auto scene
-            = varied(shared_->scene,
-                     { .seed = key.seed, .plant = key.plant_index, .spread = construction_ });
+        auto scene = scene::varied(
+            shared_->scene,
+            { .seed = key.seed, .plant = key.plant_index, .spread = construction_ });
         auto made = scene ? planned(*std::move(scene)) : tl::unexpected(scene.error());
         failed_count_ += !made;
         varied_ = made ? *std::move(made) : nullptr;

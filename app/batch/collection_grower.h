@@ -15,7 +15,7 @@ class CollectionGrower {
 public:
     // `construction` is SourceVariation::spread; at 0, and where nothing in the scene can vary so,
     // all plants have the drawn one's segments. Fails like plan_growth().
-    static Result<CollectionGrower> create(Scene scene, double construction);
+    static Result<CollectionGrower> create(scene::Scene scene, double construction);
 
     // Whether all plants have the same segments.
     bool has_one_topology() const { return construction_ == 0; }
@@ -30,16 +30,16 @@ public:
 private:
     // A scene and how it grows, where they stay: each refers to the one before.
     struct Planned {
-        explicit Planned(Scene grown)
+        explicit Planned(scene::Scene grown)
             : scene(std::move(grown))
         {
         }
 
-        Scene scene;
+        scene::Scene scene;
         std::unique_ptr<variation::GrowthPlan const> plan {};
         std::unique_ptr<variation::Grower> grower {};
     };
-    static Result<std::unique_ptr<Planned>> planned(Scene scene);
+    static Result<std::unique_ptr<Planned>> planned(scene::Scene scene);
 
     std::unique_ptr<Planned> shared_;
     double construction_ = 0;

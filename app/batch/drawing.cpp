@@ -42,8 +42,8 @@ void note_heights(calib::FuserCounts const& counts, std::vector<std::string>& no
 
 class DrawingReader {
 public:
-    DrawingReader(DrawingOptions const& options, Document& document, terminal::Progress& progress,
-                  DrawingReport& report)
+    DrawingReader(DrawingOptions const& options, document::Document& document,
+                  terminal::Progress& progress, DrawingReport& report)
         : options_(options)
         , document_(document)
         , progress_(progress)
@@ -62,10 +62,10 @@ private:
     void note_replay(station::Station const& station);
 
     DrawingOptions const& options_;
-    Document& document_;
+    document::Document& document_;
     terminal::Progress& progress_;
     DrawingReport& report_;
-    std::vector<DrawnStroke> strokes_;
+    std::vector<document::DrawnStroke> strokes_;
     Nib nib_ = Nib::Point;
 };
 
@@ -84,7 +84,7 @@ Result<void> DrawingReader::read_strokes()
             report_.notes.push_back("there are more strokes than branches: the rest is left out");
             break;
         }
-        document_.draw({ std::move(stroke), Tool(*options_.methods.tools.front()) });
+        document_.draw({ std::move(stroke), tools::Tool(*options_.methods.tools.front()) });
         TRY(take_drawn());
     }
     report_.log = options_.log.string();
@@ -191,41 +191,42 @@ std::string growth_name(std::filesystem::path const& model, GrowthOptions const&
     return growth.preset.value_or(is_session_file(model) ? "as in the session" : kUsual);
 }
 
-Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth,
-                                              std::uint64_t seed)
+Result<std::vector<scene::Edit>>
+growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth, std::uint64_t seed)
 {
     if (plant.model.empty()) // What is drawn brings its own growth.
-        return std::vector<Edit> { session::BeginEmpty {} };
-    std::vector<Edit> edits;
+        return std::vector<scene::Edit> { session::BeginEmpty {} };
+    std::vector<scene::Edit> edits;
     std::optional<variation::GrowthParameters> own;
     if (is_session_file(plant.model)) {
         edits = TRY(session_edits(plant.model, plant.kinds));
         for (auto const& edit : edits)
-            if (auto const* const set = edit.get<SetGrowth>())
+            if (auto const* const set = edit.get<scene::SetGrowth>())
                 own = TRY(variation::at_variability(set->parameters, set->variability));
     } else {
         edits.push_back(TRY(io::load_plant_edit(plant.model)));
     }
     if (!own || growth.preset)
         own = TRY(variation::growth_preset(growth.preset.value_or(kUsual)));
-    edits.push_back(SetGrowth { *own, seed, growth.variability });
+    edits.push_back(scene::SetGrowth { *own, seed, growth.variability });
     if (!growth.leaves.empty()) {
-        auto const scene = TRY(scene_after({}, edits));
-        for (auto& edit :
-             TRY(dressing_edits(scene, scene.state.active, dressing_of_word(growth.leaves))))
+        auto const scene = TRY(document::scene_after({}, edits));
+        for (auto& edit : TRY(methods::dressing_edits(scene, scene.state.active,
+                                                      methods::dressing_of_word(growth.leaves))))
             edits.push_back(std::move(edit));
     }
     if (growth.season) {
-        auto const scene = TRY(scene_after({}, edits));
+        auto const scene = TRY(document::scene_after({}, edits));
         for (auto& edit : TRY(season_edits(scene, growth.season)))
             edits.push_back(std::move(edit));
     }
     return edits;
 }
 
-Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit> const& edits)
+Result<scene::Scene> growing_plant(std::filesystem::path const& model,
+                                   std::vector<scene::Edit> const& edits)
 {
-    auto scene = TRY(scene_after({}, edits));
+    auto scene = TRY(document::scene_after({}, edits));
     if (scene.base->segment_count() == 0 && !model.empty())
         return fail(Fault::User,
                     fmt::format("{}: the plant has no branch that a stroke could shape: its "
@@ -234,20 +235,21 @@ Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit
     return scene;
 }
 
-Result<Scene> load_growing_plant(PlantChoice const& plant, GrowthOptions const& growth,
-                                 std::uint64_t seed)
+Result<scene::Scene> load_growing_plant(PlantChoice const& plant, GrowthOptions const& growth,
+                                        std::uint64_t seed)
 {
     return growing_plant(plant.model, TRY(growing_plant_edits(plant, growth, seed)));
 }
 
-Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene,
+Result<Drawing> read_drawing(DrawingOptions const& options, scene::Scene scene,
                              terminal::Progress& progress, DrawingReport& report)
 {
-    Document document(std::move(scene), Document::Working::AtOnce, following_edits);
+    document::Document document(std::move(scene), document::Document::Working::AtOnce,
+                                following_edits);
     return read_drawing(options, document, progress, report);
 }
 
-Result<Drawing> read_drawing(DrawingOptions const& options, Document& document,
+Result<Drawing> read_drawing(DrawingOptions const& options, document::Document& document,
                              terminal::Progress& progress, DrawingReport& report)
 {
     DrawingReader reader(options, document, progress, report);
@@ -262,7 +264,7 @@ Result<std::vector<Stroke>> drawn_strokes(DrawingOptions const& options)
         return io::load_strokes(options.log);
     terminal::Progress progress;
     DrawingReport report;
-    auto const drawing = TRY(read_drawing(options, Scene {}, progress, report));
+    auto const drawing = TRY(read_drawing(options, scene::Scene {}, progress, report));
     progress.finish();
     std::vector<Stroke> strokes;
     for (auto const& drawn : drawing.strokes)

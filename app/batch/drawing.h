@@ -22,9 +22,9 @@ struct GrowthOptions {
     // See growth_presets(). Without it a session's plants grow as the session says, and others as
     // "usual".
     std::optional<std::string> preset {};
-    double variability = 1;          // See at_variability().
-    std::string leaves {};           // See dressing_edits(); empty: as a session or a model says.
-    std::optional<Season> season {}; // No value: as a session says, and else without one.
+    double variability = 1; // See at_variability().
+    std::string leaves {};  // See dressing_edits(); empty: as a session or a model says.
+    std::optional<scene::Season> season {}; // No value: as a session says, and else without one.
 };
 
 // How the plants of `model` grow, in words.
@@ -33,28 +33,29 @@ std::string growth_name(std::filesystem::path const& model, GrowthOptions const&
 // A plant to be drawn on: its file, and of which kinds its edits may be if that is a session.
 struct PlantChoice {
     std::filesystem::path model; // Empty: an empty sheet, on which the drawing makes plants.
-    EditKinds kinds;
+    scene::EditKinds kinds;
 };
 
 // Returns the edits that load a plant to be drawn on and say how it grows: a model
 // (load_plant_edit), or a session with all that was drawn in it. Fails, as the user's fault, for
 // what is neither, or a growth that does not exist.
-Result<std::vector<Edit>> growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth,
-                                              std::uint64_t seed);
+Result<std::vector<scene::Edit>>
+growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth, std::uint64_t seed);
 
 // The scene that such edits give. Fails, as the user's fault, for a model's plant without branches.
-Result<Scene> growing_plant(std::filesystem::path const& model, std::vector<Edit> const& edits);
+Result<scene::Scene> growing_plant(std::filesystem::path const& model,
+                                   std::vector<scene::Edit> const& edits);
 
 // Does both: the edits of the choice, and their scene. Fails like either.
-Result<Scene> load_growing_plant(PlantChoice const& plant, GrowthOptions const& growth,
-                                 std::uint64_t seed);
+Result<scene::Scene> load_growing_plant(PlantChoice const& plant, GrowthOptions const& growth,
+                                        std::uint64_t seed);
 
 // A recorded drawing.
 struct DrawingOptions {
     // A log, or a file of strokes (stroke_file.h), which are drawn with the first of all tools:
     // each shapes the next branch in drawing order.
     std::filesystem::path log {};
-    Methods methods {}; // Methods that a log may name; with at least one tool.
+    tools::Methods methods {}; // Methods that a log may name; with at least one tool.
     std::optional<std::filesystem::path> rig {}; // A calibration in place of the log's own.
     std::optional<std::string> height {};        // A height scenario in place of the height sensor.
     std::optional<double> speed {}; // Times the pace of the hand; no value: as fast as it is read.
@@ -76,19 +77,19 @@ struct DrawingReport {
 
 // A drawing, and the scene that it amounts to.
 struct Drawing {
-    Scene scene;
-    std::vector<DrawnStroke> strokes;
+    scene::Scene scene;
+    std::vector<document::DrawnStroke> strokes;
     Nib nib = Nib::Point; // How the ink of the strokes looks.
 };
 
 // Draws it on `scene`, whose base plant is loaded. Tells `report` what was read, and adds to its
 // notes. Fails, as the user's or a device's fault, if it cannot be read.
-Result<Drawing> read_drawing(DrawingOptions const& options, Scene scene,
+Result<Drawing> read_drawing(DrawingOptions const& options, scene::Scene scene,
                              terminal::Progress& progress, DrawingReport& report);
 
 // Reads it in a document that works at once. Fails, as the user's fault, too, where its session
 // cannot keep something.
-Result<Drawing> read_drawing(DrawingOptions const& options, Document& document,
+Result<Drawing> read_drawing(DrawingOptions const& options, document::Document& document,
                              terminal::Progress& progress, DrawingReport& report);
 
 // The finished strokes of a recording, or of a file of strokes (is_stroke_file()). Fails like

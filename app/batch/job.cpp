@@ -40,13 +40,13 @@ int columns(std::size_t count)
 // season.
 class Sequence {
 public:
-    static Result<Sequence> create(Scene const& scene, JobOptions const& options)
+    static Result<Sequence> create(scene::Scene const& scene, JobOptions const& options)
     {
         Sequence sequence(options, TRY(PlantGroup::create(scene)));
         if (options.all_seasons)
             for (auto const* name : { "spring", "summer", "autumn", "winter" }) {
-                auto season = options.growth.season.value_or(Season());
-                season.month = parse_month(name).value();
+                auto season = options.growth.season.value_or(scene::Season());
+                season.month = scene::parse_month(name).value();
                 auto const there = TRY(with_season(scene, season));
                 sequence.seasons_.push_back({ name, TRY(shown_plants(there)) });
             }
@@ -103,10 +103,10 @@ public:
     Result<JobReport> run();
 
 private:
-    Result<Scene> load_plant();
-    Result<Drawing> read_drawing(Scene scene);
+    Result<scene::Scene> load_plant();
+    Result<Drawing> read_drawing(scene::Scene scene);
     Result<void> draw_base(Drawing const& drawing);
-    Result<void> make_collection(Scene const& scene);
+    Result<void> make_collection(scene::Scene const& scene);
     Result<void> write_picture(std::string const& name, render::Image const& picture);
     Result<void> write_collection(Bounds const& frame, Sequence& sequence);
 
@@ -133,7 +133,7 @@ Result<JobReport> Job::run()
     return report_;
 }
 
-Result<Scene> Job::load_plant()
+Result<scene::Scene> Job::load_plant()
 {
     progress_.begin("deriving the plant");
     auto const kinds = options_.drawing.methods.edits;
@@ -154,12 +154,12 @@ Result<Scene> Job::load_plant()
     return scene;
 }
 
-Result<Drawing> Job::read_drawing(Scene scene)
+Result<Drawing> Job::read_drawing(scene::Scene scene)
 {
     if (!session_)
         return batch::read_drawing(options_.drawing, std::move(scene), progress_, report_);
-    Document document(*std::exchange(session_, std::nullopt), Document::Working::AtOnce,
-                      following_edits);
+    document::Document document(*std::exchange(session_, std::nullopt),
+                                document::Document::Working::AtOnce, following_edits);
     return batch::read_drawing(options_.drawing, document, progress_, report_);
 }
 
@@ -183,7 +183,7 @@ Result<void> Job::draw_base(Drawing const& drawing)
     return {};
 }
 
-Result<void> Job::make_collection(Scene const& scene)
+Result<void> Job::make_collection(scene::Scene const& scene)
 {
     auto plants = TRY(Sequence::create(scene, options_));
     // Grown again whenever it is needed: that is quicker than keeping them all is large.
@@ -269,7 +269,8 @@ std::string print_report(JobReport const& report)
         text += fmt::format("growth                {}, variability {}\n",
                             growth_name(report.model, report.growth), report.growth.variability);
     if (report.growth.season)
-        text += fmt::format("season                {}\n", month_name(report.growth.season->month));
+        text += fmt::format("season                {}\n",
+                            scene::month_name(report.growth.season->month));
     auto const count = [&](char const* name, std::size_t value) {
         text += fmt::format("{:<22}{}\n", name, value);
     };

@@ -107,8 +107,9 @@ std::vector<render::Image> PictureMaker::cutouts(mesh::Mesh const& mesh,
     return pictures;
 }
 
-render::Image PictureMaker::strokes(Scene const& scene, std::span<DrawnStroke const> strokes,
-                                    Nib nib, PictureSize const& size)
+render::Image PictureMaker::strokes(scene::Scene const& scene,
+                                    std::span<document::DrawnStroke const> strokes, Nib nib,
+                                    PictureSize const& size)
 {
     auto curves = desk_curves();
     for (auto&& curve : skeleton_curves(scene))
@@ -118,8 +119,9 @@ render::Image PictureMaker::strokes(Scene const& scene, std::span<DrawnStroke co
     std::size_t association = 0;
     for (auto const& drawn : strokes) {
         bool const shapes
-            = std::any_of(drawn.edits.begin(), drawn.edits.end(),
-                          [](Edit const& edit) { return edit.get<Associate>() != nullptr; });
+            = std::any_of(drawn.edits.begin(), drawn.edits.end(), [](scene::Edit const& edit) {
+                  return edit.get<scene::Associate>() != nullptr;
+              });
         if (shapes)
             curves.push_back(
                 stroke_curve(drawn.stroke.tips, stroke_color(association++), kStrokeWidth_mm, nib));

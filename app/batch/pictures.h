@@ -37,8 +37,8 @@ public:
 
     // The strokes in the drawing volume with the base plant's skeleton: what a stroke shapes has
     // the stroke's colour, and its ink is as the nib leaves it.
-    render::Image strokes(Scene const& scene, std::span<DrawnStroke const> strokes, Nib nib,
-                          PictureSize const& size);
+    render::Image strokes(scene::Scene const& scene, std::span<document::DrawnStroke const> strokes,
+                          Nib nib, PictureSize const& size);
 
     // A plant's own colours (Stage::Lighting::Colours) as it is seen from the horizontal direction,
     // without perspective: `side_mm` around `center_mm`, as a square of `side_px`. What is no plant

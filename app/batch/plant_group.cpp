@@ -9,11 +9,11 @@ namespace tractus::batch {
 
 // The plants that are shown. The scene may have the active plant otherwise than the document has
 // it, and may be of one plant that no document has.
-static std::vector<BuiltPlant const*> shown_in(Scene const& scene)
+static std::vector<scene::BuiltPlant const*> shown_in(scene::Scene const& scene)
 {
     if (scene.plants.empty())
         return { &scene };
-    std::vector<BuiltPlant const*> shown;
+    std::vector<scene::BuiltPlant const*> shown;
     for (auto const& plant : scene.plants) {
         bool const is_active = plant->drawn->id == scene.drawn->id;
         if (!plant->drawn->is_hidden)
@@ -22,14 +22,14 @@ static std::vector<BuiltPlant const*> shown_in(Scene const& scene)
     return shown;
 }
 
-Result<PlantGroup> PlantGroup::create(Scene const& scene)
+Result<PlantGroup> PlantGroup::create(scene::Scene const& scene)
 {
     auto const shown = shown_in(scene);
     if (shown.empty())
         return fail(Fault::User, "all plants are hidden: show one");
     PlantGroup group;
     for (auto const* plant : shown) {
-        auto plan = std::make_unique<variation::GrowthPlan const>(TRY(plan_growth(*plant)));
+        auto plan = std::make_unique<variation::GrowthPlan const>(TRY(scene::plan_growth(*plant)));
         variation::Grower grower(*plan);
         auto const base_mm = plant->placement.world_of_plant(Vec3::Zero());
         group.members_.push_back(
@@ -76,7 +76,7 @@ Plant const& PlantGroup::grow(variation::PlantKey const& key, double age)
     return whole_;
 }
 
-Result<Plant> shown_plants(Scene const& scene)
+Result<Plant> shown_plants(scene::Scene const& scene)
 {
     auto const group = TRY(PlantGroup::create(scene));
     return group.as_set();

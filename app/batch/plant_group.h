@@ -15,7 +15,7 @@ namespace tractus::batch {
 class PlantGroup {
 public:
     // Fails like plan_growth(), and, as the user's fault, where all plants are hidden.
-    static Result<PlantGroup> create(Scene const& scene);
+    static Result<PlantGroup> create(scene::Scene const& scene);
 
     // As the station's window shows them: each as drawn, grown as is set, at its age.
     Plant as_set() const;
@@ -29,7 +29,7 @@ private:
         std::unique_ptr<variation::GrowthPlan const>
             plan; // Stays where it is: the grower has a reference.
         variation::Grower grower;
-        SetGrowth growth;
+        scene::SetGrowth growth;
         Vec3 moved_mm = Vec3::Zero(); // From its own frame to the first one's.
     };
 
@@ -38,6 +38,6 @@ private:
 };
 
 // PlantGroup::as_set() of a document. Fails like PlantGroup::create().
-Result<Plant> shown_plants(Scene const& scene);
+Result<Plant> shown_plants(scene::Scene const& scene);
 
 } // namespace tractus::batch

@@ -9,49 +9,52 @@
 
 namespace tractus::batch {
 
-Result<std::vector<Edit>> season_edits(Scene const& scene, std::optional<Season> const& season)
+Result<std::vector<scene::Edit>> season_edits(scene::Scene const& scene,
+                                              std::optional<scene::Season> const& season)
 {
-    std::vector<Edit> edits;
+    std::vector<scene::Edit> edits;
     std::set<std::string> missing;
     if (season)
         for (auto const& plant : scene.plants)
-            missing.merge(missing_leaves(*plant->dressed, *season, scene.state.leaf_sheets));
+            missing.merge(scene::missing_leaves(*plant->dressed, *season, scene.state.leaf_sheets));
     for (auto const& name : missing) {
-        auto sheet = sheet_for(scene, name);
+        auto sheet = methods::sheet_for(scene, name);
         if (!sheet)
             return fail(
                 sheet.error().fault,
                 fmt::format("the plants cannot change with the season: {}", sheet.error().message));
-        edits.emplace_back(KeepLeaves { name, *std::move(sheet) });
+        edits.emplace_back(scene::KeepLeaves { name, *std::move(sheet) });
     }
-    edits.emplace_back(season ? SetSeason { season->month, season->fallen } : SetSeason {});
+    edits.emplace_back(season ? scene::SetSeason { season->month, season->fallen }
+                              : scene::SetSeason {});
     return edits;
 }
 
-std::vector<Edit> following_edits(Scene const& scene, std::vector<Edit> const& step)
+std::vector<scene::Edit> following_edits(scene::Scene const& scene,
+                                         std::vector<scene::Edit> const& step)
 {
-    auto edits = edits_that_follow(scene, step);
+    auto edits = methods::edits_that_follow(scene, step);
     if (edits.empty() || !scene.state.season)
         return edits;
     auto all = step;
     all.insert(all.end(), edits.begin(), edits.end());
-    auto const after = apply_edits(scene, all);
+    auto const after = scene::apply_edits(scene, all);
     if (!after || !after->state.season)
         return edits;
     // Leaves that cannot be grown for the season keep their colour alone.
     if (auto const grown = season_edits(*after, after->state.season))
         for (auto const& edit : *grown)
-            if (edit.get<KeepLeaves>())
+            if (edit.get<scene::KeepLeaves>())
                 edits.push_back(edit);
     return edits;
 }
 
-Result<Scene> with_season(Scene scene, std::optional<Season> const& season)
+Result<scene::Scene> with_season(scene::Scene scene, std::optional<scene::Season> const& season)
 {
     if (!season)
         return scene;
     auto const edits = TRY(season_edits(scene, season));
-    return apply_edits(std::move(scene), edits);
+    return scene::apply_edits(std::move(scene), edits);
 }
 
 } // namespace tractus::batch

@@ -12,13 +12,15 @@ namespace tractus::batch {
 // The edits that show a document in a season, or without one: with the leaves that its plants need
 // for that and the document does not have yet, which are grown here (0.4 s for each kind). Fails,
 // as the user's fault, where a leaf cannot be grown.
-Result<std::vector<Edit>> season_edits(Scene const& scene, std::optional<Season> const& season);
+Result<std::vector<scene::Edit>> season_edits(scene::Scene const& scene,
+                                              std::optional<scene::Season> const& season);
 
 // The edits that a step brings with it: what wears a drawn leaf follows its drawing, as
 // edits_that_follow() says, in the document's season, too.
-std::vector<Edit> following_edits(Scene const& scene, std::vector<Edit> const& step);
+std::vector<scene::Edit> following_edits(scene::Scene const& scene,
+                                         std::vector<scene::Edit> const& step);
 
 // The scene in that season; as it is without one.
-Result<Scene> with_season(Scene scene, std::optional<Season> const& season);
+Result<scene::Scene> with_season(scene::Scene scene, std::optional<scene::Season> const& season);
 
 } // namespace tractus::batch

@@ -76,7 +76,7 @@ Result<void> write_plant(FolderWriter& out, lsystem::ModelSource const& source,
 }
 
 // Writes what parse_obj_lines() reads: y up, and metres if the whole is small.
-Result<void> write_plant(FolderWriter& out, LoadSkeleton const& edit)
+Result<void> write_plant(FolderWriter& out, scene::LoadSkeleton const& edit)
 {
     constexpr double kSmall = 100;
     Bounds box;
@@ -97,32 +97,34 @@ Result<void> write_plant(FolderWriter& out, LoadSkeleton const& edit)
 }
 
 // Under its own ending, if that is one of its format's. "strokes.txt" are the strokes.
-Result<void> write_plant(FolderWriter& out, LoadMeasured const& edit)
+Result<void> write_plant(FolderWriter& out, scene::LoadMeasured const& edit)
 {
     constexpr std::array kEndings { ".mtg", ".csv", ".ply" }; // In the order of the formats.
     auto const usual = kEndings[static_cast<std::size_t>(edit.format)];
     auto const own = file_name(edit.name, ".txt");
-    bool const is_text = edit.format == LoadMeasured::Format::Qsm
+    bool const is_text = edit.format == scene::LoadMeasured::Format::Qsm
         && fs::path(edit.name).extension() == ".txt" && own != kStrokesName;
     return out.write(is_text ? own : file_name(edit.name, usual), edit.text);
 }
 
 // A plant whose source is of no file and no model goes as a graph.
-Result<void> write_graph(FolderWriter& out, std::string const& name, PlantSource const& source)
+Result<void> write_graph(FolderWriter& out, std::string const& name,
+                         scene::PlantSource const& source)
 {
-    auto const built = TRY(source.build(load_options()));
+    auto const built = TRY(source.build(document::load_options()));
     std::ostringstream text;
     write_mtg(text, built.plant);
     return out.write(file_name(name, ".mtg"), text.str());
 }
 
-Result<void> write_source(FolderWriter& out, std::string const& name, PlantSource const& source)
+Result<void> write_source(FolderWriter& out, std::string const& name,
+                          scene::PlantSource const& source)
 {
-    if (auto const* const edit = loaded_model(source))
+    if (auto const* const edit = scene::loaded_model(source))
         return write_plant(out, edit->source, edit->includes);
-    if (auto const* const edit = loaded_skeleton(source))
+    if (auto const* const edit = scene::loaded_skeleton(source))
         return write_plant(out, *edit);
-    if (auto const* const edit = loaded_measured(source))
+    if (auto const* const edit = scene::loaded_measured(source))
         return write_plant(out, *edit);
     if (auto const model = TRY(source.model()))
         return write_plant(out, model->source, model->includes);
@@ -130,30 +132,30 @@ Result<void> write_source(FolderWriter& out, std::string const& name, PlantSourc
 }
 
 // Where files of a plant or part go that is not the document's first.
-fs::path inner_folder(std::string const& name, ItemId id)
+fs::path inner_folder(std::string const& name, scene::ItemId id)
 {
-    return fmt::format("{}-{}", file_name(name, "").string(), name_of(id));
+    return fmt::format("{}-{}", file_name(name, "").string(), scene::name_of(id));
 }
 
 // What stands where, for people.
-std::string describe_place(PlantState const& plant, DocumentState const& state)
+std::string describe_place(scene::PlantState const& plant, scene::DocumentState const& state)
 {
     auto const& at_mm = plant.stands_at_mm;
-    return fmt::format("plant {}: {} at {:.1f}, {:.1f}, {:.1f} mm{}{}\n", name_of(plant.id),
+    return fmt::format("plant {}: {} at {:.1f}, {:.1f}, {:.1f} mm{}{}\n", scene::name_of(plant.id),
                        fs::path(plant.name).filename().string(), at_mm.x(), at_mm.y(), at_mm.z(),
                        plant.is_hidden ? ", hidden" : "",
                        plant.id == state.active ? ", takes what is drawn" : "");
 }
 
-std::string describe_place(Graft const& graft, PlantState const& parent)
+std::string describe_place(scene::Graft const& graft, scene::PlantState const& parent)
 {
-    return fmt::format("part {}: {} on plant {}\n", name_of(part_of(graft.prefix)),
-                       fs::path(graft.name).filename().string(), name_of(parent.id));
+    return fmt::format("part {}: {} on plant {}\n", scene::name_of(part_of(graft.prefix)),
+                       fs::path(graft.name).filename().string(), scene::name_of(parent.id));
 }
 
 // Each plant and each part of one: the first in the folder, the others in folders of their own,
 // since their files may have the same names.
-Result<void> write_plants(FolderWriter& out, DocumentState const& state)
+Result<void> write_plants(FolderWriter& out, scene::DocumentState const& state)
 {
     std::string places;
     for (auto const& plant : state.plants) {
@@ -175,7 +177,7 @@ Result<void> write_plants(FolderWriter& out, DocumentState const& state)
 } // namespace
 
 Result<std::vector<fs::path>> export_session(fs::path const& session, fs::path const& folder,
-                                             EditKinds kinds)
+                                             scene::EditKinds kinds)
 {
     auto const scene = TRY(load_session_scene(session, kinds));
     FolderWriter out(folder);

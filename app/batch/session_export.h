@@ -20,6 +20,6 @@ namespace tractus::batch {
 // where a session of another's asks for files outside of the folder.
 Result<std::vector<std::filesystem::path>> export_session(std::filesystem::path const& session,
                                                           std::filesystem::path const& folder,
-                                                          EditKinds kinds);
+                                                          scene::EditKinds kinds);
 
 } // namespace tractus::batch

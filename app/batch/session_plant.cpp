@@ -13,15 +13,15 @@ namespace tractus::batch {
 namespace {
 
 // The name of the plant that edits load last.
-std::string plant_name(std::vector<Edit> const& edits)
+std::string plant_name(std::vector<scene::Edit> const& edits)
 {
     std::string name;
     for (auto const& edit : edits) {
-        if (auto const* const model = edit.get<LoadModel>())
+        if (auto const* const model = edit.get<scene::LoadModel>())
             name = model->source.name;
-        else if (auto const* const skeleton = edit.get<LoadSkeleton>())
+        else if (auto const* const skeleton = edit.get<scene::LoadSkeleton>())
             name = skeleton->name;
-        else if (auto const* const measured = edit.get<LoadMeasured>())
+        else if (auto const* const measured = edit.get<scene::LoadMeasured>())
             name = measured->name;
     }
     return std::filesystem::path(name).stem().string();
@@ -36,21 +36,23 @@ bool is_session_file(std::filesystem::path const& path)
 
 // The state after a step, which does all that it says or nothing. What the session began with does
 // what it can: it has no step before it.
-static Result<DocumentState>
-state_after(DocumentState state, std::span<session::SessionEdit const> step, SceneBuilder& builder)
+static Result<scene::DocumentState> state_after(scene::DocumentState state,
+                                                std::span<session::SessionEdit const> step,
+                                                scene::SceneBuilder& builder)
 {
     if (step.front().step == 0)
         return session::begin_document(step, builder);
     for (auto const& edit : step)
-        state = TRY(apply_edit(std::move(state), edit.edit, builder));
+        state = TRY(scene::apply_edit(std::move(state), edit.edit, builder));
     return state;
 }
 
-Result<FoldedSession> fold_session(session::SessionContents const& contents, ModelCost const& cost)
+Result<FoldedSession> fold_session(session::SessionContents const& contents,
+                                   document::ModelCost const& cost)
 {
     FoldedSession folded;
-    SceneBuilder builder(make_load_options(cost));
-    DocumentState state;
+    scene::SceneBuilder builder(document::make_load_options(cost));
+    scene::DocumentState state;
     std::span const all(contents.edits);
     for (auto const& edit : all)
         folded.unknown.add(edit);
@@ -71,16 +73,16 @@ Result<FoldedSession> fold_session(session::SessionContents const& contents, Mod
         }
         state = *std::move(after);
         for (auto const& edit : step)
-            if (!edit.edit.get<UnknownEdit>())
+            if (!edit.edit.get<scene::UnknownEdit>())
                 folded.edits.push_back(
-                    with_id(edit.edit, static_cast<std::uint64_t>(edit.place.number)));
+                    scene::with_id(edit.edit, static_cast<std::uint64_t>(edit.place.number)));
     }
     folded.scene = TRY(session::build_scene(builder, std::move(state)));
     return folded;
 }
 
-static Result<FoldedSession> load_folded(std::filesystem::path const& path, EditKinds kinds,
-                                         ModelCost const& cost)
+static Result<FoldedSession> load_folded(std::filesystem::path const& path, scene::EditKinds kinds,
+                                         document::ModelCost const& cost)
 {
     auto const contents = TRY(session::read_session(path, kinds));
     auto folded = fold_session(contents, cost);
@@ -95,29 +97,31 @@ static Result<FoldedSession> load_folded(std::filesystem::path const& path, Edit
     return folded;
 }
 
-Result<std::vector<Edit>> session_edits(std::filesystem::path const& path, EditKinds kinds)
+Result<std::vector<scene::Edit>> session_edits(std::filesystem::path const& path,
+                                               scene::EditKinds kinds)
 {
     return TRY(load_folded(path, kinds, {})).edits;
 }
 
-Result<Scene> load_session_scene(std::filesystem::path const& path, EditKinds kinds,
-                                 ModelCost const& cost)
+Result<scene::Scene> load_session_scene(std::filesystem::path const& path, scene::EditKinds kinds,
+                                        document::ModelCost const& cost)
 {
     return TRY(load_folded(path, kinds, cost)).scene;
 }
 
-Result<Plant> shown_plant(BuiltPlant const& built)
+Result<Plant> shown_plant(scene::BuiltPlant const& built)
 {
-    auto const plan = TRY(plan_growth(built));
+    auto const plan = TRY(scene::plan_growth(built));
     variation::Grower grower(plan);
     auto const& plant = grower.grow({ built.growth.seed, 0 }, built.growth.age);
     return built.growth.age < 1 ? variation::without_unborn(plant) : plant;
 }
 
 Result<session::Session> begin_session(std::filesystem::path const& path,
-                                       std::vector<Edit> const& edits, EditKinds kinds)
+                                       std::vector<scene::Edit> const& edits,
+                                       scene::EditKinds kinds)
 {
-    auto options = session::session_by_the_clock(kinds, [] { return load_options(); });
+    auto options = session::session_by_the_clock(kinds, [] { return document::load_options(); });
     session::SessionOrigin const origin { .plant = plant_name(edits),
                                           .program = TRACTUS_VERSION,
                                           .created = options.now() };

@@ -25,14 +25,15 @@ render::Curve line(Vec3 const& from, Vec3 const& to, Vec3f const& color, float w
     return curve;
 }
 
-Vec3 world_position(Scene const& scene, NodeId node)
+Vec3 world_position(scene::Scene const& scene, NodeId node)
 {
     return scene.placement.world_of_plant(scene.base->node_position_mm[node]);
 }
 
 // The path that an association shapes. Each segment is drawn from its own base, so that a path that
 // leaves an axis for a lateral one stays whole.
-render::Curve path_curve(Scene const& scene, std::vector<SegmentId> const& path, Vec3f const& color)
+render::Curve path_curve(scene::Scene const& scene, std::vector<SegmentId> const& path,
+                         Vec3f const& color)
 {
     constexpr float kWidth_px = 5;
     render::Curve curve;
@@ -79,7 +80,7 @@ render::Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& colo
     return curve;
 }
 
-std::vector<render::Curve> skeleton_curves(Scene const& scene)
+std::vector<render::Curve> skeleton_curves(scene::Scene const& scene)
 {
     // Branches that a stroke shapes are drawn once, in the stroke's colour.
     std::vector<bool> is_shaped(scene.base->segment_count(), false);
@@ -116,7 +117,7 @@ std::vector<render::Curve> skeleton_curves(Scene const& scene)
     return curves;
 }
 
-std::vector<render::Curve> indicator_curves(Scene const& scene)
+std::vector<render::Curve> indicator_curves(scene::Scene const& scene)
 {
     std::vector<render::Curve> curves;
     for (auto const& [id, indicator, at] : scene.indicators) {
@@ -131,7 +132,7 @@ std::vector<render::Curve> indicator_curves(Scene const& scene)
 std::vector<render::Curve> desk_curves(double height_mm)
 {
     constexpr double kGrid_mm = 20;
-    DrawingVolume const volume;
+    scene::DrawingVolume const volume;
     double const half_width_mm = volume.width_mm / 2;
     double const half_depth_mm = volume.depth_mm / 2;
     std::vector<render::Curve> curves;

@@ -24,10 +24,10 @@ render::Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& colo
 
 // The base plant's skeleton as it stands in the drawing volume, one curve per axis, and one more
 // per association for the path that it shapes, in its stroke's colour.
-std::vector<render::Curve> skeleton_curves(Scene const& scene);
+std::vector<render::Curve> skeleton_curves(scene::Scene const& scene);
 
 // The motion indicators as arrows.
-std::vector<render::Curve> indicator_curves(Scene const& scene);
+std::vector<render::Curve> indicator_curves(scene::Scene const& scene);
 
 // The tablet's area at the given height, with a grid of 20 mm.
 std::vector<render::Curve> desk_curves(double height_mm = 0);

@@ -68,7 +68,7 @@ static Result<void> carry_out(options::Action const& action)
 }
 
 // Registers each command, in the order that --help lists them.
-static void add_commands(CLI::App& root, options::Action& action, Methods const& methods)
+static void add_commands(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     add_demo_command(root, action, methods);
     add_window_command(root, action, methods);
@@ -94,7 +94,7 @@ static void add_commands(CLI::App& root, options::Action& action, Methods const&
     add_desktop_commands(root, action);
 }
 
-int run_command_line(int argc, char const* const* argv, Methods const& methods)
+int run_command_line(int argc, char const* const* argv, tools::Methods const& methods)
 {
     CLI::App root { "tractus: a 3D sketching station for plants", "tractus" };
     root.formatter(std::make_shared<options::HelpFormatter>());

@@ -39,7 +39,7 @@ struct ConvertArguments {
     std::string rig;
     std::string height;
     std::string view = kFrontView;
-    Methods methods;
+    tools::Methods methods;
 };
 
 // "256c:006e" → both numbers.
@@ -135,9 +135,9 @@ bool wants_strokes(ConvertArguments const& arguments)
 }
 
 // Whether a tool draws something: not those that choose, point or erase.
-bool is_drawing(ToolKind const& tool)
+bool is_drawing(tools::ToolKind const& tool)
 {
-    return tool.previewer && tool.ink.look == InkStyle::Look::Line;
+    return tool.previewer && tool.ink.look == tools::InkStyle::Look::Line;
 }
 
 Result<std::vector<Stroke>> drawn_strokes(ConvertArguments const& arguments,
@@ -217,7 +217,7 @@ Result<void> convert(ConvertArguments const& arguments)
 
 } // namespace
 
-void add_convert_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_convert_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto arguments = std::make_shared<ConvertArguments>();
     arguments->methods = methods;

@@ -15,7 +15,7 @@
 
 namespace tractus::commands {
 
-void add_demo_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_demo_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     struct DemoArguments {
         batch::JobOptions job;

@@ -20,7 +20,7 @@ namespace {
 
 struct DeriveArguments {
     options::ModelOptions model;
-    ModelCost cost;
+    document::ModelCost cost;
     io::ModelCompanions companions;
     bool homomorphism = false;
     bool counts = false;
@@ -37,7 +37,7 @@ Result<void> run(DeriveArguments const& arguments)
     lsystem::DeriveOptions options;
     options.steps = arguments.model.steps;
     options.seed = arguments.model.seed.value_or(1);
-    auto const run = load_options(arguments.cost);
+    auto const run = document::load_options(arguments.cost);
     options.limits = run.limits;
     options.print = run.print;
     auto string = TRY(lsystem::derive(model, options));

@@ -33,7 +33,7 @@ namespace {
 
 struct GrowArguments {
     options::ModelOptions model;
-    ModelCost cost;
+    document::ModelCost cost;
     io::ModelCompanions companions;
     batch::GrowthOptions growth;
     options::DrawingArguments drawing;
@@ -63,11 +63,11 @@ std::filesystem::path frame_path(std::filesystem::path const& output, std::size_
     return output.parent_path() / name;
 }
 
-Result<variation::GrowthPlan> plan_animation(Scene const& scene, std::string const& name)
+Result<variation::GrowthPlan> plan_animation(scene::Scene const& scene, std::string const& name)
 {
     if (scene.base->segment_count() == 0)
         return fail(Fault::User, fmt::format("{}: the plant has no branch that could grow", name));
-    return plan_growth(scene);
+    return scene::plan_growth(scene);
 }
 
 // What was written; a graph has no triangles.
@@ -86,7 +86,7 @@ double age_of(std::size_t frame, std::size_t frames)
 }
 
 // A file for each age, with what has grown by then.
-Result<void> write_sequence(GrowArguments const& arguments, Scene const& scene,
+Result<void> write_sequence(GrowArguments const& arguments, scene::Scene const& scene,
                             std::string const& name)
 {
     auto const plan = TRY(plan_animation(scene, name));
@@ -110,7 +110,7 @@ Result<void> write_sequence(GrowArguments const& arguments, Scene const& scene,
 }
 
 // Writes all ages into one file, as morph targets.
-Result<void> write_animation(GrowArguments const& arguments, Scene const& scene,
+Result<void> write_animation(GrowArguments const& arguments, scene::Scene const& scene,
                              std::string const& name)
 {
     if (arguments.output.extension() != ".glb")
@@ -149,8 +149,8 @@ Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::
 }
 
 // A session says itself how its plant is derived; another seed is another variation of it.
-Result<Scene> load_session(GrowArguments const& arguments, std::filesystem::path const& path,
-                           EditKinds kinds)
+Result<scene::Scene> load_session(GrowArguments const& arguments, std::filesystem::path const& path,
+                                  scene::EditKinds kinds)
 {
     if (arguments.model.steps)
         return fail(Fault::User,
@@ -160,14 +160,15 @@ Result<Scene> load_session(GrowArguments const& arguments, std::filesystem::path
     auto scene = TRY(batch::load_session_scene(path, kinds, arguments.cost));
     auto growth = scene.growth;
     growth.seed = arguments.model.seed.value_or(growth.seed);
-    return apply_edit(std::move(scene), growth);
+    return scene::apply_edit(std::move(scene), growth);
 }
 
 // A model grows as drawn, and not as it might have grown, unless it is said how.
-Result<Scene> load_model_scene(GrowArguments const& arguments, std::filesystem::path const& path)
+Result<scene::Scene> load_model_scene(GrowArguments const& arguments,
+                                      std::filesystem::path const& path)
 {
     auto edit = TRY(io::load_plant_edit(path, arguments.companions));
-    if (auto const* const model = edit.get<LoadModel>()) {
+    if (auto const* const model = edit.get<scene::LoadModel>()) {
         auto with_options = *model;
         with_options.steps = arguments.model.steps;
         with_options.seed = arguments.model.seed.value_or(1);
@@ -178,33 +179,33 @@ Result<Scene> load_model_scene(GrowArguments const& arguments, std::filesystem::
                                 "are for those",
                                 path.string()));
     }
-    auto scene = TRY(apply_edit({}, edit, make_load_options(arguments.cost)));
+    auto scene = TRY(scene::apply_edit({}, edit, document::make_load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
         terminal::print_warning(warning);
-    return apply_edit(
-        std::move(scene),
-        SetGrowth { TRY(variation::growth_preset("as drawn")), arguments.model.seed.value_or(1) });
+    return scene::apply_edit(std::move(scene),
+                             scene::SetGrowth { TRY(variation::growth_preset("as drawn")),
+                                                arguments.model.seed.value_or(1) });
 }
 
 // A variability that is given counts on top of what a session has.
-Result<Scene> with_growth(batch::GrowthOptions const& options, Scene scene)
+Result<scene::Scene> with_growth(batch::GrowthOptions const& options, scene::Scene scene)
 {
     auto growth = scene.growth;
     growth.parameters
         = TRY(options.preset ? variation::growth_preset(*options.preset)
                              : variation::at_variability(growth.parameters, growth.variability));
     growth.variability = options.variability;
-    scene = TRY(apply_edit(std::move(scene), growth));
+    scene = TRY(scene::apply_edit(std::move(scene), growth));
     if (!options.leaves.empty()) {
-        auto const edits
-            = TRY(dressing_edits(scene, scene.state.active, dressing_of_word(options.leaves)));
-        scene = TRY(apply_edits(std::move(scene), edits));
+        auto const edits = TRY(methods::dressing_edits(scene, scene.state.active,
+                                                       methods::dressing_of_word(options.leaves)));
+        scene = TRY(scene::apply_edits(std::move(scene), edits));
     }
     return batch::with_season(std::move(scene), options.season);
 }
 
-Result<Scene> add_drawing(batch::DrawingOptions const& options, Scene scene,
-                          std::string const& name)
+Result<scene::Scene> add_drawing(batch::DrawingOptions const& options, scene::Scene scene,
+                                 std::string const& name)
 {
     if (scene.base->segment_count() == 0)
         return fail(Fault::User,
@@ -218,7 +219,7 @@ Result<Scene> add_drawing(batch::DrawingOptions const& options, Scene scene,
     return std::move(drawing.scene);
 }
 
-Result<void> grow_model(GrowArguments const& arguments, Methods const& methods)
+Result<void> grow_model(GrowArguments const& arguments, tools::Methods const& methods)
 {
     TRY(check_writable(arguments.output));
     auto const path = TRY(files::find_model(arguments.model.model));
@@ -266,7 +267,7 @@ void add_animation_options(CLI::App& command, GrowArguments& arguments)
 
 } // namespace
 
-void add_grow_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_grow_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto arguments = std::make_shared<GrowArguments>();
     auto* const command = root.add_subcommand(

@@ -24,7 +24,7 @@ namespace {
 
 struct LsystemArguments {
     options::ModelOptions model;
-    ModelCost cost;
+    document::ModelCost cost;
     io::ModelCompanions companions;
 };
 
@@ -38,7 +38,7 @@ std::string features_text(lsystem::Model const& model)
 
 // Draws the string, since what the turtle leaves out is known only then.
 Result<std::string> drawing_text(lsystem::Model const& model, lsystem::ModuleString const& string,
-                                 LoadOptions const& run)
+                                 scene::LoadOptions const& run)
 {
     auto const drawn
         = TRY(lsystem::interpret_with_warnings(model, string,
@@ -67,7 +67,7 @@ Result<void> check(LsystemArguments const& arguments)
     lsystem::DeriveOptions options;
     options.steps = arguments.model.steps;
     options.seed = arguments.model.seed.value_or(1);
-    auto const run = load_options(arguments.cost);
+    auto const run = document::load_options(arguments.cost);
     options.limits = run.limits;
     options.print = run.print;
     Result<void> printed;
@@ -79,7 +79,8 @@ Result<void> check(LsystemArguments const& arguments)
     auto const string = TRY(lsystem::derive(model, options));
     TRY(std::move(printed));
     auto const drawing = TRY(drawing_text(model, string, run));
-    return terminal::print_out(drawing + describe_uses(path, load_options(arguments.cost)));
+    return terminal::print_out(
+        drawing + methods::describe_uses(path, document::load_options(arguments.cost)));
 }
 
 // A plant of a few lines, each of which says what it does.

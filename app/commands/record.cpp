@@ -59,14 +59,14 @@ Result<void> record_devices(RecordArguments const& arguments)
                     counts.lost ? fmt::format(", {} lost", counts.lost) : ""));
 }
 
-Result<void> record_simulated(RecordArguments const& arguments, ToolKinds tools)
+Result<void> record_simulated(RecordArguments const& arguments, tools::ToolKinds tools)
 {
     TRY(devices::check_new_file(arguments.output));
     auto const text = TRY(read_text_file(arguments.script));
     auto const script = TRY(sim::parse_gesture_script(text, arguments.script));
     auto const model = TRY(files::find_model(arguments.model));
     auto const edit = TRY(io::load_plant_edit(model));
-    auto const scene = TRY(apply_edit({}, edit, make_load_options()));
+    auto const scene = TRY(scene::apply_edit({}, edit, document::make_load_options()));
     auto const write = [&](std::ostream& out) {
         return play::write_simulated_recording(out, script, scene, tools);
     };
@@ -77,7 +77,7 @@ Result<void> record_simulated(RecordArguments const& arguments, ToolKinds tools)
 
 } // namespace
 
-void add_record_command(CLI::App& root, options::Action& action, ToolKinds tools)
+void add_record_command(CLI::App& root, options::Action& action, tools::ToolKinds tools)
 {
     auto arguments = std::make_shared<RecordArguments>();
     auto* const command = root.add_subcommand(

@@ -6,6 +6,6 @@
 namespace tractus::commands {
 
 // `tools`: those that a script of the simulated hand may use; none: any word.
-void add_record_command(CLI::App& root, options::Action& action, ToolKinds tools);
+void add_record_command(CLI::App& root, options::Action& action, tools::ToolKinds tools);
 
 } // namespace tractus::commands

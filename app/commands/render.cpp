@@ -60,7 +60,7 @@ std::string check_size(std::string const& text)
                       text, kSmallest_px, kLargest_px);
 }
 
-Result<mesh::Mesh> load_mesh(std::string const& path, EditKinds kinds)
+Result<mesh::Mesh> load_mesh(std::string const& path, scene::EditKinds kinds)
 {
     if (batch::is_session_file(path)) {
         auto const scene = TRY(batch::load_session_scene(path, kinds));
@@ -73,7 +73,7 @@ Result<mesh::Mesh> load_mesh(std::string const& path, EditKinds kinds)
     return *std::move(mesh);
 }
 
-Result<void> run(RenderArguments const& arguments, EditKinds kinds)
+Result<void> run(RenderArguments const& arguments, scene::EditKinds kinds)
 {
     TRY(check_writable(arguments.output));
     auto const mesh = TRY(load_mesh(arguments.input, kinds));
@@ -93,7 +93,7 @@ Result<void> run(RenderArguments const& arguments, EditKinds kinds)
 
 } // namespace
 
-void add_render_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_render_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     // Shared with the callback, which outlives this.
     auto const arguments = std::make_shared<RenderArguments>();

@@ -14,7 +14,7 @@
 
 namespace tractus::commands {
 
-void add_replay_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_replay_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     struct ReplayArguments {
         batch::JobOptions job;

@@ -5,6 +5,6 @@
 
 namespace tractus::commands {
 
-void add_replay_command(CLI::App& root, options::Action& action, Methods const& methods);
+void add_replay_command(CLI::App& root, options::Action& action, tools::Methods const& methods);
 
 } // namespace tractus::commands

@@ -23,7 +23,7 @@ namespace tractus::commands {
 namespace {
 
 struct SessionArguments {
-    EditKinds kinds; // Kinds that this program knows.
+    scene::EditKinds kinds; // Kinds that this program knows.
     std::filesystem::path file;
     std::filesystem::path folder = ".";
     std::filesystem::path repaired {};
@@ -159,7 +159,7 @@ Result<void> repair(SessionArguments const& arguments)
 {
     TRY(check_writable(arguments.repaired));
     auto const session = TRY(session::salvage_session(arguments.file, arguments.kinds));
-    std::vector<Edit> beginning;
+    std::vector<scene::Edit> beginning;
     if (!arguments.plant.empty()) {
         auto const model = TRY(files::find_model(arguments.plant));
         beginning.push_back(TRY(io::load_plant_edit(model)));
@@ -199,7 +199,7 @@ CLI::App& add_part(CLI::App& command, std::string const& name, std::string const
 
 } // namespace
 
-void add_session_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_session_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     // Shared with the callbacks, which outlive this.
     auto const arguments = std::make_shared<SessionArguments>();

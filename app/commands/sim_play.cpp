@@ -31,7 +31,7 @@ Result<drivers::Log> simulate(SimPlayArguments const& arguments)
     auto const script = TRY(sim::parse_gesture_script(text, arguments.script));
     auto const model = TRY(files::find_model(arguments.model));
     auto const edit = TRY(io::load_plant_edit(model));
-    auto const scene = TRY(apply_edit({}, edit, make_load_options()));
+    auto const scene = TRY(scene::apply_edit({}, edit, document::make_load_options()));
     std::ostringstream recording;
     TRY(play::write_simulated_recording(recording, script, scene, {}));
     return drivers::parse_log(recording.str(), arguments.script);

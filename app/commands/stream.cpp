@@ -33,7 +33,7 @@ struct StreamArguments {
     std::optional<double> speed;
     std::optional<double> seconds;
     bool strokes_only = false;
-    Methods methods;
+    tools::Methods methods;
 };
 
 Result<stream::StreamOutput> open_stream_output(StreamArguments const& arguments,
@@ -190,7 +190,7 @@ void add_stream_options(CLI::App& command, StreamArguments& arguments)
 
 } // namespace
 
-void add_stream_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_stream_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto arguments = std::make_shared<StreamArguments>();
     arguments->methods = methods;

@@ -10,7 +10,7 @@
 
 namespace tractus::commands {
 
-static std::vector<std::string> words_of(ToolKinds kinds)
+static std::vector<std::string> words_of(tools::ToolKinds kinds)
 {
     std::vector<std::string> words;
     for (auto const* const kind : kinds)
@@ -18,7 +18,7 @@ static std::vector<std::string> words_of(ToolKinds kinds)
     return words;
 }
 
-void add_tools_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_tools_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto word = std::make_shared<std::string>();
     auto* const command = root.add_subcommand(
@@ -32,7 +32,7 @@ void add_tools_command(CLI::App& root, options::Action& action, Methods const& m
             std::string text;
             for (auto const* const kind : methods.tools)
                 if (word->empty() || *word == kind->word)
-                    text += describe_tool(*kind);
+                    text += tools::describe_tool(*kind);
             return terminal::print_out(text);
         };
     });

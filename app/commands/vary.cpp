@@ -29,7 +29,7 @@ struct VaryArguments {
     bool nodes = false;
 };
 
-Result<void> vary(VaryArguments const& arguments, Methods const& methods)
+Result<void> vary(VaryArguments const& arguments, tools::Methods const& methods)
 {
     auto options = arguments.collection;
     bool const is_one_file = options.output.extension() == ".glb";
@@ -107,7 +107,7 @@ void add_output_options(CLI::App& command, VaryArguments& arguments)
 
 } // namespace
 
-void add_vary_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_vary_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto arguments = std::make_shared<VaryArguments>();
     auto* const command = root.add_subcommand(

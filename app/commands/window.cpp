@@ -42,7 +42,7 @@ namespace {
 constexpr auto kUsualModel = "broadleaf";
 
 struct WindowArguments {
-    Methods methods;
+    tools::Methods methods;
     std::string file; // A log or a session: sort_out() makes it one of the next two.
     std::string log;
     std::vector<std::string> devices;
@@ -413,7 +413,7 @@ void add_look_options(CLI::App& command, WindowArguments& arguments)
 
 } // namespace
 
-void add_window_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_window_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto arguments = std::make_shared<WindowArguments>();
     arguments->methods = methods;

@@ -20,7 +20,8 @@ fs::path CardLibrary::file_of(std::string const& name) const
     return folder_ / (name + kEnding);
 }
 
-std::vector<ToolCard> CardLibrary::cards_of(ToolKinds kinds, ToolKind const& kind) const
+std::vector<tools::ToolCard> CardLibrary::cards_of(tools::ToolKinds kinds,
+                                                   tools::ToolKind const& kind) const
 {
     constexpr std::size_t kMostBytes = 4096;
     std::vector<fs::path> files;
@@ -30,28 +31,29 @@ std::vector<ToolCard> CardLibrary::cards_of(ToolKinds kinds, ToolKind const& kin
         if (file->path().extension() == kEnding && files.size() < kMostCards)
             files.push_back(file->path());
     std::sort(files.begin(), files.end());
-    std::vector<ToolCard> cards;
+    std::vector<tools::ToolCard> cards;
     for (auto const& file : files) {
         auto const text = read_text_file(file, kMostBytes);
-        auto tool = text ? parse_card(kinds, *text, file.string()) : tl::unexpected(text.error());
+        auto tool
+            = text ? tools::parse_card(kinds, *text, file.string()) : tl::unexpected(text.error());
         if (tool && &tool->kind() == &kind)
             cards.push_back({ file.stem().string(), *std::move(tool) });
     }
     return cards;
 }
 
-Result<std::string> CardLibrary::keep(Tool const& hand) const
+Result<std::string> CardLibrary::keep(tools::Tool const& hand) const
 {
     if (folder_.empty())
         return fail(Fault::User, "there is no folder for cards: set HOME or XDG_DATA_HOME");
     std::error_code error;
     fs::create_directories(folder_, error); // Writing fails, and says why.
-    auto const* const label = cards_label(hand.kind());
+    auto const* const label = tools::cards_label(hand.kind());
     std::string name;
     for (int i = 1; name.empty() || fs::exists(file_of(name), error); ++i)
         name = fmt::format("{} {}", label ? label : hand.kind().label, i);
     TRY(write_file(file_of(name), [&](std::ostream& out) -> Result<void> {
-        out << card_text(hand);
+        out << tools::card_text(hand);
         return {};
     }));
     return name;

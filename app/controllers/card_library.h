@@ -22,11 +22,12 @@ public:
     }
 
     // The cards of a kind by their names, at most kMostCards. Files that are no cards are left out.
-    std::vector<ToolCard> cards_of(ToolKinds kinds, ToolKind const& kind) const;
+    std::vector<tools::ToolCard> cards_of(tools::ToolKinds kinds,
+                                          tools::ToolKind const& kind) const;
 
     // Keeps the card of a hand under a name that no other has: "Rule 3". Returns it. Fails, as the
     // user's fault, where it cannot be written.
-    Result<std::string> keep(Tool const& hand) const;
+    Result<std::string> keep(tools::Tool const& hand) const;
 
     // Fails, as the user's fault, for a name that no file can have, or another one has.
     Result<void> rename(std::string const& from, std::string const& to) const;

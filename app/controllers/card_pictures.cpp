@@ -40,7 +40,7 @@ std::optional<render::Image> read_image(fs::path const& file, std::size_t most_b
 // As large as a card shows it.
 std::optional<render::Image> small_picture(fs::path const& file)
 {
-    auto const image = read_image(file, kMostPictureBytes);
+    auto const image = read_image(file, scene::kMostPictureBytes);
     if (!image || image->width() == 0)
         return std::nullopt;
     double const scale
@@ -53,7 +53,7 @@ std::optional<render::Image> small_picture(fs::path const& file)
 std::optional<render::Image> card_of_grammar(fs::path const& file)
 {
     constexpr render::Color kPaper { 250, 250, 248, 255 };
-    auto const leaf = picture_of_grammar(file, CardPictures::kHeight_px, kPaper);
+    auto const leaf = methods::picture_of_grammar(file, CardPictures::kHeight_px, kPaper);
     if (!leaf)
         return std::nullopt;
     render::Image card(CardPictures::kWidth_px, CardPictures::kHeight_px, kPaper);
@@ -99,7 +99,7 @@ void keep(render::Image const& picture, fs::path const& folder, KeptName const& 
 
 } // namespace
 
-CardPictures::CardPictures(EditKinds kinds, fs::path kept_in)
+CardPictures::CardPictures(scene::EditKinds kinds, fs::path kept_in)
     : kinds_(kinds)
     , kept_in_(std::move(kept_in))
     , job_([this](fs::path const& file, std::stop_token const& stop) { return make(file, stop); },

@@ -26,7 +26,7 @@ public:
     static constexpr int kHeight_px = 250;
 
     // Empty: none is kept.
-    CardPictures(EditKinds kinds, std::filesystem::path kept_in);
+    CardPictures(scene::EditKinds kinds, std::filesystem::path kept_in);
     CardPictures(CardPictures const&) = delete;
     CardPictures& operator=(CardPictures const&) = delete;
     ~CardPictures();
@@ -52,7 +52,7 @@ private:
     std::optional<render::Image> draw(std::filesystem::path const& file,
                                       std::stop_token const& stop);
 
-    EditKinds kinds_;
+    scene::EditKinds kinds_;
     std::filesystem::path kept_in_;
     std::deque<std::filesystem::path> waiting_;
     bool is_making_ = false;

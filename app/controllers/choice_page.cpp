@@ -76,7 +76,7 @@ Choices leaf_choices(fs::path const& folder, LeavesInDocument const& document)
     std::ranges::sort(own.choices, {}, &Choices::Choice::file); // None comes first.
     auto& ours = choices.groups.emplace_back();
     ours.title = "Species";
-    for (auto const& [name, grammar] : leaf_kinds())
+    for (auto const& [name, grammar] : methods::leaf_kinds())
         ours.choices.push_back({ name_in_words(name), {}, grammar });
     return choices;
 }

@@ -15,35 +15,39 @@ namespace tractus::controllers {
 namespace fs = std::filesystem;
 
 // What a new session begins with.
-static Result<std::vector<Edit>> edits_of_plant(fs::path const& plant, EditKinds kinds)
+static Result<std::vector<scene::Edit>> edits_of_plant(fs::path const& plant,
+                                                       scene::EditKinds kinds)
 {
     if (plant.empty())
-        return std::vector<Edit> { session::BeginEmpty {} };
+        return std::vector<scene::Edit> { session::BeginEmpty {} };
     if (batch::is_session_file(plant))
         return batch::session_edits(plant, kinds);
     auto edit = TRY(io::load_plant_edit(plant));
-    return std::vector<Edit> { std::move(edit) };
+    return std::vector<scene::Edit> { std::move(edit) };
 }
 
-Result<Scene> scene_of_plant(fs::path const& plant, EditKinds kinds, ModelCost const& cost)
+Result<scene::Scene> scene_of_plant(fs::path const& plant, scene::EditKinds kinds,
+                                    document::ModelCost const& cost)
 {
     if (plant.empty())
-        return Scene {};
+        return scene::Scene {};
     if (batch::is_session_file(plant))
         return batch::load_session_scene(plant, kinds, cost);
     auto const edit = TRY(io::load_plant_edit(plant));
-    return apply_edit({}, edit, make_load_options(cost));
+    return scene::apply_edit({}, edit, document::make_load_options(cost));
 }
 
-Result<session::Session> open_or_begin(WantedDrawing const& wanted, EditKinds kinds,
+Result<session::Session> open_or_begin(WantedDrawing const& wanted, scene::EditKinds kinds,
                                        std::string& trouble)
 {
     std::error_code ignored;
     if (!fs::exists(wanted.session, ignored))
         return batch::begin_session(wanted.session, TRY(edits_of_plant(wanted.plant, kinds)),
                                     kinds);
-    auto session = TRY(session::Session::open(
-        wanted.session, session::session_by_the_clock(kinds, [] { return load_options(); })));
+    auto session
+        = TRY(session::Session::open(wanted.session, session::session_by_the_clock(kinds, [] {
+                                         return document::load_options();
+                                     })));
     if (auto const said = session.unknown().sentence(); !said.empty())
         trouble = fmt::format("{}: {}", wanted.session.string(), said);
     else if (session.is_derived_anew())
@@ -54,7 +58,7 @@ Result<session::Session> open_or_begin(WantedDrawing const& wanted, EditKinds ki
 }
 
 // In a new session named after the plant; in memory, where that has no place.
-static Result<OpenedDrawing> begin_unnamed(WantedDrawing wanted, EditKinds kinds)
+static Result<OpenedDrawing> begin_unnamed(WantedDrawing wanted, scene::EditKinds kinds)
 {
     OpenedDrawing opened;
     auto const name = wanted.plant.empty() ? std::string("drawing") : wanted.plant.stem().string();
@@ -76,7 +80,7 @@ static Result<OpenedDrawing> begin_unnamed(WantedDrawing wanted, EditKinds kinds
     return opened;
 }
 
-static Result<OpenedDrawing> open_named(WantedDrawing const& wanted, EditKinds kinds)
+static Result<OpenedDrawing> open_named(WantedDrawing const& wanted, scene::EditKinds kinds)
 {
     OpenedDrawing opened;
     opened.session = TRY(open_or_begin(wanted, kinds, opened.trouble));
@@ -85,7 +89,7 @@ static Result<OpenedDrawing> open_named(WantedDrawing const& wanted, EditKinds k
     return opened;
 }
 
-Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, EditKinds kinds)
+Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, scene::EditKinds kinds)
 {
     auto opened
         = TRY(wanted.session.empty() ? begin_unnamed(wanted, kinds) : open_named(wanted, kinds));

@@ -22,8 +22,8 @@ struct WantedDrawing {
 
 // A drawing to go on with.
 struct OpenedDrawing {
-    std::string name {}; // Of its file, for people.
-    Scene scene {};      // Where nothing keeps it, which `trouble` explains.
+    std::string name {};   // Of its file, for people.
+    scene::Scene scene {}; // Where nothing keeps it, which `trouble` explains.
     std::optional<session::Session> session {};
     std::filesystem::path
         unnamed {};                 // The session's file, if it is a new one that nobody has named.
@@ -33,14 +33,14 @@ struct OpenedDrawing {
 
 // Opens a drawing. Where a new session that nobody has named has no place, it is opened all the
 // same. Fails, as the user's fault, like load_plant_edit(), Session::open() and Session::create().
-Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, EditKinds kinds);
+Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, scene::EditKinds kinds);
 
 // The session in the file, or a new one of the plant. `trouble` becomes what of it is unknown.
-Result<session::Session> open_or_begin(WantedDrawing const& wanted, EditKinds kinds,
+Result<session::Session> open_or_begin(WantedDrawing const& wanted, scene::EditKinds kinds,
                                        std::string& trouble);
 
 // The scene of a plant as it would begin. Fails like load_plant_edit() and load_session_scene().
-Result<Scene> scene_of_plant(std::filesystem::path const& plant, EditKinds kinds,
-                             ModelCost const& cost = {});
+Result<scene::Scene> scene_of_plant(std::filesystem::path const& plant, scene::EditKinds kinds,
+                                    document::ModelCost const& cost = {});
 
 } // namespace tractus::controllers

@@ -25,10 +25,11 @@ Result<fs::path> write_shown_leaf(std::string const& name, std::string const& gr
     return file;
 }
 
-std::vector<DrawnLeafFile> write_drawn_leaves(DocumentState const& state, fs::path const& folder)
+std::vector<DrawnLeafFile> write_drawn_leaves(scene::DocumentState const& state,
+                                              fs::path const& folder)
 {
     std::vector<DrawnLeafFile> files;
-    for (auto const& [plant, grammar] : drawn_leaves(state))
+    for (auto const& [plant, grammar] : methods::drawn_leaves(state))
         if (auto file = write_shown_leaf("drawn-leaf", grammar, folder))
             files.push_back({ plant, *std::move(file) });
     return files;
@@ -36,7 +37,7 @@ std::vector<DrawnLeafFile> write_drawn_leaves(DocumentState const& state, fs::pa
 
 Result<fs::path> keep_leaf(fs::path const& grammar, fs::path const& folder)
 {
-    auto const text = TRY(read_leaf_grammar(grammar));
+    auto const text = TRY(methods::read_leaf_grammar(grammar));
     TRY(make_folder(folder));
     auto const name = grammar.stem().string();
     for (int number = 1;; ++number) {
@@ -47,7 +48,7 @@ Result<fs::path> keep_leaf(fs::path const& grammar, fs::path const& folder)
             TRY(write_file(file, text));
             return file;
         }
-        if (auto const there = read_leaf_grammar(file); there && *there == text)
+        if (auto const there = methods::read_leaf_grammar(file); there && *there == text)
             return file;
     }
 }

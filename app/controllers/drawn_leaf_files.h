@@ -13,12 +13,12 @@ namespace tractus::controllers {
 // show files: one for each leaf, in the order of the plants. One that cannot be written is left
 // out.
 struct DrawnLeafFile {
-    ItemId leaf = 0; // The plant that is the leaf.
+    scene::ItemId leaf = 0; // The plant that is the leaf.
     std::filesystem::path file {};
 
     bool operator==(DrawnLeafFile const&) const = default;
 };
-std::vector<DrawnLeafFile> write_drawn_leaves(DocumentState const& state,
+std::vector<DrawnLeafFile> write_drawn_leaves(scene::DocumentState const& state,
                                               std::filesystem::path const& folder);
 
 // Writes a grammar there likewise, such as one that only the document has.

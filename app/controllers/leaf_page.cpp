@@ -41,7 +41,7 @@ view::StartStudy::Picture picture(char const* title, render::Image image)
     return { title, std::make_shared<render::Image const>(std::move(image)) };
 }
 
-std::string said_of_age(double age, std::optional<Season> const& season)
+std::string said_of_age(double age, std::optional<scene::Season> const& season)
 {
     if (!season)
         return fmt::format("age {:.2f}", age);
@@ -49,9 +49,9 @@ std::string said_of_age(double age, std::optional<Season> const& season)
 }
 
 // What has fallen lies below the plant as old leaves do.
-double age_of(double own, std::optional<Season> const& season)
+double age_of(double own, std::optional<scene::Season> const& season)
 {
-    return season ? age_in_season(OrganCalendar {}, season->month).value_or(1) : own;
+    return season ? scene::age_in_season(OrganCalendar {}, season->month).value_or(1) : own;
 }
 
 } // namespace
@@ -59,7 +59,7 @@ double age_of(double own, std::optional<Season> const& season)
 LeafPage::LeafPage()
     : job_([](Wanted const& wanted) {
         auto const& grammar = wanted.subject->grammar;
-        return study_of_grammar(grammar.text, grammar.name, wanted.look, kPaper);
+        return methods::study_of_grammar(grammar.text, grammar.name, wanted.look, kPaper);
     })
 {
     state_.is_beside_drawing = true;
@@ -82,7 +82,7 @@ void LeafPage::open(Subject subject)
     job_.want({ subject_, look() });
 }
 
-LeafLook LeafPage::look() const
+leaf::LeafLook LeafPage::look() const
 {
     return { .age = age_of(wanted_.age, season_),
              .spread = season_ ? kSeasonSpread : 0,
@@ -110,8 +110,8 @@ void LeafPage::set_season(double month)
     if (month < 1)
         season_.reset();
     else
-        season_ = Season { .month = in_steps(month, 0.01),
-                           .fallen = subject_->season.value_or(Season {}).fallen };
+        season_ = scene::Season { .month = in_steps(month, 0.01),
+                                  .fallen = subject_->season.value_or(scene::Season {}).fallen };
 }
 
 void LeafPage::show_sliders()
@@ -119,8 +119,8 @@ void LeafPage::show_sliders()
     auto& sliders = state_.study->sliders;
     auto const shown = look();
     sliders = { { said_of_age(shown.age, season_), 1, shown.age },
-                { season_ ? month_name(season_->month) : std::string("no season"), kLastMonth,
-                  season_ ? season_->month : 0 } };
+                { season_ ? scene::month_name(season_->month) : std::string("no season"),
+                  kLastMonth, season_ ? season_->month : 0 } };
     for (auto const& [text, number, most, step] : kNumbers) {
         double const value = wanted_.damage.*number;
         sliders.push_back(
@@ -140,7 +140,7 @@ void LeafPage::advance()
     ++state_.revision;
 }
 
-void LeafPage::show(LeafStudy study)
+void LeafPage::show(leaf::LeafStudy study)
 {
     auto& shown = *state_.study;
     shown.large = picture("", std::move(study.leaf));

@@ -19,9 +19,9 @@ class LeafPage final : public view::StartPageModel {
 public:
     struct Subject {
         std::string title {}; // "Oak".
-        GrammarOfLeaves grammar {};
-        Dressing wanted {};              // As the page shows it at first.
-        std::optional<Season> season {}; // Of the document.
+        methods::GrammarOfLeaves grammar {};
+        methods::Dressing wanted {};            // As the page shows it at first.
+        std::optional<scene::Season> season {}; // Of the document.
     };
 
     LeafPage();
@@ -51,22 +51,22 @@ public:
 private:
     struct Wanted {
         std::shared_ptr<Subject const> subject; // Shared with the page; nobody changes it.
-        LeafLook look;
+        leaf::LeafLook look;
     };
 
     void set_season(double month);
-    LeafLook look() const;
+    leaf::LeafLook look() const;
     void show_sliders();
-    void show(LeafStudy study);
+    void show(leaf::LeafStudy study);
 
     bool is_open_ = false;
     bool is_left_ = false;
     view::StartPageState state_;
     std::shared_ptr<Subject const> subject_ {}; // As it was opened.
-    Dressing wanted_ {};
-    std::optional<Season> season_ {};
+    methods::Dressing wanted_ {};
+    std::optional<scene::Season> season_ {};
     std::optional<view::DressActivePlant> accepted_ {};
-    NewestJob<Wanted, Result<LeafStudy>> job_;
+    NewestJob<Wanted, Result<leaf::LeafStudy>> job_;
 };
 
 } // namespace tractus::controllers

@@ -9,8 +9,8 @@ void LiveCards::show(view::WindowState& state)
 {
     auto const& kind = state.hand.kind();
     if (std::exchange(shown_, &kind) != &kind)
-        state.cards
-            = cards_label(kind) ? library_.cards_of(state.tools, kind) : std::vector<ToolCard>();
+        state.cards = tools::cards_label(kind) ? library_.cards_of(state.tools, kind)
+                                               : std::vector<tools::ToolCard>();
 }
 
 void LiveCards::show_again(view::WindowState& state)

@@ -28,7 +28,7 @@ public:
 private:
     CardLibrary library_;
     std::filesystem::path folder_;
-    ToolKind const* shown_ = nullptr; // The kind whose cards are shown.
+    tools::ToolKind const* shown_ = nullptr; // The kind whose cards are shown.
 };
 
 } // namespace tractus::controllers

@@ -149,8 +149,8 @@ void LiveWindow::settle()
 
 void LiveWindow::follow(std::filesystem::path const& model)
 {
-    auto const* const plant = active_plant(controller_->document().newest()->scene.state);
-    auto const* const drawn_on = plant ? loaded_model(plant->source) : nullptr;
+    auto const* const plant = scene::active_plant(controller_->document().newest()->scene.state);
+    auto const* const drawn_on = plant ? scene::loaded_model(plant->source) : nullptr;
     model_.emplace(model, drawn_on ? std::optional(*drawn_on) : std::nullopt);
 }
 
@@ -193,7 +193,7 @@ void LiveWindow::tell_programs()
 void LiveWindow::record_tool_changes()
 {
     for (auto const& [time, tool] : station_.take_tool_changes()) {
-        auto const words = words_for(tool);
+        auto const words = tools::words_for(tool);
         if (recorder_)
             recorder_->write_tool(time, words.name, words.arguments);
     }
@@ -206,7 +206,7 @@ void LiveWindow::record_steps()
     for (auto const& step : controller_->take_done()) {
         if (!recorder_)
             continue;
-        auto const words = words_for(step, step.strokes_before - recorded_from_stroke_);
+        auto const words = document::words_for(step, step.strokes_before - recorded_from_stroke_);
         recorder_->write_tool(options_.now(), words.name, words.arguments);
     }
 }
@@ -268,9 +268,9 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
     recorded_from_stroke_ = controller_->document().stroke_count();
     auto const tools = station_.tools_to_go_on_with();
     // A replay begins with the first tool, so that need not be written.
-    if (tools != std::vector { Tool(*station_options_.tools.front()) })
+    if (tools != std::vector { tools::Tool(*station_options_.tools.front()) })
         for (auto const& tool : tools) {
-            auto const words = words_for(tool);
+            auto const words = tools::words_for(tool);
             recorder_->write_tool(now, words.name, words.arguments);
         }
     view().state().recording = { true, path.filename().string(), recorder_->byte_count() };

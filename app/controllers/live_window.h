@@ -31,14 +31,14 @@
 namespace tractus::controllers {
 
 struct LiveWindowOptions {
-    Methods methods {}; // Methods that can be used.
+    tools::Methods methods {}; // Methods that can be used.
     std::optional<calib::Rig>
         rig {}; // No value: that of a log among the devices, else see create().
     // Where calibrating keeps the rig; empty: nowhere, and there is no calibrating.
     std::filesystem::path rig_file {};
     // The surface's height in place of a height sensor, above the controller.
     std::optional<double> height_mm {};
-    Scene scene {}; // The scene that the pen works on; its base plant is loaded.
+    scene::Scene scene {}; // The scene that the pen works on; its base plant is loaded.
     // The folder in which saved pictures, exports, and recordings that nobody named appear.
     std::filesystem::path folder = ".";
     std::filesystem::path recording {}; // The new log of all that comes; empty: none at first.
@@ -97,9 +97,9 @@ public:
     }
 
     station::Station const& station() const { return station_; }
-    Document const& document() const { return controller_->document(); }
+    document::Document const& document() const { return controller_->document(); }
     // The scene that is shown.
-    Scene const& scene() const { return *controller_->view().grown_scene(); }
+    scene::Scene const& scene() const { return *controller_->view().grown_scene(); }
 
 private:
     enum class ChoiceOf { Picture, Leaves };

@@ -117,10 +117,11 @@ void LiveWindow::perform_kind(view::OpenLeaves const&)
     open_choices(ChoiceOf::Leaves, leaf_choices(options_.leaves, leaves_in_document()));
 }
 
-static bool is_drawn_leaf(Scene const& scene, ItemId plant)
+static bool is_drawn_leaf(scene::Scene const& scene, scene::ItemId plant)
 {
-    return std::ranges::any_of(drawn_leaves(scene.state),
-                               [&](DrawnLeafGrammar const& leaf) { return leaf.plant == plant; });
+    return std::ranges::any_of(
+        methods::drawn_leaves(scene.state),
+        [&](methods::DrawnLeafGrammar const& leaf) { return leaf.plant == plant; });
 }
 
 // Their files, for the page.
@@ -137,7 +138,7 @@ LeavesInDocument LiveWindow::leaves_in_document()
     for (auto const& drawn : drawn_leaves_)
         leaves.drawn.push_back(drawn.file);
     kept_leaf_.clear();
-    if (auto const worn = worn_leaves(state, state.active))
+    if (auto const worn = methods::worn_leaves(state, state.active))
         if (auto const kept = state.leaf_grammars.find(worn->leaves);
             kept != state.leaf_grammars.end())
             if (auto const file = write_shown_leaf("worn-leaf", *kept->second, cache))
@@ -163,16 +164,16 @@ void LiveWindow::keep_drawn_leaf(std::filesystem::path const& file)
 void LiveWindow::open_leaf_page(std::filesystem::path const& file)
 {
     auto const& state = scene().state;
-    Dressing wanted { .leaves = leaves_of_grammar(file.string()) };
+    methods::Dressing wanted { .leaves = methods::leaves_of_grammar(file.string()) };
     auto const drawn = std::ranges::find(drawn_leaves_, file, &DrawnLeafFile::file);
-    auto const worn = worn_leaves(state, state.active);
+    auto const worn = methods::worn_leaves(state, state.active);
     if (drawn != drawn_leaves_.end())
         wanted = { .drawn = drawn->leaf };
     else if (file == kept_leaf_ && worn)
         wanted.leaves = worn->leaves;
     if (worn && worn->leaves == wanted.leaves && worn->drawn == wanted.drawn)
         wanted = *worn;
-    auto grammar = grammar_of(state, wanted);
+    auto grammar = methods::grammar_of(state, wanted);
     if (!grammar) {
         view().state().status = grammar.error().message;
         return;
@@ -231,10 +232,11 @@ void LiveWindow::perform_kind(view::LayPictureFile const& command)
 {
     controller_->perform(command, station_);
     auto const tools = station_.tools();
-    auto const placing = std::find_if(tools.begin(), tools.end(),
-                                      [](ToolKind const* kind) { return kind->lays_pictures; });
+    auto const placing = std::find_if(tools.begin(), tools.end(), [](tools::ToolKind const* kind) {
+        return kind->lays_pictures;
+    });
     if (placing != tools.end() && &station_.tool().kind() != *placing)
-        perform_kind(view::ChooseTool { Tool(**placing) });
+        perform_kind(view::ChooseTool { tools::Tool(**placing) });
 }
 
 } // namespace tractus::controllers

@@ -52,17 +52,17 @@ std::vector<fs::path> pictures_in(fs::path const& folder, std::size_t most)
     return pictures;
 }
 
-Result<LayPicture> load_back_picture(fs::path const& file, Vec2 const& tablet_mm)
+Result<scene::LayPicture> load_back_picture(fs::path const& file, Vec2 const& tablet_mm)
 {
     constexpr double kShare = 0.9; // Share of the tablet.
-    auto bytes = TRY(read_file(file, kMostPictureBytes));
+    auto bytes = TRY(read_file(file, scene::kMostPictureBytes));
     auto const image = render::read_picture(bytes);
     if (!image)
         return fail(Fault::User, fmt::format("{}: {}", file.string(), image.error().message));
     double const aspect = static_cast<double>(image->width()) / image->height();
-    LayPicture edit { .name = file.filename().string(), .file = std::move(bytes) };
+    scene::LayPicture edit { .name = file.filename().string(), .file = std::move(bytes) };
     edit.place.width_mm = std::clamp(kShare * std::min(tablet_mm.x(), tablet_mm.y() * aspect),
-                                     kLeastPictureWidth_mm, kGreatestPictureWidth_mm);
+                                     scene::kLeastPictureWidth_mm, scene::kGreatestPictureWidth_mm);
     return edit;
 }
 

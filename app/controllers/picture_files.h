@@ -21,6 +21,7 @@ std::vector<std::filesystem::path> pictures_in(std::filesystem::path const& fold
 // Reads a picture to be laid behind what is drawn, as large as fits on a tablet of that size with
 // some air around it. Fails, as the user's fault, with the file's name, for one that cannot be read
 // or shown, or that is larger than a drawing keeps.
-Result<LayPicture> load_back_picture(std::filesystem::path const& file, Vec2 const& tablet_mm);
+Result<scene::LayPicture> load_back_picture(std::filesystem::path const& file,
+                                            Vec2 const& tablet_mm);
 
 } // namespace tractus::controllers

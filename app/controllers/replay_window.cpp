@@ -6,7 +6,7 @@
 namespace tractus::controllers {
 
 Result<ReplayWindow> ReplayWindow::create(drivers::Log const& log, station::ReplayOptions options,
-                                          Scene scene, std::filesystem::path pictures,
+                                          scene::Scene scene, std::filesystem::path pictures,
                                           std::optional<session::Session> session)
 {
     auto replay = TRY(station::LogReplay::create(log, options));
@@ -105,7 +105,8 @@ void ReplayWindow::perform_kind(view::Restart const&)
     state.progress = 0;
     view().begin_again(replay_.station(), controller_.document());
     // The growth stays as a person has set it; but a session is as it began.
-    controller_.begin_again(replay_.station(), "The hand begins again", Document::Growth::AsItIs);
+    controller_.begin_again(replay_.station(), "The hand begins again",
+                            document::Document::Growth::AsItIs);
 }
 
 } // namespace tractus::controllers

@@ -19,7 +19,7 @@ public:
     // session keeps what is drawn, on its scene in place of `scene`. Fails like
     // LogReplay::create.
     static Result<ReplayWindow> create(drivers::Log const& log, station::ReplayOptions options,
-                                       Scene scene, std::filesystem::path pictures,
+                                       scene::Scene scene, std::filesystem::path pictures,
                                        std::optional<session::Session> session = {});
 
     ReplayWindow(ReplayWindow&&) = default;

@@ -48,7 +48,7 @@ std::string said_of_model(fs::path const& model)
 
 } // namespace
 
-StartPageOptions start_page_of_user(Methods const& methods)
+StartPageOptions start_page_of_user(tools::Methods const& methods)
 {
     StartPageOptions options { .kinds = methods.edits, .tools = methods.tools };
     if (auto const ours = files::find_resource("models"))
@@ -138,7 +138,7 @@ void StartPageController::list_sheets()
             continue;
         cards.cards.push_back(
             { .title = kind->method, .detail = kind->title, .icon = kind->icon, .key = kind->key });
-        meanings.push_back({ {}, Tool(*kind) });
+        meanings.push_back({ {}, tools::Tool(*kind) });
     }
     add_group(std::move(cards), std::move(meanings));
 }

@@ -19,8 +19,8 @@
 namespace tractus::controllers {
 
 struct StartPageOptions {
-    EditKinds kinds {}; // Kinds of edits that sessions may have.
-    ToolKinds tools {}; // The first of each method that makes plants begins an empty sheet.
+    scene::EditKinds kinds {}; // Kinds of edits that sessions may have.
+    tools::ToolKinds tools {}; // The first of each method that makes plants begins an empty sheet.
     // Folders of models, ours and a person's own; those that are not there have none.
     std::vector<std::filesystem::path> models {};
     std::filesystem::path sessions {};                // Whose newest are offered.
@@ -30,7 +30,7 @@ struct StartPageOptions {
 
 // This program's models, and the folders of the person who runs it (user_folder.h): models in
 // "models" among the sessions, pictures among what can be made again.
-StartPageOptions start_page_of_user(Methods const& methods);
+StartPageOptions start_page_of_user(tools::Methods const& methods);
 
 // Contents of the start page: empty sheets, models and the newest sessions. What is chosen is
 // opened in the background, as pictures are made. Belongs to one thread.
@@ -51,7 +51,7 @@ public:
     // What was chosen, when it is open: the page is closed then.
     struct Chosen {
         OpenedDrawing drawing;
-        std::optional<Tool> tool {}; // To be in hand.
+        std::optional<tools::Tool> tool {}; // To be in hand.
     };
     std::optional<Chosen> take_opened();
 
@@ -64,7 +64,7 @@ public:
 private:
     struct Meaning {
         WantedDrawing wanted;
-        std::optional<Tool> tool {};
+        std::optional<tools::Tool> tool {};
     };
 
     void add_group(view::StartCards cards, std::vector<Meaning> meanings);
@@ -79,7 +79,7 @@ private:
     bool is_open_ = false;
     view::StartPageState state_;
     std::vector<std::vector<Meaning>> meanings_; // As the state's cards are.
-    std::optional<Tool> chosen_tool_;
+    std::optional<tools::Tool> chosen_tool_;
     CardPictures pictures_;
     NewestJob<WantedDrawing, Result<OpenedDrawing>> opening_;
 };

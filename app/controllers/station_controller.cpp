@@ -20,16 +20,18 @@
 
 namespace tractus::controllers {
 
-static std::unique_ptr<Document> document_of(std::optional<session::Session> session, Scene scene)
+static std::unique_ptr<document::Document> document_of(std::optional<session::Session> session,
+                                                       scene::Scene scene)
 {
-    constexpr auto kWorking = Document::Working::OnItsThread;
+    constexpr auto kWorking = document::Document::Working::OnItsThread;
     if (session)
-        return std::make_unique<Document>(*std::move(session), kWorking, batch::following_edits);
-    return std::make_unique<Document>(std::move(scene), kWorking, batch::following_edits);
+        return std::make_unique<document::Document>(*std::move(session), kWorking,
+                                                    batch::following_edits);
+    return std::make_unique<document::Document>(std::move(scene), kWorking, batch::following_edits);
 }
 
 StationController::StationController(station::Station const& station,
-                                     std::optional<session::Session> session, Scene scene,
+                                     std::optional<session::Session> session, scene::Scene scene,
                                      std::filesystem::path folder)
     : document_(document_of(std::move(session), std::move(scene)))
     , view_(station, *document_)
@@ -53,7 +55,8 @@ void StationController::take_strokes(station::Station& station)
 }
 
 // What goes on following what was drawn with it; no value: nothing else.
-static std::optional<Tool> hand_after(Tool const& hand, Scene const& before, Scene const& after)
+static std::optional<tools::Tool> hand_after(tools::Tool const& hand, scene::Scene const& before,
+                                             scene::Scene const& after)
 {
     auto* const like_drawn = hand.kind().like_drawn;
     if (!like_drawn || like_drawn(hand, before) != hand)
@@ -72,11 +75,11 @@ void StationController::show_document(station::Station& station, Timestamp now)
     for (auto const& drawn : document_->take_drawn())
         view_.tell(drawn);
     while (auto done = document_->take_done()) {
-        if (!done->status && done->of == WantedStep::Of::Growth)
+        if (!done->status && done->of == document::WantedStep::Of::Growth)
             view_.show_growth();
         else if (!done->status)
             view_.propose({});
-        has_travelled |= done->status && done->what != LoggedStep::What::Edits;
+        has_travelled |= done->status && done->what != document::LoggedStep::What::Edits;
         view_.state().status = done->status ? *done->status : done->status.error().message;
         if (done->status)
             done_.push_back(*std::move(done));
@@ -177,13 +180,14 @@ void StationController::perform(view::Redo const&, station::Station& station)
 
 void StationController::perform(view::TakeOrphansAway const&, station::Station& station)
 {
-    auto const without = [](Scene const& scene) -> Result<WantedStep::Change> {
+    auto const without = [](scene::Scene const& scene) -> Result<document::WantedStep::Change> {
         auto edits = view::edits_without_orphans(scene);
         if (edits.empty())
             return fail(Fault::User, "nothing waits for a branch that the plant has lost");
-        return WantedStep::Change { std::move(edits), "What had lost its branch is gone" };
+        return document::WantedStep::Change { std::move(edits),
+                                              "What had lost its branch is gone" };
     };
-    document_->make({ without, WantedStep::Of::Scene });
+    document_->make({ without, document::WantedStep::Of::Scene });
     show_document(station, now_);
 }
 
@@ -191,12 +195,12 @@ void StationController::perform(view::TakeOrphansAway const&, station::Station& 
 void StationController::perform(view::LayPictureFile const& command, station::Station& station)
 {
     auto const change = [file = command.file, tablet_mm = view_.state().surface_size_mm()](
-                            Scene const&) -> Result<WantedStep::Change> {
+                            scene::Scene const&) -> Result<document::WantedStep::Change> {
         auto edit = TRY(load_back_picture(file, tablet_mm));
         auto status = fmt::format("{} lies behind what is drawn", edit.name);
-        return WantedStep::Change { { std::move(edit) }, std::move(status) };
+        return document::WantedStep::Change { { std::move(edit) }, std::move(status) };
     };
-    document_->make({ change, WantedStep::Of::Scene });
+    document_->make({ change, document::WantedStep::Of::Scene });
     show_document(station, now_);
 }
 
@@ -212,16 +216,17 @@ void StationController::perform(view::DragDrawnGlyph const& command, station::St
             view_.state().status = edits.error().message;
         return;
     }
-    auto const change = [kind, command](Scene const& scene) -> Result<WantedStep::Change> {
+    auto const change
+        = [kind, command](scene::Scene const& scene) -> Result<document::WantedStep::Change> {
         auto edits = TRY(kind->drag(scene, command.handle, command.to));
-        return WantedStep::Change { std::move(edits), "What was drawn follows" };
+        return document::WantedStep::Change { std::move(edits), "What was drawn follows" };
     };
-    document_->make({ change, WantedStep::Of::Scene });
+    document_->make({ change, document::WantedStep::Of::Scene });
     show_document(station, now_);
 }
 
 // What a person calls the leaves that they have chosen.
-static std::string leaves_in_words(Dressing const& wanted)
+static std::string leaves_in_words(methods::Dressing const& wanted)
 {
     if (wanted.drawn != 0)
         return "leaves like the one that is drawn, and follows it";
@@ -232,47 +237,48 @@ static std::string leaves_in_words(Dressing const& wanted)
 
 void StationController::perform(view::DressActivePlant const& command, station::Station& station)
 {
-    Dressing const wanted { .leaves = leaves_of_grammar(command.leaves),
-                            .drawn = command.drawn,
-                            .age = command.age,
-                            .damage = command.damage };
-    auto const change
-        = [wanted, season = command.season](Scene const& scene) -> Result<WantedStep::Change> {
-        if (!active_plant(scene.state))
+    methods::Dressing const wanted { .leaves = methods::leaves_of_grammar(command.leaves),
+                                     .drawn = command.drawn,
+                                     .age = command.age,
+                                     .damage = command.damage };
+    auto const change = [wanted, season = command.season](
+                            scene::Scene const& scene) -> Result<document::WantedStep::Change> {
+        if (!scene::active_plant(scene.state))
             return fail(Fault::User, "There is no plant yet: draw one first");
-        auto edits = TRY(dressing_edits(scene, scene.state.active, wanted));
+        auto edits = TRY(methods::dressing_edits(scene, scene.state.active, wanted));
         // In a season they have its age.
         if (auto const then = season.value_or(scene.state.season); then || season) {
-            auto const dressed = TRY(apply_edits(scene, edits));
+            auto const dressed = TRY(scene::apply_edits(scene, edits));
             for (auto& edit : TRY(batch::season_edits(dressed, then)))
                 edits.push_back(std::move(edit));
         }
-        return WantedStep::Change { std::move(edits),
-                                    fmt::format("The plant has {}", leaves_in_words(wanted)) };
+        return document::WantedStep::Change {
+            std::move(edits), fmt::format("The plant has {}", leaves_in_words(wanted))
+        };
     };
-    document_->make({ change, WantedStep::Of::Scene });
+    document_->make({ change, document::WantedStep::Of::Scene });
     show_document(station, now_);
 }
 
 void StationController::begin_again(station::Station& station, std::string const& status,
-                                    Document::Growth growth)
+                                    document::Document::Growth growth)
 {
     document_->begin_again(
         document_->session().is_in_file() ? "The session is as it began" : status, growth);
     show_document(station, now_);
 }
 
-void StationController::take_model(Result<LoadModel> model, station::Station& station)
+void StationController::take_model(Result<scene::LoadModel> model, station::Station& station)
 {
     if (!model) {
         view_.state().status = model.error().message;
         return;
     }
-    auto const change
-        = [model = *std::move(model)](Scene const& scene) -> Result<WantedStep::Change> {
+    auto const change = [model = *std::move(model)](
+                            scene::Scene const& scene) -> Result<document::WantedStep::Change> {
         auto const name = std::filesystem::path(model.source.name).filename();
-        auto const* const plant = active_plant(scene.state);
-        auto const* const drawn_on = plant ? loaded_model(plant->source) : nullptr;
+        auto const* const plant = scene::active_plant(scene.state);
+        auto const* const drawn_on = plant ? scene::loaded_model(plant->source) : nullptr;
         if (!drawn_on || std::filesystem::path(drawn_on->source.name).filename() != name)
             return fail(Fault::User,
                         fmt::format("{} has been saved, but another plant is drawn on: choose its "
@@ -282,48 +288,51 @@ void StationController::take_model(Result<LoadModel> model, station::Station& st
         auto edit = model;
         edit.steps = drawn_on->steps;
         edit.seed = drawn_on->seed;
-        edit.drawn = Drawn::Keep;
-        return WantedStep::Change {
+        edit.drawn = scene::Drawn::Keep;
+        return document::WantedStep::Change {
             { edit }, fmt::format("The plant is that of {} as it was saved", name.string())
         };
     };
-    document_->make({ change, WantedStep::Of::Scene });
+    document_->make({ change, document::WantedStep::Of::Scene });
     show_document(station, now_);
 }
 
-static std::vector<Edit> following(Tool const& before, Tool const& after, Scene const& scene)
+static std::vector<scene::Edit> following(tools::Tool const& before, tools::Tool const& after,
+                                          scene::Scene const& scene)
 {
     auto* const follow = after.kind().follow;
     return follow && &before.kind() == &after.kind() ? follow(before, after, scene)
-                                                     : std::vector<Edit>();
+                                                     : std::vector<scene::Edit>();
 }
 
-void StationController::preview_following(Tool const& before, Tool const& after)
+void StationController::preview_following(tools::Tool const& before, tools::Tool const& after)
 {
     view_.propose(following(before, after, *view_.grown_scene()));
 }
 
-void StationController::let_follow(Tool const& before, Tool const& after, station::Station& station)
+void StationController::let_follow(tools::Tool const& before, tools::Tool const& after,
+                                   station::Station& station)
 {
     if (following(before, after, *view_.grown_scene()).empty())
         return view_.propose({});
-    auto const change = [=](Scene const& scene) -> Result<WantedStep::Change> {
+    auto const change = [=](scene::Scene const& scene) -> Result<document::WantedStep::Change> {
         auto edits = following(before, after, scene);
         if (edits.empty())
             return fail(Fault::User, "what was drawn so is gone");
         auto status = edits.size() == 1 ? std::string("What was drawn so follows")
                                         : fmt::format("{} that were drawn so follow", edits.size());
-        return WantedStep::Change { std::move(edits), std::move(status) };
+        return document::WantedStep::Change { std::move(edits), std::move(status) };
     };
-    document_->make({ change, WantedStep::Of::Scene });
+    document_->make({ change, document::WantedStep::Of::Scene });
     show_document(station, now_);
 }
 
 void StationController::perform(view::NextVariation const&, station::Station& station)
 {
-    auto const next = [](SetGrowth growth) -> Result<WantedStep::Change> {
+    auto const next = [](scene::SetGrowth growth) -> Result<document::WantedStep::Change> {
         ++growth.seed;
-        return WantedStep::Change { { growth }, fmt::format("Another one: seed {}", growth.seed) };
+        return document::WantedStep::Change { { growth },
+                                              fmt::format("Another one: seed {}", growth.seed) };
     };
     set_growth(next, station);
 }
@@ -338,10 +347,11 @@ void StationController::perform(view::ChangeGrowth const& command, station::Stat
             view_.state().status = seen.error().message;
         return;
     }
-    auto const set = [wanted = command.growth](SetGrowth growth) -> Result<WantedStep::Change> {
+    auto const set =
+        [wanted = command.growth](scene::SetGrowth growth) -> Result<document::WantedStep::Change> {
         growth = TRY(view::growth_set_to(wanted, std::move(growth)));
-        auto status = fmt::format("The plant {}", Edit(growth).describe());
-        return WantedStep::Change { { growth }, std::move(status) };
+        auto status = fmt::format("The plant {}", scene::Edit(growth).describe());
+        return document::WantedStep::Change { { growth }, std::move(status) };
     };
     set_growth(set, station);
 }
@@ -350,14 +360,14 @@ void StationController::perform(view::ChangeSeason const& command, station::Stat
 {
     if (command.slider == view::ChangeGrowth::Slider::Moving)
         return view_.preview(command.season);
-    auto const change
-        = [season = command.season](Scene const& scene) -> Result<WantedStep::Change> {
+    auto const change = [season = command.season](
+                            scene::Scene const& scene) -> Result<document::WantedStep::Change> {
         auto edits = TRY(batch::season_edits(scene, season));
-        auto status = season ? fmt::format("It is {}", month_name(season->month))
+        auto status = season ? fmt::format("It is {}", scene::month_name(season->month))
                              : std::string("No season: leaves as the models have them");
-        return WantedStep::Change { std::move(edits), std::move(status) };
+        return document::WantedStep::Change { std::move(edits), std::move(status) };
     };
-    document_->make({ change, WantedStep::Of::Scene });
+    document_->make({ change, document::WantedStep::Of::Scene });
     show_document(station, now_);
 }
 
@@ -368,25 +378,26 @@ void StationController::perform(view::AskForCollection const& command, station::
 
 void StationController::perform(view::PickVariation const& command, station::Station& station)
 {
-    auto const pick = [seed = command.seed](SetGrowth growth) -> Result<WantedStep::Change> {
+    auto const pick
+        = [seed = command.seed](scene::SetGrowth growth) -> Result<document::WantedStep::Change> {
         growth.seed = seed;
-        return WantedStep::Change { { growth }, fmt::format("This one: seed {}", seed) };
+        return document::WantedStep::Change { { growth }, fmt::format("This one: seed {}", seed) };
     };
     set_growth(pick, station);
 }
 
 // `change` is asked when what was wanted before is done.
 void StationController::set_growth(
-    std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change,
+    std::function<Result<document::WantedStep::Change>(scene::SetGrowth growth)> const& change,
     station::Station& station)
 {
-    document_->make({ [=](Scene const& scene) -> Result<WantedStep::Change> {
+    document_->make({ [=](scene::Scene const& scene) -> Result<document::WantedStep::Change> {
                          bool const is_empty = scene.plants.empty() && scene.base->axes.empty();
                          return is_empty
                              ? fail(Fault::User, "There is no plant yet: draw one first")
                              : change(scene.growth);
                      },
-                      WantedStep::Of::Growth });
+                      document::WantedStep::Of::Growth });
     show_document(station, now_);
 }
 

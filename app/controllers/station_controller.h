@@ -23,12 +23,12 @@ public:
     // Strokes work on the session's scene if there is one, else on `scene`. `folder` is where saved
     // pictures and exports appear.
     StationController(station::Station const& station, std::optional<session::Session> session,
-                      Scene scene, std::filesystem::path folder);
+                      scene::Scene scene, std::filesystem::path folder);
 
     view::StationView& view() { return view_; }
     view::StationView const& view() const { return view_; }
-    Document& document() { return *document_; }
-    Document const& document() const { return *document_; }
+    document::Document& document() { return *document_; }
+    document::Document const& document() const { return *document_; }
 
     // Hands the station's finished strokes to the document, shows what has become of earlier ones,
     // and what has been done in the background meanwhile.
@@ -50,11 +50,11 @@ public:
     Result<void> finish_files();
 
     // The steps beside drawing that were done since the last call, for a recording.
-    std::vector<DoneStep> take_done() { return std::exchange(done_, {}); }
+    std::vector<document::DoneStep> take_done() { return std::exchange(done_, {}); }
 
     // What the hand holds since undo or redo, where it held what the plant was drawn with before
     // (ToolKind::like_drawn). No value: the same as before, or it was given out already.
-    std::optional<Tool> take_hand() { return std::exchange(hand_, std::nullopt); }
+    std::optional<tools::Tool> take_hand() { return std::exchange(hand_, std::nullopt); }
 
     // A new file's name in the folder.
     std::filesystem::path new_file(std::string_view ending) const;
@@ -77,16 +77,16 @@ public:
 
     // What has been drawn with a tool follows other numbers (ToolKind::follow): is only shown so,
     // or does as a step, if anything does.
-    void preview_following(Tool const& before, Tool const& after);
-    void let_follow(Tool const& before, Tool const& after, station::Station& station);
+    void preview_following(tools::Tool const& before, tools::Tool const& after);
+    void let_follow(tools::Tool const& before, tools::Tool const& after, station::Station& station);
 
     // The model of the active plant has been saved: the plant is that of its new text, with what
     // was drawn on it. Where it is none any more, the plant stays and `status` says why.
-    void take_model(Result<LoadModel> model, station::Station& station);
+    void take_model(Result<scene::LoadModel> model, station::Station& station);
 
     // The document is as it began; where it is in no file `status` says so.
     void begin_again(station::Station& station, std::string const& status,
-                     Document::Growth growth = Document::Growth::AsItBegan);
+                     document::Document::Growth growth = document::Document::Growth::AsItBegan);
 
     // Shows another station, and what led to it.
     void show_again(station::Station const& station, std::string const& status);
@@ -98,15 +98,16 @@ private:
     void take_strokes(station::Station& station);
     void show_document(station::Station& station, Timestamp now);
     void show_files();
-    void set_growth(std::function<Result<WantedStep::Change>(SetGrowth growth)> const& change,
-                    station::Station& station);
+    void set_growth(
+        std::function<Result<document::WantedStep::Change>(scene::SetGrowth growth)> const& change,
+        station::Station& station);
 
-    std::unique_ptr<Document> document_; // On the heap, as this moves.
+    std::unique_ptr<document::Document> document_; // On the heap, as this moves.
     view::StationView view_;
-    std::vector<DoneStep> done_;      // Steps that are not taken yet.
-    std::optional<Tool> hand_;        // Likewise.
-    Timestamp now_ {};                // Time of the last show().
-    bool knows_what_is_lost_ = false; // A person who has asked to leave.
+    std::vector<document::DoneStep> done_; // Steps that are not taken yet.
+    std::optional<tools::Tool> hand_;      // Likewise.
+    Timestamp now_ {};                     // Time of the last show().
+    bool knows_what_is_lost_ = false;      // A person who has asked to leave.
     std::filesystem::path folder_;
     // On the heap, as this moves.
     std::unique_ptr<FileQueue> files_ = std::make_unique<FileQueue>();

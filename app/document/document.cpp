@@ -7,13 +7,13 @@
 #include <system_error>
 #include <utility>
 
-namespace tractus {
+namespace tractus::document {
 
 namespace {
 
 // Plants find their rest shapes when they are first asked for them: here, so that no thread that
 // shows the scene has to.
-void find_rest_shapes(Scene const& scene)
+void find_rest_shapes(scene::Scene const& scene)
 {
     for (auto const& plant : scene.plants)
         static_cast<void>(*plant->rest);
@@ -21,7 +21,7 @@ void find_rest_shapes(Scene const& scene)
 
 } // namespace
 
-Document::Document(Scene scene, Working working, Follow follow)
+Document::Document(scene::Scene scene, Working working, Follow follow)
     : Document(
         session::Session::in_memory(
             std::move(scene), session::session_by_the_clock({}, [] { return load_options(); })),
@@ -103,7 +103,7 @@ void Document::do_next(std::unique_lock<std::mutex>& lock)
     is_at_work_ = false;
 }
 
-void Document::draw(ToolStroke stroke)
+void Document::draw(tools::ToolStroke stroke)
 {
     ++stroke_count_;
     add(std::move(stroke));
@@ -129,7 +129,7 @@ void Document::make(LoggedStep step)
     auto const status
         = step.edits.empty() ? std::string() : fmt::format("It {}", step.edits.back().describe());
     make({ [change = WantedStep::Change { std::move(step.edits), status }](
-               Scene const&) -> Result<WantedStep::Change> { return change; } });
+               scene::Scene const&) -> Result<WantedStep::Change> { return change; } });
 }
 
 void Document::undo()
@@ -153,13 +153,13 @@ std::shared_ptr<Snapshot const> Document::newest() const
     return newest_;
 }
 
-std::vector<ToolStroke> Document::waiting() const
+std::vector<tools::ToolStroke> Document::waiting() const
 {
     std::lock_guard const lock(mutex_);
-    std::vector<ToolStroke> strokes;
+    std::vector<tools::ToolStroke> strokes;
     bool is_shown = is_at_work_ && is_first_shown_;
     for (auto const& work : queue_)
-        if (auto const* const stroke = std::get_if<ToolStroke>(&work);
+        if (auto const* const stroke = std::get_if<tools::ToolStroke>(&work);
             !std::exchange(is_shown, false) && stroke)
             strokes.push_back(*stroke);
     return strokes;
@@ -223,7 +223,7 @@ Result<void> Document::set_name(std::string name)
     return session_.set_name(std::move(name));
 }
 
-void Document::perform(ToolStroke const& stroke)
+void Document::perform(tools::ToolStroke const& stroke)
 {
     DrawnStroke drawn { stroke.stroke, stroke.tool };
     auto edits = stroke.tool.mean(stroke.stroke, scene_);
@@ -310,7 +310,7 @@ void Document::perform(Restart const& wanted)
 }
 
 // The scene is the one after the edits from here on.
-Result<Document::Step> Document::compute(std::vector<Edit> edits)
+Result<Document::Step> Document::compute(std::vector<scene::Edit> edits)
 {
     Step step { .edits = std::move(edits) };
     if (step.edits.empty())
@@ -384,4 +384,4 @@ void Document::tell(DoneStep done)
     done_.push_back(std::move(done));
 }
 
-} // namespace tractus
+} // namespace tractus::document

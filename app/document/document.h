@@ -21,16 +21,16 @@
 #include <variant>
 #include <vector>
 
-namespace tractus {
+namespace tractus::document {
 
 // Something that a person does beside drawing.
 struct WantedStep {
     // Its effect, given the scene as it is by then, and what to say when it is done.
     struct Change {
-        std::vector<Edit> edits;
+        std::vector<scene::Edit> edits;
         std::string status;
     };
-    std::function<Result<Change>(Scene const& scene)> change;
+    std::function<Result<Change>(scene::Scene const& scene)> change;
 
     enum class Of { Scene, Growth } of = Of::Scene; // A step of Growth changes nothing else.
 };
@@ -38,8 +38,8 @@ struct WantedStep {
 // A step beside drawing as it was done once, to be done again.
 struct LoggedStep {
     enum class What { Edits, Undo, Redo, BeginAgain } what = What::Edits;
-    std::size_t strokes_before = 0; // Strokes that came before it.
-    std::vector<Edit> edits {};     // Set for What::Edits.
+    std::size_t strokes_before = 0;    // Strokes that came before it.
+    std::vector<scene::Edit> edits {}; // Set for What::Edits.
 };
 
 // Outcome of a step.
@@ -47,13 +47,13 @@ struct DoneStep {
     Result<std::string> status; // Or why nothing has changed.
     WantedStep::Of of = WantedStep::Of::Scene;
     LoggedStep::What what = LoggedStep::What::Edits;
-    std::size_t strokes_before = 0; // Strokes of all that the document was given.
-    std::vector<Edit> edits {};     // Set for What::Edits.
+    std::size_t strokes_before = 0;    // Strokes of all that the document was given.
+    std::vector<scene::Edit> edits {}; // Set for What::Edits.
 };
 
 // The document at one moment. Nobody changes it.
 struct Snapshot {
-    Scene scene {};
+    scene::Scene scene {};
     std::uint64_t revision = 0;       // Grows whenever the scene changes,
     std::uint64_t drawn_revision = 0; // and this one whenever more of it does than its growth.
     std::size_t unkept = 0;           // Steps in it that are not on the disk yet.
@@ -75,11 +75,11 @@ public:
 
     // What a step brings with it, given the scene before it and the step's own edits: edits that
     // become part of it. Called by whoever works. Empty: nothing.
-    using Follow
-        = std::function<std::vector<Edit>(Scene const& scene, std::vector<Edit> const& step)>;
+    using Follow = std::function<std::vector<scene::Edit>(scene::Scene const& scene,
+                                                          std::vector<scene::Edit> const& step)>;
 
     // Without a session, what is drawn stays in memory.
-    Document(Scene scene, Working working, Follow follow = {});
+    Document(scene::Scene scene, Working working, Follow follow = {});
     Document(session::Session session, Working working, Follow follow = {});
     Document(Document const&) = delete;
     Document& operator=(Document const&) = delete;
@@ -87,7 +87,7 @@ public:
     // Does all that has come. What cannot be written is lost: see settle() and newest().
     ~Document();
 
-    void draw(ToolStroke stroke);
+    void draw(tools::ToolStroke stroke);
     void make(WantedStep step);
     void make(LoggedStep step); // Done in its turn, whatever came before it.
     void undo();
@@ -105,7 +105,7 @@ public:
     std::size_t stroke_count() const { return stroke_count_; }
 
     // Strokes that have come, in order, and are not in the newest snapshot yet.
-    std::vector<ToolStroke> waiting() const;
+    std::vector<tools::ToolStroke> waiting() const;
 
     // Returns what the strokes since the last call have meant, in order.
     std::vector<DrawnStroke> take_drawn();
@@ -133,10 +133,10 @@ private:
         std::string status;
         Growth growth = Growth::AsItBegan;
     };
-    using Work = std::variant<ToolStroke, WantedStep, Undo, Redo, Restart>;
+    using Work = std::variant<tools::ToolStroke, WantedStep, Undo, Redo, Restart>;
     // A step that is part of the scene already.
     struct Step {
-        std::vector<Edit> edits;
+        std::vector<scene::Edit> edits;
         std::optional<session::Session::Prepared>
             prepared {}; // No value where earlier ones are unkept.
     };
@@ -147,7 +147,7 @@ private:
     void do_next(std::unique_lock<std::mutex>& lock);
 
     // Runs on the document's thread, without the lock.
-    void perform(ToolStroke const& stroke);
+    void perform(tools::ToolStroke const& stroke);
     void perform(WantedStep const& step);
     void perform(Undo const&);
     void perform(Redo const&);
@@ -155,7 +155,7 @@ private:
     void travel(Result<void> (session::Session::*move)(), LoggedStep::What what,
                 std::string const& status);
     Result<void> may_travel() const;
-    Result<Step> compute(std::vector<Edit> edits);
+    Result<Step> compute(std::vector<scene::Edit> edits);
     void keep(Step step);
     void keep_what_is_not();
     void publish(std::size_t unkept);
@@ -164,11 +164,11 @@ private:
     // The thread's that works.
     Follow follow_;
     session::Session session_;
-    Scene scene_;
+    scene::Scene scene_;
     std::uint64_t revision_ = 0;
     std::uint64_t drawn_revision_ = 0;
-    std::size_t strokes_before_ = 0;       // Strokes that have had their turn.
-    std::deque<std::vector<Edit>> unkept_; // Steps of the scene that the session lacks.
+    std::size_t strokes_before_ = 0;              // Strokes that have had their turn.
+    std::deque<std::vector<scene::Edit>> unkept_; // Steps of the scene that the session lacks.
     std::string not_kept_;
 
     mutable std::mutex mutex_; // Protects what follows.
@@ -187,4 +187,4 @@ private:
     std::thread thread_;
 };
 
-} // namespace tractus
+} // namespace tractus::document

@@ -4,19 +4,19 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::document {
 
-Result<Scene> scene_after(Scene scene, std::vector<Edit> const& edits)
+Result<scene::Scene> scene_after(scene::Scene scene, std::vector<scene::Edit> const& edits)
 {
-    return apply_edits(std::move(scene), edits, make_load_options());
+    return scene::apply_edits(std::move(scene), edits, make_load_options());
 }
 
-std::string said_of(Tool const& tool, Scene const& after)
+std::string said_of(tools::Tool const& tool, scene::Scene const& after)
 {
     return tool.kind().said ? tool.kind().said(tool, after) : "";
 }
 
-DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene)
+DrawnStroke draw(Stroke stroke, tools::Tool const& tool, scene::Scene& scene)
 {
     DrawnStroke drawn { std::move(stroke), tool };
     auto edits = tool.mean(drawn.stroke, scene);
@@ -35,4 +35,4 @@ DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene)
     return drawn;
 }
 
-} // namespace tractus
+} // namespace tractus::document

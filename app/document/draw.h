@@ -8,25 +8,25 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::document {
 
 // A finished stroke and what it meant.
 struct DrawnStroke {
     Stroke stroke;
-    Tool tool;
-    std::string refusal {};     // Why it changed nothing; empty if it did.
-    std::vector<Edit> edits {}; // Edits that it made; none if it was refused.
-    std::string said {};        // What a person is told of it in place of its tool's `done`.
+    tools::Tool tool;
+    std::string refusal {};            // Why it changed nothing; empty if it did.
+    std::vector<scene::Edit> edits {}; // Edits that it made; none if it was refused.
+    std::string said {};               // What a person is told of it in place of its tool's `done`.
 };
 
 // See ToolKind::said.
-std::string said_of(Tool const& tool, Scene const& after);
+std::string said_of(tools::Tool const& tool, scene::Scene const& after);
 
 // Applies a stroke in the hand of a tool to a scene: all of its edits, or none if one is refused.
-DrawnStroke draw(Stroke stroke, Tool const& tool, Scene& scene);
+DrawnStroke draw(Stroke stroke, tools::Tool const& tool, scene::Scene& scene);
 
 // The scene after edits that belong together; models cost what load_options() says. Fails where one
 // of them does.
-Result<Scene> scene_after(Scene scene, std::vector<Edit> const& edits);
+Result<scene::Scene> scene_after(scene::Scene scene, std::vector<scene::Edit> const& edits);
 
-} // namespace tractus
+} // namespace tractus::document

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-namespace tractus {
+namespace tractus::document {
 
 namespace {
 
@@ -41,7 +41,7 @@ std::optional<std::string> bytes_of(std::string_view digits)
     return bytes;
 }
 
-std::string print_edits(std::vector<Edit> const& edits)
+std::string print_edits(std::vector<scene::Edit> const& edits)
 {
     auto list = Json::array();
     for (auto const& edit : edits) {
@@ -53,12 +53,12 @@ std::string print_edits(std::vector<Edit> const& edits)
     return list.dump();
 }
 
-std::optional<std::vector<Edit>> read_edits(std::string_view text, EditKinds kinds)
+std::optional<std::vector<scene::Edit>> read_edits(std::string_view text, scene::EditKinds kinds)
 {
     auto const list = Json::parse(text, nullptr, false);
     if (!list.is_array())
         return std::nullopt;
-    std::vector<Edit> edits;
+    std::vector<scene::Edit> edits;
     for (auto const& entry : list) {
         if (!entry.is_object() || !entry.contains("kind") || !entry["kind"].is_string()
             || !entry.contains("fields") || !entry.contains("numbers")
@@ -74,7 +74,8 @@ std::optional<std::vector<Edit>> read_edits(std::string_view text, EditKinds kin
     return edits;
 }
 
-Result<LoggedStep> read_step(LoggedStep::What what, std::string_view arguments, EditKinds kinds)
+Result<LoggedStep> read_step(LoggedStep::What what, std::string_view arguments,
+                             scene::EditKinds kinds)
 {
     LoggedStep step { .what = what };
     auto const* const end = arguments.data() + arguments.size();
@@ -109,7 +110,7 @@ StepWords words_for(DoneStep const& step, std::size_t strokes_before)
 }
 
 std::optional<Result<LoggedStep>> parse_step(std::string_view name, std::string_view arguments,
-                                             EditKinds kinds)
+                                             scene::EditKinds kinds)
 {
     auto const found = std::find(kNames.begin(), kNames.end(), name);
     if (found == kNames.end())
@@ -117,4 +118,4 @@ std::optional<Result<LoggedStep>> parse_step(std::string_view name, std::string_
     return read_step(static_cast<LoggedStep::What>(found - kNames.begin()), arguments, kinds);
 }
 
-} // namespace tractus
+} // namespace tractus::document

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::document {
 
 // A step that no stroke made, in the words of a log's T line (drivers/log.h): "undo", "redo" or
 // "begin_again" and a number, or "step", a number, and the step's edits as JSON, each with its
@@ -26,6 +26,6 @@ StepWords words_for(DoneStep const& step, std::size_t strokes_before);
 // above. The edits that are none of `kinds` are UnknownEdits, which are refused when they are to be
 // done.
 std::optional<Result<LoggedStep>> parse_step(std::string_view name, std::string_view arguments,
-                                             EditKinds kinds);
+                                             scene::EditKinds kinds);
 
-} // namespace tractus
+} // namespace tractus::document

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::document {
 
 static constexpr std::size_t kMaxPrinted = 100'000;
 
@@ -47,10 +47,10 @@ private:
     bool is_full_ = false;
 };
 
-LoadOptions load_options(ModelCost const& cost)
+scene::LoadOptions load_options(ModelCost const& cost)
 {
     using Clock = std::chrono::steady_clock;
-    LoadOptions options;
+    scene::LoadOptions options;
     options.limits.max_modules = cost.max_modules;
     options.limits.max_memory_bytes = cost.max_memory_mb << 20;
     if (cost.max_seconds > 0) {
@@ -63,9 +63,9 @@ LoadOptions load_options(ModelCost const& cost)
     return options;
 }
 
-MakeLoadOptions make_load_options(ModelCost const& cost)
+scene::MakeLoadOptions make_load_options(ModelCost const& cost)
 {
     return [cost] { return load_options(cost); };
 }
 
-} // namespace tractus
+} // namespace tractus::document

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace tractus {
+namespace tractus::document {
 
 // The memory that this program may use, in megabytes: the machine's, or the container's if it has
 // less.
@@ -21,9 +21,9 @@ struct ModelCost {
 
 // How to run a model that may cost so much from now on. What it prints goes to standard error, up
 // to 100,000 characters.
-LoadOptions load_options(ModelCost const& cost = {});
+scene::LoadOptions load_options(ModelCost const& cost = {});
 
 // Gives load_options(cost) anew for each plant: its time counts from when it is built.
-MakeLoadOptions make_load_options(ModelCost const& cost = {});
+scene::MakeLoadOptions make_load_options(ModelCost const& cost = {});
 
-} // namespace tractus
+} // namespace tractus::document

@@ -8,13 +8,13 @@
 
 namespace tractus::io {
 
-static bool same_text(LoadModel const& one, LoadModel const& other)
+static bool same_text(scene::LoadModel const& one, scene::LoadModel const& other)
 {
     return one.source.text == other.source.text && one.source.view_text == other.source.view_text
         && one.includes == other.includes;
 }
 
-FollowedModel::FollowedModel(std::filesystem::path model, std::optional<LoadModel> drawn_on)
+FollowedModel::FollowedModel(std::filesystem::path model, std::optional<scene::LoadModel> drawn_on)
     : model_(std::move(model))
     , loaded_(std::move(drawn_on))
 {
@@ -23,7 +23,7 @@ FollowedModel::FollowedModel(std::filesystem::path model, std::optional<LoadMode
 }
 
 // What it includes counts, too.
-void FollowedModel::list_files(LoadModel const* model)
+void FollowedModel::list_files(scene::LoadModel const* model)
 {
     files_ = { model_ };
     for (auto const* ending : { ".v", ".mat", ".map" })
@@ -46,7 +46,7 @@ FollowedModel::Stamps FollowedModel::look() const
     return stamps;
 }
 
-std::optional<Result<LoadModel>> FollowedModel::take_change(Timestamp now)
+std::optional<Result<scene::LoadModel>> FollowedModel::take_change(Timestamp now)
 {
     constexpr Duration kLookEvery = std::chrono::milliseconds(500);
     if (now < next_look_)

@@ -15,7 +15,7 @@ namespace tractus::io {
 
 namespace {
 
-using Format = LoadMeasured::Format;
+using Format = scene::LoadMeasured::Format;
 
 constexpr std::size_t kMaxMeasuredSize = std::size_t { 64 } << 20;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
@@ -68,7 +68,7 @@ std::string_view what_is_missing(std::string const& ending, std::filesystem::pat
 
 } // namespace
 
-Result<std::optional<LoadMeasured>> load_measured_edit(std::filesystem::path const& path)
+Result<std::optional<scene::LoadMeasured>> load_measured_edit(std::filesystem::path const& path)
 {
     constexpr std::array<std::string_view, 4> kEndings { ".mtg", ".csv", ".txt", ".ply" };
     auto const ending = lower(path.extension().string());
@@ -76,7 +76,7 @@ Result<std::optional<LoadMeasured>> load_measured_edit(std::filesystem::path con
         return fail(Fault::User, fmt::format("{}: {}", path.string(), missing));
     if (std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end())
         return std::nullopt;
-    LoadMeasured edit;
+    scene::LoadMeasured edit;
     edit.name = path.string();
     edit.text = TRY(read_text_file(path, kMaxMeasuredSize));
     if (edit.text.starts_with(kByteOrderMark))
@@ -84,7 +84,7 @@ Result<std::optional<LoadMeasured>> load_measured_edit(std::filesystem::path con
     edit.format = format_of(ending, edit.text);
     if (ending == ".txt" && lower(edit.text).find("lsystem:") != std::string::npos)
         return std::nullopt;
-    TRY(build_measured(edit, {}));
+    TRY(scene::build_measured(edit, {}));
     return edit;
 }
 

@@ -17,6 +17,6 @@ namespace tractus::io {
 // of the formats do, for text in UTF-16, for more than 64 MB, and for what must become one of these
 // formats first: points of a scanner (.las, .laz, .e57, .pcd, .pts, .xyz) and MATLAB's files
 // (.mat).
-Result<std::optional<LoadMeasured>> load_measured_edit(std::filesystem::path const& path);
+Result<std::optional<scene::LoadMeasured>> load_measured_edit(std::filesystem::path const& path);
 
 } // namespace tractus::io

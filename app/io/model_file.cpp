@@ -176,16 +176,16 @@ lsystem::IncludeReader model_includes(std::filesystem::path const& path)
             return fail(Fault::User, fmt::format("{} is outside the model's folder", name));
         std::error_code ignored;
         if (!std::filesystem::exists(folder / file, ignored))
-            if (auto made = TRY(make_input(folder, name)))
+            if (auto made = TRY(methods::make_input(folder, name)))
                 return std::move(*made);
         return read_text_file(folder / file, kMaxFileSize);
     };
 }
 
-Result<LoadModel> load_model_edit(std::filesystem::path const& path,
-                                  ModelCompanions const& companions)
+Result<scene::LoadModel> load_model_edit(std::filesystem::path const& path,
+                                         ModelCompanions const& companions)
 {
-    LoadModel edit;
+    scene::LoadModel edit;
     edit.source = TRY(load_model_source(path, companions));
     auto const from_files = model_includes(path);
     // Compiling it is how to learn what it includes.
@@ -214,17 +214,18 @@ static Result<std::vector<SkeletonPiece>> load_lines(std::filesystem::path const
     return std::vector<SkeletonPiece>();
 }
 
-Result<Edit> load_plant_edit(std::filesystem::path const& path, ModelCompanions const& companions)
+Result<scene::Edit> load_plant_edit(std::filesystem::path const& path,
+                                    ModelCompanions const& companions)
 {
     auto lines = TRY(load_lines(path));
     if (!lines.empty())
-        return LoadSkeleton { path.string(), std::move(lines) };
+        return scene::LoadSkeleton { path.string(), std::move(lines) };
     auto measured = TRY(load_measured_edit(path));
     if (measured)
         return *std::move(measured);
     warn_of_unused_companions(path, companions);
     // A name for it, as g++ 14 warns wrongly of what it would destroy otherwise.
-    LoadModel model = TRY(load_model_edit(path, companions));
+    scene::LoadModel model = TRY(load_model_edit(path, companions));
     return model;
 }
 

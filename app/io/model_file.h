@@ -39,15 +39,15 @@ lsystem::IncludeReader model_includes(std::filesystem::path const& path);
 
 // Reads a model and its companions as an edit, so that a scene holds the model's texts and needs no
 // file again. Fails like load_model_source(), and with what is wrong in the model's text.
-Result<LoadModel> load_model_edit(std::filesystem::path const& path,
-                                  ModelCompanions const& companions = {});
+Result<scene::LoadModel> load_model_edit(std::filesystem::path const& path,
+                                         ModelCompanions const& companions = {});
 
 // A plant as an edit: a model as above; the skeleton that another program has drawn as lines, in a
 // Wavefront OBJ file (skeleton_lines.h) or a binary glTF file (glb_lines.h), if the name ends in
 // .obj or .glb; or a measured plant (measured_file.h). Fails like load_model_edit() and as the
 // readers of those files do; a .gltf is refused. Warns of what a model does not use.
-Result<Edit> load_plant_edit(std::filesystem::path const& path,
-                             ModelCompanions const& companions = {});
+Result<scene::Edit> load_plant_edit(std::filesystem::path const& path,
+                                    ModelCompanions const& companions = {});
 
 // Reads and compiles a model and its companions. Fails like load_model_edit().
 Result<lsystem::Model> load_model(std::filesystem::path const& path,

@@ -24,7 +24,7 @@ Result<std::vector<Stroke>> load_strokes(std::filesystem::path const& path)
     return parse_strokes(path.string(), text);
 }
 
-std::vector<Stroke> strokes_of(Scene const& scene)
+std::vector<Stroke> strokes_of(scene::Scene const& scene)
 {
     std::vector<Stroke> strokes;
     for (auto const& association : scene.associations) {

@@ -20,7 +20,7 @@ Result<std::vector<Stroke>> load_strokes(std::filesystem::path const& path);
 
 // Returns what is drawn of a scene: the strokes that shape branches, each once, however many it
 // shapes.
-std::vector<Stroke> strokes_of(Scene const& scene);
+std::vector<Stroke> strokes_of(scene::Scene const& scene);
 
 // Whether write_strokes() writes such a file, by its ending alone: .strokes or .txt
 // (stroke_text.h), .glb (stroke_glb.h) or .svg (stroke_svg.h).

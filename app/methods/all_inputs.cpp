@@ -4,16 +4,16 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::methods {
 
 Result<std::optional<std::string>> make_input(std::filesystem::path const& folder,
                                               std::string const& name)
 {
-    static constexpr std::array kMakers { make_ordered_leaves };
+    static constexpr std::array kMakers { leaf::make_ordered_leaves };
     for (auto const make : kMakers)
         if (auto made = TRY(make(folder, name)))
             return made;
     return std::nullopt;
 }
 
-} // namespace tractus
+} // namespace tractus::methods

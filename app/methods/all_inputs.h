@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::methods {
 
 // What a model includes by name and a method makes, so that no file holds it: leaves that a view
 // orders (leaf_sheet.h) are grown, from a grammar in the model's folder if the order names a .leaf,
@@ -17,4 +17,4 @@ namespace tractus {
 Result<std::optional<std::string>> make_input(std::filesystem::path const& folder,
                                               std::string const& name);
 
-} // namespace tractus
+} // namespace tractus::methods

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tractus {
+namespace tractus::methods {
 
 namespace {
 
@@ -33,18 +33,18 @@ std::string word_of(std::string name)
 
 // A leaf that is drawn has one grammar, whatever becomes of its drawing: what wears it finds it by
 // this name.
-std::string drawn_name(ItemId leaf)
+std::string drawn_name(scene::ItemId leaf)
 {
     return fmt::format("drawn-{:x}.leaf", leaf);
 }
 
 // The drawn leaf whose grammar has that name; no value: the name is none of these.
-std::optional<ItemId> drawn_leaf_of(std::string_view grammar)
+std::optional<scene::ItemId> drawn_leaf_of(std::string_view grammar)
 {
     constexpr std::string_view kBegin = "drawn-";
     if (!grammar.starts_with(kBegin) || fs::path(grammar).extension() != ".leaf")
         return std::nullopt;
-    ItemId leaf = 0;
+    scene::ItemId leaf = 0;
     auto const end = grammar.data() + grammar.size() - std::string_view(".leaf").size();
     auto const read = std::from_chars(grammar.data() + kBegin.size(), end, leaf, 16);
     if (read.ec != std::errc() || read.ptr != end || drawn_name(leaf) != grammar)
@@ -53,9 +53,9 @@ std::optional<ItemId> drawn_leaf_of(std::string_view grammar)
 }
 
 // The leaf's grammar from its drawing. Fails where that is none, or no leaf.
-Result<std::string> text_of_drawn(DocumentState const& state, ItemId leaf)
+Result<std::string> text_of_drawn(scene::DocumentState const& state, scene::ItemId leaf)
 {
-    auto const& plant = *state.plants[TRY(plant_number(state, leaf))];
+    auto const& plant = *state.plants[TRY(scene::plant_number(state, leaf))];
     auto const* const sketch = leaf::leaf_sketch(plant);
     if (!sketch)
         return fail(Fault::User, "the plant whose leaf is wanted is no drawn leaf");
@@ -66,33 +66,35 @@ Result<std::string> sheet_of(std::string const& grammar_text, lsystem::LeafOrder
 {
     auto const name = lsystem::parse_leaf_word(order.grammar).grammar;
     auto const grammar = TRY(leaf::parse_grammar(grammar_text, name));
-    return lsystem::print_leaf_sheet(TRY(grow_leaf_sheet(grammar, order)));
+    return lsystem::print_leaf_sheet(TRY(leaf::grow_leaf_sheet(grammar, order)));
 }
 
 // The edits that keep a grammar and those of its leaves that have these names, as far as the
 // document lacks them.
-Result<std::vector<Edit>> keeping_edits(DocumentState const& state, std::string const& grammar,
-                                        std::string const& text, std::set<std::string> const& names)
+Result<std::vector<scene::Edit>> keeping_edits(scene::DocumentState const& state,
+                                               std::string const& grammar, std::string const& text,
+                                               std::set<std::string> const& names)
 {
-    std::vector<Edit> edits;
+    std::vector<scene::Edit> edits;
     auto const known = state.leaf_grammars.find(grammar);
     bool const is_known = known != state.leaf_grammars.end() && *known->second == text;
     if (!is_known)
-        edits.emplace_back(KeepGrammar { grammar, text });
+        edits.emplace_back(scene::KeepGrammar { grammar, text });
     for (auto const& name : names)
         if (!is_known || !state.leaf_sheets.contains(name))
-            edits.emplace_back(
-                KeepLeaves { name, TRY(sheet_of(text, *lsystem::parse_leaf_sheet_name(name))) });
+            edits.emplace_back(scene::KeepLeaves {
+                name, TRY(sheet_of(text, *lsystem::parse_leaf_sheet_name(name))) });
     return edits;
 }
 
 // What becomes of the state by these edits; no value: they fail.
-std::optional<DocumentState> state_after(Scene const& scene, std::vector<Edit> const& edits)
+std::optional<scene::DocumentState> state_after(scene::Scene const& scene,
+                                                std::vector<scene::Edit> const& edits)
 {
-    SceneBuilder builder(scene, {});
+    scene::SceneBuilder builder(scene, {});
     auto state = scene.state;
     for (auto const& edit : edits) {
-        auto next = apply_edit(std::move(state), edit, builder);
+        auto next = scene::apply_edit(std::move(state), edit, builder);
         if (!next)
             return std::nullopt;
         state = *std::move(next);
@@ -101,14 +103,14 @@ std::optional<DocumentState> state_after(Scene const& scene, std::vector<Edit> c
 }
 
 // The orders of leaves that plants wear which are drawn, by the drawn leaf.
-std::map<ItemId, std::set<std::string>> drawn_and_worn(DocumentState const& state)
+std::map<scene::ItemId, std::set<std::string>> drawn_and_worn(scene::DocumentState const& state)
 {
-    std::map<ItemId, std::set<std::string>> worn;
+    std::map<scene::ItemId, std::set<std::string>> worn;
     for (auto const& plant : state.plants) {
         auto const order = lsystem::parse_leaf_sheet_name(plant->leaves);
         auto const grammar
             = order ? lsystem::parse_leaf_word(order->grammar).grammar : std::string();
-        if (auto const leaf = drawn_leaf_of(grammar); leaf && find_plant(state, *leaf))
+        if (auto const leaf = drawn_leaf_of(grammar); leaf && scene::find_plant(state, *leaf))
             worn[*leaf].insert(plant->leaves);
     }
     return worn;
@@ -119,8 +121,8 @@ std::map<ItemId, std::set<std::string>> drawn_and_worn(DocumentState const& stat
 std::vector<LeafKind> leaf_kinds()
 {
     std::vector<LeafKind> kinds;
-    for (auto const& name : leaf_names())
-        if (auto path = own_leaf_path(name))
+    for (auto const& name : leaf::leaf_names())
+        if (auto path = leaf::own_leaf_path(name))
             kinds.push_back({ name, *std::move(path) });
     return kinds;
 }
@@ -128,11 +130,11 @@ std::vector<LeafKind> leaf_kinds()
 std::string leaves_of_grammar(fs::path const& grammar)
 {
     auto const name = grammar.stem().string();
-    auto const ours = own_leaf_path(name);
+    auto const ours = leaf::own_leaf_path(name);
     return ours && *ours == grammar ? name : grammar.string();
 }
 
-std::vector<DrawnLeafGrammar> drawn_leaves(DocumentState const& state)
+std::vector<DrawnLeafGrammar> drawn_leaves(scene::DocumentState const& state)
 {
     std::vector<DrawnLeafGrammar> leaves;
     for (auto const& plant : state.plants)
@@ -144,7 +146,7 @@ std::vector<DrawnLeafGrammar> drawn_leaves(DocumentState const& state)
 
 Result<std::string> read_leaf_grammar(fs::path const& path)
 {
-    return read_leaf_text(path);
+    return leaf::read_leaf_text(path);
 }
 
 Dressing dressing_of_word(std::string const& word)
@@ -153,7 +155,7 @@ Dressing dressing_of_word(std::string const& word)
     return { .leaves = std::move(grammar), .damage = damage };
 }
 
-Result<GrammarOfLeaves> grammar_of(DocumentState const& state, Dressing const& dressing)
+Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Dressing const& dressing)
 {
     auto const& leaves = dressing.leaves;
     if (dressing.drawn != 0)
@@ -162,43 +164,45 @@ Result<GrammarOfLeaves> grammar_of(DocumentState const& state, Dressing const& d
     if (auto const kept = state.leaf_grammars.find(leaves); kept != state.leaf_grammars.end())
         return GrammarOfLeaves { leaves, *kept->second };
     if (fs::path(leaves).extension() != ".leaf") {
-        auto const file = TRY(own_leaf_path(leaves)); // Lists ours, where it is none.
-        return GrammarOfLeaves { leaves, TRY(read_leaf_text(file)) };
+        auto const file = TRY(leaf::own_leaf_path(leaves)); // Lists ours, where it is none.
+        return GrammarOfLeaves { leaves, TRY(leaf::read_leaf_text(file)) };
     }
-    auto text = TRY(read_leaf_text(leaves));
+    auto text = TRY(leaf::read_leaf_text(leaves));
     TRY(leaf::parse_grammar(text, leaves)); // With its line in the file, where it is wrong.
-    auto name = fmt::format("{}-{:08x}.leaf", word_of(short_leaf_name(leaves)), fnv1a_32(text));
+    auto name
+        = fmt::format("{}-{:08x}.leaf", word_of(leaf::short_leaf_name(leaves)), fnv1a_32(text));
     return GrammarOfLeaves { std::move(name), std::move(text) };
 }
 
-Result<std::vector<Edit>> dressing_edits(Scene const& scene, ItemId plant, Dressing const& dressing)
+Result<std::vector<scene::Edit>> dressing_edits(scene::Scene const& scene, scene::ItemId plant,
+                                                Dressing const& dressing)
 {
-    auto const number = TRY(plant_number(scene.state, plant));
+    auto const number = TRY(scene::plant_number(scene.state, plant));
     if (leaf::leaf_sketch(*scene.state.plants[number]))
         return fail(Fault::User,
                     "a drawn leaf wears no leaves itself: choose the plant that shall have them");
     if (dressing.leaves.empty() && dressing.drawn == 0)
-        return std::vector<Edit> { DressPlant { plant, {} } };
+        return std::vector<scene::Edit> { scene::DressPlant { plant, {} } };
     auto const [name, text] = TRY(grammar_of(scene.state, dressing));
     lsystem::LeafOrder const order { .grammar = lsystem::leaf_word({ name, dressing.damage }),
                                      .age = dressing.age };
     auto const sheet = lsystem::leaf_sheet_name(order);
-    std::vector<Edit> edits;
+    std::vector<scene::Edit> edits;
     if (fs::path(name).extension() == ".leaf") {
         std::set<std::string> names { sheet };
         if (dressing.drawn != 0)
             names.merge(drawn_and_worn(scene.state)[dressing.drawn]);
         edits = TRY(keeping_edits(scene.state, name, text, names));
     } else if (!scene.state.leaf_sheets.contains(sheet)) {
-        edits.emplace_back(KeepLeaves { sheet, TRY(sheet_for(scene, sheet)) });
+        edits.emplace_back(scene::KeepLeaves { sheet, TRY(sheet_for(scene, sheet)) });
     }
-    edits.emplace_back(DressPlant { plant, sheet });
+    edits.emplace_back(scene::DressPlant { plant, sheet });
     return edits;
 }
 
-std::optional<Dressing> worn_leaves(DocumentState const& state, ItemId plant)
+std::optional<Dressing> worn_leaves(scene::DocumentState const& state, scene::ItemId plant)
 {
-    auto const number = find_plant(state, plant);
+    auto const number = scene::find_plant(state, plant);
     auto const order
         = number ? lsystem::parse_leaf_sheet_name(state.plants[*number]->leaves) : std::nullopt;
     if (!order)
@@ -213,17 +217,18 @@ std::optional<Dressing> worn_leaves(DocumentState const& state, ItemId plant)
     return worn;
 }
 
-std::vector<Edit> edits_that_follow(Scene const& scene, std::vector<Edit> const& step)
+std::vector<scene::Edit> edits_that_follow(scene::Scene const& scene,
+                                           std::vector<scene::Edit> const& step)
 {
-    std::vector<Edit> edits;
+    std::vector<scene::Edit> edits;
     if (drawn_and_worn(scene.state).empty())
         return edits;
     auto const after = state_after(scene, step);
     if (!after)
         return edits; // Whoever makes the step says why.
     for (auto const& [leaf, names] : drawn_and_worn(*after)) {
-        auto const before = find_plant(scene.state, leaf);
-        auto const now = *find_plant(*after, leaf);
+        auto const before = scene::find_plant(scene.state, leaf);
+        auto const now = *scene::find_plant(*after, leaf);
         if (before && scene.state.plants[*before] == after->plants[now])
             continue; // Nothing was drawn.
         auto const text = text_of_drawn(*after, leaf);
@@ -236,7 +241,7 @@ std::vector<Edit> edits_that_follow(Scene const& scene, std::vector<Edit> const&
     return edits;
 }
 
-Result<std::string> sheet_for(Scene const& scene, std::string const& name)
+Result<std::string> sheet_for(scene::Scene const& scene, std::string const& name)
 {
     auto const order = lsystem::parse_leaf_sheet_name(name);
     auto const& grammars = scene.state.leaf_grammars;
@@ -249,17 +254,17 @@ Result<std::string> sheet_for(Scene const& scene, std::string const& name)
     return fail(Fault::User, fmt::format("{} orders no leaves", name));
 }
 
-Result<LeafStudy> study_of_grammar(std::string const& text, std::string const& name,
-                                   LeafLook const& look, render::Color const& paper)
+Result<leaf::LeafStudy> study_of_grammar(std::string const& text, std::string const& name,
+                                         leaf::LeafLook const& look, render::Color const& paper)
 {
-    return study_leaf(TRY(leaf::parse_grammar(text, name)), look, paper);
+    return leaf::study_leaf(TRY(leaf::parse_grammar(text, name)), look, paper);
 }
 
 Result<render::Image> picture_of_grammar(fs::path const& grammar, int side,
                                          render::Color const& paper)
 {
-    auto const text = TRY(read_leaf_text(grammar));
-    return picture_of_leaf(TRY(leaf::parse_grammar(text, grammar.string())), side, paper);
+    auto const text = TRY(leaf::read_leaf_text(grammar));
+    return leaf::picture_of_leaf(TRY(leaf::parse_grammar(text, grammar.string())), side, paper);
 }
 
-} // namespace tractus
+} // namespace tractus::methods

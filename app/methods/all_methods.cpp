@@ -44,35 +44,56 @@
 #include <array>
 #include <vector>
 
-namespace tractus {
+namespace tractus::methods {
 
-Methods all_methods()
+tools::Methods all_methods()
 {
     // Tools in the order of their buttons; the first is in hand at first.
     static constexpr std::array kTools {
-        &DrawInOrderTool::kKind, &DrawTool::kKind,          &OversketchTool::kKind,
-        &SmoothTool::kKind,      &DeleteTool::kKind,        &SelectTool::kKind,
-        &IndicateTool::kKind,    &MoveIndicatorTool::kKind, &DeleteIndicatorTool::kKind,
-        &EraseTool::kKind,       &SketchTool::kKind,        &ShortenSketchTool::kKind,
-        &OutlineTool::kKind,     &CrownTool::kKind,         &EraseCrownTool::kKind,
-        &ArrangeTool::kKind,     &EraseOutlineTool::kKind,  &LineTool::kKind,
-        &LinePatternTool::kKind, &LayerNodesTool::kKind,    &LineRoleTool::kKind,
-        &LeafLineTool::kKind,    &EraseLeafTool::kKind,     &ChoosePlantTool::kKind,
-        &MovePlantTool::kKind,   &CopyPlantTool::kKind,     &HidePlantTool::kKind,
-        &RemovePlantTool::kKind, &GraftPlantTool::kKind,    &TakeOffTool::kKind,
-        &HideBranchTool::kKind,  &PictureTool::kKind,
+        &tools::DrawInOrderTool::kKind,
+        &tools::DrawTool::kKind,
+        &tools::OversketchTool::kKind,
+        &tools::SmoothTool::kKind,
+        &tools::DeleteTool::kKind,
+        &tools::SelectTool::kKind,
+        &indicators::IndicateTool::kKind,
+        &indicators::MoveIndicatorTool::kKind,
+        &indicators::DeleteIndicatorTool::kKind,
+        &tools::EraseTool::kKind,
+        &sketch::SketchTool::kKind,
+        &sketch::ShortenSketchTool::kKind,
+        &silhouette::OutlineTool::kKind,
+        &silhouette::CrownTool::kKind,
+        &silhouette::EraseCrownTool::kKind,
+        &silhouette::ArrangeTool::kKind,
+        &silhouette::EraseOutlineTool::kKind,
+        &lines::LineTool::kKind,
+        &lines::LinePatternTool::kKind,
+        &lines::LayerNodesTool::kKind,
+        &lines::LineRoleTool::kKind,
+        &leaf::LeafLineTool::kKind,
+        &leaf::EraseLeafTool::kKind,
+        &plants::ChoosePlantTool::kKind,
+        &plants::MovePlantTool::kKind,
+        &plants::CopyPlantTool::kKind,
+        &plants::HidePlantTool::kKind,
+        &plants::RemovePlantTool::kKind,
+        &plants::GraftPlantTool::kKind,
+        &plants::TakeOffTool::kKind,
+        &plants::HideBranchTool::kKind,
+        &pictures::PictureTool::kKind,
     };
-    static constexpr std::array kLayers { &kTrianglesLayer,     &kSeenLayer,
-                                          &kOutlineLayer,       &kTrunkLayer,
-                                          &kStemLayer,          &kBoundaryLayer,
-                                          &kInclinationLayer,   &kOtherStemLayer,
-                                          &kOtherBoundaryLayer, &kOtherInclinationLayer,
-                                          &kUnsureLayer,        &kLinesToDrawLayer,
-                                          &kLeafOutlineLayer,   &kLeafVeinLayer,
-                                          &kLeafOtherLayer,     &kIndicatorLayer };
+    static constexpr std::array kLayers {
+        &silhouette::kTrianglesLayer,   &silhouette::kSeenLayer, &silhouette::kOutlineLayer,
+        &silhouette::kTrunkLayer,       &lines::kStemLayer,      &lines::kBoundaryLayer,
+        &lines::kInclinationLayer,      &lines::kOtherStemLayer, &lines::kOtherBoundaryLayer,
+        &lines::kOtherInclinationLayer, &lines::kUnsureLayer,    &lines::kLinesToDrawLayer,
+        &leaf::kLeafOutlineLayer,       &leaf::kLeafVeinLayer,   &leaf::kLeafOtherLayer,
+        &indicators::kIndicatorLayer
+    };
     static auto const edits = [] {
-        auto const core = core_edit_kinds();
-        std::vector<EditKind const*> all(core.begin(), core.end());
+        auto const core = scene::core_edit_kinds();
+        std::vector<scene::EditKind const*> all(core.begin(), core.end());
         all.push_back(&session::BeginEmpty::kKind);
         all.insert(all.end(),
                    { &sketch::GrowAlongStroke::kKind, &sketch::ChangeSketch::kKind,
@@ -94,4 +115,4 @@ Methods all_methods()
     return { .edits = edits, .tools = kTools, .layers = kLayers };
 }
 
-} // namespace tractus
+} // namespace tractus::methods

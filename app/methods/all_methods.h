@@ -2,10 +2,10 @@
 
 #include "app/tools/methods.h"
 
-namespace tractus {
+namespace tractus::methods {
 
 // The one list of what this program can do. Whoever adds a tool or a kind of edit adds its row
 // here.
-Methods all_methods();
+tools::Methods all_methods();
 
-} // namespace tractus
+} // namespace tractus::methods

@@ -18,7 +18,7 @@ void add_drawing_options(CLI::App& command, DrawingArguments& drawing, std::stri
 }
 
 std::optional<batch::DrawingOptions> drawing_options(DrawingArguments const& drawing,
-                                                     Methods const& methods)
+                                                     tools::Methods const& methods)
 {
     if (drawing.log.empty())
         return std::nullopt;

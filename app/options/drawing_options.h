@@ -21,6 +21,6 @@ void add_drawing_options(CLI::App& command, DrawingArguments& drawing, std::stri
 
 // No value where nothing was drawn.
 std::optional<batch::DrawingOptions> drawing_options(DrawingArguments const& drawing,
-                                                     Methods const& methods);
+                                                     tools::Methods const& methods);
 
 } // namespace tractus::options

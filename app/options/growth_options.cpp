@@ -37,7 +37,7 @@ void add_growth_options(CLI::App& command, batch::GrowthOptions& growth, std::st
         ->check(number(0, 4))
         ->capture_default_str();
     names.clear();
-    for (auto const& kind : leaf_kinds())
+    for (auto const& kind : methods::leaf_kinds())
         names.push_back(kind.name);
     command
         .add_option("--leaves", growth.leaves,
@@ -48,20 +48,20 @@ void add_growth_options(CLI::App& command, batch::GrowthOptions& growth, std::st
     add_season_options(command, growth.season);
 }
 
-void add_season_options(CLI::App& command, std::optional<Season>& season)
+void add_season_options(CLI::App& command, std::optional<scene::Season>& season)
 {
     auto* const month = command.add_option_function<std::string>(
         "--season",
         [&season](std::string const& text) {
             if (!season)
                 season.emplace();
-            season->month = *parse_month(text);
+            season->month = *scene::parse_month(text);
         },
         "The time of the year: buds, spring, summer, autumn, winter or bare, a month's name, or "
         "its number, 1 to below 13; without it, as the model or the session has its leaves");
     month->type_name("WHEN")->check(CLI::Validator(
         [](std::string const& text) {
-            auto const read = parse_month(text);
+            auto const read = scene::parse_month(text);
             return read ? "" : read.error().message;
         },
         ""));

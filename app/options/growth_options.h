@@ -16,7 +16,7 @@ void add_growth_options(CLI::App& command, batch::GrowthOptions& growth,
 
 // "--season WHEN" and "--fallen X": the time of the year. `season` must live as long as the
 // command.
-void add_season_options(CLI::App& command, std::optional<Season>& season);
+void add_season_options(CLI::App& command, std::optional<scene::Season>& season);
 
 // "--age X": how old they are, all alike. `age` must live as long as the command.
 void add_age_option(CLI::App& command, double& age);

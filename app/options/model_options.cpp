@@ -41,7 +41,7 @@ void add_companion_options(CLI::App& command, io::ModelCompanions& companions)
         ->type_name("NAME[:KEY=NUMBER,...]");
 }
 
-void add_cost_options(CLI::App& command, ModelCost& cost)
+void add_cost_options(CLI::App& command, document::ModelCost& cost)
 {
     command
         .add_option(

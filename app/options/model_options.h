@@ -27,6 +27,6 @@ void add_model_options(CLI::App& command, ModelOptions& options);
 
 // --max-modules, --max-memory and --max-seconds: what a model may cost, alike in every command that
 // runs one.
-void add_cost_options(CLI::App& command, ModelCost& cost);
+void add_cost_options(CLI::App& command, document::ModelCost& cost);
 
 } // namespace tractus::options

@@ -24,7 +24,7 @@ Result<std::vector<Vec2>> shown_axis(Plant const& plant, Vec2 const& tablet_size
     if (rank >= order.size())
         return fail(Fault::User,
                     fmt::format("the plant has no branch {}: it has {}", rank, order.size()));
-    auto const view = fit_selection_view(plant, { .area_mm = tablet_size_mm });
+    auto const view = scene::fit_selection_view(plant, { .area_mm = tablet_size_mm });
     auto const nodes = plant.positions(plant.axes[order[rank]]);
     auto const between = [&](std::size_t from, std::size_t to) {
         Vec2 const middle
@@ -65,12 +65,12 @@ void write_reports(drivers::LogWriter& log, sim::SimulatedRun const& run, sim::H
         log.write_tool(last, gesture->tool, gesture->words);
 }
 
-Result<void> check_tools(sim::GestureScript const& script, ToolKinds tools)
+Result<void> check_tools(sim::GestureScript const& script, tools::ToolKinds tools)
 {
     if (tools.empty())
         return {};
     for (auto const& gesture : script.gestures)
-        if (auto const tool = parse_tool(tools, gesture.tool, gesture.words); !tool)
+        if (auto const tool = tools::parse_tool(tools, gesture.tool, gesture.words); !tool)
             return fail(tool.error().fault,
                         fmt::format("{}: {}", gesture.place, tool.error().message));
     return {};
@@ -78,7 +78,7 @@ Result<void> check_tools(sim::GestureScript const& script, ToolKinds tools)
 
 } // namespace
 
-Result<sim::Hand> simulated_hand(sim::GestureScript const& script, Scene const& scene)
+Result<sim::Hand> simulated_hand(sim::GestureScript const& script, scene::Scene const& scene)
 {
     auto const geometry = sim::SimulatedRigOptions().geometry;
     auto const tracer
@@ -92,7 +92,7 @@ Result<sim::Hand> simulated_hand(sim::GestureScript const& script, Scene const& 
 }
 
 Result<void> write_simulated_recording(std::ostream& out, sim::GestureScript const& script,
-                                       Scene const& scene, ToolKinds tools)
+                                       scene::Scene const& scene, tools::ToolKinds tools)
 {
     TRY(check_tools(script, tools));
     sim::SimulatedRigOptions options;

@@ -8,12 +8,13 @@ namespace tractus::session {
 
 namespace {
 
-void list_nothing(Fields&, BeginEmpty&) { }
+void list_nothing(scene::Fields&, BeginEmpty&) { }
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): as for all kinds.
-Result<DocumentState> emptied(DocumentState state, BeginEmpty const&, SceneBuilder&)
+Result<scene::DocumentState> emptied(scene::DocumentState state, BeginEmpty const&,
+                                     scene::SceneBuilder&)
 {
-    return DocumentState { .last_edit = state.last_edit };
+    return scene::DocumentState { .last_edit = state.last_edit };
 }
 
 std::string described_as_empty(BeginEmpty const&)
@@ -23,7 +24,7 @@ std::string described_as_empty(BeginEmpty const&)
 
 } // namespace
 
-constexpr EditKind BeginEmpty::kKind
-    = make_edit_kind<BeginEmpty, list_nothing, emptied, described_as_empty>("begin_empty");
+constexpr scene::EditKind BeginEmpty::kKind
+    = scene::make_edit_kind<BeginEmpty, list_nothing, emptied, described_as_empty>("begin_empty");
 
 } // namespace tractus::session

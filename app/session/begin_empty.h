@@ -8,7 +8,7 @@ namespace tractus::session {
 // step 0, where undo ends, and beginning again leads back there from any scene. A program that does
 // not know it begins with an empty sheet all the same.
 struct BeginEmpty {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 };
 
 } // namespace tractus::session

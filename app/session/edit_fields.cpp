@@ -350,12 +350,12 @@ bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines)
     return true;
 }
 
-void FieldWriter::field(char const* name, FieldRef value)
+void FieldWriter::field(char const* name, scene::FieldRef value)
 {
     json_[name] = std::visit([](auto const* typed) { return written(*typed); }, value);
 }
 
-void FieldWriter::sparse_field(char const* name, FieldRef value)
+void FieldWriter::sparse_field(char const* name, scene::FieldRef value)
 {
     auto const json = std::visit([](auto const* typed) { return written(*typed); }, value);
     bool const is_zero = (json.is_number() && json == 0) || json == false;
@@ -369,7 +369,7 @@ void FieldWriter::word(char const* name, int& value, std::span<char const* const
     json_[name] = words[static_cast<std::size_t>(value)];
 }
 
-void FieldReader::field(char const* name, FieldRef value)
+void FieldReader::field(char const* name, scene::FieldRef value)
 {
     auto const* const json = find(name);
     if (json && !std::visit([&](auto* typed) { return read(*json, *typed); }, value))

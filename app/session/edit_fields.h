@@ -79,10 +79,10 @@ bool read_tips(std::string_view bytes, Stroke& stroke);
 bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines);
 
 // Writes fields one after the other.
-class FieldWriter final : public Fields {
+class FieldWriter final : public scene::Fields {
 public:
-    void field(char const* name, FieldRef value) override;
-    void sparse_field(char const* name, FieldRef value) override;
+    void field(char const* name, scene::FieldRef value) override;
+    void sparse_field(char const* name, scene::FieldRef value) override;
     void word(char const* name, int& value, std::span<char const* const> words) override;
     void numbers(Stroke& stroke) override { numbers_ = written_tips(stroke); }
     void numbers(std::vector<SkeletonPiece>& lines) override { numbers_ = written_lines(lines); }
@@ -97,7 +97,7 @@ private:
 };
 
 // Reads them back; what is missing stays as it is.
-class FieldReader final : public Fields {
+class FieldReader final : public scene::Fields {
 public:
     // Keeps references: both must outlive the reader.
     FieldReader(Json const& json, std::string_view numbers)
@@ -106,7 +106,7 @@ public:
     {
     }
 
-    void field(char const* name, FieldRef value) override;
+    void field(char const* name, scene::FieldRef value) override;
     void word(char const* name, int& value, std::span<char const* const> words) override;
     void numbers(Stroke& stroke) override { take_numbers(read_tips(numbers_, stroke)); }
     void numbers(std::vector<SkeletonPiece>& lines) override

@@ -7,18 +7,18 @@
 
 namespace tractus::session {
 
-EditRecord record_of(Edit const& edit)
+EditRecord record_of(scene::Edit const& edit)
 {
-    if (auto const* const unknown = edit.get<UnknownEdit>())
+    if (auto const* const unknown = edit.get<scene::UnknownEdit>())
         return { unknown->word, unknown->fields, unknown->numbers };
     FieldWriter writer;
     edit.show(writer);
     return { edit.kind().word, writer.json(), writer.take_numbers() };
 }
 
-Result<Edit> edit_of(EditRecord const& record, EditKinds kinds)
+Result<scene::Edit> edit_of(EditRecord const& record, scene::EditKinds kinds)
 {
-    auto const* const kind = find_edit_kind(kinds, record.kind);
+    auto const* const kind = scene::find_edit_kind(kinds, record.kind);
     if (!kind)
         return fail(Fault::User,
                     fmt::format("its kind \"{}\" is unknown to this tractus: a newer one has "
@@ -31,15 +31,16 @@ Result<Edit> edit_of(EditRecord const& record, EditKinds kinds)
     auto fields = kind->make();
     kind->fields(reader, fields.get());
     TRY(reader.finish());
-    return Edit(*kind, std::move(fields));
+    return scene::Edit(*kind, std::move(fields));
 }
 
-Edit edit_or_unknown(EditRecord const& record, EditKinds kinds)
+scene::Edit edit_or_unknown(EditRecord const& record, scene::EditKinds kinds)
 {
     if (auto edit = edit_of(record, kinds))
         return *std::move(edit);
     else
-        return UnknownEdit { record.kind, record.fields, record.numbers, edit.error().message };
+        return scene::UnknownEdit { record.kind, record.fields, record.numbers,
+                                    edit.error().message };
 }
 
 } // namespace tractus::session

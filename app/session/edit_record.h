@@ -24,15 +24,15 @@ struct EditRecord {
 // Converts an edit. In the JSON, numbers that are not finite are strings of 16 hexadecimal digits:
 // their bits. A string that is no UTF-8, as texts and names of files may be, is {"bytes": "…"} with
 // a character U+0000 to U+00FF for each byte.
-EditRecord record_of(Edit const& edit);
+EditRecord record_of(scene::Edit const& edit);
 
 // Refuses, in a sentence without the file's name, a kind that is none of `kinds`, a field that it
 // does not have, and what does not have its form. Fields that are missing are as they are by
 // default, as they were before a newer program knew them.
-Result<Edit> edit_of(EditRecord const& record, EditKinds kinds);
+Result<scene::Edit> edit_of(EditRecord const& record, scene::EditKinds kinds);
 
 // The edit of a record, or where edit_of() refuses it the record itself, as an UnknownEdit: a
 // session may come from a newer program, or from one with more methods.
-Edit edit_or_unknown(EditRecord const& record, EditKinds kinds);
+scene::Edit edit_or_unknown(EditRecord const& record, scene::EditKinds kinds);
 
 } // namespace tractus::session

@@ -26,7 +26,7 @@ bool has_kinds(FoundRow const& row, std::initializer_list<Kind> kinds)
 }
 
 // The edit, if the row is one as it was written.
-std::optional<EditRow> edit_row(FoundRow&& found, EditKinds kinds)
+std::optional<EditRow> edit_row(FoundRow&& found, scene::EditKinds kinds)
 {
     bool const has_checksum = has_kinds(
         found,
@@ -49,7 +49,7 @@ std::optional<EditRow> edit_row(FoundRow&& found, EditKinds kinds)
 
 class Scan {
 public:
-    explicit Scan(EditKinds kinds)
+    explicit Scan(scene::EditKinds kinds)
         : kinds_(kinds)
     {
     }
@@ -119,14 +119,14 @@ private:
             meta_.try_emplace(key.bytes, text);
     }
 
-    EditKinds kinds_;
+    scene::EditKinds kinds_;
     std::map<std::int64_t, Candidate> edits_;
     std::map<std::string, std::string> meta_;
 };
 
 } // namespace
 
-ScannedSession scan_pages(std::string_view file, std::string_view log, EditKinds kinds)
+ScannedSession scan_pages(std::string_view file, std::string_view log, scene::EditKinds kinds)
 {
     auto const accepts = [](std::size_t columns) {
         return columns == kEditColumns || columns == kEditColumnsOfFormat1

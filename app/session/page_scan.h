@@ -31,6 +31,6 @@ struct ScannedSession {
 // No size, count or page number that stands in the file is believed.
 //
 // A row of the oldest format, which has no checksum, is one if it is an edit of these kinds.
-ScannedSession scan_pages(std::string_view file, std::string_view log, EditKinds kinds);
+ScannedSession scan_pages(std::string_view file, std::string_view log, scene::EditKinds kinds);
 
 } // namespace tractus::session

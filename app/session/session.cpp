@@ -31,7 +31,7 @@ ReadStep read_from(SessionStore const& store)
 }
 
 // Reads steps in memory, of which the first is step 1.
-ReadStep read_from(std::vector<std::vector<Edit>> const& steps)
+ReadStep read_from(std::vector<std::vector<scene::Edit>> const& steps)
 {
     return [&steps](std::size_t step) -> Result<std::vector<SessionEdit>> {
         std::vector<SessionEdit> edits;
@@ -42,29 +42,30 @@ ReadStep read_from(std::vector<std::vector<Edit>> const& steps)
 }
 
 // Whether any plant, or a part of one, is a model's.
-bool has_models(DocumentState const& state)
+bool has_models(scene::DocumentState const& state)
 {
     auto const& plants = state.plants;
     return std::any_of(plants.begin(), plants.end(), [](auto const& plant) {
-        return loaded_model(plant->source)
-            || std::any_of(plant->grafts.begin(), plant->grafts.end(),
-                           [](Graft const& graft) { return loaded_model(graft.source); });
+        return scene::loaded_model(plant->source)
+            || std::any_of(
+                   plant->grafts.begin(), plant->grafts.end(),
+                   [](scene::Graft const& graft) { return scene::loaded_model(graft.source); });
     });
 }
 
 // The edits with the numbers that they have after the scene: so what they make keeps its ids
 // whatever a repair takes out of the file.
-std::vector<Edit> with_ids(std::span<Edit const> edits, Scene const& before)
+std::vector<scene::Edit> with_ids(std::span<scene::Edit const> edits, scene::Scene const& before)
 {
-    std::vector<Edit> given;
+    std::vector<scene::Edit> given;
     for (auto const& edit : edits)
-        given.push_back(with_id(edit, before.state.last_edit + given.size() + 1));
+        given.push_back(scene::with_id(edit, before.state.last_edit + given.size() + 1));
     return given;
 }
 
 } // namespace
 
-SessionOptions session_by_the_clock(EditKinds kinds, MakeLoadOptions load_options)
+SessionOptions session_by_the_clock(scene::EditKinds kinds, scene::MakeLoadOptions load_options)
 {
     return { kinds, std::move(load_options), [] {
                 return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
@@ -72,7 +73,7 @@ SessionOptions session_by_the_clock(EditKinds kinds, MakeLoadOptions load_option
 }
 
 Result<Session> Session::create(fs::path const& path, SessionOrigin const& origin,
-                                std::span<Edit const> edits, SessionOptions const& options)
+                                std::span<scene::Edit const> edits, SessionOptions const& options)
 {
     CHECK(!edits.empty());
     auto const read_beginning = [&](std::size_t) {
@@ -82,7 +83,7 @@ Result<Session> Session::create(fs::path const& path, SessionOrigin const& origi
                 { 0, edit, origin.created, { .number = std::ssize(beginning) + 1 } });
         return Result<std::vector<SessionEdit>>(std::move(beginning));
     };
-    SceneBuilder builder(options.load_options);
+    scene::SceneBuilder builder(options.load_options);
     auto history = TRY(SessionHistory::create({}, read_beginning, builder));
     auto scene = TRY(build_scene(builder, history.state()));
     TRY(write_new_session(path, origin, beginning_rows(edits, origin.created), 0));
@@ -93,9 +94,9 @@ Result<Session> Session::create(fs::path const& path, SessionOrigin const& origi
     return session;
 }
 
-Session Session::in_memory(Scene beginning, SessionOptions options)
+Session Session::in_memory(scene::Scene beginning, SessionOptions options)
 {
-    SceneBuilder builder(beginning, options.load_options);
+    scene::SceneBuilder builder(beginning, options.load_options);
     SessionHistory history(beginning.state);
     return Session(std::nullopt, std::move(options), std::move(history), std::move(builder),
                    std::move(beginning));
@@ -112,8 +113,8 @@ Result<Session> Session::open(fs::path const& path, SessionOptions options)
         TRY(write_language(database));
     TRY(database.execute("COMMIT; BEGIN IMMEDIATE"));
     SessionStore store(path, std::move(database), options.kinds);
-    SceneBuilder builder(options.load_options);
-    auto const build = [&]() -> Result<std::pair<SessionHistory, Scene>> {
+    scene::SceneBuilder builder(options.load_options);
+    auto const build = [&]() -> Result<std::pair<SessionHistory, scene::Scene>> {
         auto history = TRY(
             SessionHistory::create({ summary.step, summary.last_step }, read_from(store), builder));
         auto scene = TRY(build_scene(builder, history.state()));
@@ -132,7 +133,7 @@ Result<Session> Session::open(fs::path const& path, SessionOptions options)
 }
 
 Session::Session(std::optional<SessionStore> store, SessionOptions options, SessionHistory history,
-                 SceneBuilder builder, Scene scene)
+                 scene::SceneBuilder builder, scene::Scene scene)
     : store_(std::move(store))
     , options_(std::move(options))
     , history_(std::move(history))
@@ -141,25 +142,25 @@ Session::Session(std::optional<SessionStore> store, SessionOptions options, Sess
 {
 }
 
-Result<std::vector<Edit>> Session::beginning() const
+Result<std::vector<scene::Edit>> Session::beginning() const
 {
     if (!store_)
-        return std::vector<Edit> { BeginAgain {} };
-    std::vector<Edit> edits;
+        return std::vector<scene::Edit> { BeginAgain {} };
+    std::vector<scene::Edit> edits;
     for (auto& edit : TRY(store_->read_step(0)))
-        if (!edit.edit.get<UnknownEdit>())
+        if (!edit.edit.get<scene::UnknownEdit>())
             edits.push_back(std::move(edit.edit));
     return edits;
 }
 
-Result<void> Session::append(std::span<Edit const> edits)
+Result<void> Session::append(std::span<scene::Edit const> edits)
 {
     if (edits.empty())
         return {};
     return keep(TRY(prepare(edits)));
 }
 
-Result<Session::Prepared> Session::prepare(std::span<Edit const> edits)
+Result<Session::Prepared> Session::prepare(std::span<scene::Edit const> edits)
 {
     SessionStore::NewStep stored;
     auto given = with_ids(edits, scene());

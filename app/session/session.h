@@ -17,13 +17,13 @@
 namespace tractus::session {
 
 struct SessionOptions {
-    EditKinds kinds; // Kinds that a file may have; others are unknown.
-    MakeLoadOptions load_options;
+    scene::EditKinds kinds; // Kinds that a file may have; others are unknown.
+    scene::MakeLoadOptions load_options;
     std::function<std::chrono::sys_seconds()> now; // The clock on the wall: when steps are made.
 };
 
 // Takes times from the system's clock; models cost what `load_options` says.
-SessionOptions session_by_the_clock(EditKinds kinds, MakeLoadOptions load_options);
+SessionOptions session_by_the_clock(scene::EditKinds kinds, scene::MakeLoadOptions load_options);
 
 // A drawing that is kept in a file (session_file.h) as it is drawn. When a call here returns what
 // it did is on the disk, whatever becomes of the program or the machine; when it fails nothing has
@@ -36,7 +36,8 @@ public:
     // least one, usually loading a plant; undo ends there. Fails, as the user's fault, if the file
     // is there already or cannot be written, and where an edit fails.
     static Result<Session> create(std::filesystem::path const& path, SessionOrigin const& origin,
-                                  std::span<Edit const> edits, SessionOptions const& options);
+                                  std::span<scene::Edit const> edits,
+                                  SessionOptions const& options);
 
     // Goes on with a session. One of an older format is brought up to date, and stays beside it as
     // it was, with ".bak" after its name. Fails like read_session(), and if another program draws
@@ -44,14 +45,14 @@ public:
     static Result<Session> open(std::filesystem::path const& path, SessionOptions options);
 
     // Begins a session without a file at a scene, where undo ends.
-    static Session in_memory(Scene beginning, SessionOptions options);
+    static Session in_memory(scene::Scene beginning, SessionOptions options);
 
     bool is_in_file() const { return store_.has_value(); }
     std::filesystem::path const& path() const { return store_->path(); } // Path of the file.
 
     // The scene; its plants are built once, from what all steps amount to. Of a session in a file
     // the tips of its strokes are not in memory: see SessionStore.
-    Scene const& scene() const { return scene_; }
+    scene::Scene const& scene() const { return scene_; }
 
     // The edits that this program did not know when it was opened.
     UnknownEdits const& unknown() const { return unknown_; }
@@ -62,22 +63,22 @@ public:
 
     // Edits that lead from any scene of it to the one that it began with: those of step 0, without
     // what is unknown. Fails where its file was damaged since it was opened.
-    Result<std::vector<Edit>> beginning() const;
+    Result<std::vector<scene::Edit>> beginning() const;
 
     std::size_t step() const { return history_.step(); } // The last that counts.
     std::size_t last_step() const { return history_.last_step(); }
 
     // Makes edits that belong together, such as those of a stroke, the next step. What was undone
     // cannot be redone any more. No edits are no step.
-    Result<void> append(std::span<Edit const> edits);
+    Result<void> append(std::span<scene::Edit const> edits);
 
     // Two parts of append(), for those who show what a step makes before the disk has it. Between
     // them nothing else is done with the session.
     struct Prepared {
         SessionStore::NewStep stored;
-        Scene scene; // After the step.
+        scene::Scene scene; // After the step.
     };
-    Result<Prepared> prepare(std::span<Edit const> edits); // Takes at least one edit.
+    Result<Prepared> prepare(std::span<scene::Edit const> edits); // Takes at least one edit.
     Result<void> keep(Prepared prepared);
 
     // Take the last step back, or do the next one again. Without limit, but for the beginning.
@@ -93,16 +94,17 @@ public:
 
 private:
     Session(std::optional<SessionStore> store, SessionOptions options, SessionHistory history,
-            SceneBuilder builder, Scene scene);
+            scene::SceneBuilder builder, scene::Scene scene);
 
     Result<void> go_to(std::size_t step);
 
     std::optional<SessionStore> store_;
-    std::vector<std::vector<Edit>> steps_ {}; // Steps after the beginning, if there is no store.
+    std::vector<std::vector<scene::Edit>>
+        steps_ {}; // Steps after the beginning, if there is no store.
     SessionOptions options_;
     SessionHistory history_;
-    SceneBuilder builder_;
-    Scene scene_; // The scene of the history's state.
+    scene::SceneBuilder builder_;
+    scene::Scene scene_; // The scene of the history's state.
     UnknownEdits unknown_;
     bool is_derived_anew_ = false;
     std::string name_;

@@ -83,7 +83,7 @@ Result<void> for_each_row(Database const& database, std::int64_t format,
 
 // Function that is called with each edit, and the kinds that there are.
 struct EditReader {
-    EditKinds kinds;
+    scene::EditKinds kinds;
     std::function<void(SessionEdit&&)> take;
 };
 
@@ -174,7 +174,7 @@ tl::unexpected<Error> changed_since(std::int64_t number)
         fmt::format("edit {} is not in the session's file any more as it was written", number));
 }
 
-Result<Edit> checked_edit(EditRow const& row, EditKinds kinds)
+Result<scene::Edit> checked_edit(EditRow const& row, scene::EditKinds kinds)
 {
     if (row.place.checksum != checksum(row.step, row.record))
         return changed_since(row.place.number);
@@ -197,7 +197,7 @@ Result<void> write_meta(Database const& database, char const* key, std::string c
 
 void UnknownEdits::add(SessionEdit const& edit)
 {
-    auto const* const unknown = edit.edit.get<UnknownEdit>();
+    auto const* const unknown = edit.edit.get<scene::UnknownEdit>();
     if (unknown && count++ == 0)
         first = fmt::format("edit {}: {}", edit.place.number, unknown->why);
 }
@@ -216,7 +216,7 @@ std::int64_t checksum_of(EditRow const& row)
     return checksum(row.step, row.record);
 }
 
-Result<SessionContents> read_session(std::filesystem::path const& path, EditKinds kinds)
+Result<SessionContents> read_session(std::filesystem::path const& path, scene::EditKinds kinds)
 {
     auto const database = TRY(Database::open(path, Database::Access::Read));
     TRY(database.execute("BEGIN")); // One moment of it, if another program goes on writing.
@@ -229,7 +229,7 @@ Result<SessionContents> read_session(std::filesystem::path const& path, EditKind
 }
 
 Result<SessionSummary> check_session(Database const& database, std::string const& name,
-                                     EditKinds kinds)
+                                     scene::EditKinds kinds)
 {
     return read_all(database, name, { kinds, [](SessionEdit&&) {} });
 }
@@ -266,7 +266,8 @@ Result<void> write_new_session(fs::path const& path, SessionOrigin const& origin
     });
 }
 
-std::vector<EditRow> beginning_rows(std::span<Edit const> edits, std::chrono::sys_seconds made)
+std::vector<EditRow> beginning_rows(std::span<scene::Edit const> edits,
+                                    std::chrono::sys_seconds made)
 {
     std::vector<EditRow> rows;
     for (auto const& edit : edits) {
@@ -310,7 +311,7 @@ Result<void> write_step(Database const& database, std::span<EditRow const> rows)
 }
 
 Result<std::vector<SessionEdit>> read_step(Database const& database, std::size_t step,
-                                           EditKinds kinds)
+                                           scene::EditKinds kinds)
 {
     auto const columns
         = fmt::format("SELECT {} FROM edits WHERE number >= ? ORDER BY number", kColumns);
@@ -326,7 +327,8 @@ Result<std::vector<SessionEdit>> read_step(Database const& database, std::size_t
     return edits;
 }
 
-Result<Edit> read_edit(Database const& database, EditPlace const& place, EditKinds kinds)
+Result<scene::Edit> read_edit(Database const& database, EditPlace const& place,
+                              scene::EditKinds kinds)
 {
     auto const columns = fmt::format("SELECT {} FROM edits WHERE number = ?", kColumns);
     auto rows = TRY(database.prepare(columns.c_str()));

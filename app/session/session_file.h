@@ -48,7 +48,7 @@ struct EditPlace {
 
 struct SessionEdit {
     std::size_t step = 0; // Step number; edits of one step stand together, and no step is without.
-    Edit edit;
+    scene::Edit edit;
     std::chrono::sys_seconds made {}; // Time by the clock on the wall; 0 where nobody knows.
     EditPlace place {};
 };
@@ -86,17 +86,17 @@ struct SessionSummary {
 // Reads a session and changes nothing; another program may be drawing in it. What is none of
 // `kinds` is unknown. Fails, as the user's fault, in a sentence, for what is no session, is
 // damaged, or is newer than this program.
-Result<SessionContents> read_session(std::filesystem::path const& path, EditKinds kinds);
+Result<SessionContents> read_session(std::filesystem::path const& path, scene::EditKinds kinds);
 
 // Checks a database that is open, of which `name` is the file's: all edits are checked, and
 // forgotten. Fails like read_session().
 Result<SessionSummary> check_session(Database const& database, std::string const& name,
-                                     EditKinds kinds);
+                                     scene::EditKinds kinds);
 
 // Edits that belong together.
 struct SessionStep {
     std::size_t number = 0;
-    std::span<Edit const> edits;
+    std::span<scene::Edit const> edits;
     std::chrono::sys_seconds made {};
 };
 
@@ -117,7 +117,8 @@ Result<void> write_new_session(std::filesystem::path const& path, SessionOrigin 
 std::int64_t checksum_of(EditRow const& row);
 
 // The rows that a session begins with: step 0.
-std::vector<EditRow> beginning_rows(std::span<Edit const> edits, std::chrono::sys_seconds made);
+std::vector<EditRow> beginning_rows(std::span<scene::Edit const> edits,
+                                    std::chrono::sys_seconds made);
 
 // The rows of a step, numbered after all of earlier steps. Fails as the database does, as the
 // following do.
@@ -129,10 +130,11 @@ Result<void> write_step(Database const& database, std::span<EditRow const> rows)
 
 // The edits of a step, read back; of a file that was checked. Fails where it was damaged since.
 Result<std::vector<SessionEdit>> read_step(Database const& database, std::size_t step,
-                                           EditKinds kinds);
+                                           scene::EditKinds kinds);
 
 // One edit, likewise. Fails, too, where another has taken its place.
-Result<Edit> read_edit(Database const& database, EditPlace const& place, EditKinds kinds);
+Result<scene::Edit> read_edit(Database const& database, EditPlace const& place,
+                              scene::EditKinds kinds);
 
 // Brings a session of an older format up to date. The file as it was stays beside it, with ".bak"
 // after its name. Nothing happens to a file that is up to date. Inside of a transaction.

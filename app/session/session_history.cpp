@@ -24,10 +24,11 @@ static std::size_t distance(std::size_t one, std::size_t other)
     return one < other ? other - one : one - other;
 }
 
-static void list(Fields&, BeginAgain&) { }
+static void list(scene::Fields&, BeginAgain&) { }
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): as for all kinds.
-static Result<DocumentState> applied(DocumentState, BeginAgain const&, SceneBuilder&)
+static Result<scene::DocumentState> applied(scene::DocumentState, BeginAgain const&,
+                                            scene::SceneBuilder&)
 {
     return fail(Fault::Station, "only its history knows how a drawing began");
 }
@@ -37,10 +38,11 @@ static std::string described(BeginAgain const&)
     return "begins again";
 }
 
-constexpr EditKind BeginAgain::kKind = make_edit_kind<BeginAgain, list, applied, described>("");
+constexpr scene::EditKind BeginAgain::kKind
+    = scene::make_edit_kind<BeginAgain, list, applied, described>("");
 
 // Takes what is in the file out of memory.
-static void park_tips(DocumentState& state)
+static void park_tips(scene::DocumentState& state)
 {
     auto const is_in_both = [](auto const& tips) { return tips.source() && tips.is_in_memory(); };
     for (std::size_t number = 0; number < state.plants.size(); ++number) {
@@ -48,7 +50,7 @@ static void park_tips(DocumentState& state)
         if (std::none_of(strokes.begin(), strokes.end(),
                          [&](auto const& stroke) { return is_in_both(stroke.what.stroke.tips); }))
             continue;
-        change_plant(state, number, [&](PlantState& plant) {
+        scene::change_plant(state, number, [&](scene::PlantState& plant) {
             for (std::size_t i = 0; i < plant.strokes.size(); ++i) {
                 if (!is_in_both(plant.strokes[i].what.stroke.tips))
                     continue;
@@ -61,7 +63,7 @@ static void park_tips(DocumentState& state)
 }
 
 Result<SessionHistory> SessionHistory::create(SessionExtent const& extent, ReadStep const& read,
-                                              SceneBuilder& builder)
+                                              scene::SceneBuilder& builder)
 {
     SessionHistory history(extent);
     history.state_ = TRY(history.fold({}, 0, history.step(), read, builder));
@@ -73,25 +75,26 @@ SessionHistory::SessionHistory(SessionExtent const& extent)
 {
 }
 
-SessionHistory::SessionHistory(DocumentState beginning)
+SessionHistory::SessionHistory(scene::DocumentState beginning)
     : state_(std::move(beginning))
 {
     keep(0, state_);
 }
 
-Result<DocumentState> SessionHistory::apply(DocumentState state, Edit const& edit,
-                                            SceneBuilder& builder) const
+Result<scene::DocumentState> SessionHistory::apply(scene::DocumentState state,
+                                                   scene::Edit const& edit,
+                                                   scene::SceneBuilder& builder) const
 {
     if (edit.get<BeginAgain>()) {
         auto beginning = kept_.at(0);
         beginning.last_edit += state.last_edit; // No edit has the number of an earlier one.
         return beginning;
     }
-    return apply_edit(std::move(state), edit, builder);
+    return scene::apply_edit(std::move(state), edit, builder);
 }
 
-Result<DocumentState> SessionHistory::after(std::span<Edit const> edits,
-                                            SceneBuilder& builder) const
+Result<scene::DocumentState> SessionHistory::after(std::span<scene::Edit const> edits,
+                                                   scene::SceneBuilder& builder) const
 {
     auto state = state_;
     for (auto const& edit : edits)
@@ -99,8 +102,8 @@ Result<DocumentState> SessionHistory::after(std::span<Edit const> edits,
     return state;
 }
 
-Result<DocumentState> SessionHistory::at(std::size_t wanted, ReadStep const& read,
-                                         SceneBuilder& builder)
+Result<scene::DocumentState> SessionHistory::at(std::size_t wanted, ReadStep const& read,
+                                                scene::SceneBuilder& builder)
 {
     CHECK(wanted <= last_step());
     // Starts from the nearest state before it that is known; that of the beginning always is.
@@ -110,8 +113,9 @@ Result<DocumentState> SessionHistory::at(std::size_t wanted, ReadStep const& rea
     return fold(kept_state, kept_step + 1, wanted, read, builder);
 }
 
-Result<DocumentState> SessionHistory::fold(DocumentState state, std::size_t first, std::size_t last,
-                                           ReadStep const& read, SceneBuilder& builder)
+Result<scene::DocumentState> SessionHistory::fold(scene::DocumentState state, std::size_t first,
+                                                  std::size_t last, ReadStep const& read,
+                                                  scene::SceneBuilder& builder)
 {
     for (auto next = first; next <= last; ++next) {
         auto const edits = TRY(read(next));
@@ -126,11 +130,12 @@ Result<DocumentState> SessionHistory::fold(DocumentState state, std::size_t firs
     return state;
 }
 
-Result<DocumentState> begin_document(std::span<SessionEdit const> edits, SceneBuilder& builder)
+Result<scene::DocumentState> begin_document(std::span<SessionEdit const> edits,
+                                            scene::SceneBuilder& builder)
 {
-    DocumentState state;
+    scene::DocumentState state;
     for (auto const& [step, edit, made, place] : edits) {
-        auto applied = apply_edit(state, edit, builder);
+        auto applied = scene::apply_edit(state, edit, builder);
         if (applied)
             state = *std::move(applied);
         else if (edit.kind().loads_plant)
@@ -142,7 +147,7 @@ Result<DocumentState> begin_document(std::span<SessionEdit const> edits, SceneBu
     return state;
 }
 
-Result<Scene> build_scene(SceneBuilder& builder, DocumentState state)
+Result<scene::Scene> build_scene(scene::SceneBuilder& builder, scene::DocumentState state)
 {
     auto scene = builder.build(std::move(state));
     if (!scene)
@@ -153,8 +158,9 @@ Result<Scene> build_scene(SceneBuilder& builder, DocumentState state)
 
 // A step that needs something which was lost, or that is unknown, changes nothing and stays in the
 // file. Its edits are counted, for a program that knows them does so, too.
-DocumentState SessionHistory::apply_step(DocumentState state, std::span<SessionEdit const> edits,
-                                         SceneBuilder& builder) const
+scene::DocumentState SessionHistory::apply_step(scene::DocumentState state,
+                                                std::span<SessionEdit const> edits,
+                                                scene::SceneBuilder& builder) const
 {
     auto next = state;
     for (auto const& edit : edits) {
@@ -168,7 +174,7 @@ DocumentState SessionHistory::apply_step(DocumentState state, std::span<SessionE
     return next;
 }
 
-void SessionHistory::push(DocumentState state)
+void SessionHistory::push(scene::DocumentState state)
 {
     park_tips(state);
     auto const before = extent_.step++;
@@ -177,13 +183,13 @@ void SessionHistory::push(DocumentState state)
     kept_.erase(kept_.lower_bound(extent_.step), kept_.end());
 }
 
-void SessionHistory::go_to(std::size_t step, DocumentState state)
+void SessionHistory::go_to(std::size_t step, scene::DocumentState state)
 {
     auto const left = std::exchange(extent_.step, step);
     keep(left, std::exchange(state_, std::move(state)));
 }
 
-void SessionHistory::keep(std::size_t step, DocumentState state)
+void SessionHistory::keep(std::size_t step, scene::DocumentState state)
 {
     kept_.insert_or_assign(step, std::move(state));
     std::erase_if(kept_, [&](auto const& entry) { return !is_worth_keeping(entry.first); });

@@ -25,7 +25,7 @@ struct SessionExtent {
 // Takes everything back to the state that a history began with. For steps in memory alone: a
 // session's file has the edits of its beginning.
 struct BeginAgain {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 };
 
 // States that the steps of a session amount to. The steps themselves are read when they are needed;
@@ -41,50 +41,55 @@ public:
     // changes nothing: what they need was lost when the session was damaged, or this program does
     // not know one of them.
     static Result<SessionHistory> create(SessionExtent const& extent, ReadStep const& read,
-                                         SceneBuilder& builder);
+                                         scene::SceneBuilder& builder);
 
     // Begins the history of a session without steps, whose beginning is a state.
-    explicit SessionHistory(DocumentState beginning);
+    explicit SessionHistory(scene::DocumentState beginning);
 
-    DocumentState const& state() const { return state_; }
+    scene::DocumentState const& state() const { return state_; }
     std::size_t step() const { return extent_.step; }
     std::size_t last_step() const { return extent_.last_step; }
 
     // Returns the state after one more step, whose tips are in memory. Fails where an edit does.
-    Result<DocumentState> after(std::span<Edit const> edits, SceneBuilder& builder) const;
+    Result<scene::DocumentState> after(std::span<scene::Edit const> edits,
+                                       scene::SceneBuilder& builder) const;
 
     // The state as it is, or was, at another step. Fails where reading does.
-    Result<DocumentState> at(std::size_t wanted, ReadStep const& read, SceneBuilder& builder);
+    Result<scene::DocumentState> at(std::size_t wanted, ReadStep const& read,
+                                    scene::SceneBuilder& builder);
 
     // The next step is in the file, and leads to `state`. What was undone is gone.
-    void push(DocumentState state);
+    void push(scene::DocumentState state);
 
     // Makes `step` the last that counts; `state` is what at() gives.
-    void go_to(std::size_t step, DocumentState state);
+    void go_to(std::size_t step, scene::DocumentState state);
 
 private:
     explicit SessionHistory(SessionExtent const& extent);
 
     // Goes on from the state before step `first`.
-    Result<DocumentState> fold(DocumentState state, std::size_t first, std::size_t last,
-                               ReadStep const& read, SceneBuilder& builder);
-    Result<DocumentState> apply(DocumentState state, Edit const& edit, SceneBuilder& builder) const;
-    DocumentState apply_step(DocumentState state, std::span<SessionEdit const> edits,
-                             SceneBuilder& builder) const;
-    void keep(std::size_t step, DocumentState state);
+    Result<scene::DocumentState> fold(scene::DocumentState state, std::size_t first,
+                                      std::size_t last, ReadStep const& read,
+                                      scene::SceneBuilder& builder);
+    Result<scene::DocumentState> apply(scene::DocumentState state, scene::Edit const& edit,
+                                       scene::SceneBuilder& builder) const;
+    scene::DocumentState apply_step(scene::DocumentState state, std::span<SessionEdit const> edits,
+                                    scene::SceneBuilder& builder) const;
+    void keep(std::size_t step, scene::DocumentState state);
     bool is_worth_keeping(std::size_t step) const;
 
     SessionExtent extent_;
-    DocumentState state_;
-    std::map<std::size_t, DocumentState> kept_; // States by step.
+    scene::DocumentState state_;
+    std::map<std::size_t, scene::DocumentState> kept_; // States by step.
 };
 
 // The state after the edits that a session begins with. Each does what it can, since there is no
 // step before it. Fails where one that brings a plant does.
-Result<DocumentState> begin_document(std::span<SessionEdit const> edits, SceneBuilder& builder);
+Result<scene::DocumentState> begin_document(std::span<SessionEdit const> edits,
+                                            scene::SceneBuilder& builder);
 
 // Builds the scene of a session's state. Fails in a sentence that names the edit whose plant cannot
 // be built.
-Result<Scene> build_scene(SceneBuilder& builder, DocumentState state);
+Result<scene::Scene> build_scene(scene::SceneBuilder& builder, scene::DocumentState state);
 
 } // namespace tractus::session

@@ -50,11 +50,11 @@ std::vector<std::int64_t> missing_numbers(std::vector<EditRow> const& rows)
 }
 
 // Names what an edit of an older session makes by the edit's number, which it is about to lose.
-void give_id(EditRow& row, EditKinds kinds)
+void give_id(EditRow& row, scene::EditKinds kinds)
 {
     auto const edit = edit_of(row.record, kinds);
     if (edit && row.place.number > 0)
-        row.record = record_of(with_id(*edit, static_cast<std::uint64_t>(row.place.number)));
+        row.record = record_of(scene::with_id(*edit, static_cast<std::uint64_t>(row.place.number)));
 }
 
 // The rows with numbers and steps without gaps, behind `first` edits of the beginning.
@@ -91,7 +91,7 @@ std::size_t step_anew(SalvagedSession const& session, std::vector<EditRow> const
 
 } // namespace
 
-Result<SalvagedSession> salvage_session(fs::path const& path, EditKinds kinds)
+Result<SalvagedSession> salvage_session(fs::path const& path, scene::EditKinds kinds)
 {
     auto const file = TRY(read_file(path, kMostBytes));
     auto const log_path = fs::path(path.string() + "-wal");
@@ -133,8 +133,8 @@ SessionContents contents_of(SalvagedSession const& session)
     return contents;
 }
 
-Result<void> write_repaired(SalvagedSession const& session, std::vector<Edit> const& beginning,
-                            fs::path const& path)
+Result<void> write_repaired(SalvagedSession const& session,
+                            std::vector<scene::Edit> const& beginning, fs::path const& path)
 {
     auto rows = beginning_rows(beginning, session.rows.front().made);
     auto const anew = numbered_anew(session, beginning.size());

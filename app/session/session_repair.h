@@ -13,7 +13,7 @@ namespace tractus::session {
 
 // Remains of a session that may be damaged anywhere.
 struct SalvagedSession {
-    EditKinds kinds {}; // Kinds that the program knows.
+    scene::EditKinds kinds {}; // Kinds that the program knows.
     SessionOrigin origin {};
     std::vector<EditRow> rows {};         // Rows as they were written, in order; at least one.
     std::vector<std::int64_t> missing {}; // The numbers of those that are lost among them.
@@ -26,7 +26,7 @@ struct SalvagedSession {
 // Reads every edit of a session that is as it was written, wherever it stands, and changes nothing:
 // also where SQLite calls the file malformed. Fails, as the user's fault, where there is none, and
 // for a file that cannot be read or is larger than 4 GiB.
-Result<SalvagedSession> salvage_session(std::filesystem::path const& path, EditKinds kinds);
+Result<SalvagedSession> salvage_session(std::filesystem::path const& path, scene::EditKinds kinds);
 
 // Makes a session's contents of those edits, numbered anew without gaps. Edits that this program
 // does not know are UnknownEdits.
@@ -35,7 +35,8 @@ SessionContents contents_of(SalvagedSession const& session);
 // Writes what was salvaged as a new session, which appears whole. `beginning` comes before it: a
 // plant, where that was lost. Fails, as the user's fault, where the file is there already or cannot
 // be written.
-Result<void> write_repaired(SalvagedSession const& session, std::vector<Edit> const& beginning,
+Result<void> write_repaired(SalvagedSession const& session,
+                            std::vector<scene::Edit> const& beginning,
                             std::filesystem::path const& path);
 
 } // namespace tractus::session

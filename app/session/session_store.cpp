@@ -14,7 +14,7 @@ using Tips = SharedVector<TipSample>;
 // Lets any thread read, while one writes.
 class SessionStore::File {
 public:
-    File(std::filesystem::path path, Database database, EditKinds kinds)
+    File(std::filesystem::path path, Database database, scene::EditKinds kinds)
         : path_(std::move(path))
         , kinds_(kinds)
         , database_(std::move(database))
@@ -22,7 +22,7 @@ public:
     }
 
     std::filesystem::path const& path() const { return path_; }
-    EditKinds kinds() const { return kinds_; } // Kinds that its edits may have.
+    scene::EditKinds kinds() const { return kinds_; } // Kinds that its edits may have.
 
     // Closes it for writing: from here on it is only read.
     void close()
@@ -58,14 +58,14 @@ public:
 private:
     std::filesystem::path path_;
     mutable std::mutex mutex_;
-    EditKinds kinds_;
+    scene::EditKinds kinds_;
     std::optional<Database> database_; // No value once the store is gone.
 };
 
 namespace {
 
 // Looks for the stroke that an edit brings, and gives it a source if there is one to give.
-class StrokeVisitor final : public Fields {
+class StrokeVisitor final : public scene::Fields {
 public:
     explicit StrokeVisitor(Tips::Source source = nullptr)
         : source_(std::move(source))
@@ -75,7 +75,7 @@ public:
     // No value where the edit brings none.
     std::optional<Tips> const& tips() const { return tips_; }
 
-    void field(char const*, FieldRef) override { }
+    void field(char const*, scene::FieldRef) override { }
     void word(char const*, int&, std::span<char const* const>) override { }
     void numbers(std::vector<SkeletonPiece>&) override { }
     void bytes(std::string&) override { }
@@ -121,7 +121,7 @@ private:
     EditPlace place_;
 };
 
-SessionStore::SessionStore(std::filesystem::path path, Database database, EditKinds kinds)
+SessionStore::SessionStore(std::filesystem::path path, Database database, scene::EditKinds kinds)
     : file_(std::make_shared<File>(std::move(path), std::move(database), kinds))
 {
 }
@@ -143,7 +143,7 @@ std::filesystem::path const& SessionStore::path() const
     return file_->path();
 }
 
-void SessionStore::give_source(Edit& edit, EditPlace const& place) const
+void SessionStore::give_source(scene::Edit& edit, EditPlace const& place) const
 {
     StrokeVisitor visitor(std::make_shared<StoredStroke>(file_, place));
     edit = edit.changed_by(visitor);

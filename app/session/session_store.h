@@ -23,7 +23,7 @@ namespace tractus::session {
 class SessionStore {
 public:
     // A database in which a transaction has begun.
-    SessionStore(std::filesystem::path path, Database database, EditKinds kinds);
+    SessionStore(std::filesystem::path path, Database database, scene::EditKinds kinds);
     SessionStore(SessionStore&&) noexcept = default;
     SessionStore& operator=(SessionStore&& other) noexcept;
     ~SessionStore(); // Lets others write.
@@ -36,7 +36,7 @@ public:
     // Form of a new step in the file, and its edits as read_step() will give them.
     struct NewStep {
         std::vector<EditRow> rows;
-        std::vector<Edit> edits;
+        std::vector<scene::Edit> edits;
     };
     Result<NewStep> prepare(SessionStep const& step) const;
 
@@ -50,7 +50,7 @@ private:
     class File;
     class StoredStroke;
 
-    void give_source(Edit& edit, EditPlace const& place) const;
+    void give_source(scene::Edit& edit, EditPlace const& place) const;
 
     std::shared_ptr<File> file_; // Shared with the sources of strokes; null when moved from.
 };

@@ -99,26 +99,26 @@ Result<LogReplay> LogReplay::create(drivers::Log const& log, ReplayOptions const
 
 // What no tool or step of this program is called was written by another one, with more of them.
 Result<std::vector<LogReplay::Line>> LogReplay::read_lines(drivers::Log const& log,
-                                                           Methods const& methods,
+                                                           tools::Methods const& methods,
                                                            std::vector<std::string>& left_out)
 {
     std::vector<Line> lines;
     for (auto const& [time, word, arguments, position] : log.tools) {
         auto const place = fmt::format("{}: tool line at {:.6f} s", log.name, to_seconds(time));
-        if (auto step = parse_step(word, arguments, methods.edits)) {
+        if (auto step = document::parse_step(word, arguments, methods.edits)) {
             if (!*step)
                 return fail(Fault::User, fmt::format("{}: {}", place, step->error().message));
             lines.push_back({ position, time, **std::move(step) });
         } else if (word == pressing().kind().word) {
             lines.push_back({ position, time, pressing() });
-        } else if (auto const tool = parse_tool(methods.tools, word, arguments)) {
+        } else if (auto const tool = tools::parse_tool(methods.tools, word, arguments)) {
             lines.push_back({ position, time, *tool });
-        } else if (find_tool_kind(methods.tools, word)) {
+        } else if (tools::find_tool_kind(methods.tools, word)) {
             return fail(Fault::User, fmt::format("{}: {}", place, tool.error().message));
         } else {
             left_out.push_back(
                 fmt::format("{}: {}; its strokes are left out", place, tool.error().message));
-            lines.push_back({ position, time, Tool() });
+            lines.push_back({ position, time, tools::Tool() });
         }
     }
     return lines;
@@ -138,17 +138,17 @@ void LogReplay::push_lines()
 {
     for (; next_line_ < lines_.size() && lines_[next_line_].position <= cursor_.position();
          ++next_line_)
-        if (auto const* const tool = std::get_if<Tool>(&lines_[next_line_].what))
+        if (auto const* const tool = std::get_if<tools::Tool>(&lines_[next_line_].what))
             station_.set_tool(lines_[next_line_].time, *tool);
 }
 
 // A step comes after as many strokes as when the log was made: its line may stand later in the log
 // than the reports of strokes that came after it.
-void LogReplay::hand_over(Document& document)
+void LogReplay::hand_over(document::Document& document)
 {
     auto const hand_steps_over = [&](std::size_t end, std::size_t strokes_before) {
         for (; next_step_ < end; ++next_step_) {
-            auto const* const step = std::get_if<LoggedStep>(&lines_[next_step_].what);
+            auto const* const step = std::get_if<document::LoggedStep>(&lines_[next_step_].what);
             if (!step)
                 continue;
             if (step->strokes_before > strokes_before)
@@ -168,7 +168,7 @@ void LogReplay::hand_over(Document& document)
         hand_steps_over(next_line_, handed_strokes_);
 }
 
-void LogReplay::run(Document& document)
+void LogReplay::run(document::Document& document)
 {
     bool goes_on = true;
     while (goes_on) {

@@ -18,7 +18,7 @@
 namespace tractus::station {
 
 struct ReplayOptions {
-    Methods methods {};               // What the log may name.
+    tools::Methods methods {};        // What the log may name.
     std::optional<calib::Rig> rig {}; // No value: the log's own, else one of the tablet's size.
     std::optional<calib::HeightScenario> height {}; // In place of the log's height sensor.
 };
@@ -33,7 +33,7 @@ public:
 
     // Gives what has been drawn, and what was done beside drawing, since the last call to a
     // document, in the order in which it was done when the log was made.
-    void hand_over(Document& document);
+    void hand_over(document::Document& document);
 
     // Lines of the log that mean nothing to this program, and what is left out for it: a sentence
     // each.
@@ -56,7 +56,7 @@ public:
     Result<void> const& outcome() const { return outcome_; }
 
     // Everything that is left, drawn in the document.
-    void run(Document& document);
+    void run(document::Document& document);
 
     Station const& station() const { return station_; }
     Station& station() { return station_; }
@@ -71,13 +71,14 @@ private:
     struct Line {
         std::size_t position = 0; // See LogTool.
         Timestamp time {};
-        std::variant<Tool, LoggedStep> what;
+        std::variant<tools::Tool, document::LoggedStep> what;
     };
 
     LogReplay(drivers::Log const& log, Station station, std::vector<Line> lines,
               std::vector<std::string> left_out);
 
-    static Result<std::vector<Line>> read_lines(drivers::Log const& log, Methods const& methods,
+    static Result<std::vector<Line>> read_lines(drivers::Log const& log,
+                                                tools::Methods const& methods,
                                                 std::vector<std::string>& left_out);
     void push_lines();
 

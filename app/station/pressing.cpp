@@ -6,25 +6,25 @@ namespace {
 
 struct Pressing { };
 
-Result<std::vector<Edit>> press(Tool const&, Stroke const&, Scene const&)
+Result<std::vector<scene::Edit>> press(tools::Tool const&, Stroke const&, scene::Scene const&)
 {
-    return std::vector<Edit> {};
+    return std::vector<scene::Edit> {};
 }
 
-constexpr ToolKind kPressing { .word = "press",
-                               .label = "",
-                               .title = "Press",
-                               .done = "",
-                               .help = "",
-                               .group = "",
-                               .options = options_type<Pressing>(),
-                               .mean = press };
+constexpr tools::ToolKind kPressing { .word = "press",
+                                      .label = "",
+                                      .title = "Press",
+                                      .done = "",
+                                      .help = "",
+                                      .group = "",
+                                      .options = tools::options_type<Pressing>(),
+                                      .mean = press };
 
 } // namespace
 
-Tool const& pressing()
+tools::Tool const& pressing()
 {
-    static Tool const tool(kPressing);
+    static tools::Tool const tool(kPressing);
     return tool;
 }
 

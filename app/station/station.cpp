@@ -19,26 +19,27 @@ static Bounds volume_of(StationOptions const& options)
     auto const heights = calib::calibrated_heights(options.rig);
     bool const is_known = heights && !options.scripted_height;
     volume_mm.min_mm.z() = is_known ? heights->low_mm : 0;
-    volume_mm.max_mm.z() = is_known ? heights->high_mm : DrawingVolume().height_mm;
+    volume_mm.max_mm.z() = is_known ? heights->high_mm : scene::DrawingVolume().height_mm;
     return volume_mm;
 }
 
-static Tool first_tool(StationOptions const& options)
+static tools::Tool first_tool(StationOptions const& options)
 {
     if (options.tool)
         return *options.tool;
-    return options.tools.empty() ? Tool() : Tool(*options.tools.front());
+    return options.tools.empty() ? tools::Tool() : tools::Tool(*options.tools.front());
 }
 
-static bool has_options(ToolKind const& kind)
+static bool has_options(tools::ToolKind const& kind)
 {
-    return !chosen_words(Tool(kind)).empty() || !chosen_numbers(Tool(kind)).empty();
+    return !tools::chosen_words(tools::Tool(kind)).empty()
+        || !tools::chosen_numbers(tools::Tool(kind)).empty();
 }
 
 // The kinds that an other end of the pen is with the options that were chosen last.
-static std::vector<ToolKind const*> kinds_to_remember(ToolKinds tools)
+static std::vector<tools::ToolKind const*> kinds_to_remember(tools::ToolKinds tools)
 {
-    std::vector<ToolKind const*> kinds;
+    std::vector<tools::ToolKind const*> kinds;
     for (auto const* const tool : tools) {
         auto const& [kind, options] = tool->other_end;
         if (kind && !options && has_options(*kind)
@@ -318,7 +319,7 @@ calib::FuserCounts Station::fuser_counts() const
     return sum;
 }
 
-void Station::set_tool(Timestamp time, Tool const& tool)
+void Station::set_tool(Timestamp time, tools::Tool const& tool)
 {
     if (tool.is_done_at_once()) {
         new_tool_changes_.push_back({ time, tool });
@@ -336,7 +337,7 @@ void Station::set_tool(Timestamp time, Tool const& tool)
         change_tool(time, tool);
 }
 
-void Station::change_tool(Timestamp time, Tool const& tool)
+void Station::change_tool(Timestamp time, tools::Tool const& tool)
 {
     // Of hours of drawing only the last changes can still matter to a stroke.
     constexpr Duration kLongestStroke = std::chrono::hours(1);
@@ -348,9 +349,9 @@ void Station::change_tool(Timestamp time, Tool const& tool)
     new_tool_changes_.push_back(tool_changes_.back());
 }
 
-void Station::forget(Tool const& tool)
+void Station::forget(tools::Tool const& tool)
 {
-    auto const is_same = [&](Tool const& other) { return &other.kind() == &tool.kind(); };
+    auto const is_same = [&](tools::Tool const& other) { return &other.kind() == &tool.kind(); };
     forgotten_.erase(std::remove_if(forgotten_.begin(), forgotten_.end(), is_same),
                      forgotten_.end());
     if (std::find(remembered_kinds_.begin(), remembered_kinds_.end(), &tool.kind())
@@ -358,7 +359,8 @@ void Station::forget(Tool const& tool)
         forgotten_.push_back(tool);
 }
 
-Tool Station::chosen_before(ToolKind const& kind, ToolChanges::const_iterator end) const
+tools::Tool Station::chosen_before(tools::ToolKind const& kind,
+                                   ToolChanges::const_iterator end) const
 {
     while (end != tool_changes_.begin())
         if (auto const& tool = (--end)->tool; &tool.kind() == &kind)
@@ -366,37 +368,37 @@ Tool Station::chosen_before(ToolKind const& kind, ToolChanges::const_iterator en
     for (auto const& tool : forgotten_)
         if (&tool.kind() == &kind)
             return tool;
-    return Tool(kind);
+    return tools::Tool(kind);
 }
 
-Tool Station::other_end_of(Tool const& tool, ToolChanges::const_iterator before) const
+tools::Tool Station::other_end_of(tools::Tool const& tool, ToolChanges::const_iterator before) const
 {
     auto const& [kind, options] = tool.kind().other_end;
     if (!kind)
         return tool;
-    return options ? Tool(*kind, options()) : chosen_before(*kind, before);
+    return options ? tools::Tool(*kind, options()) : chosen_before(*kind, before);
 }
 
-std::vector<Tool> Station::remembered() const
+std::vector<tools::Tool> Station::remembered() const
 {
-    std::vector<Tool> tools;
+    std::vector<tools::Tool> tools;
     for (auto const* const kind : remembered_kinds_)
         tools.push_back(chosen_before(*kind, tool_changes_.end()));
     return tools;
 }
 
-std::vector<Tool> Station::tools_to_go_on_with() const
+std::vector<tools::Tool> Station::tools_to_go_on_with() const
 {
-    std::vector<Tool> tools;
+    std::vector<tools::Tool> tools;
     for (auto& tool : remembered())
-        if (tool != Tool(tool.kind()) && &tool.kind() != &tool_in_hand_.kind())
+        if (tool != tools::Tool(tool.kind()) && &tool.kind() != &tool_in_hand_.kind())
             tools.push_back(std::move(tool));
     tools.push_back(tool_in_hand_);
     return tools;
 }
 
 // A stroke belongs to the tool in hand when it began, though it is known to have ended only later.
-Tool Station::meaning_of(std::vector<TipSample> const& tips) const
+tools::Tool Station::meaning_of(std::vector<TipSample> const& tips) const
 {
     if (tips.empty())
         return tool_in_hand_;

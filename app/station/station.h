@@ -27,10 +27,10 @@ namespace tractus::station {
 struct StationOptions {
     calib::Rig rig;
     std::optional<calib::ScriptedHeight> scripted_height; // In place of a height sensor.
-    ToolKinds tools {};                                   // That there are.
-    Layers layers {};                                     // Likewise.
+    tools::ToolKinds tools {};                            // That there are.
+    tools::Layers layers {};                              // Likewise.
     // What the pen means until a tool line says otherwise; no value: the first of them.
-    std::optional<Tool> tool {};
+    std::optional<tools::Tool> tool {};
 };
 
 // What came in and what became of it.
@@ -80,7 +80,7 @@ public:
     // From the pen's samples at `time` on, strokes belong to `tool`, or, where they are drawn with
     // the pen's other end, to what that does then (ToolKind::other_end). One that is done at once
     // is a stroke without tips, and changes nothing in the hand.
-    void set_tool(Timestamp time, Tool const& tool);
+    void set_tool(Timestamp time, tools::Tool const& tool);
 
     // Where a touch presses what the window shows there, from its beginning to its end, and draws
     // nothing: x and y of the world frame, millimetres. None at first. Such touches are tool
@@ -100,7 +100,7 @@ public:
     // A change of what the pen means.
     struct ToolChange {
         Timestamp time {};
-        Tool tool;
+        tools::Tool tool;
     };
     // Those since the last call, for a recording.
     std::vector<ToolChange> take_tool_changes() { return std::exchange(new_tool_changes_, {}); }
@@ -113,10 +113,10 @@ public:
     void finish();
 
     // The strokes that were finished since the last call, in order.
-    std::vector<ToolStroke> take_strokes() { return std::exchange(strokes_, {}); }
+    std::vector<tools::ToolStroke> take_strokes() { return std::exchange(strokes_, {}); }
 
     // Strokes that the next take_strokes() will give.
-    std::vector<ToolStroke> const& new_strokes() const { return strokes_; }
+    std::vector<tools::ToolStroke> const& new_strokes() const { return strokes_; }
 
     StationCounts const& counts() const { return counts_; }
     calib::FuserCounts fuser_counts() const; // Of all pens.
@@ -141,16 +141,16 @@ public:
     // The pen has sent nothing for a while, in which the surface may have moved: many tablets are
     // silent about a pen that rests. Never where heights are scripted.
     bool pen_rests() const;
-    Tool const& tool() const { return tool_in_hand_; }
-    ToolKinds tools() const { return tools_; } // That there are.
-    Layers layers() const { return layers_; }  // Likewise.
+    tools::Tool const& tool() const { return tool_in_hand_; }
+    tools::ToolKinds tools() const { return tools_; } // That there are.
+    tools::Layers layers() const { return layers_; }  // Likewise.
     // The tools that other ends of the pen are, as they were chosen last.
-    std::vector<Tool> remembered() const;
+    std::vector<tools::Tool> remembered() const;
     // What another station has to be given, in order, for both ends of the pen to mean the same.
-    std::vector<Tool> tools_to_go_on_with() const;
+    std::vector<tools::Tool> tools_to_go_on_with() const;
     // What these tips of a stroke mean, whether it is finished or under way; without any, what the
     // hand holds.
-    Tool meaning_of(std::vector<TipSample> const& tips) const;
+    tools::Tool meaning_of(std::vector<TipSample> const& tips) const;
     bool is_pressing() const { return tool_changes_.back().tool == pressing(); }
 
 private:
@@ -175,8 +175,8 @@ private:
     Timestamp change_before(TipSample const& tip, std::optional<Timestamp> last_tip) const;
     void follow_touch(Pen& pen, TipSample const& tip);
     void keep_moment(Pen const& pen, drivers::PenSample const& sample, TipSample const& tip);
-    void change_tool(Timestamp time, Tool const& tool);
-    void forget(Tool const& tool);
+    void change_tool(Timestamp time, tools::Tool const& tool);
+    void forget(tools::Tool const& tool);
     void push_pen(Pen& pen, Timestamp received, std::span<std::byte const> report);
     void push_height(Timestamp received, std::span<std::byte const> report);
     void end_with_height();
@@ -184,8 +184,8 @@ private:
     void finish(Pen& pen);
     void finish_stroke(Stroke stroke);
     using ToolChanges = std::vector<ToolChange>;
-    Tool chosen_before(ToolKind const& kind, ToolChanges::const_iterator end) const;
-    Tool other_end_of(Tool const& tool, ToolChanges::const_iterator before) const;
+    tools::Tool chosen_before(tools::ToolKind const& kind, ToolChanges::const_iterator end) const;
+    tools::Tool other_end_of(tools::Tool const& tool, ToolChanges::const_iterator before) const;
     void count_broken(Error const& error);
 
     calib::HeightMonitor height_monitor_;
@@ -207,14 +207,14 @@ private:
     ToolChanges new_tool_changes_;               // Not taken yet.
     // Kinds that an other end of the pen is, with the options that they were chosen with last; and
     // as they were before the first of tool_changes_.
-    std::vector<ToolKind const*> remembered_kinds_;
-    std::vector<Tool> forgotten_;
-    Tool tool_in_hand_; // When it does not press.
-    ToolKinds tools_;
-    Layers layers_;
+    std::vector<tools::ToolKind const*> remembered_kinds_;
+    std::vector<tools::Tool> forgotten_;
+    tools::Tool tool_in_hand_; // When it does not press.
+    tools::ToolKinds tools_;
+    tools::Layers layers_;
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
-    std::vector<PenMoment> moments_;  // Not taken yet.
-    std::vector<ToolStroke> strokes_; // Not taken yet.
+    std::vector<PenMoment> moments_;         // Not taken yet.
+    std::vector<tools::ToolStroke> strokes_; // Not taken yet.
     std::optional<TipSample> newest_tip_;
     bool pen_in_range_ = false;
     StationCounts counts_;

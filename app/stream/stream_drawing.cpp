@@ -15,7 +15,7 @@ static constexpr Duration kStreamRest = 2ms;
 // Nothing is kept of what is drawn, so that everything grows on an empty sheet.
 static Result<void> take(station::Station& station, StreamOutput& output)
 {
-    static Scene const sheet;
+    static scene::Scene const sheet;
     return output.take(station, sheet);
 }
 

@@ -68,9 +68,9 @@ std::string tip_line(station::PenMoment const& moment)
     return text + "}\n";
 }
 
-std::string stroke_line(std::size_t number, ToolStroke const& stroke)
+std::string stroke_line(std::size_t number, tools::ToolStroke const& stroke)
 {
-    auto const words = words_for(stroke.tool);
+    auto const words = tools::words_for(stroke.tool);
     auto const& tips = stroke.stroke.tips;
     auto text = fmt::format(
         R"({{"type":"stroke","number":{},"tool":"{}","arguments":"{}","eraser":{},"tips":[)",

@@ -24,7 +24,7 @@ std::string stream_line(Bounds const& volume_mm);
 std::string tip_line(station::PenMoment const& moment);
 
 // A finished stroke, the `number`-th, whose tips are settled, and what it is for. It has tips.
-std::string stroke_line(std::size_t number, ToolStroke const& stroke);
+std::string stroke_line(std::size_t number, tools::ToolStroke const& stroke);
 
 // The end of the `number`-th step, from 1 on, by which something grows along the stroke that began
 // at `began`, and the time of the pen's sample that made it.

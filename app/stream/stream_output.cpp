@@ -26,7 +26,7 @@ StreamOutput::StreamOutput(Write write, std::optional<LineServer> server, What w
 {
 }
 
-Result<void> StreamOutput::take(station::Station& station, Scene const& scene)
+Result<void> StreamOutput::take(station::Station& station, scene::Scene const& scene)
 {
     auto const moments = station.take_moments();
     TRY(tell(moments, station, scene));
@@ -35,7 +35,7 @@ Result<void> StreamOutput::take(station::Station& station, Scene const& scene)
 }
 
 Result<void> StreamOutput::tell(std::span<station::PenMoment const> moments,
-                                station::Station const& station, Scene const& scene)
+                                station::Station const& station, scene::Scene const& scene)
 {
     if (what_ == What::All)
         for (auto const& moment : moments)
@@ -58,7 +58,8 @@ Result<void> StreamOutput::tell(std::span<station::PenMoment const> moments,
 }
 
 // A stroke that has no more tips than it had has no more steps.
-Result<void> StreamOutput::tell_steps(Stroke const& stroke, Tool const& tool, Scene const& scene)
+Result<void> StreamOutput::tell_steps(Stroke const& stroke, tools::Tool const& tool,
+                                      scene::Scene const& scene)
 {
     auto* const steps = tool.kind().steps;
     if (!steps || what_ != What::All)

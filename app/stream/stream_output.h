@@ -31,12 +31,12 @@ public:
 
     // Takes what the station has done since it was taken last, in the order in which it was done.
     // What grows along strokes grows in `scene`. Fails as `write` does.
-    Result<void> take(station::Station& station, Scene const& scene);
+    Result<void> take(station::Station& station, scene::Scene const& scene);
 
     // Tells what the station has done, whose moments were taken already. Strokes are left to
     // somebody else, who takes them before the next call.
     Result<void> tell(std::span<station::PenMoment const> moments, station::Station const& station,
-                      Scene const& scene);
+                      scene::Scene const& scene);
 
     // Lets readers of the socket in and gives them what they take now.
     void serve();
@@ -60,7 +60,8 @@ private:
         std::size_t tips = 0; // That it had then.
     };
 
-    Result<void> tell_steps(Stroke const& stroke, Tool const& tool, Scene const& scene);
+    Result<void> tell_steps(Stroke const& stroke, tools::Tool const& tool,
+                            scene::Scene const& scene);
     Result<void> put(std::string const& line, LineServer::Importance importance);
 
     Write write_;

@@ -2,9 +2,9 @@
 
 #include "engine/variation/place_nodes.h"
 
-namespace tractus {
+namespace tractus::tools {
 
-BentPlant::BentPlant(BuiltPlant const& plant)
+BentPlant::BentPlant(scene::BuiltPlant const& plant)
     : plant_(plant)
 {
     static_cast<void>(shaper_.set_plant(plant));
@@ -28,4 +28,4 @@ Quat BentPlant::turn_of(SegmentId segment) const
     return turn.angularDistance(Quat::Identity()) < kNothing ? Quat::Identity() : turn;
 }
 
-} // namespace tractus
+} // namespace tractus::tools

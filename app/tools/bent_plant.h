@@ -5,14 +5,14 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 // Where a plant of the document is, as strokes have bent it. Each stroke was checked when it was
 // drawn; one that cannot be read now leaves the plant at rest.
 class BentPlant {
 public:
     // The plant must outlive it.
-    explicit BentPlant(BuiltPlant const& plant);
+    explicit BentPlant(scene::BuiltPlant const& plant);
 
     // The ends of a segment of the base plant. World frame.
     Vec3 begin_of(SegmentId segment) const;
@@ -23,9 +23,9 @@ public:
     Quat turn_of(SegmentId segment) const;
 
 private:
-    BuiltPlant const& plant_;
-    SceneShaper shaper_;
+    scene::BuiltPlant const& plant_;
+    scene::SceneShaper shaper_;
     std::vector<Vec3> nodes_mm_;
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace tractus {
+namespace tractus::tools {
 
 namespace {
 
@@ -17,20 +17,21 @@ constexpr double kDepth_mm = 30; // Along the sight: a hand at the branch's heig
 // there.
 constexpr double kJoined_mm = 10;
 
-BuiltPlant const& plant_with(Scene const& scene, ItemId id)
+scene::BuiltPlant const& plant_with(scene::Scene const& scene, scene::ItemId id)
 {
     return **std::find_if(scene.plants.begin(), scene.plants.end(),
                           [&](auto const& plant) { return plant->drawn->id == id; });
 }
 
 struct TouchedBranch {
-    BuiltPlant const* plant = nullptr;
+    scene::BuiltPlant const* plant = nullptr;
     SegmentId segment = 0;
     bool is_near_begin = false; // Rather than near its end.
     double distance_mm = std::numeric_limits<double>::infinity();
 };
 
-TouchedBranch nearest_to(Scene const& scene, Vec3 const& place_mm, Vec3 const& sight, ItemId except)
+TouchedBranch nearest_to(scene::Scene const& scene, Vec3 const& place_mm, Vec3 const& sight,
+                         scene::ItemId except)
 {
     TouchedBranch nearest;
     for (auto const& plant : scene.plants) {
@@ -55,8 +56,8 @@ TouchedBranch nearest_to(Scene const& scene, Vec3 const& place_mm, Vec3 const& s
 
 } // namespace
 
-Result<BranchPlace> branch_at(Scene const& scene, Vec3 const& base_mm, Vec3 const& sight,
-                              Grafting grafting, ItemId except)
+Result<BranchPlace> branch_at(scene::Scene const& scene, Vec3 const& base_mm, Vec3 const& sight,
+                              Grafting grafting, scene::ItemId except)
 {
     auto const touched = nearest_to(scene, base_mm, sight, except);
     if (!touched.plant)
@@ -83,24 +84,26 @@ Result<BranchPlace> branch_at(Scene const& scene, Vec3 const& base_mm, Vec3 cons
     return place;
 }
 
-std::vector<Edit> graft_edits(Scene const& scene, BranchPlace const& place, ItemId plant)
+std::vector<scene::Edit> graft_edits(scene::Scene const& scene, BranchPlace const& place,
+                                     scene::ItemId plant)
 {
     auto const& parent = plant_with(scene, place.plant);
     auto const address = [&](SegmentId segment) {
         return parent.rest->addresses.address_of(*parent.base, segment);
     };
-    std::vector<Edit> edits;
+    std::vector<scene::Edit> edits;
     if (!scene.state.scale) // It is the first plant's, which may become a part of another now.
-        edits.push_back(SetScale { parent.placement.scale });
+        edits.push_back(scene::SetScale { parent.placement.scale });
     if (place.hidden)
-        edits.push_back(HideBranch { place.plant, address(*place.hidden) });
+        edits.push_back(scene::HideBranch { place.plant, address(*place.hidden) });
     BentPlant const bent(parent);
     Quat const back = bent.turn_of(place.on).conjugate();
     Eigen::AngleAxisd const turn(back);
     Vec3 const off_mm = place.base_mm - bent.end_of(place.on);
-    edits.push_back(GraftPlant { plant, place.plant, address(place.on), turn.angle() * turn.axis(),
-                                 back * off_mm / parent.placement.scale });
+    edits.push_back(scene::GraftPlant { plant, place.plant, address(place.on),
+                                        turn.angle() * turn.axis(),
+                                        back * off_mm / parent.placement.scale });
     return edits;
 }
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 // What becomes of a branch that another plant is put on.
 enum class Grafting {
@@ -17,7 +17,7 @@ enum class Grafting {
 
 // A place on a plant of the document, as strokes bend it, where another plant can stand.
 struct BranchPlace {
-    ItemId plant = 0;
+    scene::ItemId plant = 0;
     SegmentId touched = 0;              // Of its base plant.
     SegmentId on = 0;                   // The segment on whose end the other one stands.
     std::optional<SegmentId> hidden {}; // The first of those that are hidden then.
@@ -30,11 +30,12 @@ struct BranchPlace {
 // The place for a plant whose base is at `base_mm` (world frame), on the nearest branch of any
 // plant that is shown but for one (0: none). Seen along `sight` it is at most a finger's breadth
 // away, and not far in front or behind. Fails, as the user's fault, where there is none.
-Result<BranchPlace> branch_at(Scene const& scene, Vec3 const& base_mm, Vec3 const& sight,
-                              Grafting grafting, ItemId except = 0);
+Result<BranchPlace> branch_at(scene::Scene const& scene, Vec3 const& base_mm, Vec3 const& sight,
+                              Grafting grafting, scene::ItemId except = 0);
 
 // The edits that put a plant there, which is in the document or made by the edit before: 0 is the
 // active one.
-std::vector<Edit> graft_edits(Scene const& scene, BranchPlace const& place, ItemId plant);
+std::vector<scene::Edit> graft_edits(scene::Scene const& scene, BranchPlace const& place,
+                                     scene::ItemId plant);
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -9,15 +9,15 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::tools {
 
 namespace {
 
-Result<Scene> drawn_scene(UnfinishedStroke const& stroke, Scene scene)
+Result<scene::Scene> drawn_scene(UnfinishedStroke const& stroke, scene::Scene scene)
 {
     auto const edits = TRY(
         stroke.tool.mean(Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) }, scene));
-    return apply_edits(std::move(scene), edits);
+    return scene::apply_edits(std::move(scene), edits);
 }
 
 class BranchPreviewer final : public StrokePreviewer {
@@ -31,19 +31,20 @@ public:
     std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override;
 
 private:
-    void lay(std::shared_ptr<Scene const> scene);
-    Scene const& readable_scene();
+    void lay(std::shared_ptr<scene::Scene const> scene);
+    scene::Scene const& readable_scene();
     std::vector<SkeletonLine> moved_lines(std::uint32_t orders) const;
 
     Reads reads_;
-    std::shared_ptr<Scene const> scene_; // That is laid; shared as UnfinishedStroke's.
-    std::optional<Scene> readable_;      // The same with the tips of strokes that shape in memory.
-    SceneShaper shaper_;
+    std::shared_ptr<scene::Scene const> scene_; // That is laid; shared as UnfinishedStroke's.
+    std::optional<scene::Scene>
+        readable_; // The same with the tips of strokes that shape in memory.
+    scene::SceneShaper shaper_;
     std::vector<Vec3> before_mm_;
     std::vector<Vec3> after_mm_; // Kept for its memory.
 };
 
-void BranchPreviewer::lay(std::shared_ptr<Scene const> scene)
+void BranchPreviewer::lay(std::shared_ptr<scene::Scene const> scene)
 {
     scene_ = std::move(scene);
     readable_.reset();
@@ -62,15 +63,15 @@ std::vector<SkeletonLine> BranchPreviewer::show(UnfinishedStroke const& stroke)
     return moved_lines(stroke.orders);
 }
 
-Scene const& BranchPreviewer::readable_scene()
+scene::Scene const& BranchPreviewer::readable_scene()
 {
     if (reads_ == Reads::NoStrokes)
         return *scene_;
     if (!readable_) {
         auto state = scene_->state;
-        if (auto const active = find_plant(state, state.active))
-            change_plant(state, *active, [&](PlantState& plant) {
-                for (auto const number : shaping_numbers(*scene_)) {
+        if (auto const active = scene::find_plant(state, state.active))
+            scene::change_plant(state, *active, [&](scene::PlantState& plant) {
+                for (auto const number : scene::shaping_numbers(*scene_)) {
                     auto shaping = plant.strokes[number];
                     auto& tips = shaping.what.stroke.tips;
                     if (auto read = tips.in_memory())
@@ -78,7 +79,7 @@ Scene const& BranchPreviewer::readable_scene()
                     plant.strokes.replace(number, std::move(shaping));
                 }
             });
-        readable_ = SceneBuilder(*scene_, {}).build(std::move(state)).value_or(*scene_);
+        readable_ = scene::SceneBuilder(*scene_, {}).build(std::move(state)).value_or(*scene_);
     }
     return *readable_;
 }
@@ -117,4 +118,4 @@ std::unique_ptr<StrokePreviewer> stroke_reading_previewer()
     return std::make_unique<BranchPreviewer>(BranchPreviewer::Reads::Strokes);
 }
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::tools {
 
 // For tools that give branches another shape: the branches that stand elsewhere with the stroke
 // than without it, where they stand then, and the whole branch each time. Only what the stroke
@@ -15,4 +15,4 @@ std::unique_ptr<StrokePreviewer> branch_previewer();
 // are read once.
 std::unique_ptr<StrokePreviewer> stroke_reading_previewer();
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::tools {
 
 bool is_coming_back(std::span<TipSample const> ink)
 {
@@ -13,4 +13,4 @@ bool is_coming_back(std::span<TipSample const> ink)
     return (ink.back().position_mm.head<2>() - begin).norm() < 0.7 * farthest;
 }
 
-} // namespace tractus
+} // namespace tractus::tools

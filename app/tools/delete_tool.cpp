@@ -3,11 +3,12 @@
 #include "app/tools/erase_tool.h"
 #include "app/tools/selected_strokes.h"
 
-namespace tractus {
+namespace tractus::tools {
 
-static Result<std::vector<Edit>> take_stroke_away(Tool const&, Stroke const&, Scene const& scene)
+static Result<std::vector<scene::Edit>> take_stroke_away(Tool const&, Stroke const&,
+                                                         scene::Scene const& scene)
 {
-    return std::vector<Edit> { DeleteStroke { TRY(newest_selected_stroke(scene)) } };
+    return std::vector<scene::Edit> { scene::DeleteStroke { TRY(newest_selected_stroke(scene)) } };
 }
 
 constexpr ToolKind DeleteTool::kKind {
@@ -23,4 +24,4 @@ constexpr ToolKind DeleteTool::kKind {
     .other_end = { &EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -2,11 +2,11 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::tools {
 
 // Takes the selected branches' last stroke away.
 struct DeleteTool {
     static ToolKind const kKind;
 };
 
-} // namespace tractus
+} // namespace tractus::tools

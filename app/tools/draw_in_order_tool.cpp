@@ -7,11 +7,11 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::tools {
 
 // One association per stroke, so their number says whose turn it is; after the last axis the
 // trunk's turn comes again. Empty for a plant without branches.
-static std::vector<SegmentId> next_branch(Scene const& scene)
+static std::vector<SegmentId> next_branch(scene::Scene const& scene)
 {
     auto const& order = scene.rest->drawing_order;
     if (order.empty())
@@ -19,16 +19,16 @@ static std::vector<SegmentId> next_branch(Scene const& scene)
     return segments_of(scene.base->axes[order[scene.associations.size() % order.size()]]);
 }
 
-static Result<std::vector<Edit>> draw_in_order(Tool const&, Stroke const& stroke,
-                                               Scene const& scene)
+static Result<std::vector<scene::Edit>> draw_in_order(Tool const&, Stroke const& stroke,
+                                                      scene::Scene const& scene)
 {
     auto next = next_branch(scene);
     if (next.empty())
         return fail(Fault::User,
                     "the plant has no branches for a stroke to shape: load another model");
-    return std::vector<Edit> {
-        select_paths(scene, { std::move(next) }),
-        Associate { stroke, variation::Propagation::Selected },
+    return std::vector<scene::Edit> {
+        scene::select_paths(scene, { std::move(next) }),
+        scene::Associate { stroke, variation::Propagation::Selected },
     };
 }
 
@@ -48,4 +48,4 @@ constexpr ToolKind DrawInOrderTool::kKind {
     .other_end = { &EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -2,11 +2,11 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::tools {
 
 // Each stroke shapes the next axis, the trunk first.
 struct DrawInOrderTool {
     static ToolKind const kKind;
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::tools {
 
 namespace {
 
@@ -30,13 +30,15 @@ void visit(OptionVisitor& visitor, DrawTool& tool)
     visitor.choice({ kFitWords, WordOption::Offered::InHand }, tool.fit);
 }
 
-Result<std::vector<Edit>> draw_selected(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> draw_selected(Tool const& tool, Stroke const& stroke,
+                                               scene::Scene const& scene)
 {
     auto const& options = *tool.get<DrawTool>();
     if (scene.selection.empty())
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
-    return std::vector<Edit> { Associate { stroke, options.propagation, options.fit } };
+    return std::vector<scene::Edit> { scene::Associate { stroke, options.propagation,
+                                                         options.fit } };
 }
 
 } // namespace
@@ -56,4 +58,4 @@ constexpr ToolKind DrawTool::kKind {
     .other_end = { &EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -3,7 +3,7 @@
 #include "app/tools/tool.h"
 #include "engine/variation/association.h"
 
-namespace tractus {
+namespace tractus::tools {
 
 // The stroke shapes the selected branches.
 struct DrawTool {
@@ -13,4 +13,4 @@ struct DrawTool {
     variation::StrokeFit fit = variation::StrokeFit::Start;
 };
 
-} // namespace tractus
+} // namespace tractus::tools

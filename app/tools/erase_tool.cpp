@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 namespace {
 
@@ -91,10 +91,10 @@ struct SeenStroke {
 };
 
 // Fails where the tips of one cannot be read.
-Result<std::vector<SeenStroke>> strokes_on_pad(Scene const& scene)
+Result<std::vector<SeenStroke>> strokes_on_pad(scene::Scene const& scene)
 {
     std::vector<SeenStroke> strokes;
-    for (auto const number : shaping_numbers(scene)) { // The pad shows no others.
+    for (auto const number : scene::shaping_numbers(scene)) { // The pad shows no others.
         auto& stroke = strokes.emplace_back();
         stroke.number = number;
         stroke.tips = TRY(scene.associations[number].what.stroke.tips.in_memory());
@@ -149,7 +149,7 @@ void touch_tips(Vec3 const& eraser_mm, double top_mm, std::vector<TipSample> con
 // Of what lies above each other only the topmost goes, as with ink on paper, however long the
 // eraser stays. A stroke that shapes several branches is in the scene once for each, and all of
 // them lose the same.
-void touch(Vec3 const& eraser_mm, Scene const& scene, std::span<SeenStroke const> strokes,
+void touch(Vec3 const& eraser_mm, scene::Scene const& scene, std::span<SeenStroke const> strokes,
            Touched& touched)
 {
     std::optional<double> top_mm;
@@ -193,7 +193,7 @@ std::vector<TipRange> ranges_of(std::vector<bool> const& touched)
 
 // Whether what is left of an association's stroke still shapes its branches. A crumb smaller than
 // the eraser was not left on purpose, and its direction is chance.
-Result<bool> shapes_without(Scene const& scene, variation::Association association,
+Result<bool> shapes_without(scene::Scene const& scene, variation::Association association,
                             std::span<TipRange const> ranges)
 {
     auto tips = TRY(association.stroke.tips.in_memory());
@@ -208,11 +208,11 @@ Result<bool> shapes_without(Scene const& scene, variation::Association associati
 }
 
 // Those that lose the same tips together, then those that go whole.
-Result<std::vector<Edit>> stroke_edits_of(Touched const& touched, EraseTool::Erasing erasing,
-                                          Scene const& scene)
+Result<std::vector<scene::Edit>> stroke_edits_of(Touched const& touched, EraseTool::Erasing erasing,
+                                                 scene::Scene const& scene)
 {
-    std::vector<EraseTips> parts;
-    DeleteStroke whole;
+    std::vector<scene::EraseTips> parts;
+    scene::DeleteStroke whole;
     for (auto const& [number, tips] : touched.associations) {
         auto ranges = ranges_of(tips);
         auto const id = scene.associations[number].id;
@@ -223,22 +223,23 @@ Result<std::vector<Edit>> stroke_edits_of(Touched const& touched, EraseTool::Era
         } else if (!TRY(shapes_without(scene, scene.associations[number].what, ranges))) {
             whole.strokes.ids.push_back(id);
         } else {
-            auto const same = std::find_if(parts.begin(), parts.end(), [&](EraseTips const& part) {
-                return part.ranges == ranges;
-            });
+            auto const same
+                = std::find_if(parts.begin(), parts.end(),
+                               [&](scene::EraseTips const& part) { return part.ranges == ranges; });
             if (same != parts.end())
                 same->strokes.ids.push_back(id);
             else
                 parts.push_back({ { { id } }, std::move(ranges) });
         }
     }
-    std::vector<Edit> edits(parts.begin(), parts.end());
+    std::vector<scene::Edit> edits(parts.begin(), parts.end());
     if (!whole.strokes.empty())
         edits.push_back(std::move(whole));
     return edits;
 }
 
-Result<std::vector<Edit>> erase(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> erase(Tool const& tool, Stroke const& stroke,
+                                       scene::Scene const& scene)
 {
     Touched touched;
     auto const strokes = TRY(strokes_on_pad(scene));
@@ -246,7 +247,7 @@ Result<std::vector<Edit>> erase(Tool const& tool, Stroke const& stroke, Scene co
         touch(place_mm, scene, strokes, touched);
     auto edits = TRY(stroke_edits_of(touched, tool.get<EraseTool>()->erasing, scene));
     for (auto const number : touched.indicators)
-        edits.push_back(DeleteIndicator { scene.indicators[number].id });
+        edits.push_back(scene::DeleteIndicator { scene.indicators[number].id });
     if (edits.empty())
         return fail(Fault::User,
                     "the eraser touched nothing: move it over a stroke or an indicator that is "
@@ -273,4 +274,4 @@ constexpr ToolKind EraseTool::kKind {
     .other_end = { &EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::tools

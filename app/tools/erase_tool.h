@@ -2,7 +2,7 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::tools {
 
 // Strokes and indicators go that the stroke runs over, as the pad shows them, or parts of strokes.
 struct EraseTool {
@@ -19,4 +19,4 @@ struct EraseTool {
     Erasing erasing = Erasing::Whole;
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 // A small drawing of what a tool's options mean, with points on it by which they are set. Its frame
 // is a square from -1 to 1, x to the right and y up.
@@ -55,10 +55,11 @@ struct GlyphKind {
 struct DrawnGlyphKind {
     char const* title;
     // No value where the active plant has none. Called when the plant has changed.
-    std::optional<Glyph> (*show)(Scene const& scene);
+    std::optional<Glyph> (*show)(scene::Scene const& scene);
     // What it means that a person drags a handle to a place, or presses it: edits of the scene.
     // Fails, as the user's fault, where that cannot be.
-    Result<std::vector<Edit>> (*drag)(Scene const& scene, std::size_t handle, Vec2 const& to);
+    Result<std::vector<scene::Edit>> (*drag)(scene::Scene const& scene, std::size_t handle,
+                                             Vec2 const& to);
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 class Tool;
 
@@ -25,7 +25,7 @@ struct Layer {
     char const* label; // In the skeleton's legend, in small letters: "leaning".
     LayerStyle style {};
     // The lines, each of at least two points. World frame. Called when the plant has changed.
-    std::vector<std::vector<Vec3f>> (*lines)(BuiltPlant const& plant);
+    std::vector<std::vector<Vec3f>> (*lines)(scene::BuiltPlant const& plant);
     // When they are seen: always, for some seconds after they have changed, or neither; and as long
     // as the tool in hand asks for them.
     enum class Seen { Always, AWhile, WhenAskedFor } seen = Seen::Always;
@@ -35,4 +35,4 @@ struct Layer {
 // The layers that a program has, in the order in which they are drawn.
 using Layers = std::span<Layer const* const>;
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -12,7 +12,7 @@ namespace CLI {
 class App;
 }
 
-namespace tractus {
+namespace tractus::tools {
 
 struct Methods;
 
@@ -23,10 +23,10 @@ using AddCommand
 // All that the ways to sketch bring to a program: a value that is made where the program begins and
 // passed down. What the lists point to lives as long as the program.
 struct Methods {
-    EditKinds edits {};
+    scene::EditKinds edits {};
     ToolKinds tools {};
     Layers layers {};
     std::span<AddCommand const> commands {};
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -4,11 +4,13 @@
 #include "app/tools/erase_tool.h"
 #include "app/tools/selected_strokes.h"
 
-namespace tractus {
+namespace tractus::tools {
 
-static Result<std::vector<Edit>> oversketch(Tool const&, Stroke const& stroke, Scene const& scene)
+static Result<std::vector<scene::Edit>> oversketch(Tool const&, Stroke const& stroke,
+                                                   scene::Scene const& scene)
 {
-    return std::vector<Edit> { Oversketch { TRY(newest_selected_stroke(scene)), stroke } };
+    return std::vector<scene::Edit> { scene::Oversketch { TRY(newest_selected_stroke(scene)),
+                                                          stroke } };
 }
 
 constexpr ToolKind OversketchTool::kKind {
@@ -25,4 +27,4 @@ constexpr ToolKind OversketchTool::kKind {
     .other_end = { &EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -2,11 +2,11 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::tools {
 
 // The stroke redraws a part of the selected branches' newest one.
 struct OversketchTool {
     static ToolKind const kKind;
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::tools {
 
 namespace {
 
@@ -30,7 +30,7 @@ void visit(OptionVisitor& visitor, SelectTool& tool)
 }
 
 Result<variation::Selection> selection_of(Tool const& tool, Stroke const& stroke,
-                                          Scene const& scene)
+                                          scene::Scene const& scene)
 {
     auto const selecting = tool.get<SelectTool>()->selecting;
     auto const& plant = *scene.base;
@@ -60,10 +60,12 @@ Result<variation::Selection> selection_of(Tool const& tool, Stroke const& stroke
     }
 }
 
-Result<std::vector<Edit>> select(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> select(Tool const& tool, Stroke const& stroke,
+                                        scene::Scene const& scene)
 {
     CHECK(!stroke.tips.empty() || tool.can_be_done_at_once());
-    return std::vector<Edit> { select_paths(scene, TRY(selection_of(tool, stroke, scene))) };
+    return std::vector<scene::Edit> { scene::select_paths(scene,
+                                                          TRY(selection_of(tool, stroke, scene))) };
 }
 
 bool selects_path(Tool const& tool)
@@ -98,4 +100,4 @@ constexpr ToolKind SelectTool::kKind {
     .other_end = { &SelectTool::kKind, taking },
 };
 
-} // namespace tractus
+} // namespace tractus::tools

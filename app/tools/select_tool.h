@@ -2,7 +2,7 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::tools {
 
 // The stroke runs over the skeleton's picture and chooses branches.
 struct SelectTool {
@@ -21,4 +21,4 @@ struct SelectTool {
     Selecting selecting = Selecting::Path;
 };
 
-} // namespace tractus
+} // namespace tractus::tools

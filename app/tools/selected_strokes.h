@@ -4,13 +4,13 @@
 #include "engine/scene/edit.h"
 #include "engine/scene/scene.h"
 
-namespace tractus {
+namespace tractus::tools {
 
 // The strokes that shape the selected branches, oldest first. Fails, as the user's fault, if there
 // is none.
-Result<Items> selected_strokes(Scene const& scene);
+Result<scene::Items> selected_strokes(scene::Scene const& scene);
 
 // The newest of them.
-Result<Items> newest_selected_stroke(Scene const& scene);
+Result<scene::Items> newest_selected_stroke(scene::Scene const& scene);
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -4,34 +4,35 @@
 #include "engine/variation/place_nodes.h"
 #include "engine/variation/selection.h"
 
-namespace tractus {
+namespace tractus::tools {
 
 // Millimetres of the tablet: a line as thin as it is shown, and a hand that need not hit it.
 static constexpr variation::PickOptions kPick { .line_half_width = 0.4, .finger = 2.5 };
 
 // What picking needs of the plant, as strokes bend it. Each stroke was checked when it was drawn;
 // one that cannot be read now leaves the plant at rest.
-static Plant bent_skeleton(BuiltPlant const& plant)
+static Plant bent_skeleton(scene::BuiltPlant const& plant)
 {
     Plant bent;
     bent.axes = plant.base->axes;
     bent.node_radius_mm = plant.base->node_radius_mm;
     bent.segment_material = plant.base->segment_material;
-    SceneShaper shaper;
+    scene::SceneShaper shaper;
     static_cast<void>(shaper.set_plant(plant));
     variation::place_nodes(*plant.base, *plant.rest, shaper.shape(), bent.node_position_mm);
     return bent;
 }
 
-ShownSkeleton::ShownSkeleton(Plant const& plant, SelectionAngle const& angle)
-    : skeleton_(plant, skeleton_projection(fit_selection_view(plant, angle)))
+ShownSkeleton::ShownSkeleton(Plant const& plant, scene::SelectionAngle const& angle)
+    : skeleton_(plant, scene::skeleton_projection(scene::fit_selection_view(plant, angle)))
     , tree_(variation::build_branch_tree(plant))
 {
 }
 
-ShownSkeleton::ShownSkeleton(BuiltPlant const& plant, SelectionAngle const& angle)
-    : skeleton_(angle.shape == SelectionAngle::Shape::AsBent ? bent_skeleton(plant) : *plant.base,
-                skeleton_projection(fit_selection_view(*plant.base, angle)))
+ShownSkeleton::ShownSkeleton(scene::BuiltPlant const& plant, scene::SelectionAngle const& angle)
+    : skeleton_(angle.shape == scene::SelectionAngle::Shape::AsBent ? bent_skeleton(plant)
+                                                                    : *plant.base,
+                scene::skeleton_projection(scene::fit_selection_view(*plant.base, angle)))
     , tree_(variation::build_branch_tree(*plant.base))
 {
 }
@@ -68,4 +69,4 @@ ShownSkeleton::Touched ShownSkeleton::touched_by(std::span<TipSample const> tips
     return { selection.selected(), selection.undetermined() };
 }
 
-} // namespace tractus
+} // namespace tractus::tools

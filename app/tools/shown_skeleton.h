@@ -12,17 +12,17 @@
 #include <span>
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 // A plant's skeleton as the selection view shows it on the tablet, and what a pen means that is
 // drawn over it. World frame: tips' x and y are millimetres of the tablet.
 class ShownSkeleton {
 public:
     // The plant at rest, whatever the angle says.
-    explicit ShownSkeleton(Plant const& plant, SelectionAngle const& angle = {});
+    explicit ShownSkeleton(Plant const& plant, scene::SelectionAngle const& angle = {});
 
     // As the angle says: at rest, or as the plant's strokes bend it.
-    ShownSkeleton(BuiltPlant const& plant, SelectionAngle const& angle);
+    ShownSkeleton(scene::BuiltPlant const& plant, scene::SelectionAngle const& angle);
 
     // The paths that a stroke chooses. Fails, as the user's fault, if it touches no branch.
     Result<variation::Selection> paths_under(Stroke const& stroke) const;
@@ -46,4 +46,4 @@ private:
     variation::BranchTree tree_;
 };
 
-} // namespace tractus
+} // namespace tractus::tools

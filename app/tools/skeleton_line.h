@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 // A piece of a plant's skeleton that has one state: an axis, or a part of one. In the frame of the
 // plant that takes what is drawn.
@@ -25,4 +25,4 @@ struct SkeletonLine {
     bool operator==(SkeletonLine const&) const = default;
 };
 
-} // namespace tractus
+} // namespace tractus::tools

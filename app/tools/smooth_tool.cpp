@@ -3,11 +3,12 @@
 #include "app/tools/erase_tool.h"
 #include "app/tools/selected_strokes.h"
 
-namespace tractus {
+namespace tractus::tools {
 
-static Result<std::vector<Edit>> smooth(Tool const&, Stroke const&, Scene const& scene)
+static Result<std::vector<scene::Edit>> smooth(Tool const&, Stroke const&,
+                                               scene::Scene const& scene)
 {
-    return std::vector<Edit> { SmoothStroke { TRY(selected_strokes(scene)), 0 } };
+    return std::vector<scene::Edit> { scene::SmoothStroke { TRY(selected_strokes(scene)), 0 } };
 }
 
 constexpr ToolKind SmoothTool::kKind {
@@ -23,4 +24,4 @@ constexpr ToolKind SmoothTool::kKind {
     .other_end = { &EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::tools

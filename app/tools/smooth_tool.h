@@ -2,11 +2,11 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::tools {
 
 // Takes the hand out of the selected branches' strokes.
 struct SmoothTool {
     static ToolKind const kKind;
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 class Tool;
 
 // A stroke under way, and what it is drawn on.
 struct UnfinishedStroke {
-    std::shared_ptr<Scene const> scene; // Shared with whoever shows it; nobody changes it.
+    std::shared_ptr<scene::Scene const> scene; // Shared with whoever shows it; nobody changes it.
     Tool const& tool;
     std::span<TipSample const> ink;
     std::uint32_t orders = 0; // Only branches of lower orders than this are looked at.
@@ -35,4 +35,4 @@ public:
     virtual std::string note() const { return {}; }
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::tools {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr std::string_view kBent = "bent";
 
 struct NoOptions { };
 
-Result<std::vector<Edit>> refuse(Tool const&, Stroke const&, Scene const&)
+Result<std::vector<scene::Edit>> refuse(Tool const&, Stroke const&, scene::Scene const&)
 {
     return fail(Fault::User, "this tractus does not know the tool that the stroke was for");
 }
@@ -195,14 +195,14 @@ private:
     std::string arguments_;
 };
 
-std::string view_word(SelectionAngle const& angle)
+std::string view_word(scene::SelectionAngle const& angle)
 {
     return fmt::format("{}{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}", kView,
                        angle.azimuth_deg, angle.elevation_deg, angle.zoom, angle.moved_mm.x(),
                        angle.moved_mm.y(), angle.area_mm.x(), angle.area_mm.y());
 }
 
-Result<SelectionAngle> parse_view(std::string_view word)
+Result<scene::SelectionAngle> parse_view(std::string_view word)
 {
     std::array<double, 7> numbers {};
     auto rest = word.substr(kView.size());
@@ -221,7 +221,7 @@ Result<SelectionAngle> parse_view(std::string_view word)
                     fmt::format("\"{}\" is no view: give azimuth, elevation below 90, zoom, x, y, "
                                 "width and depth, for example view=0,0,1,0,0,254,159",
                                 word));
-    return SelectionAngle { azimuth, elevation, zoom, { x, y }, { width, depth } };
+    return scene::SelectionAngle { azimuth, elevation, zoom, { x, y }, { width, depth } };
 }
 
 // "a, b or c".
@@ -247,7 +247,7 @@ Result<void> take_argument(Tool& tool, bool& is_now, std::string_view word)
     }
     if (tool.kind().surface == Surface::Skeleton && word == kBent) {
         auto angle = tool.angle();
-        angle.shape = SelectionAngle::Shape::AsBent;
+        angle.shape = scene::SelectionAngle::Shape::AsBent;
         tool = tool.seen_from(angle);
         return {};
     }
@@ -324,7 +324,7 @@ Tool Tool::done_at_once() const
     return changed;
 }
 
-Tool Tool::seen_from(SelectionAngle const& angle) const
+Tool Tool::seen_from(scene::SelectionAngle const& angle) const
 {
     auto changed = *this;
     changed.angle_ = angle;
@@ -421,9 +421,9 @@ ToolWords words_for(Tool const& tool)
     tool.show(writer);
     if (tool.kind().surface == Surface::Skeleton) {
         auto angle = tool.angle();
-        bool const is_bent = angle.shape == SelectionAngle::Shape::AsBent;
-        angle.shape = SelectionAngle::Shape::AtRest;
-        if (angle != SelectionAngle {})
+        bool const is_bent = angle.shape == scene::SelectionAngle::Shape::AsBent;
+        angle.shape = scene::SelectionAngle::Shape::AtRest;
+        if (angle != scene::SelectionAngle {})
             writer.add(view_word(angle));
         if (is_bent)
             writer.add(std::string(kBent));
@@ -433,4 +433,4 @@ ToolWords words_for(Tool const& tool)
     return { tool.kind().word, writer.take() };
 }
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 // What the pen means now: a kind of tool and its options. A value: copies share the options, which
 // nobody changes. A log names it in its T lines: a word, and for some more words.
@@ -68,14 +68,14 @@ public:
     // From where the skeleton is shown under the pen, for a tool that works on that: "view=", and
     // seven numbers with commas between them: azimuth, elevation, zoom, moved to x and y, and the
     // area's width and depth; and "bent" for the skeleton as strokes have bent it.
-    SelectionAngle const& angle() const { return angle_; }
-    Tool seen_from(SelectionAngle const& angle) const;
+    scene::SelectionAngle const& angle() const { return angle_; }
+    Tool seen_from(scene::SelectionAngle const& angle) const;
 
     // What it is called, for people.
     std::string title() const;
 
     // See ToolKind::mean.
-    Result<std::vector<Edit>> mean(Stroke const& stroke, Scene const& scene) const
+    Result<std::vector<scene::Edit>> mean(Stroke const& stroke, scene::Scene const& scene) const
     {
         return kind_->mean(*this, stroke, scene);
     }
@@ -85,7 +85,7 @@ public:
 private:
     ToolKind const* kind_;
     std::shared_ptr<void const> options_; // Shared between copies.
-    SelectionAngle angle_ {};
+    scene::SelectionAngle angle_ {};
     bool at_once_ = false;
 };
 
@@ -128,4 +128,4 @@ struct ToolStroke {
     Tool tool;
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::tools {
 
 namespace {
 
@@ -104,4 +104,4 @@ Result<Tool> parse_card(ToolKinds kinds, std::string_view text, std::string cons
     return card_of(*tool);
 }
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 // A way to set a tool that has a name: the numbers of a rule, say. Kinds of tools that have them
 // say so by an option that is offered as cards (WordOption). A card sets that option and all
@@ -35,4 +35,4 @@ std::string card_text(Tool const& tool);
 // Fails, as the user's fault, with the file's name, for text that names no tool that has cards.
 Result<Tool> parse_card(ToolKinds kinds, std::string_view text, std::string const& name);
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tractus {
+namespace tractus::tools {
 
 namespace {
 
@@ -225,4 +225,4 @@ std::string with_unit(std::string_view number, NumberOption const& option)
     return fmt::format("{}{}{}", number, unit.empty() ? "" : " ", unit);
 }
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 // A button of bar and ring that takes a tool in hand.
 struct ToolChoice {
@@ -53,4 +53,4 @@ std::string with_unit(std::string_view number, NumberOption const& option);
 // As wide as a button with such a text has to be.
 float button_width(std::string_view text);
 
-} // namespace tractus
+} // namespace tractus::tools

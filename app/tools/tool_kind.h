@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 class Tool;
 struct DrawnGlyphKind;
@@ -80,30 +80,32 @@ struct ToolKind {
     // What a finished stroke says, as edits of `scene`, to be applied in order. `stroke` is without
     // tips if the tool does it at once. Fails, as the user's fault, when it says nothing: a stroke
     // beside the plant, nothing selected.
-    Result<std::vector<Edit>> (*mean)(Tool const& tool, Stroke const& stroke, Scene const& scene);
+    Result<std::vector<scene::Edit>> (*mean)(Tool const& tool, Stroke const& stroke,
+                                             scene::Scene const& scene);
 
     // What has been drawn with the tool already, and follows when a person gives it other numbers:
     // edits of `scene`, none if nothing does. No value: nothing ever does.
-    std::vector<Edit> (*follow)(Tool const& before, Tool const& after, Scene const& scene)
+    std::vector<scene::Edit> (*follow)(Tool const& before, Tool const& after,
+                                       scene::Scene const& scene)
         = nullptr;
     // The tool with the options that the active plant was drawn with; no value: with none of its
     // kind. Null: there is no such thing.
-    std::optional<Tool> (*like_drawn)(Tool const& tool, Scene const& scene) = nullptr;
+    std::optional<Tool> (*like_drawn)(Tool const& tool, scene::Scene const& scene) = nullptr;
 
     // What is said in place of `done`, given the scene as the stroke has left it. No value, or an
     // empty text: `done`.
-    std::string (*said)(Tool const& tool, Scene const& after) = nullptr;
+    std::string (*said)(Tool const& tool, scene::Scene const& after) = nullptr;
 
     // What shows what a stroke under way would do. No value: nothing.
     std::unique_ptr<StrokePreviewer> (*previewer)() = nullptr;
     // Where each step ends by which something grows along a stroke, as far as that is drawn, for
     // other programs to follow. World frame, mm. No value: nothing grows in steps.
-    std::vector<Vec3> (*steps)(Tool const& tool, Stroke const& stroke, Scene const& scene)
+    std::vector<Vec3> (*steps)(Tool const& tool, Stroke const& stroke, scene::Scene const& scene)
         = nullptr;
     // Whether the branches that a stroke under way runs over are marked. No value: never.
     bool (*marks_branches)(Tool const& tool) = nullptr;
     // The branch that the next stroke shapes, where that is not what is selected. No value: it is.
-    std::vector<SegmentId> (*aims_at)(Scene const& scene) = nullptr;
+    std::vector<SegmentId> (*aims_at)(scene::Scene const& scene) = nullptr;
     OtherEnd other_end {};
 };
 
@@ -123,4 +125,4 @@ concept ToolFields = requires
         } -> std::convertible_to<ToolKind const&>;
 };
 
-} // namespace tractus
+} // namespace tractus::tools

@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-namespace tractus {
+namespace tractus::tools {
 
 // One of the words among which an option of a tool chooses.
 struct OptionWord {
@@ -89,4 +89,4 @@ constexpr OptionsType options_type()
                          void* options) { visit(visitor, *static_cast<T*>(options)); } };
 }
 
-} // namespace tractus
+} // namespace tractus::tools

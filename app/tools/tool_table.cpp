@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::tools {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::string manual_table(ToolKinds kinds)
     return table;
 }
 
-} // namespace tractus
+} // namespace tractus::tools

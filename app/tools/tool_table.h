@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tractus {
+namespace tractus::tools {
 
 // Lines for a terminal: its word and those that may stand behind it, "draw [descendants|both]", its
 // key, and what it does.
@@ -14,4 +14,4 @@ std::string describe_tool(ToolKind const& kind);
 // takes it in hand, what it does.
 std::string manual_table(ToolKinds kinds);
 
-} // namespace tractus
+} // namespace tractus::tools

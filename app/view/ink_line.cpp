@@ -49,7 +49,7 @@ std::size_t straight_until(std::vector<InkLine::Point> const& points, std::size_
 
 } // namespace
 
-InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool, Nib nib)
+InkLine ink_line(std::vector<TipSample> const& tips, tools::Tool const& tool, Nib nib)
 {
     InkLine line;
     auto const& style = tool.kind().ink;

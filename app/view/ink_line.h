@@ -11,7 +11,7 @@ namespace tractus::view {
 
 // The ink of a tool's stroke, a point for each tip: as wide as the pressure and the nib say, or as
 // what it erases.
-InkLine ink_line(std::vector<TipSample> const& tips, Tool const& tool, Nib nib = Nib::Point);
+InkLine ink_line(std::vector<TipSample> const& tips, tools::Tool const& tool, Nib nib = Nib::Point);
 
 // How far thinned() moves a line or changes its width, at most: a small part of a pixel.
 inline constexpr double kThinned_mm = 0.05;

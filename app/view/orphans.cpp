@@ -12,7 +12,8 @@ static std::string place_in_words(SegmentAddress const& address)
 {
     if (auto const part = part_of(address); part != 0)
         return fmt::format("{} of the plant {} that was put on",
-                           place_in_words(without_part(part_prefix(part), address)), name_of(part));
+                           place_in_words(without_part(part_prefix(part), address)),
+                           scene::name_of(part));
     std::string words;
     std::size_t begin = 0;
     if (address.size() >= 4 && address[0] == kKeyedAxis) {
@@ -27,29 +28,30 @@ static std::string place_in_words(SegmentAddress const& address)
     return words;
 }
 
-std::vector<OrphanView> orphans_of(Scene const& scene)
+std::vector<OrphanView> orphans_of(scene::Scene const& scene)
 {
     std::vector<OrphanView> orphans;
     for (auto const& [id, association, at] : scene.associations)
         if (association.is_orphaned)
-            orphans.push_back({ OrphanView::Kind::Stroke, id, "stroke " + name_of(id),
+            orphans.push_back({ OrphanView::Kind::Stroke, id, "stroke " + scene::name_of(id),
                                 "up to " + place_in_words(at.front().last) });
     for (auto const& [id, indicator, at] : scene.indicators)
         if (indicator.is_orphaned)
-            orphans.push_back({ OrphanView::Kind::Indicator, id, "motion indicator " + name_of(id),
+            orphans.push_back({ OrphanView::Kind::Indicator, id,
+                                "motion indicator " + scene::name_of(id),
                                 place_in_words(at.front().last) });
     return orphans;
 }
 
-std::vector<Edit> edits_without_orphans(Scene const& scene)
+std::vector<scene::Edit> edits_without_orphans(scene::Scene const& scene)
 {
-    std::vector<Edit> edits;
-    DeleteStroke strokes;
+    std::vector<scene::Edit> edits;
+    scene::DeleteStroke strokes;
     for (auto const& orphan : orphans_of(scene))
         if (orphan.kind == OrphanView::Kind::Stroke)
             strokes.strokes.ids.push_back(orphan.id);
         else
-            edits.push_back(DeleteIndicator { orphan.id });
+            edits.push_back(scene::DeleteIndicator { orphan.id });
     if (!strokes.strokes.empty())
         edits.push_back(std::move(strokes));
     return edits;

@@ -8,9 +8,9 @@
 namespace tractus::view {
 
 // The strokes and indicators of a scene whose branch its plant has lost, in order.
-std::vector<OrphanView> orphans_of(Scene const& scene);
+std::vector<OrphanView> orphans_of(scene::Scene const& scene);
 
 // What takes them away.
-std::vector<Edit> edits_without_orphans(Scene const& scene);
+std::vector<scene::Edit> edits_without_orphans(scene::Scene const& scene);
 
 } // namespace tractus::view

@@ -12,12 +12,13 @@ namespace tractus::view {
 namespace {
 
 // What it gives after `stop` has asked it to end is dropped.
-Result<mesh::Mesh> grow_mesh(BuiltPlant const& built, SetGrowth const& growth, SceneShaper& shaper,
-                             mesh::MeshOptions const& options, std::stop_token const& stop)
+Result<mesh::Mesh> grow_mesh(scene::BuiltPlant const& built, scene::SetGrowth const& growth,
+                             scene::SceneShaper& shaper, mesh::MeshOptions const& options,
+                             std::stop_token const& stop)
 {
     auto wanted = built;
     wanted.growth = growth;
-    auto const plan = TRY(plan_growth(wanted, shaper, stop));
+    auto const plan = TRY(scene::plan_growth(wanted, shaper, stop));
     if (stop.stop_requested())
         return mesh::Mesh {};
     variation::Grower grower(plan);
@@ -38,7 +39,7 @@ public:
                               : grow_mesh(scene, wanted.growth, active_, {}, stop);
         if (!mesh)
             return mesh;
-        std::map<ItemId, Other> still_there;
+        std::map<scene::ItemId, Other> still_there;
         for (auto const& plant : scene.plants) {
             if (plant->drawn == scene.drawn || plant->drawn->is_hidden)
                 continue;
@@ -60,13 +61,13 @@ public:
 
 private:
     struct Other {
-        std::shared_ptr<BuiltPlant const> plant; // Shared with the scenes that have it.
+        std::shared_ptr<scene::BuiltPlant const> plant; // Shared with the scenes that have it.
         mesh::Mesh mesh;
     };
 
-    SceneShaper active_;
-    SceneShaper other_;
-    std::map<ItemId, Other> others_;
+    scene::SceneShaper active_;
+    scene::SceneShaper other_;
+    std::map<scene::ItemId, Other> others_;
 };
 
 } // namespace
@@ -97,7 +98,7 @@ PlantGrower::PlantGrower()
 PlantGrower::MadeVariation PlantGrower::make_variation(WantedVariation const& wanted,
                                                        std::stop_token const& stop)
 {
-    SceneShaper shaper;
+    scene::SceneShaper shaper;
     auto mesh = grow_mesh(*wanted.plant.scene, wanted.plant.growth, shaper, coarse(), stop);
     if (!mesh)
         return { tl::unexpected(std::move(mesh).error()), wanted.wish };

@@ -17,9 +17,9 @@ namespace tractus::view {
 
 // The plants of a document as somebody wants to see them.
 struct WantedPlant {
-    std::shared_ptr<Scene const>
-        scene;           // Shared with whoever shows it meanwhile; nobody changes it.
-    SetGrowth growth {}; // Of the active plant, in place of its own.
+    std::shared_ptr<scene::Scene const>
+        scene;                  // Shared with whoever shows it meanwhile; nobody changes it.
+    scene::SetGrowth growth {}; // Of the active plant, in place of its own.
 };
 
 // Variations of the active plant alone: `count` of them, of this seed and those that follow.

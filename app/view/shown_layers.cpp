@@ -6,7 +6,7 @@
 
 namespace tractus::view {
 
-void ShownLayers::set_layers(Layers layers)
+void ShownLayers::set_layers(tools::Layers layers)
 {
     kept_.clear();
     for (auto const* const layer : layers)
@@ -23,23 +23,25 @@ double ShownLayers::strength_after(Duration age)
     return std::ceil(kSteps * std::clamp(share, 0.0, 1.0)) / kSteps;
 }
 
-double ShownLayers::strength_of(Kept const& kept, Tool const& in_hand)
+double ShownLayers::strength_of(Kept const& kept, tools::Tool const& in_hand)
 {
     auto const& layer = *kept.layer;
-    if (layer.seen == Layer::Seen::Always || (layer.is_asked_for && layer.is_asked_for(in_hand)))
+    if (layer.seen == tools::Layer::Seen::Always
+        || (layer.is_asked_for && layer.is_asked_for(in_hand)))
         return 1;
-    return layer.seen == Layer::Seen::AWhile ? strength_after(kept.age) : 0;
+    return layer.seen == tools::Layer::Seen::AWhile ? strength_after(kept.age) : 0;
 }
 
-void ShownLayers::show(Scene const& scene, Tool const& in_hand)
+void ShownLayers::show(scene::Scene const& scene, tools::Tool const& in_hand)
 {
     for (auto& kept : kept_) {
-        if (kept.layer->seen == Layer::Seen::WhenAskedFor && strength_of(kept, in_hand) == 0) {
+        if (kept.layer->seen == tools::Layer::Seen::WhenAskedFor
+            && strength_of(kept, in_hand) == 0) {
             kept.of.reset();
             continue;
         }
         // What is always seen may have other lines of the same plant: its season, its shape.
-        bool const is_constant = kept.layer->seen != Layer::Seen::Always;
+        bool const is_constant = kept.layer->seen != tools::Layer::Seen::Always;
         if (is_constant && kept.of && kept.of == scene.drawn)
             continue;
         kept.of = scene.drawn;
@@ -54,7 +56,7 @@ void ShownLayers::show(Scene const& scene, Tool const& in_hand)
     see(in_hand);
 }
 
-void ShownLayers::pass(Duration step, Tool const& in_hand)
+void ShownLayers::pass(Duration step, tools::Tool const& in_hand)
 {
     bool has_changed = false;
     for (auto& kept : kept_) {
@@ -66,7 +68,7 @@ void ShownLayers::pass(Duration step, Tool const& in_hand)
         see(in_hand);
 }
 
-void ShownLayers::see(Tool const& in_hand)
+void ShownLayers::see(tools::Tool const& in_hand)
 {
     seen_.clear();
     for (auto const& kept : kept_)

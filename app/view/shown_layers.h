@@ -16,13 +16,13 @@ namespace tractus::view {
 class ShownLayers {
 public:
     // They have changed as long as nothing was shown before.
-    void set_layers(Layers layers);
+    void set_layers(tools::Layers layers);
 
     // Of the scene that is shown from now on.
-    void show(Scene const& scene, Tool const& in_hand);
+    void show(scene::Scene const& scene, tools::Tool const& in_hand);
 
     // Goes on by so much time.
-    void pass(Duration step, Tool const& in_hand);
+    void pass(Duration step, tools::Tool const& in_hand);
 
     std::vector<ShownLayer> const& seen() const { return seen_; }
 
@@ -32,13 +32,13 @@ public:
 
 private:
     struct Kept {
-        Layer const* layer = nullptr;
+        tools::Layer const* layer = nullptr;
         std::vector<std::vector<Vec3f>> lines_mm {};
-        Duration age = Duration::max() / 2;      // Since they have changed; at first they are gone.
-        std::shared_ptr<PlantState const> of {}; // Shared with the scene; nobody changes it.
+        Duration age = Duration::max() / 2; // Since they have changed; at first they are gone.
+        std::shared_ptr<scene::PlantState const> of {}; // Shared with the scene; nobody changes it.
     };
-    static double strength_of(Kept const& kept, Tool const& in_hand);
-    void see(Tool const& in_hand);
+    static double strength_of(Kept const& kept, tools::Tool const& in_hand);
+    void see(tools::Tool const& in_hand);
 
     std::vector<Kept> kept_;
     bool has_shown_ = false;

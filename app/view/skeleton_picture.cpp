@@ -9,7 +9,7 @@
 
 namespace tractus::view {
 
-using State = SkeletonLine::State;
+using State = tools::SkeletonLine::State;
 
 static std::uint32_t orders_to_show(Plant const& plant)
 {
@@ -19,7 +19,8 @@ static std::uint32_t orders_to_show(Plant const& plant)
         segments.resize(std::max<std::size_t>(segments.size(), axis.order + 1));
         segments[axis.order] += axis.segment_count;
     }
-    auto const chosen = std::min<std::size_t>(fit_selection_view(plant).max_order, segments.size());
+    auto const chosen
+        = std::min<std::size_t>(scene::fit_selection_view(plant).max_order, segments.size());
     std::size_t sum = 0;
     std::size_t order = 0;
     for (; order < segments.size(); ++order) {
@@ -31,11 +32,11 @@ static std::uint32_t orders_to_show(Plant const& plant)
 }
 
 // A run of an axis' segments in one state.
-static SkeletonLine skeleton_line(Plant const& plant, std::span<Vec3 const> nodes_mm,
-                                  Axis const& axis, std::uint32_t from, std::uint32_t to,
-                                  State state)
+static tools::SkeletonLine skeleton_line(Plant const& plant, std::span<Vec3 const> nodes_mm,
+                                         Axis const& axis, std::uint32_t from, std::uint32_t to,
+                                         State state)
 {
-    SkeletonLine line;
+    tools::SkeletonLine line;
     line.state = state;
     line.width_mm = 2 * plant.node_radius_mm[axis.first_node + from];
     line.points_mm.reserve(to - from + 1);
@@ -45,12 +46,12 @@ static SkeletonLine skeleton_line(Plant const& plant, std::span<Vec3 const> node
 }
 
 // Of a large plant the lowest orders, which say where it is.
-static void add_other(BuiltPlant const& plant, DeskPlacement const& active,
-                      std::vector<SkeletonLine>& lines)
+static void add_other(scene::BuiltPlant const& plant, scene::DeskPlacement const& active,
+                      std::vector<tools::SkeletonLine>& lines)
 {
     auto const orders = orders_to_show(*plant.base);
     auto const scale = static_cast<float>(plant.placement.scale / active.scale);
-    SceneShaper shaper;
+    scene::SceneShaper shaper;
     static_cast<void>(shaper.set_plant(plant)); // Each stroke was checked when it was drawn.
     std::vector<Vec3> nodes_mm;
     variation::place_nodes(*plant.base, *plant.rest, shaper.shape(), nodes_mm);
@@ -69,7 +70,7 @@ static void add_other(BuiltPlant const& plant, DeskPlacement const& active,
 
 void SkeletonPicture::show_others()
 {
-    std::vector<std::shared_ptr<BuiltPlant const>> plants;
+    std::vector<std::shared_ptr<scene::BuiltPlant const>> plants;
     for (auto const& plant : scene_->plants)
         if (plant->drawn->id != scene_->drawn->id && !plant->drawn->is_hidden)
             plants.push_back(plant);
@@ -84,7 +85,7 @@ void SkeletonPicture::show_others()
         add_other(*plant, active, others_);
 }
 
-void SkeletonPicture::set_scene(std::shared_ptr<Scene const> scene)
+void SkeletonPicture::set_scene(std::shared_ptr<scene::Scene const> scene)
 {
     bool const is_same_plant = scene_ && scene_->base == scene->base;
     scene_ = std::move(scene);
@@ -143,10 +144,12 @@ void SkeletonPicture::mark_propagated()
     }
 }
 
-std::vector<SkeletonLine> SkeletonPicture::lines(ShownSkeleton::Touched const& touched,
-                                                 std::span<SegmentId const> next)
+std::vector<tools::SkeletonLine>
+SkeletonPicture::lines(tools::ShownSkeleton::Touched const& touched,
+                       std::span<SegmentId const> next)
 {
-    for (auto const number : shaping_numbers(*scene_)) // The others are for the same branches.
+    for (auto const number :
+         scene::shaping_numbers(*scene_)) // The others are for the same branches.
         mark(scene_->associations[number].what.path, State::Assigned);
     if (!scene_->associations.empty())
         mark_propagated();

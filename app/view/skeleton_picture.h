@@ -19,7 +19,7 @@ namespace tractus::view {
 class SkeletonPicture {
 public:
     // From here on that of this scene.
-    void set_scene(std::shared_ptr<Scene const> scene);
+    void set_scene(std::shared_ptr<scene::Scene const> scene);
 
     // Twigs of plants with very many would be a blot, and none of them can be chosen: only branches
     // of lower orders than this are shown.
@@ -32,25 +32,26 @@ public:
     // propagation, touched by the pen, or shaped by the next stroke has colours of its own. Where
     // `next` is not empty it is that and not what is selected which strokes shape. Other plants
     // come first.
-    std::vector<SkeletonLine> lines(ShownSkeleton::Touched const& touched,
-                                    std::span<SegmentId const> next = {});
+    std::vector<tools::SkeletonLine> lines(tools::ShownSkeleton::Touched const& touched,
+                                           std::span<SegmentId const> next = {});
 
 private:
     void show_others();
-    void mark(std::span<SegmentId const> segments, SkeletonLine::State state);
+    void mark(std::span<SegmentId const> segments, tools::SkeletonLine::State state);
     void mark_propagated();
 
-    std::shared_ptr<Scene const> scene_; // Shared with who shows it; nobody changes it.
+    std::shared_ptr<scene::Scene const> scene_; // Shared with who shows it; nobody changes it.
     std::uint32_t orders_ = 0;
     Bounds box_mm_;
     std::vector<AxisId> shown_axes_;
-    SceneShaper shaper_;
-    std::vector<Vec3> nodes_mm_;              // Of the plant as bent.
-    std::vector<SkeletonLine::State> states_; // Of each segment; between calls all unselected.
+    scene::SceneShaper shaper_;
+    std::vector<Vec3> nodes_mm_; // Of the plant as bent.
+    std::vector<tools::SkeletonLine::State>
+        states_; // Of each segment; between calls all unselected.
     std::vector<SegmentId> marked_;
-    std::vector<std::shared_ptr<BuiltPlant const>> other_plants_; // Shared with the scene.
-    DeskPlacement seen_from_; // Of the plant in whose frame their lines are.
-    std::vector<SkeletonLine> others_;
+    std::vector<std::shared_ptr<scene::BuiltPlant const>> other_plants_; // Shared with the scene.
+    scene::DeskPlacement seen_from_; // Of the plant in whose frame their lines are.
+    std::vector<tools::SkeletonLine> others_;
 };
 
 } // namespace tractus::view

@@ -28,20 +28,20 @@ StationView::Preview StationView::Previewing::show(WantedPreview const& wanted)
     if (lines.empty())
         last.reset();
     else if (!last || *last != lines)
-        last = std::make_shared<std::vector<SkeletonLine> const>(std::move(lines));
+        last = std::make_shared<std::vector<tools::SkeletonLine> const>(std::move(lines));
     return { last, previewer->note(), wanted.stroke };
 }
 
-StationView::StationView(station::Station const& station, Document const& document)
+StationView::StationView(station::Station const& station, document::Document const& document)
     : preview_(std::make_unique<NewestJob<WantedPreview, Preview>>(
         // Shared by the copies of the function, of which one is called.
         [previewing = std::make_shared<Previewing>()](WantedPreview const& wanted) {
             return previewing->show(wanted);
         }))
-    , proposal_(std::make_unique<NewestJob<WantedProposal, std::shared_ptr<Scene const>>>(
-          [](WantedProposal const& wanted) -> std::shared_ptr<Scene const> {
-              auto scene = apply_edits(*wanted.scene, wanted.edits);
-              return scene ? std::make_shared<Scene const>(*std::move(scene)) : nullptr;
+    , proposal_(std::make_unique<NewestJob<WantedProposal, std::shared_ptr<scene::Scene const>>>(
+          [](WantedProposal const& wanted) -> std::shared_ptr<scene::Scene const> {
+              auto scene = scene::apply_edits(*wanted.scene, wanted.edits);
+              return scene ? std::make_shared<scene::Scene const>(*std::move(scene)) : nullptr;
           }))
     , reading_(std::make_unique<NewestJob<std::shared_ptr<std::string const>, ReadPicture>>(read))
 {
@@ -52,7 +52,7 @@ StationView::StationView(station::Station const& station, Document const& docume
     show_scene(document.newest());
 }
 
-void StationView::show(station::Station const& station, Document const& document)
+void StationView::show(station::Station const& station, document::Document const& document)
 {
     finished_strokes_ = station.counts().strokes;
     show_grown();
@@ -71,7 +71,7 @@ void StationView::show(station::Station const& station, Document const& document
     show_drawn_glyph();
 }
 
-void StationView::tell(DrawnStroke const& drawn)
+void StationView::tell(document::DrawnStroke const& drawn)
 {
     state_.refused.reset();
     if (!drawn.refusal.empty() && !drawn.stroke.tips.empty())
@@ -83,7 +83,7 @@ void StationView::tell(DrawnStroke const& drawn)
                                            : drawn.said;
 }
 
-void StationView::begin_again(station::Station const& station, Document const& document)
+void StationView::begin_again(station::Station const& station, document::Document const& document)
 {
     shown_pen_samples_ = 0;
     finished_strokes_ = station.counts().strokes;
@@ -136,7 +136,8 @@ void StationView::show_surface(station::Station const& station)
 }
 
 // Under way, and finished but not yet in the scene.
-void StationView::show_ink(station::Station const& station, std::vector<ToolStroke> const& waiting)
+void StationView::show_ink(station::Station const& station,
+                           std::vector<tools::ToolStroke> const& waiting)
 {
     state_.live_ink.clear();
     for (auto const& [stroke, tool] : waiting)
@@ -153,7 +154,7 @@ void StationView::show_ink(station::Station const& station, std::vector<ToolStro
         state_.live_ink.push_back(ink_line(ink, station.meaning_of(ink), nib_));
 }
 
-void StationView::show_live(station::Station const& station, Document const& document)
+void StationView::show_live(station::Station const& station, document::Document const& document)
 {
     // Without a sample of the pen there is nothing new to see: the hand rests, or is away.
     if (std::exchange(shown_pen_samples_, station.counts().pen_samples)
@@ -220,7 +221,7 @@ void StationView::set_preview(Preview preview)
     if (std::exchange(previewed_, preview.lines) == preview.lines)
         return; // Most samples of the pen change nothing.
     ++state_.preview_revision;
-    state_.preview = preview.lines ? *preview.lines : std::vector<SkeletonLine>();
+    state_.preview = preview.lines ? *preview.lines : std::vector<tools::SkeletonLine>();
 }
 
 // While a pen selects, its path so far, and what is undetermined, are seen in their own colours.
@@ -250,7 +251,7 @@ void StationView::show_selecting(station::Station const& station)
     shown_touched_ = std::move(touched);
 }
 
-void StationView::show_scene(std::shared_ptr<Snapshot const> const& snapshot)
+void StationView::show_scene(std::shared_ptr<document::Snapshot const> const& snapshot)
 {
     shown_drawn_revision_ = snapshot->drawn_revision;
     auto const& placement = snapshot->scene.placement;
@@ -258,7 +259,7 @@ void StationView::show_scene(std::shared_ptr<Snapshot const> const& snapshot)
         * Eigen::Scaling(static_cast<float>(placement.scale));
     show_strokes(snapshot->scene);
     show_layers(snapshot->scene);
-    state_.paper = paper_of(snapshot->scene.state);
+    state_.paper = scene::paper_of(snapshot->scene.state);
     show_picture(snapshot->scene);
     grow_plant(snapshot);
     show_skeleton();
@@ -267,14 +268,14 @@ void StationView::show_scene(std::shared_ptr<Snapshot const> const& snapshot)
 }
 
 // Those that were shown before keep their ink: their tips need not be read again.
-void StationView::show_strokes(Scene const& scene)
+void StationView::show_strokes(scene::Scene const& scene)
 {
     std::unordered_map<void const*, std::size_t> before;
     for (std::size_t i = 0; i < inked_.size(); ++i)
         before.emplace(inked_[i].id(), i);
     std::vector<SharedVector<TipSample>> inked;
     std::vector<InkLine> lines;
-    for (auto const number : shaping_numbers(scene)) {
+    for (auto const number : scene::shaping_numbers(scene)) {
         auto const& tips = scene.associations[number].what.stroke.tips;
         if (!inked.empty() && inked.back().id() == tips.id())
             continue; // One that shapes several branches is shown once.
@@ -294,7 +295,7 @@ void StationView::show_strokes(Scene const& scene)
     ++state_.strokes_revision;
 }
 
-void StationView::show_layers(Scene const& scene)
+void StationView::show_layers(scene::Scene const& scene)
 {
     layers_.show(scene, state_.hand);
     state_.layers = layers_.seen();
@@ -316,7 +317,7 @@ void StationView::see_layers()
     ++state_.skeleton_revision; // They are seen with the skeleton, too.
 }
 
-void StationView::list_orphans(Scene const& scene)
+void StationView::list_orphans(scene::Scene const& scene)
 {
     auto const before = state_.orphans.size();
     state_.orphans = orphans_of(scene);
@@ -326,7 +327,7 @@ void StationView::list_orphans(Scene const& scene)
                                     count);
 }
 
-void StationView::show_skeleton(ShownSkeleton::Touched const& touched)
+void StationView::show_skeleton(tools::ShownSkeleton::Touched const& touched)
 {
     bool const aims = aims_at_ && !is_proposed_; // Else at a branch of another plant.
     auto const next = aims ? aims_at_(*grown_scene_) : std::vector<SegmentId>();
@@ -335,7 +336,7 @@ void StationView::show_skeleton(ShownSkeleton::Touched const& touched)
     ++state_.skeleton_revision;
 }
 
-void StationView::grow_plant(std::shared_ptr<Snapshot const> const& snapshot)
+void StationView::grow_plant(std::shared_ptr<document::Snapshot const> const& snapshot)
 {
     is_proposed_ = false;
     is_outcome_proposed_ = false;
@@ -346,7 +347,7 @@ void StationView::grow_plant(std::shared_ptr<Snapshot const> const& snapshot)
     preview(grown_scene_->growth);
 }
 
-void StationView::preview(SetGrowth const& growth)
+void StationView::preview(scene::SetGrowth const& growth)
 {
     state_.seed = growth.seed;
     state_.growth = { std::string(variation::growth_preset_of(growth.parameters)),
@@ -356,15 +357,16 @@ void StationView::preview(SetGrowth const& growth)
     state_.is_growing = true;
 }
 
-void StationView::preview(std::optional<Season> const& season)
+void StationView::preview(std::optional<scene::Season> const& season)
 {
-    auto seen = std::make_shared<Scene const>(preview_in_season(*grown_scene_, season));
+    auto seen
+        = std::make_shared<scene::Scene const>(scene::preview_in_season(*grown_scene_, season));
     auto const& growth = seen->growth;
     grower_->grow({ seen, growth });
     state_.is_growing = true;
 }
 
-void StationView::propose(std::vector<Edit> edits)
+void StationView::propose(std::vector<scene::Edit> edits)
 {
     bool const was_proposed = std::exchange(is_proposed_, !edits.empty());
     if (is_proposed_)
@@ -380,7 +382,7 @@ void StationView::take_proposal()
 }
 
 // Picture, plant and skeleton, until the next snapshot.
-void StationView::show_in_place(std::shared_ptr<Scene const> const& scene)
+void StationView::show_in_place(std::shared_ptr<scene::Scene const> const& scene)
 {
     show_picture(*scene);
     auto const before = std::exchange(shown_in_place_, scene);
@@ -394,14 +396,14 @@ void StationView::show_in_place(std::shared_ptr<Scene const> const& scene)
     state_.is_growing = true;
 }
 
-static bool is_same_file(std::shared_ptr<BackPicture const> const& one,
-                         std::shared_ptr<BackPicture const> const& other)
+static bool is_same_file(std::shared_ptr<scene::BackPicture const> const& one,
+                         std::shared_ptr<scene::BackPicture const> const& other)
 {
     return one && other && (one->file == other->file || *one->file == *other->file);
 }
 
 // A picture that is another one is read in the background.
-void StationView::show_picture(Scene const& scene)
+void StationView::show_picture(scene::Scene const& scene)
 {
     auto const before = std::exchange(picture_, scene.state.picture);
     if (before == picture_)
@@ -513,7 +515,7 @@ void StationView::show_grown()
     ++state_.plant_revision;
 }
 
-Result<SetGrowth> growth_set_to(GrowthView const& wanted, SetGrowth growth)
+Result<scene::SetGrowth> growth_set_to(GrowthView const& wanted, scene::SetGrowth growth)
 {
     if (!wanted.preset.empty())
         growth.parameters = TRY(variation::growth_preset(wanted.preset));

@@ -38,13 +38,13 @@ struct InkLine {
         float width_mm = 1; // As wide as pressure and nib say.
     };
     std::vector<Point> points;
-    InkStyle::Look look = InkStyle::Look::Line;
+    tools::InkStyle::Look look = tools::InkStyle::Look::Line;
 };
 
 // Something that was drawn on a branch that the plant has lost.
 struct OrphanView {
     enum class Kind { Stroke, Indicator } kind = Kind::Stroke;
-    ItemId id = 0;
+    scene::ItemId id = 0;
     std::string name; // "stroke 3".
     std::string
         place; // Where its branch was: "up to segment 6 of branch 2 at segment 4 of stem 1".
@@ -53,13 +53,13 @@ struct OrphanView {
 // A stroke that changed nothing.
 struct RefusedStroke {
     InkLine ink {};
-    Surface surface = Surface::Space; // What it was drawn on.
-    std::string why {};               // A sentence for people.
+    tools::Surface surface = tools::Surface::Space; // What it was drawn on.
+    std::string why {};                             // A sentence for people.
 };
 
 // The lines of a layer for the active plant. World frame.
 struct ShownLayer {
-    Layer const* layer = nullptr; // Never null.
+    tools::Layer const* layer = nullptr; // Never null.
     std::vector<std::vector<Vec3f>> lines_mm;
     double strength = 1; // Towards 0 they fade into the background.
 
@@ -70,7 +70,7 @@ struct ShownLayer {
 struct ShownPicture {
     std::shared_ptr<render::Image const>
         image; // Never null, and not large. Shared; nobody changes it.
-    PicturePlace place {};
+    scene::PicturePlace place {};
 };
 
 // The pen as the window shows it. World frame.
@@ -136,22 +136,22 @@ struct WindowState {
     std::vector<InkLine> strokes; // Finished.
 
     std::uint64_t skeleton_revision = 0;
-    std::vector<SkeletonLine> skeleton;
+    std::vector<tools::SkeletonLine> skeleton;
     std::vector<ShownLayer> layers; // That have lines; changed with the strokes, too.
     Bounds skeleton_box_mm; // Of the whole plant: what the selection view fits. Plant frame.
     // Puts the skeleton into the volume.
     Eigen::Affine3f T_world_plant = Eigen::Affine3f::Identity();
     std::uint64_t picture_revision = 0;
     std::optional<ShownPicture> picture {}; // No value: there is none, or it is being read.
-    Paper paper {}; // That tools draw on which draw on paper. Changes with the strokes.
+    scene::Paper paper {}; // That tools draw on which draw on paper. Changes with the strokes.
 
     std::uint64_t plant_revision = 0;
     // The newest one; null before the first. Lives until the next advance() or settle().
     mesh::Mesh const* plant = nullptr;
     // A newer plant is being grown in the background; meanwhile the last one stays.
     bool is_growing = false;
-    GrowthView growth;               // Of the newest one that was asked for.
-    std::optional<Season> season {}; // Of the document.
+    GrowthView growth;                      // Of the newest one that was asked for.
+    std::optional<scene::Season> season {}; // Of the document.
 
     // Those that were asked for last, as far as they have been grown; they come one by one.
     std::uint64_t collection_revision = 0;
@@ -161,7 +161,7 @@ struct WindowState {
     // The branches that the stroke under way would move if it ended here, as it would shape them.
     // Plant frame.
     std::uint64_t preview_revision = 0;
-    std::vector<SkeletonLine> preview;
+    std::vector<tools::SkeletonLine> preview;
     std::string preview_note; // Stands in place of the status; empty: there is nothing to say.
 
     // Strokes and indicators that do nothing until their branch comes back. Changes with
@@ -171,15 +171,16 @@ struct WindowState {
     std::uint64_t devices_revision = 0;
     DevicesView devices; // Empty unless WatchDevices asks for it.
 
-    ToolKinds tools {}; // That can be chosen.
-    Tool hand;          // What the pen means now.
+    tools::ToolKinds tools {}; // That can be chosen.
+    tools::Tool hand;          // What the pen means now.
     // What has been drawn with the hand's kind, as it shows that (DrawnGlyphKind); no value: it
     // does not, or nothing has. Changes with live_revision.
-    std::optional<Glyph> drawn_glyph {};
-    std::vector<ToolCard> cards {};  // A person's own of the hand's kind.
-    std::vector<Tool> remembered {}; // Tools that are chosen with the options that they had last.
-    std::string tool;                // What the pen means, for people, for example "Draw".
-    std::string status;              // One line: what is going on, or what was done.
+    std::optional<tools::Glyph> drawn_glyph {};
+    std::vector<tools::ToolCard> cards {}; // A person's own of the hand's kind.
+    std::vector<tools::Tool>
+        remembered {};  // Tools that are chosen with the options that they had last.
+    std::string tool;   // What the pen means, for people, for example "Draw".
+    std::string status; // One line: what is going on, or what was done.
     // One line: what is wrong with a device at this moment and what to do about it. Shown in place
     // of the status. Empty if nothing is.
     std::string trouble;
@@ -227,7 +228,7 @@ struct ChangeGrowth {
 // The time of the year that all plants show; no value: as their models have their leaves. While a
 // slider that sets it moves it is only shown, as with growth.
 struct ChangeSeason {
-    std::optional<Season> season {};
+    std::optional<scene::Season> season {};
     ChangeGrowth::Slider slider = ChangeGrowth::Slider::Released;
 };
 struct AskForCollection {
@@ -257,12 +258,12 @@ struct SetRecording {
     bool is_on = true;
 };
 struct ChooseTool {
-    Tool tool; // What the pen means from now on.
+    tools::Tool tool; // What the pen means from now on.
 };
 // The tool in hand with other numbers. What has been drawn with it follows (ToolKind::follow):
 // while a slider or a handle moves that is only shown, as with growth.
 struct AdjustTool {
-    Tool tool;
+    tools::Tool tool;
     ChangeGrowth::Slider slider = ChangeGrowth::Slider::Released;
 };
 // A handle of WindowState::drawn_glyph is dragged to a place, or pressed. While it moves that is
@@ -331,12 +332,12 @@ struct LayPictureFile {
 struct OpenLeaves { };
 // Gives it leaves: as of Dressing in app/methods/all_leaves.h.
 struct DressActivePlant {
-    std::string leaves {}; // Their grammar's file, or its name in the document; empty: its own.
-    ItemId drawn = 0;      // In place of it a drawn leaf, which they follow.
+    std::string leaves {};   // Their grammar's file, or its name in the document; empty: its own.
+    scene::ItemId drawn = 0; // In place of it a drawn leaf, which they follow.
     double age = 0.5;
     lsystem::LeafDamage damage {};
     // The season of the document from then on; no value: as it is.
-    std::optional<std::optional<Season>> season {};
+    std::optional<std::optional<scene::Season>> season {};
 };
 
 struct WatchDevices {

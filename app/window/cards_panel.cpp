@@ -19,11 +19,11 @@ constexpr float kGreatestShare = 0.5f; // Of the height above the bar.
 constexpr float kTyped_px = 220;
 
 // The own card that the hand is, or null.
-ToolCard const* card_in_hand(view::WindowState const& state)
+tools::ToolCard const* card_in_hand(view::WindowState const& state)
 {
-    auto const card = card_of(state.hand);
+    auto const card = tools::card_of(state.hand);
     auto const found = std::find_if(state.cards.begin(), state.cards.end(),
-                                    [&](ToolCard const& own) { return own.tool == card; });
+                                    [&](tools::ToolCard const& own) { return own.tool == card; });
     return found == state.cards.end() ? nullptr : &*found;
 }
 
@@ -33,7 +33,7 @@ WindowPart CardsPanel::show(view::WindowModel& model, Workbench& bench, Controls
                             WindowPart const& bar)
 {
     auto const& state = model.state();
-    if (!cards_label(state.hand.kind())) {
+    if (!tools::cards_label(state.hand.kind())) {
         bench.cards_are_shown = false;
         return {};
     }
@@ -64,9 +64,9 @@ WindowPart CardsPanel::show(view::WindowModel& model, Workbench& bench, Controls
 void CardsPanel::show_cards(view::WindowModel& model, Workbench& bench, float width_px)
 {
     auto const& hand = model.state().hand;
-    auto cards = ready_cards(hand);
+    auto cards = tools::ready_cards(hand);
     for (auto const& own : model.state().cards)
-        cards.push_back({ own.name, with_card(hand, own.tool) });
+        cards.push_back({ own.name, tools::with_card(hand, own.tool) });
     auto const& gap = ImGui::GetStyle().ItemSpacing;
     float const card_px = kCardWidth_px * scale_;
     float const height_px
@@ -93,7 +93,7 @@ void CardsPanel::show_cards(view::WindowModel& model, Workbench& bench, float wi
 }
 
 // True if it is pressed.
-bool CardsPanel::show_card(ToolCard const& card, bool is_on) const
+bool CardsPanel::show_card(tools::ToolCard const& card, bool is_on) const
 {
     bool const has_glyph = card.tool.kind().glyph != nullptr;
     float const name_px = (has_glyph ? kCardName_px : theme::kButtonHeight_px) * scale_;
@@ -122,7 +122,7 @@ bool CardsPanel::show_card(ToolCard const& card, bool is_on) const
 // What can be done with the own card in the hand.
 // With the pen alone, the name has a panel with keys.
 void CardsPanel::show_own(view::WindowModel& model, Workbench& bench, Controls const& controls,
-                          ToolCard const& card)
+                          tools::ToolCard const& card)
 {
     if (std::exchange(named_, card.name) != card.name)
         typed_ = card.name;

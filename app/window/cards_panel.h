@@ -24,9 +24,9 @@ public:
 
 private:
     void show_cards(view::WindowModel& model, Workbench& bench, float width_px);
-    bool show_card(ToolCard const& card, bool is_on) const;
+    bool show_card(tools::ToolCard const& card, bool is_on) const;
     void show_own(view::WindowModel& model, Workbench& bench, Controls const& controls,
-                  ToolCard const& card);
+                  tools::ToolCard const& card);
 
     float scale_ = 1;
     float height_px_ = 0;  // As it was shown last.

@@ -189,10 +189,10 @@ void Controls::show_recording(view::RecordingView const& recording)
 }
 
 // Its number has a button only where there is no glyph.
-static bool is_set_by_glyph(Meaning const& meaning)
+static bool is_set_by_glyph(tools::Meaning const& meaning)
 {
-    return chosen_numbers(meaning.tool)[*meaning.number].option.offered
-        == NumberOption::Offered::WithoutGlyph;
+    return tools::chosen_numbers(meaning.tool)[*meaning.number].option.offered
+        == tools::NumberOption::Offered::WithoutGlyph;
 }
 
 // What the tool in hand may mean.
@@ -202,11 +202,11 @@ std::vector<BarButton> Controls::tool_meanings(view::WindowModel& model, Workben
     auto const& state = model.state();
     if (state.hand.kind().lays_pictures)
         buttons.push_back({ .text = kOpenPicture,
-                            .width = button_width(kOpenPicture),
+                            .width = tools::button_width(kOpenPicture),
                             .begins_group = true,
                             .press = [&model] { model.perform(view::OpenPictures {}); } });
     for (auto const& meaning :
-         meanings_of(state.tools, bench.hand(state), bench.remembered(state))) {
+         tools::meanings_of(state.tools, bench.hand(state), bench.remembered(state))) {
         bool const is_on_glyph = meaning.number && is_set_by_glyph(meaning);
         if (bench.glyph_is_seen ? is_on_glyph : meaning.is_beside_glyph)
             continue;
@@ -229,7 +229,7 @@ std::vector<BarButton> Controls::tool_meanings(view::WindowModel& model, Workben
     }
     if (state.hand.kind().like_drawn)
         buttons.push_back({ .text = kLikeDrawn,
-                            .width = button_width(kLikeDrawn),
+                            .width = tools::button_width(kLikeDrawn),
                             .press = [&model] { model.perform(view::TakeLikeDrawn {}); } });
     return buttons;
 }
@@ -280,10 +280,10 @@ std::vector<BarButton> Controls::tool_buttons(view::WindowModel& model, Workbenc
 {
     std::vector<BarButton> buttons;
     auto const& state = model.state();
-    for (auto const& choice : tool_choices(state.tools, bench.remembered(state)))
+    for (auto const& choice : tools::tool_choices(state.tools, bench.remembered(state)))
         buttons.push_back(
-            { choice.text, std::max(kToolWidth_px, button_width(choice.text) - kLessAir_px),
-              !bench.turns_views && is_same_group(choice.tool, state.hand), buttons.empty(),
+            { choice.text, std::max(kToolWidth_px, tools::button_width(choice.text) - kLessAir_px),
+              !bench.turns_views && tools::is_same_group(choice.tool, state.hand), buttons.empty(),
               [&model, &bench, tool = choice.tool] { bench.choose(model, tool); } });
     buttons.push_back(
         { "View", 96, bench.turns_views, false, [&bench] { bench.choose_view_tool(); } });

@@ -27,11 +27,11 @@ constexpr float kSmallReach_px = 14;
 using Slider = view::ChangeGrowth::Slider;
 
 // The tool's number that the handle asks for; no value: none.
-std::optional<std::size_t> number_of(Tool const& tool, Glyph::Handle const& handle)
+std::optional<std::size_t> number_of(tools::Tool const& tool, tools::Glyph::Handle const& handle)
 {
-    auto const numbers = chosen_numbers(tool);
+    auto const numbers = tools::chosen_numbers(tool);
     auto const found
-        = std::find_if(numbers.begin(), numbers.end(), [&](ChosenNumber const& number) {
+        = std::find_if(numbers.begin(), numbers.end(), [&](tools::ChosenNumber const& number) {
               return std::string_view(number.option.name) == handle.number;
           });
     if (found == numbers.end())
@@ -83,17 +83,17 @@ std::optional<WindowPart> GlyphPanel::show(view::WindowModel& model, Workbench& 
     return WindowPart { corner.x, corner.y, size.x, size.y };
 }
 
-void GlyphPanel::say_what_is_shown(Glyph const& glyph) const
+void GlyphPanel::say_what_is_shown(tools::Glyph const& glyph) const
 {
     auto const shown
         = std::find_if(glyph.handles.begin(), glyph.handles.end(),
-                       [&](Glyph::Handle const& handle) { return handle.id == shown_; });
+                       [&](tools::Glyph::Handle const& handle) { return handle.id == shown_; });
     ImGui::SetWindowFontScale(kSmall);
     ImGui::TextUnformatted(shown == glyph.handles.end() ? glyph.hint : shown->says.c_str());
     ImGui::SetWindowFontScale(1);
 }
 
-void GlyphPanel::show_glyph(view::WindowModel& model, Workbench& bench, Glyph const& glyph,
+void GlyphPanel::show_glyph(view::WindowModel& model, Workbench& bench, tools::Glyph const& glyph,
                             GlyphSquare const& square)
 {
     draw_glyph(glyph, square, scale_);
@@ -104,7 +104,7 @@ void GlyphPanel::show_glyph(view::WindowModel& model, Workbench& bench, Glyph co
     }
 }
 
-void GlyphPanel::draw_labels(Glyph const& glyph, GlyphSquare const& square) const
+void GlyphPanel::draw_labels(tools::Glyph const& glyph, GlyphSquare const& square) const
 {
     constexpr float kLeastHalf_px = 100;
     if (square.half < kLeastHalf_px * scale_)
@@ -119,8 +119,8 @@ void GlyphPanel::draw_labels(Glyph const& glyph, GlyphSquare const& square) cons
 }
 
 // What a pen, or the mouse, does to a handle in this frame.
-void GlyphPanel::take_hand(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
-                           GlyphSquare const& square)
+void GlyphPanel::take_hand(view::WindowModel& model, Workbench& bench,
+                           tools::Glyph::Handle const& handle, GlyphSquare const& square)
 {
     auto const at = square.to_px(handle.place);
     float const reach = (handle.is_small ? kSmallReach_px : kReach_px) * scale_;
@@ -154,7 +154,7 @@ void GlyphPanel::take_hand(view::WindowModel& model, Workbench& bench, Glyph::Ha
 }
 
 void GlyphPanel::press(view::WindowModel& model, Workbench& bench,
-                       Glyph::Handle const& handle) const
+                       tools::Glyph::Handle const& handle) const
 {
     auto const& hand = bench.hand(model.state());
     if (hand.kind().glyph)
@@ -162,8 +162,8 @@ void GlyphPanel::press(view::WindowModel& model, Workbench& bench,
     model.perform(view::DragDrawnGlyph { handle.id, handle.place });
 }
 
-void GlyphPanel::move(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
-                      Vec2 const& to)
+void GlyphPanel::move(view::WindowModel& model, Workbench& bench,
+                      tools::Glyph::Handle const& handle, Vec2 const& to)
 {
     auto const& hand = bench.hand(model.state());
     moved_to_ = to;
@@ -173,7 +173,8 @@ void GlyphPanel::move(view::WindowModel& model, Workbench& bench, Glyph::Handle 
         bench.adjust(model, dragged, Slider::Moving);
 }
 
-void GlyphPanel::let_go(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle)
+void GlyphPanel::let_go(view::WindowModel& model, Workbench& bench,
+                        tools::Glyph::Handle const& handle)
 {
     auto const& hand = bench.hand(model.state());
     auto const to = std::exchange(moved_to_, std::nullopt);
@@ -187,7 +188,7 @@ void GlyphPanel::let_go(view::WindowModel& model, Workbench& bench, Glyph::Handl
     }
 }
 
-void GlyphPanel::draw_handle(Glyph::Handle const& handle, GlyphSquare const& square) const
+void GlyphPanel::draw_handle(tools::Glyph::Handle const& handle, GlyphSquare const& square) const
 {
     auto* const draw = ImGui::GetWindowDrawList();
     auto const at = square.to_px(handle.place);

@@ -25,17 +25,18 @@ public:
                                    Controls const& controls, WindowPart const& pad);
 
 private:
-    void say_what_is_shown(Glyph const& glyph) const;
-    void show_glyph(view::WindowModel& model, Workbench& bench, Glyph const& glyph,
+    void say_what_is_shown(tools::Glyph const& glyph) const;
+    void show_glyph(view::WindowModel& model, Workbench& bench, tools::Glyph const& glyph,
                     GlyphSquare const& square);
-    void take_hand(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
+    void take_hand(view::WindowModel& model, Workbench& bench, tools::Glyph::Handle const& handle,
                    GlyphSquare const& square);
-    void press(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle) const;
-    void move(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle,
+    void press(view::WindowModel& model, Workbench& bench,
+               tools::Glyph::Handle const& handle) const;
+    void move(view::WindowModel& model, Workbench& bench, tools::Glyph::Handle const& handle,
               Vec2 const& to);
-    void let_go(view::WindowModel& model, Workbench& bench, Glyph::Handle const& handle);
-    void draw_labels(Glyph const& glyph, GlyphSquare const& square) const;
-    void draw_handle(Glyph::Handle const& handle, GlyphSquare const& square) const;
+    void let_go(view::WindowModel& model, Workbench& bench, tools::Glyph::Handle const& handle);
+    void draw_labels(tools::Glyph const& glyph, GlyphSquare const& square) const;
+    void draw_handle(tools::Glyph::Handle const& handle, GlyphSquare const& square) const;
 
     float scale_ = 1;
     std::optional<std::size_t> held_ {};  // A handle's id.

@@ -20,7 +20,7 @@ Vec2 GlyphSquare::to_frame(ImVec2 const& place_px) const
              static_cast<double>((middle.y - place_px.y) / half) };
 }
 
-void draw_glyph(Glyph const& glyph, GlyphSquare const& square, float scale)
+void draw_glyph(tools::Glyph const& glyph, GlyphSquare const& square, float scale)
 {
     constexpr float kThinnest_px = 1.5f;
     auto* const draw = ImGui::GetWindowDrawList();

@@ -16,6 +16,6 @@ struct GlyphSquare {
 };
 
 // Draws the glyph's lines into ImGui's window, at a display's scale.
-void draw_glyph(Glyph const& glyph, GlyphSquare const& square, float scale);
+void draw_glyph(tools::Glyph const& glyph, GlyphSquare const& square, float scale);
 
 } // namespace tractus::window

@@ -341,7 +341,7 @@ PenArea Layout::skeleton_area(view::WindowState const& state, WindowPart const& 
     if (bench_.shown != Shown::All)
         return area;
     auto const plant_mm
-        = fit_selection_view(state.skeleton_box_mm, { .area_mm = area.size_mm }).size_mm;
+        = scene::fit_selection_view(state.skeleton_box_mm, { .area_mm = area.size_mm }).size_mm;
     double const air = 1.15;
     area.px_per_mm = std::min(static_cast<double>(part.height) / area.size_mm.y(),
                               static_cast<double>(part.width) / std::max(1.0, plant_mm.x() * air));
@@ -413,7 +413,7 @@ std::vector<RingEntry> Layout::ring_entries(view::WindowModel& model)
 {
     std::vector<RingEntry> entries;
     auto const& state = model.state();
-    for (auto const& choice : tool_choices(state.tools, bench_.remembered(state)))
+    for (auto const& choice : tools::tool_choices(state.tools, bench_.remembered(state)))
         entries.push_back({ choice.text, choice.tool.kind().icon,
                             [this, &model, tool = choice.tool] { bench_.choose(model, tool); } });
     entries.push_back({ "View", "", [this] { bench_.choose_view_tool(); } });

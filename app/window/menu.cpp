@@ -250,13 +250,13 @@ void Menu::show_plant(view::WindowModel& model, Controls const& controls)
 // until the plant is there, for which leaves may have to be grown.
 void Menu::show_season(view::WindowModel& model)
 {
-    Season const none { .month = 0 };
+    scene::Season const none { .month = 0 };
     auto const shown = model.state().season.value_or(none);
     if (wanted_season_ == shown)
         wanted_season_.reset();
     auto season = wanted_season_.value_or(shown);
     bool is_released = false;
-    auto const text = season.month < 1 ? std::string("no season") : month_name(season.month);
+    auto const text = season.month < 1 ? std::string("no season") : scene::month_name(season.month);
     bool moves = show_slider("##season", text.c_str(), kLastMonth, season.month, is_released);
     if (season.month >= 1) {
         auto const lie = fmt::format("fallen leaves: {:.0f} %% lie", 100 * season.fallen);

@@ -34,9 +34,9 @@ constexpr std::array<std::pair<char const*, char>, 12> kKeys { {
     { "Del", 0 },
 } };
 
-std::string range_of(NumberOption const& option)
+std::string range_of(tools::NumberOption const& option)
 {
-    return with_unit(fmt::format("{:g} to {:g}", option.least, option.greatest), option);
+    return tools::with_unit(fmt::format("{:g} to {:g}", option.least, option.greatest), option);
 }
 
 } // namespace
@@ -44,7 +44,7 @@ std::string range_of(NumberOption const& option)
 WindowPart NumberPanel::show(view::WindowModel& model, Workbench& bench, Controls const& controls,
                              WindowPart const& bar)
 {
-    auto const numbers = chosen_numbers(bench.hand(model.state()));
+    auto const numbers = tools::chosen_numbers(bench.hand(model.state()));
     if (!bench.asked_number || *bench.asked_number >= numbers.size()) {
         bench.asked_number.reset();
         return {};
@@ -83,8 +83,8 @@ WindowPart NumberPanel::show(view::WindowModel& model, Workbench& bench, Control
 }
 
 // A slider that moves only shows what it would do.
-void NumberPanel::adjust(view::WindowModel& model, Workbench& bench, ChosenNumber const& chosen,
-                         std::size_t number)
+void NumberPanel::adjust(view::WindowModel& model, Workbench& bench,
+                         tools::ChosenNumber const& chosen, std::size_t number)
 {
     auto const wanted = std::exchange(wanted_, std::nullopt);
     bool const moves = std::exchange(moves_, false);
@@ -94,16 +94,16 @@ void NumberPanel::adjust(view::WindowModel& model, Workbench& bench, ChosenNumbe
         return;
     auto const slider
         = moves ? view::ChangeGrowth::Slider::Moving : view::ChangeGrowth::Slider::Released;
-    bench.adjust(model,
-                 with_number(bench.hand(model.state()), number, wanted.value_or(chosen.value)),
-                 slider);
+    bench.adjust(
+        model, tools::with_number(bench.hand(model.state()), number, wanted.value_or(chosen.value)),
+        slider);
 }
 
 // The number in words, its range, a slider, and a step less and more.
-void NumberPanel::show_value(ChosenNumber const& chosen, Controls const& controls)
+void NumberPanel::show_value(tools::ChosenNumber const& chosen, Controls const& controls)
 {
     auto const& option = chosen.option;
-    ImGui::TextUnformatted(describe_number(chosen).c_str());
+    ImGui::TextUnformatted(tools::describe_number(chosen).c_str());
     ImGui::SameLine();
     ImGui::TextDisabled("%s", range_of(option).c_str());
     auto value = static_cast<float>(chosen.value);
@@ -126,7 +126,7 @@ void NumberPanel::show_value(ChosenNumber const& chosen, Controls const& control
     ImGui::PopButtonRepeat();
 }
 
-void NumberPanel::show_keys(ChosenNumber const& chosen, Controls const& controls)
+void NumberPanel::show_keys(tools::ChosenNumber const& chosen, Controls const& controls)
 {
     float const gap_px = ImGui::GetStyle().ItemSpacing.x / scale_;
     float const keys_px = kKeysInRow * kKeyWidth_px + (kKeysInRow - 1) * gap_px;
@@ -157,17 +157,17 @@ void NumberPanel::press_key(char key)
         typed_.pop_back();
 }
 
-void NumberPanel::take_typed(NumberOption const& option)
+void NumberPanel::take_typed(tools::NumberOption const& option)
 {
     if (typed_.empty())
         return;
-    wanted_ = read_number(option, typed_);
+    wanted_ = tools::read_number(option, typed_);
     objection_ = wanted_ ? "" : fmt::format("It takes {}", range_of(option));
     if (wanted_)
         typed_.clear();
 }
 
-void NumberPanel::change_to(NumberOption const& option, double value)
+void NumberPanel::change_to(tools::NumberOption const& option, double value)
 {
     objection_.clear();
     wanted_ = std::clamp(value, option.least, option.greatest);

@@ -22,12 +22,12 @@ public:
                     WindowPart const& bar);
 
 private:
-    void show_value(ChosenNumber const& chosen, Controls const& controls);
-    void show_keys(ChosenNumber const& chosen, Controls const& controls);
+    void show_value(tools::ChosenNumber const& chosen, Controls const& controls);
+    void show_keys(tools::ChosenNumber const& chosen, Controls const& controls);
     void press_key(char key);
-    void take_typed(NumberOption const& option);
-    void change_to(NumberOption const& option, double value);
-    void adjust(view::WindowModel& model, Workbench& bench, ChosenNumber const& chosen,
+    void take_typed(tools::NumberOption const& option);
+    void change_to(tools::NumberOption const& option, double value);
+    void adjust(view::WindowModel& model, Workbench& bench, tools::ChosenNumber const& chosen,
                 std::size_t number);
 
     float scale_ = 1;

@@ -53,11 +53,11 @@ void take_tool_key(char key, view::WindowModel& model, Workbench& bench)
         return bench.choose_view_tool();
     for (auto const* const kind : state.tools)
         if (kind->key == key)
-            return bench.choose(model, chosen_anew(*kind, bench.remembered(state)));
+            return bench.choose(model, tools::chosen_anew(*kind, bench.remembered(state)));
 }
 
 // "D  C" and "Draw, Select" of those that have one.
-std::pair<std::string, std::string> tool_keys(ToolKinds tools)
+std::pair<std::string, std::string> tool_keys(tools::ToolKinds tools)
 {
     std::string keys;
     std::string names;
@@ -128,7 +128,7 @@ void move_surface_as_wished(view::WindowModel& model, HandInput const& input, bo
         model.perform(view::MoveSurface { by_mm });
 }
 
-WindowPart show_shortcuts(ToolKinds tools, ImGuiWindowFlags flags, float scale)
+WindowPart show_shortcuts(tools::ToolKinds tools, ImGuiWindowFlags flags, float scale)
 {
     struct Key {
         char const* key;

@@ -18,6 +18,6 @@ void take_calibration_shortcut(KeyPress const& press, view::WindowModel& model, 
 void move_surface_as_wished(view::WindowModel& model, HandInput const& input, bool wheel_counts);
 
 // Lists the keys in a panel over the views. Returns what it covers.
-WindowPart show_shortcuts(ToolKinds tools, ImGuiWindowFlags flags, float scale);
+WindowPart show_shortcuts(tools::ToolKinds tools, ImGuiWindowFlags flags, float scale);
 
 } // namespace tractus::window

@@ -9,14 +9,14 @@ namespace {
 
 constexpr float kLegendSpacing = 1.25f; // In letters' heights.
 
-int legend_pieces(LayerStyle::Pattern pattern)
+int legend_pieces(tools::LayerStyle::Pattern pattern)
 {
     switch (pattern) {
-    case LayerStyle::Pattern::Dashed:
+    case tools::LayerStyle::Pattern::Dashed:
         return 2;
-    case LayerStyle::Pattern::Dotted:
+    case tools::LayerStyle::Pattern::Dotted:
         return 4;
-    case LayerStyle::Pattern::Solid:
+    case tools::LayerStyle::Pattern::Solid:
         break;
     }
     return 1;
@@ -65,7 +65,7 @@ void draw_selecting_ink(view::WindowState const& state, PenArea const& area)
     };
     for (auto const& ink : state.live_ink)
         add(ink, 0.6f);
-    if (state.refused && state.refused->surface == Surface::Skeleton)
+    if (state.refused && state.refused->surface == tools::Surface::Skeleton)
         add(state.refused->ink, 0.25f);
     if (state.pen.in_range)
         draw->AddCircleFilled(area.to_px(state.pen.tip_mm.head<2>().cast<double>()), 6,

@@ -66,14 +66,14 @@ void add_volume(view::WindowState const& state, std::vector<render::Curve>& curv
 }
 
 // The eraser leaves nothing behind but that one sees where it was.
-Vec3f ink_color(InkStyle::Look look, Vec3f const& color)
+Vec3f ink_color(tools::InkStyle::Look look, Vec3f const& color)
 {
     switch (look) {
-    case InkStyle::Look::Arrow:
+    case tools::InkStyle::Look::Arrow:
         return theme::palette().indicator;
-    case InkStyle::Look::Eraser:
+    case tools::InkStyle::Look::Eraser:
         return 0.2f * theme::palette().unselected + 0.8f * theme::palette().pad_background;
-    case InkStyle::Look::Line:
+    case tools::InkStyle::Look::Line:
         break;
     }
     return color;
@@ -87,7 +87,7 @@ void add_ink(std::vector<view::InkLine> const& lines, Vec3f const& color,
         curve.width_unit = render::Curve::WidthUnit::Millimetres;
         curve.look = render::Curve::Look::Flat;
         curve.fades = true;
-        if (ink.look == InkStyle::Look::Arrow)
+        if (ink.look == tools::InkStyle::Look::Arrow)
             curve.end = render::Curve::End::Arrow;
         for (auto const& point : ink.points)
             curve.points.push_back(
@@ -152,26 +152,26 @@ void add_pen(view::WindowState const& state, std::vector<render::Curve>& curves)
     curves.push_back({ .points = { { tip, color, state.pen.touching ? 18.0f : 12.0f } } });
 }
 
-Vec3f state_color(SkeletonLine::State state)
+Vec3f state_color(tools::SkeletonLine::State state)
 {
     switch (state) {
-    case SkeletonLine::State::Unselected:
+    case tools::SkeletonLine::State::Unselected:
         return theme::palette().unselected;
-    case SkeletonLine::State::Undetermined:
+    case tools::SkeletonLine::State::Undetermined:
         return theme::palette().undetermined;
-    case SkeletonLine::State::Selected:
+    case tools::SkeletonLine::State::Selected:
         return theme::palette().selected;
-    case SkeletonLine::State::Assigned:
+    case tools::SkeletonLine::State::Assigned:
         return theme::palette().assigned;
-    case SkeletonLine::State::Next:
+    case tools::SkeletonLine::State::Next:
         return theme::palette().ink;
-    case SkeletonLine::State::Other:
+    case tools::SkeletonLine::State::Other:
         return theme::palette().faint;
     }
     return theme::palette().unselected;
 }
 
-float widest_mm(std::vector<SkeletonLine> const& skeleton)
+float widest_mm(std::vector<tools::SkeletonLine> const& skeleton)
 {
     float widest = 1e-3f;
     for (auto const& line : skeleton)
@@ -180,15 +180,16 @@ float widest_mm(std::vector<SkeletonLine> const& skeleton)
 }
 
 // Thick for trunks, and never too thin to see or to hit.
-float width_px(SkeletonLine const& line, float widest)
+float width_px(tools::SkeletonLine const& line, float widest)
 {
     float const plain = 1.6f + 5.0f * std::sqrt(line.width_mm / widest);
-    bool const is_plain
-        = line.state == SkeletonLine::State::Unselected || line.state == SkeletonLine::State::Other;
+    bool const is_plain = line.state == tools::SkeletonLine::State::Unselected
+        || line.state == tools::SkeletonLine::State::Other;
     return is_plain ? plain : plain * 1.3f + 1.5f;
 }
 
-void add_ground_ring(std::vector<SkeletonLine> const& skeleton, std::vector<render::Curve>& curves)
+void add_ground_ring(std::vector<tools::SkeletonLine> const& skeleton,
+                     std::vector<render::Curve>& curves)
 {
     float radius = 0;
     for (auto const& line : skeleton)
@@ -208,8 +209,8 @@ void add_ground_ring(std::vector<SkeletonLine> const& skeleton, std::vector<rend
     }
 }
 
-void add_flat_line(view::WindowState const& state, SkeletonLine const& line, Vec3f const& color,
-                   std::vector<render::Curve>& curves)
+void add_flat_line(view::WindowState const& state, tools::SkeletonLine const& line,
+                   Vec3f const& color, std::vector<render::Curve>& curves)
 {
     auto& curve = curves.emplace_back();
     curve.look = render::Curve::Look::Flat;
@@ -220,7 +221,7 @@ void add_flat_line(view::WindowState const& state, SkeletonLine const& line, Vec
 }
 
 std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
-                                             LayerStyle const& style)
+                                             tools::LayerStyle const& style)
 {
     constexpr float kMostDashes = 300; // Of a line, however long.
     float length_mm = 0;
@@ -228,15 +229,15 @@ std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
         length_mm += (line_mm[i] - line_mm[i - 1]).norm();
     auto const width_mm = static_cast<float>(style.width_mm);
     switch (style.pattern) {
-    case LayerStyle::Pattern::Dashed: {
+    case tools::LayerStyle::Pattern::Dashed: {
         float const drawn_mm = std::max(4 * width_mm, length_mm / kMostDashes);
         return dashes(line_mm, drawn_mm, 0.6f * drawn_mm);
     }
-    case LayerStyle::Pattern::Dotted: {
+    case tools::LayerStyle::Pattern::Dotted: {
         float const drawn_mm = std::max(width_mm, length_mm / kMostDashes);
         return dashes(line_mm, drawn_mm, 1.5f * drawn_mm);
     }
-    case LayerStyle::Pattern::Solid:
+    case tools::LayerStyle::Pattern::Solid:
         break;
     }
     return { line_mm };
@@ -254,7 +255,7 @@ std::vector<render::Curve> layer_curves(view::WindowState const& state)
         for (auto const& line_mm : lines_mm)
             for (auto const& part_mm : with_pattern(line_mm, style)) {
                 auto& curve = curves.emplace_back();
-                if (style.end == LayerStyle::End::Arrow)
+                if (style.end == tools::LayerStyle::End::Arrow)
                     curve.end = render::Curve::End::Arrow;
                 for (auto const& point_mm : part_mm)
                     curve.points.push_back({ point_mm, color, static_cast<float>(style.width_mm) });
@@ -269,7 +270,7 @@ constexpr float kLayerWidth_px_per_mm = 1.45f; // In the skeleton's view.
 
 bool draws_on_paper(view::WindowState const& state)
 {
-    return state.hand.kind().surface == Surface::Paper;
+    return state.hand.kind().surface == tools::Surface::Paper;
 }
 
 Eigen::Affine3f pad_of_world(view::WindowState const& state)
@@ -288,19 +289,19 @@ Eigen::Affine3f pad_of_world(view::WindowState const& state)
     return T_pad_world;
 }
 
-Vec3f layer_color(LayerStyle const& style)
+Vec3f layer_color(tools::LayerStyle const& style)
 {
     auto const& palette = theme::palette();
     switch (style.color) {
-    case LayerStyle::Color::Orange:
+    case tools::LayerStyle::Color::Orange:
         return palette.indicator;
-    case LayerStyle::Color::Blue:
+    case tools::LayerStyle::Color::Blue:
         return palette.selected;
-    case LayerStyle::Color::Green:
+    case tools::LayerStyle::Color::Green:
         return palette.assigned;
-    case LayerStyle::Color::Purple:
+    case tools::LayerStyle::Color::Purple:
         return palette.purple;
-    case LayerStyle::Color::Grey:
+    case tools::LayerStyle::Color::Grey:
         break;
     }
     return palette.unselected;
@@ -310,8 +311,8 @@ std::vector<render::Curve> pad_skeleton_curves(view::WindowState const& state)
 {
     std::vector<render::Curve> curves;
     for (auto const& line : state.skeleton) {
-        bool const is_plain = line.state == SkeletonLine::State::Unselected
-            || line.state == SkeletonLine::State::Other;
+        bool const is_plain = line.state == tools::SkeletonLine::State::Unselected
+            || line.state == tools::SkeletonLine::State::Other;
         Vec3f const color = is_plain
             ? theme::palette().faint
             : Vec3f(0.45f * state_color(line.state) + 0.55f * theme::palette().pad_background);
@@ -353,9 +354,9 @@ std::vector<render::Curve> pad_live_curves(view::WindowState const& state)
     add_volume(state, curves);
     add_surface_grid(state, curves);
     auto const surface = state.hand.kind().surface;
-    if (surface == Surface::Space || surface == Surface::Paper)
+    if (surface == tools::Surface::Space || surface == tools::Surface::Paper)
         add_ink(state.live_ink, theme::palette().ink, curves);
-    if (state.refused && state.refused->surface == surface && surface != Surface::Skeleton)
+    if (state.refused && state.refused->surface == surface && surface != tools::Surface::Skeleton)
         add_refused(*state.refused, curves);
     add_pen(state, curves);
     return curves;
@@ -374,10 +375,10 @@ SkeletonStates skeleton_states(view::WindowState const& state)
 {
     SkeletonStates states;
     for (auto const& line : state.skeleton) {
-        states.selected |= line.state == SkeletonLine::State::Selected;
-        states.undetermined |= line.state == SkeletonLine::State::Undetermined;
-        states.assigned |= line.state == SkeletonLine::State::Assigned;
-        states.next |= line.state == SkeletonLine::State::Next;
+        states.selected |= line.state == tools::SkeletonLine::State::Selected;
+        states.undetermined |= line.state == tools::SkeletonLine::State::Undetermined;
+        states.assigned |= line.state == tools::SkeletonLine::State::Assigned;
+        states.next |= line.state == tools::SkeletonLine::State::Next;
     }
     for (auto const& shown : state.layers)
         states.layers.push_back(shown.layer);

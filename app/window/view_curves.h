@@ -38,11 +38,11 @@ struct SkeletonStates {
     bool undetermined = false;
     bool assigned = false;
     bool next = false;
-    std::vector<Layer const*> layers {}; // That have lines.
+    std::vector<tools::Layer const*> layers {}; // That have lines.
 };
 SkeletonStates skeleton_states(view::WindowState const& state);
 
-Vec3f layer_color(LayerStyle const& style);
+Vec3f layer_color(tools::LayerStyle const& style);
 
 // The branches that the ink would move, as the skeleton shows them.
 std::vector<render::Curve> preview_curves(view::WindowState const& state);

@@ -41,10 +41,10 @@ render::Camera pad_camera(view::WindowState const& state, PenArea const& area,
 }
 
 // As one sees the skeleton from the angle, a tablet's millimetre as large as `area` has it.
-render::Camera skeleton_camera(view::WindowState const& state, SelectionAngle const& angle,
+render::Camera skeleton_camera(view::WindowState const& state, scene::SelectionAngle const& angle,
                                PenArea const& area, render::Canvas const& canvas)
 {
-    auto const view = fit_selection_view(state.skeleton_box_mm, angle);
+    auto const view = scene::fit_selection_view(state.skeleton_box_mm, angle);
     double const radius_mm
         = std::max(1.0,
                    state.skeleton_box_mm.empty()
@@ -161,12 +161,13 @@ void PadView::show(view::WindowState const& state, render::Renderer& renderer, P
     canvas_.show();
 }
 
-void zoom(SelectionAngle& angle, double factor)
+void zoom(scene::SelectionAngle& angle, double factor)
 {
     angle.zoom = std::clamp(angle.zoom * factor, 0.4, 40.0);
 }
 
-void turn_skeleton(SelectionAngle& angle, PenArea const& area, bool left_turns, ViewDrag drag)
+void turn_skeleton(scene::SelectionAngle& angle, PenArea const& area, bool left_turns,
+                   ViewDrag drag)
 {
     auto const& io = ImGui::GetIO();
     if (ImGui::IsItemHovered() && io.MouseWheel != 0)
@@ -186,7 +187,8 @@ void turn_skeleton(SelectionAngle& angle, PenArea const& area, bool left_turns, 
 }
 
 void SkeletonView::show(view::WindowState const& state, render::Renderer& renderer,
-                        SelectionAngle const& angle, PenArea const& area, ImVec2 const& size_px)
+                        scene::SelectionAngle const& angle, PenArea const& area,
+                        ImVec2 const& size_px)
 {
     bool changed = curves_.follow(state.skeleton_revision, [&] {
         states_ = skeleton_states(state);

@@ -79,15 +79,16 @@ private:
 // Turns, zooms and moves the skeleton's view by what the mouse does over ImGui's last item: drags
 // with the right button, or with the left one if `left_turns`, mean `drag`; with Shift they move
 // it. Tablet millimetres are as `area` shows them.
-void turn_skeleton(SelectionAngle& angle, PenArea const& area, bool left_turns, ViewDrag drag);
-void zoom(SelectionAngle& angle, double factor);
+void turn_skeleton(scene::SelectionAngle& angle, PenArea const& area, bool left_turns,
+                   ViewDrag drag);
+void zoom(scene::SelectionAngle& angle, double factor);
 
 // The plant's skeleton with the states of its branches, as it is selected from.
 class SkeletonView {
 public:
     // The tablet's area is seen where `area` has it, in the middle of the view.
     void show(view::WindowState const& state, render::Renderer& renderer,
-              SelectionAngle const& angle, PenArea const& area, ImVec2 const& size_px);
+              scene::SelectionAngle const& angle, PenArea const& area, ImVec2 const& size_px);
 
     // What it showed.
     SkeletonStates const& states() const { return states_; }
@@ -97,7 +98,7 @@ private:
     FollowedCurves curves_;
     SkeletonStates states_;
     FollowedCurves preview_;
-    SelectionAngle angle_;
+    scene::SelectionAngle angle_;
     double px_per_mm_ = 0;
 };
 

@@ -5,9 +5,9 @@
 
 namespace tractus::window {
 
-void Workbench::choose(view::WindowModel& model, Tool tool)
+void Workbench::choose(view::WindowModel& model, tools::Tool tool)
 {
-    bool const is_select = tool.kind().surface == Surface::Skeleton;
+    bool const is_select = tool.kind().surface == tools::Surface::Skeleton;
     if (is_select)
         tool = tool.seen_from(angle);
     if (!tool.is_done_at_once()) {
@@ -22,13 +22,14 @@ void Workbench::choose(view::WindowModel& model, Tool tool)
     model.perform(view::ChooseTool { tool });
 }
 
-Tool const& Workbench::hand(view::WindowState const& state) const
+tools::Tool const& Workbench::hand(view::WindowState const& state) const
 {
     bool const is_same_kind = adjusted && &adjusted->kind() == &state.hand.kind();
     return is_same_kind ? *adjusted : state.hand;
 }
 
-void Workbench::adjust(view::WindowModel& model, Tool tool, view::ChangeGrowth::Slider slider)
+void Workbench::adjust(view::WindowModel& model, tools::Tool tool,
+                       view::ChangeGrowth::Slider slider)
 {
     if (slider == view::ChangeGrowth::Slider::Moving) {
         adjusted = tool;
@@ -39,18 +40,19 @@ void Workbench::adjust(view::WindowModel& model, Tool tool, view::ChangeGrowth::
     model.perform(view::AdjustTool { std::move(tool), slider });
 }
 
-void Workbench::remember(Tool const& tool)
+void Workbench::remember(tools::Tool const& tool)
 {
     if (*tool.kind().method == 0)
         return;
     auto& tools = chosen_methods_;
-    tools.erase(std::remove_if(tools.begin(), tools.end(),
-                               [&](Tool const& other) { return &other.kind() == &tool.kind(); }),
-                tools.end());
+    tools.erase(
+        std::remove_if(tools.begin(), tools.end(),
+                       [&](tools::Tool const& other) { return &other.kind() == &tool.kind(); }),
+        tools.end());
     tools.push_back(tool);
 }
 
-std::vector<Tool> Workbench::remembered(view::WindowState const& state) const
+std::vector<tools::Tool> Workbench::remembered(view::WindowState const& state) const
 {
     auto tools = state.remembered;
     tools.insert(tools.end(), chosen_methods_.begin(), chosen_methods_.end());

@@ -36,7 +36,7 @@ struct Workbench {
     double zoom_wished = 1;
     bool whole_is_wished = false;
     // From where the skeleton is seen, and selected from.
-    SelectionAngle angle { .shape = SelectionAngle::Shape::AsBent };
+    scene::SelectionAngle angle { .shape = scene::SelectionAngle::Shape::AsBent };
     // What the menu beside the views is open at.
     enum class MenuPage {
         None, // It is closed.
@@ -77,18 +77,18 @@ struct Workbench {
     bool drawn_glyph_is_shown = false; // Likewise for what was drawn with it.
     bool glyph_is_seen = false;        // In the last frame: it needs room, too.
     // The tool in hand as a slider or a handle that moves will have made it.
-    std::optional<Tool> adjusted {};
+    std::optional<tools::Tool> adjusted {};
     bool wants_to_close = false;
 
     // The tool in hand, as it is being adjusted.
-    Tool const& hand(view::WindowState const& state) const;
+    tools::Tool const& hand(view::WindowState const& state) const;
     // Gives the tool in hand other numbers; what was drawn with it follows.
-    void adjust(view::WindowModel& model, Tool tool, view::ChangeGrowth::Slider slider);
+    void adjust(view::WindowModel& model, tools::Tool tool, view::ChangeGrowth::Slider slider);
 
     // Takes a tool in hand, and shows the view that it works in if one fills the window.
-    void choose(view::WindowModel& model, Tool tool);
+    void choose(view::WindowModel& model, tools::Tool tool);
     // What tools mean that are chosen anew: the station's and those chosen here, the latest last.
-    std::vector<Tool> remembered(view::WindowState const& state) const;
+    std::vector<tools::Tool> remembered(view::WindowState const& state) const;
     void choose_view_tool();
     void show_next();        // The next of Shown.
     void turn_full_screen(); // On if it is off.
@@ -106,7 +106,7 @@ struct Workbench {
     // The area in which pen or mouse selects is the skeleton's; else it draws on the pad's.
     static bool selects(view::WindowState const& state)
     {
-        return state.hand.kind().surface == Surface::Skeleton;
+        return state.hand.kind().surface == tools::Surface::Skeleton;
     }
     bool is_shown(Shown one) const { return shown == one || shown == Shown::All; }
 
@@ -114,9 +114,9 @@ struct Workbench {
     bool draws(view::WindowState const& state) const;
 
 private:
-    void remember(Tool const& tool);
+    void remember(tools::Tool const& tool);
 
-    std::vector<Tool> chosen_methods_ {}; // The last of each kind that belongs to a method.
+    std::vector<tools::Tool> chosen_methods_ {}; // The last of each kind that belongs to a method.
 };
 
 } // namespace tractus::window

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::scene {
 
 static constexpr int kItemBits = 24; // More branches than that no plant has.
 
@@ -35,4 +35,4 @@ std::string list_names(std::vector<ItemId> const& ids)
     return list;
 }
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 // What identifies something that was drawn for as long as its document is there: the edit that made
 // it, and which of that edit's items it is. Never 0, which stands for none.
@@ -33,4 +33,4 @@ template<typename T> struct Anchored {
     SharedVector<PathAddress> at {};
 };
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::scene {
 
 // A picture that lies behind what is drawn, to be drawn after: a photograph, an illustration. It
 // lies on the tablet: on the sheet for tools that draw on paper (paper.h), and flat on the surface
@@ -86,4 +86,4 @@ struct RemovePicture {
     static EditKind const kKind;
 };
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -102,4 +102,4 @@ compose_base(PlantState const& plant, std::shared_ptr<BasePlant const> const& ow
     return composition.finish(*own);
 }
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 // Whether a plant is more than its own source: parts were put on it, or branches are hidden.
 bool is_composed(PlantState const& plant);
@@ -18,4 +18,4 @@ std::shared_ptr<BasePlant const>
 compose_base(PlantState const& plant, std::shared_ptr<BasePlant const> const& own,
              std::vector<std::shared_ptr<BasePlant const>> const& parts);
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 // A plant without extent is shown at natural size.
 static double fitting_scale(double shown_mm, double natural_mm)
@@ -109,4 +109,4 @@ variation::SkeletonProjection skeleton_projection(SelectionView const& view)
     return result;
 }
 
-} // namespace tractus
+} // namespace tractus::scene

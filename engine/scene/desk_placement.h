@@ -3,7 +3,7 @@
 #include "engine/plant/plant.h"
 #include "engine/variation/projected_skeleton.h"
 
-namespace tractus {
+namespace tractus::scene {
 
 // The volume above the desk in which a hand can draw. World frame, millimetres: it stands on the
 // desk and is centred on the world's origin.
@@ -76,4 +76,4 @@ SelectionView fit_selection_view(Plant const& plant, SelectionAngle const& angle
 // Of a plant of which only its box is known; the order is the default's.
 SelectionView fit_selection_view(Bounds const& box, SelectionAngle const& angle = {});
 
-} // namespace tractus
+} // namespace tractus::scene

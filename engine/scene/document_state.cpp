@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 bool Graft::operator==(Graft const& other) const
 {
@@ -90,4 +90,4 @@ DocumentState with_source(DocumentState state, NewSource added)
     return state;
 }
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 // A plant that was put on a branch of another and is a part of it since.
 struct Graft {
@@ -116,4 +116,4 @@ struct NewSource {
 };
 DocumentState with_source(DocumentState state, NewSource added);
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -89,4 +89,4 @@ Plant dressed(Plant const& plant, lsystem::LeafSheet const& sheet)
     return sheet.leaves.empty() ? plant : Dresser(plant, sheet).run();
 }
 
-} // namespace tractus
+} // namespace tractus::scene

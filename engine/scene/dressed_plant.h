@@ -3,7 +3,7 @@
 #include "engine/lsystem/view/leaf_sheet.h"
 #include "engine/plant/plant.h"
 
-namespace tractus {
+namespace tractus::scene {
 
 // Whether organs of that shape are leaves: flat ones of a leaf's material. Needles, discs and balls
 // are none.
@@ -15,4 +15,4 @@ bool is_leaf(Plant const& plant, OrganShape const& shape);
 // it has no leaves.
 Plant dressed(Plant const& plant, lsystem::LeafSheet const& sheet);
 
-} // namespace tractus
+} // namespace tractus::scene

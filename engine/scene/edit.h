@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 struct BuiltPlant;
 
@@ -331,4 +331,4 @@ struct UnknownEdit {
 // The kinds above but for the last, which stands for all that are not in a table.
 EditKinds core_edit_kinds();
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -2,7 +2,7 @@
 
 #include "engine/scene/anchored.h"
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -36,4 +36,4 @@ Edit with_id(Edit const& edit, std::uint64_t number)
     return edit.changed_by(giver);
 }
 
-} // namespace tractus
+} // namespace tractus::scene

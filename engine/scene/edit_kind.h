@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 struct DocumentState;
 class SceneBuilder;
@@ -84,4 +84,4 @@ using EditKinds = std::span<EditKind const* const>;
 // Null if there is none.
 EditKind const* find_edit_kind(EditKinds kinds, std::string_view word);
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -6,7 +6,7 @@
 #include <array>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -71,4 +71,4 @@ Result<DocumentState> apply_edit(DocumentState state, Edit const& edit, SceneBui
     return edit.kind_->apply(std::move(state), edit.fields_.get(), builder);
 }
 
-} // namespace tractus
+} // namespace tractus::scene

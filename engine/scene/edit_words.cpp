@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::scene {
 
 std::string counted(std::size_t count, char const* what)
 {
@@ -35,4 +35,4 @@ std::string describe_stroke(Stroke const& stroke)
                        seconds);
 }
 
-} // namespace tractus
+} // namespace tractus::scene

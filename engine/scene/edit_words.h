@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 // Words for what edits do.
 
@@ -19,4 +19,4 @@ std::string list_numbers(std::vector<std::size_t> const& numbers);
 // "120 tips, 240 mm in 1.2 s".
 std::string describe_stroke(Stroke const& stroke);
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -16,7 +16,7 @@
 #include <variant>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 // A field of any type that edits have. Another type of field is another alternative here, and a way
 // to write it in each visitor.
@@ -60,4 +60,4 @@ public:
     }
 };
 
-} // namespace tractus
+} // namespace tractus::scene

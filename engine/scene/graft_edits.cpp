@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -240,4 +240,4 @@ constexpr EditKind TakeOffGraft::kKind
 constexpr EditKind HideBranch::kKind
     = make_edit_kind<HideBranch, list, applied, described>("hide_branch");
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::string described(SetGrowth const& edit)
 constexpr EditKind SetGrowth::kKind
     = make_edit_kind<SetGrowth, list, applied, described>("set_growth");
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -178,4 +178,4 @@ constexpr EditKind ChangeIndicator::kKind
 constexpr EditKind DeleteIndicator::kKind
     = make_edit_kind<DeleteIndicator, list, applied, described>("delete_indicator");
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -67,4 +67,4 @@ constexpr EditKind DressPlant::kKind
 constexpr EditKind KeepGrammar::kKind
     = make_edit_kind<KeepGrammar, list, applied, described>("keep_grammar");
 
-} // namespace tractus
+} // namespace tractus::scene

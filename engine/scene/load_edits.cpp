@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -156,4 +156,4 @@ constexpr EditKind LoadSkeleton::kKind
 constexpr EditKind LoadMeasured::kKind
     = make_edit_kind<LoadMeasured, list, applied, described>("load_measured", true);
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::scene {
 
 Result<BuiltSource> build_lsystem(LoadModel const& loaded, LoadOptions const& options)
 {
@@ -34,4 +34,4 @@ Result<BuiltSource> build_lsystem(LoadModel const& loaded, LoadOptions const& op
     return built;
 }
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 // The row for edits of type T, from functions on T.
 template<typename T, void (*fields)(Fields&, T&),
@@ -32,4 +32,4 @@ constexpr EditKind make_edit_kind(char const* word, bool loads_plant = false)
              .describe = [](void const* edit) { return describe(*static_cast<T const*>(edit)); } };
 }
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 Result<BuiltSource> build_measured(LoadMeasured const& measured, LoadOptions const&)
 {
@@ -25,4 +25,4 @@ Result<BuiltSource> build_measured(LoadMeasured const& measured, LoadOptions con
     return BuiltSource { .plant = TRY(parse_ply_skeleton(measured.name, bytes)) };
 }
 
-} // namespace tractus
+} // namespace tractus::scene

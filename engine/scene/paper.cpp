@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 Paper paper_of(DocumentState const& state)
 {
@@ -40,4 +40,4 @@ void redraw_on_paper(DocumentState& state, std::size_t number, PlantSource sourc
     });
 }
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace tractus {
+namespace tractus::scene {
 
 // The tablet as a sheet of paper that stands upright in the drawing volume: what lies to the right
 // on it lies to the right, along x, and what was drawn away from the user, along the sheet's y, is
@@ -44,4 +44,4 @@ Paper paper_of(DocumentState const& state);
 void redraw_on_paper(DocumentState& state, std::size_t number, PlantSource source,
                      Vec2 const& base_mm);
 
-} // namespace tractus
+} // namespace tractus::scene

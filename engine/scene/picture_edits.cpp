@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -174,4 +174,4 @@ constexpr EditKind SetPictureGround::kKind
 constexpr EditKind RemovePicture::kKind
     = make_edit_kind<RemovePicture, list, applied, described>("remove_picture");
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -65,4 +65,4 @@ Result<std::optional<GroundPlace>> place_on_ground(BackPicture const& picture, V
                          .m_per_mm = camera_m / drop / width_mm };
 }
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace tractus {
+namespace tractus::scene {
 
 // Refuses, as the user's fault, what is not finite or out of range, a top that is not above its
 // foot, and a foot that is not below the horizon.
@@ -33,4 +33,4 @@ Result<std::optional<GroundPlace>> place_on_ground(BackPicture const& picture, V
 // A place on the sheet as PictureGround has it.
 Vec2 on_picture(PicturePlace const& place, Vec2 const& sheet_mm);
 
-} // namespace tractus
+} // namespace tractus::scene

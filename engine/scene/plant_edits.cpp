@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -204,4 +204,4 @@ constexpr EditKind RemovePlant::kKind
 constexpr EditKind SetScale::kKind
     = make_edit_kind<SetScale, list, applied, described>("set_scale");
 
-} // namespace tractus
+} // namespace tractus::scene

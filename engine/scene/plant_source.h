@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 // How a plant is built from what was drawn or written. Not part of the document: the plant does not
 // depend on it, only whether there is one.
@@ -133,4 +133,4 @@ private:
     std::shared_ptr<void const> drawn_; // Of the kind's type. Shared between copies.
 };
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 std::vector<variation::MotionIndicator> motion_indicators(BuiltPlant const& plant)
 {
@@ -94,4 +94,4 @@ Scene preview_in_season(Scene scene, std::optional<Season> const& season)
     return scene;
 }
 
-} // namespace tractus
+} // namespace tractus::scene

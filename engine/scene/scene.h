@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 // A plant of a document as it is built: its base plant, and what was drawn on it, found there.
 struct BuiltPlant {
@@ -92,4 +92,4 @@ Scene preview_in_season(Scene scene, std::optional<Season> const& season);
 // number of plants. Fails like resolve_associations and plan_growth.
 Result<variation::GrowthPlan> plan_growth(BuiltPlant const& plant);
 
-} // namespace tractus
+} // namespace tractus::scene

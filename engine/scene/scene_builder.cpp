@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 // Base plants that no plant of the newest state has, kept since undo may bring them back.
 static constexpr std::size_t kOldBases = 2;
@@ -242,4 +242,4 @@ SharedVector<SegmentId> SceneBuilder::path_of(BuiltPlant const& plant,
     return entry->second.second;
 }
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 // A base plant with what strokes and growth need of it. Nobody changes it.
 struct BasePlant {
@@ -82,4 +82,4 @@ private:
     std::map<ItemId, FoundPaths> found_;
 };
 
-} // namespace tractus
+} // namespace tractus::scene

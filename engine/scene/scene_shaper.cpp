@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 Result<void> SceneShaper::set_plant(BuiltPlant const& plant)
 {
@@ -48,4 +48,4 @@ Result<variation::GrowthPlan> plan_growth(BuiltPlant const& plant)
     return plan_growth(plant, shaper);
 }
 
-} // namespace tractus
+} // namespace tractus::scene

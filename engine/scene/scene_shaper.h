@@ -9,7 +9,7 @@
 #include <optional>
 #include <stop_token>
 
-namespace tractus {
+namespace tractus::scene {
 
 // Keeps the shape that strokes give to a plant, for states of it that follow each other: of the
 // next one only the strokes that are new are looked at and laid. Serves one caller at a time.
@@ -33,4 +33,4 @@ private:
 Result<variation::GrowthPlan> plan_growth(BuiltPlant const& plant, SceneShaper& shaper,
                                           std::stop_token const& stop = {});
 
-} // namespace tractus
+} // namespace tractus::scene

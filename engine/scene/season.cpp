@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::optional<double> age_in_season(OrganCalendar const& calendar, double month)
     return between(calendar.turns, calendar.bare, kTurning, 1);
 }
 
-} // namespace tractus
+} // namespace tractus::scene

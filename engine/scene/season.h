@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::scene {
 
 // A time of the year, as plants show it.
 struct Season {
@@ -50,4 +50,4 @@ std::set<std::string> missing_leaves(Plant const& plant, Season const& season,
 // = 0.
 Plant in_season(Plant const& plant, Season const& season, LeafSheets const& sheets);
 
-} // namespace tractus
+} // namespace tractus::scene

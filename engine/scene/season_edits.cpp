@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -68,4 +68,4 @@ constexpr EditKind KeepLeaves::kKind
 constexpr EditKind SetSeason::kKind
     = make_edit_kind<SetSeason, list, applied, described>("set_season");
 
-} // namespace tractus
+} // namespace tractus::scene

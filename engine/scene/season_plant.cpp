@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -310,4 +310,4 @@ Plant in_season(Plant const& plant, Season const& season, LeafSheets const& shee
     return Seasoner(plant, season, sheets).run();
 }
 
-} // namespace tractus
+} // namespace tractus::scene

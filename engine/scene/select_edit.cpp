@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -69,4 +69,4 @@ Select select_paths(BuiltPlant const& plant, variation::Selection const& paths)
 
 constexpr EditKind Select::kKind = make_edit_kind<Select, list, applied, described>("select");
 
-} // namespace tractus
+} // namespace tractus::scene

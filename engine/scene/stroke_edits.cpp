@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 namespace {
 
@@ -321,4 +321,4 @@ constexpr EditKind DeleteStroke::kKind
 constexpr EditKind EraseTips::kKind
     = make_edit_kind<EraseTips, list, applied, described>("erase_tips");
 
-} // namespace tractus
+} // namespace tractus::scene

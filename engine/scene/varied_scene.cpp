@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::scene {
 
 bool has_sources_that_vary(Scene const& scene)
 {
@@ -33,4 +33,4 @@ Result<Scene> varied(Scene const& scene, SourceVariation const& variation)
     return builder.build(std::move(state));
 }
 
-} // namespace tractus
+} // namespace tractus::scene

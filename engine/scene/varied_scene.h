@@ -4,7 +4,7 @@
 #include "engine/scene/plant_source.h"
 #include "engine/scene/scene.h"
 
-namespace tractus {
+namespace tractus::scene {
 
 // Whether any plant of the scene, or a part of one, can vary what it was drawn as
 // (SourceKind::vary).
@@ -16,4 +16,4 @@ bool has_sources_that_vary(Scene const& scene);
 // Fails where a varied plant cannot be built.
 Result<Scene> varied(Scene const& scene, SourceVariation const& variation);
 
-} // namespace tractus
+} // namespace tractus::scene

@@ -15,9 +15,10 @@ namespace tractus {
 // A station and the document that its strokes go to, at once: what a log or a hand amounts to.
 class DrawingStation : public station::Station {
 public:
-    DrawingStation(station::Station station, Scene scene)
+    DrawingStation(station::Station station, scene::Scene scene)
         : station::Station(std::move(station))
-        , document_(std::make_unique<Document>(std::move(scene), Document::Working::AtOnce))
+        , document_(std::make_unique<document::Document>(std::move(scene),
+                                                         document::Document::Working::AtOnce))
     {
     }
 
@@ -26,7 +27,7 @@ public:
         station::Station::push(device, received, report);
         draw_finished();
     }
-    void set_tool(Timestamp time, Tool const& tool)
+    void set_tool(Timestamp time, tools::Tool const& tool)
     {
         station::Station::set_tool(time, tool);
         draw_finished();
@@ -42,10 +43,10 @@ public:
         draw_finished();
     }
 
-    Document& document() { return *document_; }
-    Document const& document() const { return *document_; }
-    Scene const& scene() const { return document_->newest()->scene; }
-    std::vector<DrawnStroke> const& strokes() const { return strokes_; }
+    document::Document& document() { return *document_; }
+    document::Document const& document() const { return *document_; }
+    scene::Scene const& scene() const { return document_->newest()->scene; }
+    std::vector<document::DrawnStroke> const& strokes() const { return strokes_; }
 
 private:
     void draw_finished()
@@ -57,8 +58,8 @@ private:
                         std::move_iterator(drawn.end()));
     }
 
-    std::unique_ptr<Document> document_; // On the heap, as this moves.
-    std::vector<DrawnStroke> strokes_;
+    std::unique_ptr<document::Document> document_; // On the heap, as this moves.
+    std::vector<document::DrawnStroke> strokes_;
 };
 
 } // namespace tractus

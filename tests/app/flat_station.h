@@ -10,13 +10,13 @@
 namespace tractus {
 
 // A station with the simple pen and the tools of all methods, whose surface stays at 100 mm.
-inline station::Station flat_station(std::optional<Tool> const& tool = {})
+inline station::Station flat_station(std::optional<tools::Tool> const& tool = {})
 {
-    return flat_station(all_methods().tools, tool);
+    return flat_station(methods::all_methods().tools, tool);
 }
 
 // Returns such a station, and what it draws on.
-inline DrawingStation station_on(Scene scene, std::optional<Tool> const& tool = {})
+inline DrawingStation station_on(scene::Scene scene, std::optional<tools::Tool> const& tool = {})
 {
     return { flat_station(tool), std::move(scene) };
 }

@@ -9,9 +9,10 @@
 namespace tractus {
 
 // A document with the plant of one of our models, such as "birch".
-inline Scene our_plant(std::string_view name)
+inline scene::Scene our_plant(std::string_view name)
 {
-    return apply_edit({}, io::load_model_edit(files::find_model(name).value()).value()).value();
+    return scene::apply_edit({}, io::load_model_edit(files::find_model(name).value()).value())
+        .value();
 }
 
 } // namespace tractus

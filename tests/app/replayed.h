@@ -12,16 +12,16 @@ namespace tractus {
 // Result of a log.
 struct Replayed {
     station::StationCounts counts;
-    Scene scene;
-    std::vector<DrawnStroke> strokes;
+    scene::Scene scene;
+    std::vector<document::DrawnStroke> strokes;
 };
 
 inline Replayed replayed(drivers::Log const& log, station::ReplayOptions options = {},
-                         Scene scene = small_scene())
+                         scene::Scene scene = small_scene())
 {
-    options.methods = all_methods();
+    options.methods = methods::all_methods();
     auto replay = station::LogReplay::create(log, options).value();
-    Document document(std::move(scene), Document::Working::AtOnce);
+    document::Document document(std::move(scene), document::Document::Working::AtOnce);
     replay.run(document);
     return { replay.station().counts(), document.newest()->scene, document.take_drawn() };
 }

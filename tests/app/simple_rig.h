@@ -47,7 +47,7 @@ inline std::vector<std::byte> height_report(int counts)
 }
 
 // A station with the simple pen and these tools, whose surface stays at 100 mm.
-inline station::Station flat_station(ToolKinds tools, std::optional<Tool> const& tool)
+inline station::Station flat_station(tools::ToolKinds tools, std::optional<tools::Tool> const& tool)
 {
     station::StationOptions options;
     options.scripted_height = calib::ScriptedHeight {

@@ -37,7 +37,7 @@ inline Result<std::string> recorded(std::string_view script_text)
 {
     auto const script = TRY(sim::parse_gesture_script(script_text, "script"));
     std::ostringstream out;
-    TRY(play::write_simulated_recording(out, script, small_scene(), all_methods().tools));
+    TRY(play::write_simulated_recording(out, script, small_scene(), methods::all_methods().tools));
     return out.str();
 }
 

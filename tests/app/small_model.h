@@ -5,7 +5,7 @@
 namespace tractus {
 
 // A model with a trunk of six internodes, a branch of four and a branch of two.
-inline LoadModel small_model()
+inline scene::LoadModel small_model()
 {
     return { .source = { .name = "small.l",
                          .text = "Lsystem: 1\nderivation length: 1\n"
@@ -14,14 +14,14 @@ inline LoadModel small_model()
                                  "A --> A\nendlsystem\n" } };
 }
 
-inline Scene small_scene()
+inline scene::Scene small_scene()
 {
-    return apply_edit({}, small_model()).value();
+    return scene::apply_edit({}, small_model()).value();
 }
 
-inline void select(Scene& scene, variation::Selection const& paths)
+inline void select(scene::Scene& scene, variation::Selection const& paths)
 {
-    scene = apply_edit(scene, select_paths(scene, paths)).value();
+    scene = scene::apply_edit(scene, scene::select_paths(scene, paths)).value();
 }
 
 // A stroke through the given places, ten tips from each to the next, 5 ms apart.

@@ -29,14 +29,14 @@ Stroke top_line()
 
 // A frond without its uppermost inclination line, whose layers have so many nodes when that is
 // there.
-Scene frond(int nodes, int layers = 1)
+scene::Scene frond(int nodes, int layers = 1)
 {
-    Scene scene;
+    scene::Scene scene;
     auto const draw = [&](std::vector<Vec3> const& corners_mm) {
-        scene = apply_edit(scene,
-                           AddLine { .plant = scene.state.active,
-                                     .stroke = stroke_along(corners_mm),
-                                     .nodes = nodes })
+        scene = scene::apply_edit(scene,
+                                  AddLine { .plant = scene.state.active,
+                                            .stroke = stroke_along(corners_mm),
+                                            .nodes = nodes })
                     .value();
     };
     draw({ { 0, -75, 0 }, { 8, 0, 0 }, { 0, 75, 0 } });
@@ -49,12 +49,12 @@ Scene frond(int nodes, int layers = 1)
     return scene;
 }
 
-void follow(benchmark::State& state, Scene const& scene)
+void follow(benchmark::State& state, scene::Scene const& scene)
 {
     AddLine const line { .plant = scene.state.active, .stroke = top_line() };
     std::size_t organs = 0;
     for (auto _ : state)
-        benchmark::DoNotOptimize(organs = apply_edit(scene, line)->base->organs.size());
+        benchmark::DoNotOptimize(organs = scene::apply_edit(scene, line)->base->organs.size());
     report(state, { .items = static_cast<double>(organs), .item = "organs" });
 }
 
@@ -86,8 +86,8 @@ Construction sprig(int nodes)
 
 std::shared_ptr<Plant const> plant_of(LineModel const& model)
 {
-    LoadModel const load { .source = model.source, .includes = model.functions };
-    return apply_edit(Scene {}, load).value().base;
+    scene::LoadModel const load { .source = model.source, .includes = model.functions };
+    return scene::apply_edit(scene::Scene {}, load).value().base;
 }
 
 // Sketches as organs of a sketch: from the measured lines to the plant, text and derivation

@@ -23,7 +23,7 @@ constexpr std::size_t kMostSegments = 100'000;
 constexpr std::size_t kSteps = 1000;
 constexpr int kTreeSteps = 16; // 2^16 - 1 segments.
 
-std::size_t segment_count(Scene const& scene)
+std::size_t segment_count(scene::Scene const& scene)
 {
     std::size_t count = 0;
     for (auto const& plant : scene.plants)
@@ -72,12 +72,13 @@ public:
 private:
     void plant_tree()
     {
-        document_.make({ [](Scene const&) -> Result<WantedStep::Change> {
-            return WantedStep::Change { { LoadModel {
-                                            .source = { .name = "tree.l", .text = kMonopodialTree },
-                                            .steps = kTreeSteps,
-                                            .drawn = Drawn::Beside } },
-                                        "" };
+        document_.make({ [](scene::Scene const&) -> Result<document::WantedStep::Change> {
+            return document::WantedStep::Change {
+                { scene::LoadModel { .source = { .name = "tree.l", .text = kMonopodialTree },
+                                     .steps = kTreeSteps,
+                                     .drawn = scene::Drawn::Beside } },
+                ""
+            };
         } });
     }
 
@@ -117,8 +118,8 @@ private:
         }
     }
 
-    Document document_ { Scene {}, Document::Working::AtOnce };
-    RandomHand hand_ { 4 };
+    document::Document document_ { scene::Scene {}, document::Document::Working::AtOnce };
+    methods::RandomHand hand_ { 4 };
     std::vector<double> seconds_;
     std::map<std::string, Kind> kinds_;
 };

@@ -19,19 +19,19 @@ constexpr int kSide = 512;
 std::vector<leaf::Grammar> grammars()
 {
     std::vector<leaf::Grammar> made;
-    for (auto const& name : leaf_names())
-        made.push_back(load_leaf_grammar(name).value());
+    for (auto const& name : leaf::leaf_names())
+        made.push_back(leaf::load_leaf_grammar(name).value());
     return made;
 }
 
-LeafLife life_of(std::size_t i)
+leaf::LeafLife life_of(std::size_t i)
 {
     return { .age = 0.3 + 0.6 * double(i % 97) / 96, .seed = i };
 }
 
 leaf::PaintOptions paint_of(leaf::Grammar const& grammar, std::size_t i)
 {
-    auto options = paint_options(grammar, life_of(i));
+    auto options = leaf::paint_options(grammar, life_of(i));
     options.side = kSide;
     options.larvae.count = i % 4 == 0 ? 3 : 0;
     options.spots = i % 5 == 0 ? 0.3 : 0;
@@ -54,8 +54,8 @@ void say(char const* what, Used const& before, double items)
 
 std::size_t packed_bytes(leaf::LeafPicture const& picture)
 {
-    return packed_map(picture.color).size() + packed_map(picture.normal).size()
-        + packed_map(picture.roughness).size();
+    return leaf::packed_map(picture.color).size() + leaf::packed_map(picture.normal).size()
+        + leaf::packed_map(picture.roughness).size();
 }
 
 void leaves_with_maps(benchmark::State& state)
@@ -81,7 +81,7 @@ void leaves_with_maps(benchmark::State& state)
                                 [&](std::size_t slot) {
                                     auto const i = number[slot];
                                     auto const& grammar = species[i % species.size()];
-                                    auto const grown = grow_leaf(grammar, life_of(i)).value();
+                                    auto const grown = leaf::grow_leaf(grammar, life_of(i)).value();
                                     packed[slot] = packed_bytes(painters[slot].paint(
                                         grown.leaf, grown.triangles, paint_of(grammar, i)));
                                 },
@@ -100,11 +100,11 @@ BENCHMARK(leaves_with_maps)->Unit(benchmark::kSecond)->UseRealTime();
 // Measures a leaf as a window shows it while somebody drags a slider.
 void leaf_with_maps(benchmark::State& state)
 {
-    auto const grammar = load_leaf_grammar("maple").value();
+    auto const grammar = leaf::load_leaf_grammar("maple").value();
     leaf::LeafPainter painter;
     std::size_t i = 0;
     for (auto _ : state) {
-        auto const grown = grow_leaf(grammar, life_of(++i)).value();
+        auto const grown = leaf::grow_leaf(grammar, life_of(++i)).value();
         benchmark::DoNotOptimize(
             painter.paint(grown.leaf, grown.triangles, paint_of(grammar, i)).color.data());
     }
@@ -116,11 +116,11 @@ BENCHMARK(leaf_with_maps)->Unit(benchmark::kMillisecond)->UseRealTime();
 // maps, and six others.
 void leaf_study(benchmark::State& state)
 {
-    auto const grammar = load_leaf_grammar("maple").value();
+    auto const grammar = leaf::load_leaf_grammar("maple").value();
     double age = 0;
     for (auto _ : state) {
         age = age < 0.99 ? age + 0.01 : 0;
-        benchmark::DoNotOptimize(study_leaf(
+        benchmark::DoNotOptimize(leaf::study_leaf(
             grammar, { .age = age, .damage = { .spots = 0.3, .larvae = 2 } }, { 250, 250, 248 }));
     }
     report(state, { .item = "pages" });
@@ -135,7 +135,7 @@ void leaf_meshes(benchmark::State& state)
         Used const before;
         parallel_for(kLeaves, 32, [&](std::size_t begin, std::size_t end) {
             for (auto i = begin; i < end; ++i)
-                benchmark::DoNotOptimize(grow_leaf(species[i % species.size()], life_of(i)));
+                benchmark::DoNotOptimize(leaf::grow_leaf(species[i % species.size()], life_of(i)));
         });
         say("leaf meshes", before, kLeaves);
     }

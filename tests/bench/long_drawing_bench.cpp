@@ -39,8 +39,9 @@ double resident_mb()
 class Day {
 public:
     explicit Day(fs::path const& path)
-        : controller_(station_, batch::begin_session(path, { model() }, core_edit_kinds()).value(),
-                      {}, ".")
+        : controller_(station_,
+                      batch::begin_session(path, { model() }, scene::core_edit_kinds()).value(), {},
+                      ".")
     {
     }
 
@@ -78,12 +79,12 @@ public:
     // Whether the session has each stroke that was not taken back, and no other.
     bool has_lost_nothing(fs::path const& path) const
     {
-        auto const session = session::read_session(path, core_edit_kinds());
+        auto const session = session::read_session(path, scene::core_edit_kinds());
         if (!session)
             return false;
         std::int64_t stroke = 0;
         for (auto const& edit : session->edits) {
-            auto const* const drawn = edit.edit.get<Associate>();
+            auto const* const drawn = edit.edit.get<scene::Associate>();
             if (!drawn || edit.step > session->step)
                 continue;
             stroke += (stroke + 1) % kStrokesPerUndo == 0;
@@ -95,7 +96,7 @@ public:
     }
 
 private:
-    static Edit model()
+    static scene::Edit model()
     {
         return io::load_plant_edit(files::find_model("broadleaf").value()).value();
     }

@@ -12,11 +12,11 @@
 namespace tractus {
 namespace {
 
-Scene two_birches()
+scene::Scene two_birches()
 {
     auto scene = our_plant("birch");
     auto const active = scene.state.active;
-    return apply_edit(std::move(scene), CopyPlant { active, { 100, 0, 0 } }).value();
+    return scene::apply_edit(std::move(scene), scene::CopyPlant { active, { 100, 0, 0 } }).value();
 }
 
 // Half a month later each time.
@@ -25,9 +25,9 @@ double month_of(std::size_t step)
     return 4.5 + 0.5 * static_cast<double>(step % 12);
 }
 
-mesh::Mesh grown(view::PlantGrower& grower, Scene scene)
+mesh::Mesh grown(view::PlantGrower& grower, scene::Scene scene)
 {
-    auto const shared = std::make_shared<Scene const>(std::move(scene));
+    auto const shared = std::make_shared<scene::Scene const>(std::move(scene));
     grower.grow({ shared, shared->growth });
     for (;;) {
         if (auto mesh = grower.take())
@@ -43,7 +43,7 @@ void season_while_a_slider_moves(benchmark::State& state)
     benchmark::DoNotOptimize(grown(grower, scene).triangle_count());
     std::size_t step = 0;
     for (auto _ : state) {
-        auto const seen = preview_in_season(scene, Season { month_of(step++), 0.5 });
+        auto const seen = scene::preview_in_season(scene, scene::Season { month_of(step++), 0.5 });
         benchmark::DoNotOptimize(grown(grower, seen).triangle_count());
     }
     report(state, { .item = "pictures" });
@@ -56,7 +56,8 @@ void season_chosen(benchmark::State& state)
     view::PlantGrower grower;
     std::size_t step = 0;
     for (auto _ : state) {
-        auto const there = batch::with_season(scene, Season { month_of(step++), 0.5 }).value();
+        auto const there
+            = batch::with_season(scene, scene::Season { month_of(step++), 0.5 }).value();
         benchmark::DoNotOptimize(grown(grower, there).triangle_count());
     }
     report(state, { .item = "pictures" });

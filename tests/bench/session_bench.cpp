@@ -38,7 +38,8 @@ Stroke bent_stroke(std::size_t number)
 
 session::SessionOptions options()
 {
-    return session::session_by_the_clock(core_edit_kinds(), [] { return load_options(); });
+    return session::session_by_the_clock(scene::core_edit_kinds(),
+                                         [] { return document::load_options(); });
 }
 
 // Half of its edits choose a branch, the others draw it.
@@ -49,16 +50,17 @@ public:
     {
         batch::return_large_blocks(); // The window does it, too.
         fs::remove(path_);
-        Edit const model = LoadModel { .source = { .name = "tree.l", .text = kMonopodialTree },
-                                       .steps = kSteps };
-        auto session = batch::begin_session(path_, { model }, core_edit_kinds()).value();
+        scene::Edit const model
+            = scene::LoadModel { .source = { .name = "tree.l", .text = kMonopodialTree },
+                                 .steps = kSteps };
+        auto session = batch::begin_session(path_, { model }, scene::core_edit_kinds()).value();
         auto const& plant = *session.scene().base;
         for (std::size_t i = 0; i < kEdits / 2; ++i) {
             auto const axis = plant.axes[i * plant.axes.size() / (kEdits / 2)];
             std::vector<SegmentId> path(axis.segment_count);
             std::iota(path.begin(), path.end(), axis.first_segment);
-            std::vector<Edit> const edits { select_paths(session.scene(), { path }),
-                                            Associate { bent_stroke(i) } };
+            std::vector<scene::Edit> const edits { scene::select_paths(session.scene(), { path }),
+                                                   scene::Associate { bent_stroke(i) } };
             if (!session.append(edits))
                 std::abort();
         }

@@ -29,9 +29,9 @@ constexpr double kSegments = 20; // Of the strokes.
 
 // A rule with two laterals at a node, whose plant of kSegments has about so many internodes; they
 // are cut off at the depth for it.
-SketchTool rule_for(std::size_t internodes)
+sketch::SketchTool rule_for(std::size_t internodes)
 {
-    SketchTool tool { .first_length_mm = 6, .length_ratio = 1, .lateral_length = 0.9 };
+    sketch::SketchTool tool { .first_length_mm = 6, .length_ratio = 1, .lateral_length = 0.9 };
     tool.shortest_mm = 0.01;
     tool.surface = StrokeSurface::Space;
     for (double shortest_mm = 5.9; shortest_mm > 0.05; shortest_mm *= 0.97) {
@@ -55,7 +55,7 @@ std::vector<TipSample> tips_up(double length_mm)
     return tips;
 }
 
-double length_mm(SketchTool const& tool)
+double length_mm(sketch::SketchTool const& tool)
 {
     return kSegments * tool.first_length_mm + 0.5;
 }
@@ -70,7 +70,7 @@ void sketch_sample_p99(benchmark::State& state)
     auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
     for (auto _ : state) {
         auto station = flat_station(tool);
-        Document document(Scene {}, Document::Working::OnItsThread);
+        document::Document document(scene::Scene {}, document::Document::Working::OnItsThread);
         view::StationView view(station, document);
         std::vector<double> took_s;
         std::uint64_t shown = 0;
@@ -102,9 +102,9 @@ void sketch_application(benchmark::State& state)
     std::array const inks { tips_up(length_mm(tool)),
                             tips_up(length_mm(tool) - tool.first_length_mm) };
     std::size_t turn = 0;
-    auto const scene = std::make_shared<Scene const>();
-    auto const previewer = sketch_previewer();
-    Tool const hand = tool;
+    auto const scene = std::make_shared<scene::Scene const>();
+    auto const previewer = sketch::sketch_previewer();
+    tools::Tool const hand = tool;
     view::WindowState seen;
     std::size_t lines = 0;
     for (auto _ : state) {
@@ -121,10 +121,12 @@ BENCHMARK(sketch_application)
     ->Arg(20'000)
     ->Unit(benchmark::kMillisecond);
 
-Scene drawn(SketchTool const& tool)
+scene::Scene drawn(sketch::SketchTool const& tool)
 {
     Stroke const stroke { tips_up(length_mm(tool)) };
-    return apply_edits(Scene {}, Tool(tool).mean(stroke, Scene {}).value()).value();
+    return scene::apply_edits(scene::Scene {},
+                              tools::Tool(tool).mean(stroke, scene::Scene {}).value())
+        .value();
 }
 
 // From the pen's leaving the tablet to the plant and its skeleton.
@@ -134,7 +136,7 @@ void sketch_plant_and_skeleton(benchmark::State& state)
     auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
     std::size_t segments = 0;
     for (auto _ : state) {
-        auto const scene = std::make_shared<Scene const>(drawn(tool));
+        auto const scene = std::make_shared<scene::Scene const>(drawn(tool));
         view::SkeletonPicture picture;
         picture.set_scene(scene);
         benchmark::DoNotOptimize(picture.lines({}).data());
@@ -152,8 +154,8 @@ BENCHMARK(sketch_plant_and_skeleton)
 void sketch_mesh(benchmark::State& state)
 {
     batch::return_large_blocks();
-    auto const scene
-        = std::make_shared<Scene const>(drawn(rule_for(static_cast<std::size_t>(state.range(0)))));
+    auto const scene = std::make_shared<scene::Scene const>(
+        drawn(rule_for(static_cast<std::size_t>(state.range(0)))));
     view::PlantGrower grower;
     std::size_t triangles = 0;
     for (auto _ : state) {

@@ -59,11 +59,11 @@ Plant big_plant(std::size_t segments)
     return plant;
 }
 
-Scene scene_of(std::size_t segments)
+scene::Scene scene_of(std::size_t segments)
 {
-    Scene scene;
+    scene::Scene scene;
     auto plant = big_plant(segments);
-    scene.placement = place_on_desk(plant);
+    scene.placement = scene::place_on_desk(plant);
     scene.base = std::make_shared<Plant const>(std::move(plant));
     scene.rest = variation::SharedRestShape(scene.base);
     return scene;
@@ -72,8 +72,8 @@ Scene scene_of(std::size_t segments)
 // A hand that draws circles, a stroke a second, each for the next branch.
 class Drawing {
 public:
-    explicit Drawing(Scene scene)
-        : document_(std::move(scene), Document::Working::OnItsThread)
+    explicit Drawing(scene::Scene scene)
+        : document_(std::move(scene), document::Document::Working::OnItsThread)
         , view_(station_, document_)
     {
         batch::return_large_blocks(); // The window does it, too.
@@ -138,7 +138,7 @@ private:
     }
 
     station::Station station_ = station::Station::create(simple_rig(), {}).value();
-    Document document_;
+    document::Document document_;
     view::StationView view_;
     std::int64_t now_us_ = 0;
     std::int64_t samples_ = 0;

@@ -10,7 +10,7 @@
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     using namespace tractus;
-    static auto const methods = all_methods();
+    static auto const methods = methods::all_methods();
     FuzzInput input(data, size);
     session::EditRecord record;
     record.kind = input.take_part();

@@ -21,7 +21,7 @@ static std::filesystem::path own_file()
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     using namespace tractus;
-    static auto const methods = all_methods();
+    static auto const methods = methods::all_methods();
     static auto const path = own_file();
     FuzzInput const input(data, size);
     std::ofstream(path, std::ios::binary) << input.text();

@@ -18,9 +18,9 @@ namespace tractus {
 namespace {
 
 // Sets the clock of a stroke to zero where it begins: each recording has a clock of its own.
-class FromItsBegin final : public Fields {
+class FromItsBegin final : public scene::Fields {
 public:
-    void field(char const*, FieldRef) override { }
+    void field(char const*, scene::FieldRef) override { }
     void word(char const*, int&, std::span<char const* const>) override { }
     void numbers(std::vector<SkeletonPiece>&) override { }
     void bytes(std::string&) override { }
@@ -50,7 +50,7 @@ struct DrawnEdit {
 // What was drawn and is not undone.
 Result<std::vector<DrawnEdit>> drawn_edits(std::string const& session)
 {
-    auto const contents = TRY(session::read_session(session, all_methods().edits));
+    auto const contents = TRY(session::read_session(session, methods::all_methods().edits));
     std::vector<DrawnEdit> drawn;
     for (auto const& made : contents.edits) {
         FromItsBegin clock;
@@ -74,10 +74,11 @@ Result<void> go_on_with_recordings(controllers::WantedDrawing const& drawing,
 {
     for (auto const& name : logs) {
         std::string trouble;
-        auto session = TRY(controllers::open_or_begin(drawing, all_methods().edits, trouble));
-        Document document(std::move(session), Document::Working::AtOnce);
+        auto session
+            = TRY(controllers::open_or_begin(drawing, methods::all_methods().edits, trouble));
+        document::Document document(std::move(session), document::Document::Working::AtOnce);
         auto const log = TRY(drivers::read_log(name));
-        auto replay = TRY(station::LogReplay::create(log, { .methods = all_methods() }));
+        auto replay = TRY(station::LogReplay::create(log, { .methods = methods::all_methods() }));
         replay.run(document);
         if (auto const& outcome = replay.outcome(); !outcome)
             return outcome;

@@ -24,7 +24,7 @@ constexpr auto kFrame = std::chrono::milliseconds(16);
 Result<controllers::LiveWindow> open_window(WatchedWindow const& watched)
 {
     auto const rig_text = TRY(read_file(watched.rig_file));
-    controllers::LiveWindowOptions options { .methods = all_methods() };
+    controllers::LiveWindowOptions options { .methods = methods::all_methods() };
     options.rig = TRY(calib::parse_rig(rig_text, watched.rig_file));
     if (watched.session.empty()) {
         options.scene = TRY(controllers::scene_of_plant(watched.model, options.methods.edits));
@@ -52,7 +52,7 @@ public:
         auto const log = TRY(drivers::read_log(log_name));
         for (auto const& line : log.tools)
             chooser.tools_.push_back(
-                TRY(parse_tool(all_methods().tools, line.tool, line.arguments)));
+                TRY(tools::parse_tool(methods::all_methods().tools, line.tool, line.arguments)));
         return chooser;
     }
 
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    std::vector<Tool> tools_;
+    std::vector<tools::Tool> tools_;
     std::size_t next_ = 0;
 };
 
@@ -89,7 +89,7 @@ public:
 
 private:
     // How many strokes are on the disk, when nothing is being done; else how many were.
-    std::size_t kept_strokes(Document const& document) const
+    std::size_t kept_strokes(document::Document const& document) const
     {
         return document.is_settled() ? document.stroke_count() : kept_;
     }

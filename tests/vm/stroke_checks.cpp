@@ -20,7 +20,7 @@ Result<sim::Hand> hand_of(TruthOptions const& options)
     auto const text = TRY(read_file(options.script));
     auto const script = TRY(sim::parse_gesture_script(text, options.script));
     auto const edit = TRY(io::load_model_edit(options.model));
-    return play::simulated_hand(script, TRY(apply_edit({}, edit)));
+    return play::simulated_hand(script, TRY(scene::apply_edit({}, edit)));
 }
 
 // How much later the recording's clock reads than the hand's: the median over the pen's reports,
@@ -70,12 +70,13 @@ struct StrokeErrors {
     double rms_mm() const { return std::sqrt(sum_of_squares / static_cast<double>(count)); }
 };
 
-Result<std::vector<DrawnStroke>> strokes_of_recording(drivers::Log const& log,
-                                                      std::string const& model)
+Result<std::vector<document::DrawnStroke>> strokes_of_recording(drivers::Log const& log,
+                                                                std::string const& model)
 {
     auto const edit = TRY(io::load_model_edit(model));
-    Document document(TRY(apply_edit({}, edit)), Document::Working::AtOnce);
-    auto replay = TRY(station::LogReplay::create(log, { .methods = all_methods() }));
+    document::Document document(TRY(scene::apply_edit({}, edit)),
+                                document::Document::Working::AtOnce);
+    auto replay = TRY(station::LogReplay::create(log, { .methods = methods::all_methods() }));
     replay.run(document);
     return document.take_drawn();
 }

@@ -4,15 +4,15 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::methods {
 
-std::string describe_uses(std::filesystem::path const& model, LoadOptions const& options)
+std::string describe_uses(std::filesystem::path const& model, scene::LoadOptions const& options)
 {
-    static constexpr std::array kDescribe { describe_contract };
+    static constexpr std::array kDescribe { sketch::describe_contract };
     std::string text;
     for (auto const describe : kDescribe)
         text += describe(model, options);
     return text;
 }
 
-} // namespace tractus
+} // namespace tractus::methods

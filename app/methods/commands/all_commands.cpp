@@ -7,18 +7,18 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::methods {
 
-Methods with_commands(Methods methods)
+tools::Methods with_commands(tools::Methods methods)
 {
-    static constexpr std::array<AddCommand, 4> kCommands {
-        add_sketch_command,
-        add_construct_command,
-        add_silhouette_command,
-        add_leaves_command,
+    static constexpr std::array<tools::AddCommand, 4> kCommands {
+        sketch::add_sketch_command,
+        lines::add_construct_command,
+        silhouette::add_silhouette_command,
+        leaf::add_leaves_command,
     };
     methods.commands = kCommands;
     return methods;
 }
 
-} // namespace tractus
+} // namespace tractus::methods

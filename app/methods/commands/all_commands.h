@@ -2,10 +2,10 @@
 
 #include "app/tools/methods.h"
 
-namespace tractus {
+namespace tractus::methods {
 
 // The methods with all commands that they bring: what all_methods() is for editing, this is for the
 // command line. It stands apart, so that code that only edits need not be linked with them.
-Methods with_commands(Methods methods);
+tools::Methods with_commands(tools::Methods methods);
 
-} // namespace tractus
+} // namespace tractus::methods

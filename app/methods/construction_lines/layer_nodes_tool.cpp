@@ -7,30 +7,31 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace tractus {
+namespace tractus::lines {
 
 namespace {
 
 // In the order of What.
-constexpr std::array<OptionWord, 3> kWords { {
+constexpr std::array<tools::OptionWord, 3> kWords { {
     { "touched", "Nodes of a layer" },
     { "more", "One node more", nullptr, true },
     { "fewer", "One fewer", nullptr, true },
 } };
 
-void visit(OptionVisitor& visitor, LayerNodesTool& tool)
+void visit(tools::OptionVisitor& visitor, LayerNodesTool& tool)
 {
-    visitor.choice({ kWords, WordOption::Offered::InHand }, tool.what);
+    visitor.choice({ kWords, tools::WordOption::Offered::InHand }, tool.what);
     visitor.number({ "count", "", 0, lines::kMostNodesInLayer, 1, "Nodes" }, tool.nodes);
 }
 
-Result<std::vector<Edit>> set_nodes(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> set_nodes(tools::Tool const& tool, Stroke const& stroke,
+                                           scene::Scene const& scene)
 {
     auto const& options = *tool.get<LayerNodesTool>();
     auto const active = TRY(active_sketch(scene));
     if (options.what == LayerNodesTool::What::Touched) {
         auto const layer = TRY(lines::layer_at(active.sketch, touched_mm(active, stroke)));
-        return std::vector<Edit> { lines::SetLayerNodes {
+        return std::vector<scene::Edit> { lines::SetLayerNodes {
             active.plant, layer.line, static_cast<int>(std::lround(options.nodes)) } };
     }
     auto const topmost = TRY(lines::layers_of(active.sketch)).back();
@@ -39,12 +40,12 @@ Result<std::vector<Edit>> set_nodes(Tool const& tool, Stroke const& stroke, Scen
         return fail(Fault::User,
                     fmt::format("the topmost layer has {} nodes, and cannot have {}", topmost.nodes,
                                 nodes < 0 ? "fewer" : "more"));
-    return std::vector<Edit> { lines::SetLayerNodes { active.plant, topmost.line, nodes } };
+    return std::vector<scene::Edit> { lines::SetLayerNodes { active.plant, topmost.line, nodes } };
 }
 
 } // namespace
 
-constexpr ToolKind LayerNodesTool::kKind {
+constexpr tools::ToolKind LayerNodesTool::kKind {
     .word = "layer_nodes",
     .label = "Nodes of a layer",
     .title = "Set the nodes of a layer",
@@ -55,10 +56,10 @@ constexpr ToolKind LayerNodesTool::kKind {
     .group = "Sketch",
     .method = "From lines",
     .begins_group_of_buttons = true,
-    .surface = Surface::Paper,
-    .options = options_type<LayerNodesTool, visit>(),
+    .surface = tools::Surface::Paper,
+    .options = tools::options_type<LayerNodesTool, visit>(),
     .mean = set_nodes,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::lines

@@ -2,11 +2,11 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::lines {
 
 // Sets how many nodes a layer of the active plant's sketch has.
 struct LayerNodesTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
     enum class What {
         Touched, // The layer beside which the stroke ends gets so many.
@@ -17,4 +17,4 @@ struct LayerNodesTool {
     double nodes = 8;
 };
 
-} // namespace tractus
+} // namespace tractus::lines

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace tractus {
+namespace tractus::lines {
 
 namespace {
 
@@ -102,7 +102,7 @@ double range_for(double largest)
     return range;
 }
 
-Result<Shown> shown_of(Scene const& scene)
+Result<Shown> shown_of(scene::Scene const& scene)
 {
     auto active = TRY(active_sketch(scene));
     auto construction = TRY(lines::construction_of(active.sketch));
@@ -118,14 +118,15 @@ Result<Shown> shown_of(Scene const& scene)
                    .sizes = { kSizesFrom, kSizesTo, range_for(largest) } };
 }
 
-Glyph::Line axis_at(double place)
+tools::Glyph::Line axis_at(double place)
 {
     return { .points = { { place, kLow }, { place, kHigh } }, .width = 0.006 };
 }
 
-template<typename Value> Glyph::Line curve_of(Value const& value, LayerStyle::Color color)
+template<typename Value>
+tools::Glyph::Line curve_of(Value const& value, tools::LayerStyle::Color color)
 {
-    Glyph::Line curve { .points = {}, .width = 0.016, .color = color };
+    tools::Glyph::Line curve { .points = {}, .width = 0.016, .color = color };
     for (int i = 0; i <= kSamples; ++i) {
         double const x = static_cast<double>(i) / kSamples;
         curve.points.emplace_back(value(x), height_of(x));
@@ -144,11 +145,11 @@ double place_of_heading(double heading_deg)
     return std::clamp(-kHeadingHalf * heading_deg / kHeadingRange_deg, -kHeadingHalf, kHeadingHalf);
 }
 
-void add_stem(Glyph& glyph, Shown const& shown)
+void add_stem(tools::Glyph& glyph, Shown const& shown)
 {
     glyph.lines.push_back(axis_at(0));
     glyph.lines.push_back(curve_of([&](double x) { return place_of_heading(heading_at(shown, x)); },
-                                   LayerStyle::Color::Green));
+                                   tools::LayerStyle::Color::Green));
     for (std::size_t i = 0; i < lines::kHeadingPlaces.size(); ++i) {
         double const x = lines::kHeadingPlaces[i];
         double const heading_deg = heading_at(shown, x);
@@ -164,20 +165,20 @@ void add_stem(Glyph& glyph, Shown const& shown)
               .width = 0.006 });
 }
 
-void add_curves(Glyph& glyph, Shown const& shown, StemSide side)
+void add_curves(tools::Glyph& glyph, Shown const& shown, StemSide side)
 {
     double const sign = sign_of(side);
     glyph.lines.push_back(axis_at(sign * kSizesFrom));
     glyph.lines.push_back(axis_at(sign * kAngles.from));
     glyph.lines.push_back(
         curve_of([&](double x) { return sign * shown.sizes.place(shown.size_seen(x, side)); },
-                 LayerStyle::Color::Orange));
+                 tools::LayerStyle::Color::Orange));
     glyph.lines.push_back(curve_of(
         [&](double x) {
             auto const values = lines::values_at(shown.construction, x);
             return sign * std::min(kAngles.place(angle_of(values, side)), kAngles.to);
         },
-        LayerStyle::Color::Blue));
+        tools::LayerStyle::Color::Blue));
 }
 
 char const* name_of(StemSide side)
@@ -185,7 +186,7 @@ char const* name_of(StemSide side)
     return side == StemSide::Left ? "left" : "right";
 }
 
-void add_handles(Glyph& glyph, Shown const& shown, StemSide side)
+void add_handles(tools::Glyph& glyph, Shown const& shown, StemSide side)
 {
     double const sign = sign_of(side);
     auto const& of = shown.construction;
@@ -210,7 +211,7 @@ void add_handles(Glyph& glyph, Shown const& shown, StemSide side)
 }
 
 // Fewer on the left, more on the right.
-void add_layer(Glyph& glyph, lines::Layer const& layer, std::size_t number)
+void add_layer(tools::Glyph& glyph, lines::Layer const& layer, std::size_t number)
 {
     constexpr double kBeside = 0.09;
     for (auto const side : { StemSide::Left, StemSide::Right })
@@ -225,7 +226,7 @@ void add_layer(Glyph& glyph, lines::Layer const& layer, std::size_t number)
 }
 
 // At the layer's second node, as far above its first as each is above the one below.
-void add_internode(Glyph& glyph, lines::Layer const& layer, std::size_t number)
+void add_internode(tools::Glyph& glyph, lines::Layer const& layer, std::size_t number)
 {
     constexpr double kBeside = 0.15;
     if (layer.nodes == 0)
@@ -240,7 +241,7 @@ void add_internode(Glyph& glyph, lines::Layer const& layer, std::size_t number)
                               .is_small = true });
 }
 
-void add_labels(Glyph& glyph)
+void add_labels(tools::Glyph& glyph)
 {
     constexpr double kBelow = kLow - 0.03;
     constexpr double kSizes = (kSizesFrom + kSizesTo) / 2;
@@ -252,12 +253,12 @@ void add_labels(Glyph& glyph)
                      { { kInclinations, kBelow }, "Angle" } };
 }
 
-std::optional<Glyph> show(Scene const& scene)
+std::optional<tools::Glyph> show(scene::Scene const& scene)
 {
     auto const shown = shown_of(scene);
     if (!shown)
         return std::nullopt;
-    Glyph glyph;
+    tools::Glyph glyph;
     glyph.hint = "Drag a curve";
     add_labels(glyph);
     add_stem(glyph, *shown);
@@ -275,18 +276,20 @@ std::optional<Glyph> show(Scene const& scene)
     return glyph;
 }
 
-Result<std::vector<Edit>> with_other_count(ActiveSketch const& active, std::size_t number, int by)
+Result<std::vector<scene::Edit>> with_other_count(ActiveSketch const& active, std::size_t number,
+                                                  int by)
 {
     auto const layers = TRY(lines::layers_of(active.sketch));
     if (number >= layers.size())
         return fail(Fault::User, "the sketch has no such layer any more");
     auto const& layer = layers[number];
     int const nodes = std::clamp(layer.nodes + by, 0, lines::kMostNodesInLayer);
-    return std::vector<Edit> { lines::SetLayerNodes { active.plant, layer.line, nodes } };
+    return std::vector<scene::Edit> { lines::SetLayerNodes { active.plant, layer.line, nodes } };
 }
 
 // As many nodes as fit with the second one there.
-Result<std::vector<Edit>> with_internode(ActiveSketch const& active, std::size_t number, double x)
+Result<std::vector<scene::Edit>> with_internode(ActiveSketch const& active, std::size_t number,
+                                                double x)
 {
     auto const layers = TRY(lines::layers_of(active.sketch));
     if (number >= layers.size())
@@ -295,24 +298,25 @@ Result<std::vector<Edit>> with_internode(ActiveSketch const& active, std::size_t
     double const length = layer.to_x - layer.from_x;
     double const internode
         = std::clamp(x - layer.from_x, length / lines::kMostNodesInLayer, length);
-    return std::vector<Edit> { lines::SetLayerNodes {
+    return std::vector<scene::Edit> { lines::SetLayerNodes {
         active.plant, layer.line, static_cast<int>(std::lround(length / internode)) } };
 }
 
-Result<std::vector<Edit>> with_other_heading(Shown const& shown, std::size_t place, double to)
+Result<std::vector<scene::Edit>> with_other_heading(Shown const& shown, std::size_t place,
+                                                    double to)
 {
     if (place >= lines::kHeadingPlaces.size())
         return fail(Fault::User, "the stem has no such place");
     auto const stem = TRY(lines::stem_in_hand(shown.active.sketch));
     double const heading_deg = std::round(-kHeadingRange_deg * to / kHeadingHalf);
-    return std::vector<Edit> { lines::BendStem {
+    return std::vector<scene::Edit> { lines::BendStem {
         shown.active.plant, lines::first_stem(lines::stem_alone(shown.active.sketch, stem)).id,
         static_cast<int>(place),
         std::clamp(heading_deg, -lines::kGreatestHeading_deg, lines::kGreatestHeading_deg) } };
 }
 
 // Whole degrees, and whole hundredths of the stem.
-Result<std::vector<Edit>> drag(Scene const& scene, std::size_t handle, Vec2 const& to)
+Result<std::vector<scene::Edit>> drag(scene::Scene const& scene, std::size_t handle, Vec2 const& to)
 {
     auto const shown = TRY(shown_of(scene));
     auto const [what, side, number] = HandleName::of(handle);
@@ -332,11 +336,12 @@ Result<std::vector<Edit>> drag(Scene const& scene, std::size_t handle, Vec2 cons
                   : lines::with_size(sketch, number, side,
                                      std::clamp(std::round(100 * shown.sizes.value(outwards)) / 100,
                                                 lines::kLeastSize, lines::kGreatestSize)));
-    return std::vector<Edit> { lines::RedrawLine { shown.active.plant, bent.line, bent.stroke } };
+    return std::vector<scene::Edit> { lines::RedrawLine { shown.active.plant, bent.line,
+                                                          bent.stroke } };
 }
 
 } // namespace
 
-constexpr DrawnGlyphKind kLineCurves { .title = "Curves", .show = show, .drag = drag };
+constexpr tools::DrawnGlyphKind kLineCurves { .title = "Curves", .show = show, .drag = drag };
 
-} // namespace tractus
+} // namespace tractus::lines

@@ -4,7 +4,7 @@
 #include "engine/methods/construction_lines/lines_to_draw.h"
 #include "engine/scene/paper.h"
 
-namespace tractus {
+namespace tractus::lines {
 
 namespace {
 
@@ -13,7 +13,7 @@ using enum lines::Role;
 
 // Where a line is drawn again it is shown where it is now: the paper lies where the plant stands.
 std::vector<Vec3f> shown(lines::SketchLine const& line, lines::SheetPlacement const& sheet,
-                         Paper const& paper)
+                         scene::Paper const& paper)
 {
     constexpr float kApart_mm = 0.5f; // Points that are nearer show nothing.
     std::vector<Vec3f> points;
@@ -29,7 +29,7 @@ std::vector<Vec3f> shown(lines::SketchLine const& line, lines::SheetPlacement co
     return points;
 }
 
-Lines to_be_drawn(BuiltPlant const& plant)
+Lines to_be_drawn(scene::BuiltPlant const& plant)
 {
     Lines result;
     auto const* const sketch = lines::pen_sketch(*plant.drawn);
@@ -37,7 +37,7 @@ Lines to_be_drawn(BuiltPlant const& plant)
     if (!drawn || !plant.drawn->paper_mm)
         return result;
     auto const sheet = lines::sheet_of(*plant.drawn, plant.placement.scale);
-    auto const paper = *paper_of(*plant.drawn);
+    auto const paper = *scene::paper_of(*plant.drawn);
     for (auto const& line : lines::lines_to_draw(*drawn)) {
         result.emplace_back();
         for (auto const& point : line)
@@ -46,14 +46,15 @@ Lines to_be_drawn(BuiltPlant const& plant)
     return result;
 }
 
-template<typename Condition> Lines lines_where(BuiltPlant const& plant, Condition const& is_shown)
+template<typename Condition>
+Lines lines_where(scene::BuiltPlant const& plant, Condition const& is_shown)
 {
     Lines result;
     auto const* const sketch = lines::pen_sketch(*plant.drawn);
     if (!sketch || !plant.drawn->paper_mm)
         return result;
     auto const sheet = lines::sheet_of(*plant.drawn, plant.placement.scale);
-    auto const paper = *paper_of(*plant.drawn);
+    auto const paper = *scene::paper_of(*plant.drawn);
     for (auto const& line : sketch->lines)
         if (is_shown(line))
             if (auto points = shown(line, sheet, paper); points.size() > 1)
@@ -64,48 +65,52 @@ template<typename Condition> Lines lines_where(BuiltPlant const& plant, Conditio
 // Stems that follow each other are told apart by colour.
 enum class Turn { First, Second };
 
-template<Turn turn, lines::Role... roles> Lines lines_of(BuiltPlant const& plant)
+template<Turn turn, lines::Role... roles> Lines lines_of(scene::BuiltPlant const& plant)
 {
     return lines_where(plant, [](lines::SketchLine const& line) {
         return line.stem % 2 == static_cast<std::size_t>(turn) && ((line.role == roles) || ...);
     });
 }
 
-Lines unsure_lines(BuiltPlant const& plant)
+Lines unsure_lines(scene::BuiltPlant const& plant)
 {
     return lines_where(plant, [](lines::SketchLine const& line) { return line.role == Unsure; });
 }
 
 } // namespace
 
-constexpr Layer kStemLayer { .label = "drawn stem",
-                             .style = { .color = LayerStyle::Color::Purple },
-                             .lines = lines_of<Turn::First, Stem> };
-constexpr Layer kBoundaryLayer { .label = "boundaries",
-                                 .style = { .color = LayerStyle::Color::Purple,
-                                            .pattern = LayerStyle::Pattern::Dashed },
-                                 .lines = lines_of<Turn::First, Left, Right, Around> };
-constexpr Layer kInclinationLayer { .label = "inclination lines",
-                                    .style = { .color = LayerStyle::Color::Orange },
-                                    .lines = lines_of<Turn::First, Inclination, HalfInclination> };
-constexpr Layer kOtherStemLayer { .label = "every other stem",
-                                  .style = { .color = LayerStyle::Color::Green },
-                                  .lines = lines_of<Turn::Second, Stem> };
-constexpr Layer kOtherBoundaryLayer { .label = "its boundaries",
-                                      .style = { .color = LayerStyle::Color::Green,
-                                                 .pattern = LayerStyle::Pattern::Dashed },
-                                      .lines = lines_of<Turn::Second, Left, Right, Around> };
-constexpr Layer kOtherInclinationLayer { .label = "its inclination lines",
-                                         .style = { .color = LayerStyle::Color::Blue },
-                                         .lines
-                                         = lines_of<Turn::Second, Inclination, HalfInclination> };
-constexpr Layer kUnsureLayer { .label = "unsure lines",
-                               .style = { .pattern = LayerStyle::Pattern::Dotted },
-                               .lines = unsure_lines };
-constexpr Layer kLinesToDrawLayer { .label = "still to be drawn",
-                                    .style = { .color = LayerStyle::Color::Blue,
-                                               .pattern = LayerStyle::Pattern::Dotted,
-                                               .width_mm = 1 },
-                                    .lines = to_be_drawn };
+constexpr tools::Layer kStemLayer { .label = "drawn stem",
+                                    .style = { .color = tools::LayerStyle::Color::Purple },
+                                    .lines = lines_of<Turn::First, Stem> };
+constexpr tools::Layer kBoundaryLayer { .label = "boundaries",
+                                        .style = { .color = tools::LayerStyle::Color::Purple,
+                                                   .pattern = tools::LayerStyle::Pattern::Dashed },
+                                        .lines = lines_of<Turn::First, Left, Right, Around> };
+constexpr tools::Layer kInclinationLayer {
+    .label = "inclination lines",
+    .style = { .color = tools::LayerStyle::Color::Orange },
+    .lines = lines_of<Turn::First, Role::Inclination, HalfInclination>
+};
+constexpr tools::Layer kOtherStemLayer { .label = "every other stem",
+                                         .style = { .color = tools::LayerStyle::Color::Green },
+                                         .lines = lines_of<Turn::Second, Stem> };
+constexpr tools::Layer kOtherBoundaryLayer { .label = "its boundaries",
+                                             .style
+                                             = { .color = tools::LayerStyle::Color::Green,
+                                                 .pattern = tools::LayerStyle::Pattern::Dashed },
+                                             .lines = lines_of<Turn::Second, Left, Right, Around> };
+constexpr tools::Layer kOtherInclinationLayer {
+    .label = "its inclination lines",
+    .style = { .color = tools::LayerStyle::Color::Blue },
+    .lines = lines_of<Turn::Second, Role::Inclination, HalfInclination>
+};
+constexpr tools::Layer kUnsureLayer { .label = "unsure lines",
+                                      .style = { .pattern = tools::LayerStyle::Pattern::Dotted },
+                                      .lines = unsure_lines };
+constexpr tools::Layer kLinesToDrawLayer { .label = "still to be drawn",
+                                           .style = { .color = tools::LayerStyle::Color::Blue,
+                                                      .pattern = tools::LayerStyle::Pattern::Dotted,
+                                                      .width_mm = 1 },
+                                           .lines = to_be_drawn };
 
-} // namespace tractus
+} // namespace tractus::lines

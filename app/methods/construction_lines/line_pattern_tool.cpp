@@ -6,7 +6,7 @@
 #include <array>
 #include <fmt/format.h>
 
-namespace tractus {
+namespace tractus::lines {
 
 namespace {
 
@@ -45,26 +45,27 @@ lines::Pattern with_other_sizes(lines::Pattern pattern)
 }
 
 // In the order of What.
-constexpr std::array<OptionWord, 2> kPatternChanges { {
+constexpr std::array<tools::OptionWord, 2> kPatternChanges { {
     { "next", "Next pattern", nullptr, true },
     { "sizes", "Sizes around", nullptr, true },
 } };
 
-void visit(OptionVisitor& visitor, LinePatternTool& tool)
+void visit(tools::OptionVisitor& visitor, LinePatternTool& tool)
 {
     visitor.choice({ kPatternChanges }, tool.what);
 }
 
-Result<std::vector<Edit>> set_next(Tool const& tool, Stroke const&, Scene const& scene)
+Result<std::vector<scene::Edit>> set_next(tools::Tool const& tool, Stroke const&,
+                                          scene::Scene const& scene)
 {
     auto const active = TRY(active_sketch(scene));
     bool const is_next = tool.get<LinePatternTool>()->what == LinePatternTool::What::Next;
     auto const pattern
         = is_next ? after(active.sketch.pattern) : with_other_sizes(active.sketch.pattern);
-    return std::vector<Edit> { lines::SetLinePattern { active.plant, pattern } };
+    return std::vector<scene::Edit> { lines::SetLinePattern { active.plant, pattern } };
 }
 
-std::string said(Tool const& tool, Scene const& scene)
+std::string said(tools::Tool const& tool, scene::Scene const& scene)
 {
     auto const* const sketch = lines::active_pen_sketch(scene.state);
     if (!sketch)
@@ -78,7 +79,7 @@ std::string said(Tool const& tool, Scene const& scene)
 
 } // namespace
 
-constexpr ToolKind LinePatternTool::kKind {
+constexpr tools::ToolKind LinePatternTool::kKind {
     .word = "line_pattern",
     .label = "Next pattern",
     .title = "The next pattern",
@@ -90,10 +91,10 @@ constexpr ToolKind LinePatternTool::kKind {
     .method = "From lines",
     .begins_group_of_buttons = true,
     .at_once = true,
-    .options = options_type<LinePatternTool, visit>(),
+    .options = tools::options_type<LinePatternTool, visit>(),
     .mean = set_next,
     .said = said,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::lines

@@ -2,11 +2,11 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::lines {
 
 // Changes how the active plant's organs stand around its stem.
 struct LinePatternTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
     enum class What {
         Next,  // They have the next pattern.
@@ -15,4 +15,4 @@ struct LinePatternTool {
     What what = What::Next;
 };
 
-} // namespace tractus
+} // namespace tractus::lines

@@ -6,27 +6,27 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::lines {
 
 namespace {
 
 constexpr int kMostNodesShown = 60; // In a layer.
 
-SkeletonLine line_through(std::vector<Vec3> const& points_mm, double width_mm,
-                          DeskPlacement const& from, DeskPlacement const& to)
+tools::SkeletonLine line_through(std::vector<Vec3> const& points_mm, double width_mm,
+                                 scene::DeskPlacement const& from, scene::DeskPlacement const& to)
 {
-    SkeletonLine line;
-    line.state = SkeletonLine::State::Assigned;
+    tools::SkeletonLine line;
+    line.state = tools::SkeletonLine::State::Assigned;
     line.width_mm = static_cast<float>(width_mm * from.scale / to.scale);
     for (auto const& point_mm : points_mm)
         line.points_mm.push_back(to.plant_of_world(from.world_of_plant(point_mm)).cast<float>());
     return line;
 }
 
-std::vector<SkeletonLine> skeleton_of(Plant const& plant, DeskPlacement const& from,
-                                      DeskPlacement const& to)
+std::vector<tools::SkeletonLine> skeleton_of(Plant const& plant, scene::DeskPlacement const& from,
+                                             scene::DeskPlacement const& to)
 {
-    std::vector<SkeletonLine> lines;
+    std::vector<tools::SkeletonLine> lines;
     for (auto const& axis : plant.axes) {
         auto const nodes_mm = plant.positions(axis);
         lines.push_back(line_through({ nodes_mm.begin(), nodes_mm.end() },
@@ -44,17 +44,17 @@ std::vector<SkeletonLine> skeleton_of(Plant const& plant, DeskPlacement const& f
     return lines;
 }
 
-class LinePreviewer final : public StrokePreviewer {
+class LinePreviewer final : public tools::StrokePreviewer {
 public:
-    std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
+    std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
     {
         auto const edit = line_drawn(*stroke.tool.get<LineTool>(),
                                      Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) },
                                      *stroke.scene);
-        auto const state = apply_edit(stroke.scene->state, edit, builder_);
+        auto const state = scene::apply_edit(stroke.scene->state, edit, builder_);
         if (!state)
             return {};
-        auto const& plant = *active_plant(*state);
+        auto const& plant = *scene::active_plant(*state);
         auto sketch = *lines::pen_sketch(plant);
         for (auto& line : sketch.lines)
             line.nodes = std::min(line.nodes, kMostNodesShown);
@@ -68,14 +68,14 @@ public:
     }
 
 private:
-    SceneBuilder builder_;
+    scene::SceneBuilder builder_;
 };
 
 } // namespace
 
-std::unique_ptr<StrokePreviewer> line_previewer()
+std::unique_ptr<tools::StrokePreviewer> line_previewer()
 {
     return std::make_unique<LinePreviewer>();
 }
 
-} // namespace tractus
+} // namespace tractus::lines

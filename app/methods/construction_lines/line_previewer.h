@@ -4,10 +4,10 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::lines {
 
 // The plant that follows the line under way, its stem as a skeleton and its organs as lines from
 // their feet to their tips. Of layers with more nodes than can be told apart some are left out.
-std::unique_ptr<StrokePreviewer> line_previewer();
+std::unique_ptr<tools::StrokePreviewer> line_previewer();
 
-} // namespace tractus
+} // namespace tractus::lines

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <array>
 
-namespace tractus {
+namespace tractus::lines {
 
 namespace {
 
 using enum lines::Role;
 
-constexpr std::array<OptionWord, 7> kRoleWords { {
+constexpr std::array<tools::OptionWord, 7> kRoleWords { {
     { "inclination", "It is an inclination" },
     { "half", "Half of one" },
     { "left", "Left" },
@@ -23,27 +23,28 @@ constexpr std::array<OptionWord, 7> kRoleWords { {
 } };
 constexpr std::array kRoles { Inclination, HalfInclination, Left, Right, Around, Stem, Unsure };
 
-void visit(OptionVisitor& visitor, LineRoleTool& tool)
+void visit(tools::OptionVisitor& visitor, LineRoleTool& tool)
 {
     auto const* const found = std::find(kRoles.begin(), kRoles.end(), tool.role);
     int number = static_cast<int>(found - kRoles.begin());
-    visitor.word({ kRoleWords, WordOption::Offered::InHand }, number);
+    visitor.word({ kRoleWords, tools::WordOption::Offered::InHand }, number);
     tool.role = kRoles[static_cast<std::size_t>(number)];
 }
 
-Result<std::vector<Edit>> set_role(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> set_role(tools::Tool const& tool, Stroke const& stroke,
+                                          scene::Scene const& scene)
 {
     auto const active = TRY(active_sketch(scene));
     auto const line = lines::line_at(active.sketch, touched_mm(active, stroke));
     if (!line)
         return fail(Fault::User, "there is no construction line here: touch one of the sketch");
-    return std::vector<Edit> { lines::SetLineRole { active.plant, *line,
-                                                    tool.get<LineRoleTool>()->role } };
+    return std::vector<scene::Edit> { lines::SetLineRole { active.plant, *line,
+                                                           tool.get<LineRoleTool>()->role } };
 }
 
 } // namespace
 
-constexpr ToolKind LineRoleTool::kKind {
+constexpr tools::ToolKind LineRoleTool::kKind {
     .word = "line_role",
     .label = "What a line is",
     .title = "Say what a line is",
@@ -52,10 +53,10 @@ constexpr ToolKind LineRoleTool::kKind {
     .group = "Sketch",
     .method = "From lines",
     .begins_group_of_buttons = true,
-    .surface = Surface::Paper,
-    .options = options_type<LineRoleTool, visit>(),
+    .surface = tools::Surface::Paper,
+    .options = tools::options_type<LineRoleTool, visit>(),
     .mean = set_role,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::lines

@@ -8,18 +8,18 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::lines {
 
 namespace {
 
 // In the order of LineTool::Plant.
-constexpr std::array<OptionWord, 3> kPlantWords { {
+constexpr std::array<tools::OptionWord, 3> kPlantWords { {
     { "go_on", "Line" },
     { "another_stem", "Another stem" },
     { "new_stem", "Another plant" },
 } };
 // In the order of Pattern::Kind.
-constexpr std::array<OptionWord, 5> kPatternWords { {
+constexpr std::array<tools::OptionWord, 5> kPatternWords { {
     { "distichous", "Two rows" },
     { "decussate", "Crossed pairs" },
     { "spiral", "Spiral" },
@@ -28,18 +28,18 @@ constexpr std::array<OptionWord, 5> kPatternWords { {
 } };
 
 // In the order of lines::DepthBy. Logs of before boundaries had a depth do not say it.
-constexpr std::array<OptionWord, 3> kDepthWords { {
+constexpr std::array<tools::OptionWord, 3> kDepthWords { {
     { "stems_height", "height, stem" },
     { "height", "height" },
     { "pressure", "pressure, stem" },
 } };
 
-void visit(OptionVisitor& visitor, LineTool& tool)
+void visit(tools::OptionVisitor& visitor, LineTool& tool)
 {
     visitor.choice({ kPlantWords }, tool.plant);
-    visitor.choice({ kPatternWords, WordOption::Offered::InHand }, tool.pattern);
+    visitor.choice({ kPatternWords, tools::WordOption::Offered::InHand }, tool.pattern);
     visitor.choice(
-        { .words = kDepthWords, .offered = WordOption::Offered::InTurn, .label = "Depth" },
+        { .words = kDepthWords, .offered = tools::WordOption::Offered::InTurn, .label = "Depth" },
         tool.depth_by);
     visitor.number({ "nodes", "", 0, lines::kMostNodesInLayer, 1, "Nodes" }, tool.nodes);
     visitor.number({ "divergence", "degrees", -360, 360, 0.5, "Divergence" }, tool.divergence_deg);
@@ -57,14 +57,15 @@ lines::Pattern pattern_of(LineTool const& tool)
     return pattern;
 }
 
-Result<std::vector<Edit>> add_line(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> add_line(tools::Tool const& tool, Stroke const& stroke,
+                                          scene::Scene const& scene)
 {
-    return std::vector<Edit> { line_drawn(*tool.get<LineTool>(), stroke, scene) };
+    return std::vector<scene::Edit> { line_drawn(*tool.get<LineTool>(), stroke, scene) };
 }
 
 } // namespace
 
-lines::AddLine line_drawn(LineTool const& tool, Stroke const& stroke, Scene const& scene)
+lines::AddLine line_drawn(LineTool const& tool, Stroke const& stroke, scene::Scene const& scene)
 {
     lines::AddLine edit;
     edit.stroke = stroke;
@@ -78,20 +79,20 @@ lines::AddLine line_drawn(LineTool const& tool, Stroke const& stroke, Scene cons
     if (!scene.plants.empty())
         edit.scale = scene.placement.scale;
     if (!stroke.tips.empty()) {
-        edit.stands_at_mm
-            = paper_of(scene.state).world_of_sheet(stroke.tips.front().position_mm.head<2>());
+        edit.stands_at_mm = scene::paper_of(scene.state)
+                                .world_of_sheet(stroke.tips.front().position_mm.head<2>());
         edit.stands_at_mm.z() = 0;
     }
     return edit;
 }
 
-std::string said_of_sketch(Tool const&, Scene const& after)
+std::string said_of_sketch(tools::Tool const&, scene::Scene const& after)
 {
     auto const* const sketch = lines::active_pen_sketch(after.state);
     return sketch ? lines::said_of(*sketch) : "";
 }
 
-constexpr ToolKind LineTool::kKind {
+constexpr tools::ToolKind LineTool::kKind {
     .word = "construction_line",
     .label = "Line",
     .title = "Draw a plant's construction lines",
@@ -108,13 +109,13 @@ constexpr ToolKind LineTool::kKind {
     .method = "From lines",
     .icon = "5951 292351 898351 245684",
     .key = 'I',
-    .surface = Surface::Paper,
-    .options = options_type<LineTool, visit>(),
+    .surface = tools::Surface::Paper,
+    .options = tools::options_type<LineTool, visit>(),
     .drawn_glyph = &kLineCurves,
     .mean = add_line,
     .said = said_of_sketch,
     .previewer = line_previewer,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::lines

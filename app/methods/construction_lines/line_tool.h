@@ -3,12 +3,12 @@
 #include "app/tools/tool.h"
 #include "engine/methods/construction_lines/line_edits.h"
 
-namespace tractus {
+namespace tractus::lines {
 
 // A stroke is a line of a sketch: the stem first, then what lies to it as boundaries and
 // inclination lines do (Anastacio, Prusinkiewicz, Sousa 2008). The plant follows each of them.
 struct LineTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
     enum class Plant {
         GoOn,        // With the active plant if that is a sketch, else with another one.
@@ -25,9 +25,9 @@ struct LineTool {
 };
 
 // What a stroke with the tool means: the tips drawn so far, in a document as it is built.
-lines::AddLine line_drawn(LineTool const& tool, Stroke const& stroke, Scene const& scene);
+lines::AddLine line_drawn(LineTool const& tool, Stroke const& stroke, scene::Scene const& scene);
 
 // For the person who has drawn with the tool; empty where the active plant is no sketch.
-std::string said_of_sketch(Tool const& tool, Scene const& after);
+std::string said_of_sketch(tools::Tool const& tool, scene::Scene const& after);
 
-} // namespace tractus
+} // namespace tractus::lines

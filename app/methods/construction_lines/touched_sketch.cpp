@@ -1,8 +1,8 @@
 #include "app/methods/construction_lines/touched_sketch.h"
 
-namespace tractus {
+namespace tractus::lines {
 
-Result<ActiveSketch> active_sketch(Scene const& scene)
+Result<ActiveSketch> active_sketch(scene::Scene const& scene)
 {
     auto const* const sketch = lines::active_pen_sketch(scene.state);
     if (!sketch)
@@ -10,7 +10,7 @@ Result<ActiveSketch> active_sketch(Scene const& scene)
                     "the plant that takes what is drawn has no construction lines: draw a stem "
                     "under Lines, or choose a plant that has them");
     return ActiveSketch { scene.state.active, *sketch,
-                          lines::sheet_of(*active_plant(scene.state), scene.state.scale) };
+                          lines::sheet_of(*scene::active_plant(scene.state), scene.state.scale) };
 }
 
 Vec2 touched_mm(ActiveSketch const& active, Stroke const& stroke)
@@ -18,4 +18,4 @@ Vec2 touched_mm(ActiveSketch const& active, Stroke const& stroke)
     return active.sheet.on_sheet(stroke.tips.back().position_mm.head<2>());
 }
 
-} // namespace tractus
+} // namespace tractus::lines

@@ -4,19 +4,19 @@
 #include "engine/methods/construction_lines/line_edits.h"
 #include "engine/scene/scene.h"
 
-namespace tractus {
+namespace tractus::lines {
 
 // The sketch of the active plant.
 struct ActiveSketch {
-    ItemId plant = 0;
+    scene::ItemId plant = 0;
     lines::PenSketch sketch;
     lines::SheetPlacement sheet; // Where its sheet is on the tablet.
 };
 
 // Fails, as the user's fault, where the active plant is not drawn with construction lines.
-Result<ActiveSketch> active_sketch(Scene const& scene);
+Result<ActiveSketch> active_sketch(scene::Scene const& scene);
 
 // Where a stroke has ended on the sheet.
 Vec2 touched_mm(ActiveSketch const& active, Stroke const& stroke);
 
-} // namespace tractus
+} // namespace tractus::lines

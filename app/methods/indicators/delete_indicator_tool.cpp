@@ -4,25 +4,25 @@
 #include "app/tools/erase_tool.h"
 #include "engine/scene/edit.h"
 
-namespace tractus {
+namespace tractus::indicators {
 
-static Result<std::vector<Edit>> delete_indicator(Tool const&, Stroke const& stroke,
-                                                  Scene const& scene)
+static Result<std::vector<scene::Edit>> delete_indicator(tools::Tool const&, Stroke const& stroke,
+                                                         scene::Scene const& scene)
 {
     auto const number = TRY(touched_indicator(stroke, scene)).number;
-    return std::vector<Edit> { DeleteIndicator { scene.indicators[number].id } };
+    return std::vector<scene::Edit> { scene::DeleteIndicator { scene.indicators[number].id } };
 }
 
-constexpr ToolKind DeleteIndicatorTool::kKind {
+constexpr tools::ToolKind DeleteIndicatorTool::kKind {
     .word = "delete_indicator",
     .label = "Remove",
     .title = "Take a motion indicator away",
     .done = "The motion indicator is gone",
     .help = "takes the motion indicator away where the stroke begins",
     .group = "Lean",
-    .options = options_type<DeleteIndicatorTool>(),
+    .options = tools::options_type<DeleteIndicatorTool>(),
     .mean = delete_indicator,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::indicators

@@ -2,11 +2,11 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::indicators {
 
 // The indicator where the stroke begins goes.
 struct DeleteIndicatorTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 };
 
-} // namespace tractus
+} // namespace tractus::indicators

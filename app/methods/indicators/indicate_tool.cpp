@@ -6,24 +6,24 @@
 #include <algorithm>
 #include <array>
 
-namespace tractus {
+namespace tractus::indicators {
 
 namespace {
 
 // Words in the order of Reach.
-constexpr std::array<OptionWord, 3> kReachWords { {
+constexpr std::array<tools::OptionWord, 3> kReachWords { {
     { "everywhere", "Everywhere" },
     { "below", "Selected and above" },
     { "near", "Near it" },
 } };
 
 // Words in the order of MotionIndicator::Kind.
-constexpr std::array<OptionWord, 2> kIndicatorWords { {
+constexpr std::array<tools::OptionWord, 2> kIndicatorWords { {
     { "push", "Wind" },
     { "light", "Light" },
 } };
 
-void visit(OptionVisitor& visitor, IndicateTool& tool)
+void visit(tools::OptionVisitor& visitor, IndicateTool& tool)
 {
     visitor.choice({ kReachWords }, tool.reach);
     visitor.choice({ kIndicatorWords }, tool.indicator);
@@ -36,7 +36,8 @@ double reach_of_mm(variation::MotionIndicator const& indicator)
     return std::max(kLeast_mm, (indicator.end_mm - indicator.start_mm).norm());
 }
 
-Result<std::vector<Edit>> indicate(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> indicate(tools::Tool const& tool, Stroke const& stroke,
+                                          scene::Scene const& scene)
 {
     auto const& options = *tool.get<IndicateTool>();
     auto indicator = TRY(variation::motion_indicator(stroke));
@@ -52,12 +53,12 @@ Result<std::vector<Edit>> indicate(Tool const& tool, Stroke const& stroke, Scene
         for (auto const& path : scene.selection)
             below.push_back(scene.rest->addresses.address_of(*scene.base, path.front()));
     }
-    return std::vector<Edit> { Indicate { indicator, below } };
+    return std::vector<scene::Edit> { scene::Indicate { indicator, below } };
 }
 
 } // namespace
 
-constexpr ToolKind IndicateTool::kKind {
+constexpr tools::ToolKind IndicateTool::kKind {
     .word = "indicate",
     .label = "Lean",
     .title = "Motion indicator",
@@ -67,10 +68,10 @@ constexpr ToolKind IndicateTool::kKind {
     .group = "Lean",
     .icon = "1585 8563 8567",
     .key = 'L',
-    .ink = { InkStyle::Look::Arrow },
-    .options = options_type<IndicateTool, visit>(),
+    .ink = { tools::InkStyle::Look::Arrow },
+    .options = tools::options_type<IndicateTool, visit>(),
     .mean = indicate,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::indicators

@@ -3,11 +3,11 @@
 #include "app/tools/tool.h"
 #include "engine/variation/motion_indicator.h"
 
-namespace tractus {
+namespace tractus::indicators {
 
 // The stroke's two ends are a motion indicator.
 struct IndicateTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
     enum class Reach {
         Everywhere,
@@ -18,4 +18,4 @@ struct IndicateTool {
     variation::MotionIndicator::Kind indicator = variation::MotionIndicator::Kind::Push;
 };
 
-} // namespace tractus
+} // namespace tractus::indicators

@@ -1,10 +1,10 @@
 #include "app/methods/indicators/indicator_layer.h"
 
-namespace tractus {
+namespace tractus::indicators {
 
 namespace {
 
-std::vector<std::vector<Vec3f>> arrows(BuiltPlant const& plant)
+std::vector<std::vector<Vec3f>> arrows(scene::BuiltPlant const& plant)
 {
     std::vector<std::vector<Vec3f>> lines;
     for (auto const& [id, indicator, at] : plant.indicators)
@@ -14,10 +14,12 @@ std::vector<std::vector<Vec3f>> arrows(BuiltPlant const& plant)
 
 } // namespace
 
-constexpr Layer kIndicatorLayer {
+constexpr tools::Layer kIndicatorLayer {
     .label = "leaning",
-    .style = { .color = LayerStyle::Color::Orange, .end = LayerStyle::End::Arrow, .width_mm = 3.5 },
+    .style = { .color = tools::LayerStyle::Color::Orange,
+               .end = tools::LayerStyle::End::Arrow,
+               .width_mm = 3.5 },
     .lines = arrows,
 };
 
-} // namespace tractus
+} // namespace tractus::indicators

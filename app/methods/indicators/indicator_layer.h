@@ -2,9 +2,9 @@
 
 #include "app/tools/layer.h"
 
-namespace tractus {
+namespace tractus::indicators {
 
 // The motion indicators of the active plant, as arrows.
-extern Layer const kIndicatorLayer;
+extern tools::Layer const kIndicatorLayer;
 
-} // namespace tractus
+} // namespace tractus::indicators

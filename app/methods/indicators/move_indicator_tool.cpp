@@ -4,10 +4,10 @@
 #include "app/tools/erase_tool.h"
 #include "engine/scene/edit.h"
 
-namespace tractus {
+namespace tractus::indicators {
 
-static Result<std::vector<Edit>> move_indicator(Tool const&, Stroke const& stroke,
-                                                Scene const& scene)
+static Result<std::vector<scene::Edit>> move_indicator(tools::Tool const&, Stroke const& stroke,
+                                                       scene::Scene const& scene)
 {
     auto const touched = TRY(touched_indicator(stroke, scene));
     auto const& [id, indicator, at] = scene.indicators[touched.number];
@@ -15,10 +15,10 @@ static Result<std::vector<Edit>> move_indicator(Tool const&, Stroke const& strok
     moved.below.clear(); // It stays where it is.
     moved.start_mm += touched.way.end_mm - touched.way.start_mm;
     moved.end_mm += touched.way.end_mm - touched.way.start_mm;
-    return std::vector<Edit> { ChangeIndicator { .which = id, .indicator = moved } };
+    return std::vector<scene::Edit> { scene::ChangeIndicator { .which = id, .indicator = moved } };
 }
 
-constexpr ToolKind MoveIndicatorTool::kKind {
+constexpr tools::ToolKind MoveIndicatorTool::kKind {
     .word = "move_indicator",
     .label = "Move",
     .title = "Move a motion indicator",
@@ -26,9 +26,9 @@ constexpr ToolKind MoveIndicatorTool::kKind {
     .help = "moves the motion indicator where the stroke begins along with it",
     .group = "Lean",
     .begins_group_of_buttons = true,
-    .options = options_type<MoveIndicatorTool>(),
+    .options = tools::options_type<MoveIndicatorTool>(),
     .mean = move_indicator,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::indicators

@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-namespace tractus {
+namespace tractus::indicators {
 
 // The indicator that passes near the place where a stroke begins.
 struct TouchedIndicator {
@@ -16,6 +16,6 @@ struct TouchedIndicator {
 };
 
 // Fails, as the user's fault, if there is none.
-Result<TouchedIndicator> touched_indicator(Stroke const& stroke, Scene const& scene);
+Result<TouchedIndicator> touched_indicator(Stroke const& stroke, scene::Scene const& scene);
 
-} // namespace tractus
+} // namespace tractus::indicators

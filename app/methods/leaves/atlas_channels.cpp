@@ -2,7 +2,7 @@
 
 #include <functional>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
@@ -144,4 +144,4 @@ void place_in_cell(AtlasMap const& map, leaf::LeafPicture const& picture, leaf::
     }
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

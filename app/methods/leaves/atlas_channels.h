@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::leaf {
 
 // Contents of one channel of a map, 0 to 1 unless it says otherwise.
 enum class AtlasChannel : std::uint8_t {
@@ -60,4 +60,4 @@ std::span<AtlasChannels const> atlas_channels();
 void place_in_cell(AtlasMap const& map, leaf::LeafPicture const& picture, leaf::CellPage& page,
                    std::size_t cell);
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
@@ -26,14 +26,15 @@ leaf::FlatLine flat(std::vector<Vec3> const& line)
 }
 
 // All of them but one: the leaf itself goes with RemovePlant.
-Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> erase(tools::Tool const&, Stroke const& stroke,
+                                       scene::Scene const& scene)
 {
     auto const* const sketch = leaf::active_leaf_sketch(scene.state);
     if (!sketch)
         return fail(Fault::User,
                     "the plant that takes what is drawn is no drawn leaf: choose one, or draw one");
     auto const drawing = TRY(leaf::drawing_of(*sketch));
-    std::vector<Edit> edits;
+    std::vector<scene::Edit> edits;
     for (std::size_t i = 0; i < drawing.strokes.size(); ++i)
         if (runs_over(stroke, flat(drawing.strokes[i])))
             edits.push_back(leaf::EraseLeafLine { scene.state.active, sketch->lines[i].id });
@@ -45,7 +46,7 @@ Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& 
 
 } // namespace
 
-constexpr ToolKind EraseLeafTool::kKind {
+constexpr tools::ToolKind EraseLeafTool::kKind {
     .word = "erase_leaf",
     .label = "Erase",
     .title = "Erase lines of the leaf's drawing",
@@ -53,11 +54,11 @@ constexpr ToolKind EraseLeafTool::kKind {
     .help = "takes away the lines of a drawn leaf that the stroke runs over on paper",
     .group = "Sketch",
     .method = "A leaf",
-    .surface = Surface::Paper,
-    .ink = { InkStyle::Look::Eraser, 2 * EraseLeafTool::kRadius_mm },
-    .options = options_type<EraseLeafTool>(),
+    .surface = tools::Surface::Paper,
+    .ink = { tools::InkStyle::Look::Eraser, 2 * EraseLeafTool::kRadius_mm },
+    .options = tools::options_type<EraseLeafTool>(),
     .mean = erase,
     .other_end = { &EraseLeafTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -2,13 +2,13 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::leaf {
 
 // Takes lines of the active leaf's drawing away that the stroke runs over.
 struct EraseLeafTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
     static constexpr double kRadius_mm = 4;
 };
 
-} // namespace tractus
+} // namespace tractus::leaf

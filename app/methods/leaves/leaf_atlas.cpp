@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
@@ -380,4 +380,4 @@ Result<AtlasSummary> write_atlas(AtlasOptions const& options, fs::path const& fo
     return AtlasWriter(options, folder).write();
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::leaf {
 
 // Damage to each leaf of an atlas, as tractus leaves paint has it: numbers of larvae and mines,
 // shares of 0 to 1 for the rest.
@@ -53,4 +53,4 @@ struct AtlasSummary {
 // write_file().
 Result<AtlasSummary> write_atlas(AtlasOptions const& options, std::filesystem::path const& folder);
 
-} // namespace tractus
+} // namespace tractus::leaf

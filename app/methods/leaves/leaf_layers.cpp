@@ -6,14 +6,14 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
 using Lines = std::vector<std::vector<Vec3f>>;
 using enum leaf::StrokeRole;
 
-std::vector<Vec3f> shown(std::vector<Vec3> const& line, Paper const& paper)
+std::vector<Vec3f> shown(std::vector<Vec3> const& line, scene::Paper const& paper)
 {
     constexpr float kApart_mm = 0.5f; // Points that are nearer show nothing.
     std::vector<Vec3f> points;
@@ -28,7 +28,7 @@ std::vector<Vec3f> shown(std::vector<Vec3> const& line, Paper const& paper)
 }
 
 // What each line is; of lines that are no leaf yet nobody knows it.
-template<typename Wanted> Lines lines_of(BuiltPlant const& plant, Wanted const& is_wanted)
+template<typename Wanted> Lines lines_of(scene::BuiltPlant const& plant, Wanted const& is_wanted)
 {
     Lines lines;
     auto const* const sketch = leaf::leaf_sketch(*plant.drawn);
@@ -37,7 +37,7 @@ template<typename Wanted> Lines lines_of(BuiltPlant const& plant, Wanted const& 
     auto const drawing = leaf::drawing_of(*sketch);
     if (!drawing)
         return lines;
-    auto const paper = *paper_of(*plant.drawn);
+    auto const paper = *scene::paper_of(*plant.drawn);
     for (std::size_t i = 0; i < drawing->strokes.size(); ++i) {
         auto const role = sketch->seen ? std::optional(sketch->seen->lines.roles[i]) : std::nullopt;
         if (!is_wanted(role))
@@ -50,33 +50,33 @@ template<typename Wanted> Lines lines_of(BuiltPlant const& plant, Wanted const& 
 
 using Role = std::optional<leaf::StrokeRole>;
 
-Lines outline_of(BuiltPlant const& plant)
+Lines outline_of(scene::BuiltPlant const& plant)
 {
     return lines_of(plant, [](Role const& role) { return role == Outline; });
 }
 
-Lines veins_of(BuiltPlant const& plant)
+Lines veins_of(scene::BuiltPlant const& plant)
 {
     return lines_of(plant, [](Role const& role) {
         return role == Midrib || role == MainVein || role == SideVein || role == Stalk;
     });
 }
 
-Lines others_of(BuiltPlant const& plant)
+Lines others_of(scene::BuiltPlant const& plant)
 {
     return lines_of(plant, [](Role const& role) { return !role || role == FinerVein; });
 }
 
 } // namespace
 
-constexpr Layer kLeafOutlineLayer { .label = "drawn leaf",
-                                    .style = { .color = LayerStyle::Color::Purple },
-                                    .lines = outline_of };
-constexpr Layer kLeafVeinLayer { .label = "drawn veins",
-                                 .style = { .color = LayerStyle::Color::Orange },
-                                 .lines = veins_of };
-constexpr Layer kLeafOtherLayer { .label = "other lines of the leaf",
-                                  .style = { .pattern = LayerStyle::Pattern::Dotted },
-                                  .lines = others_of };
+constexpr tools::Layer kLeafOutlineLayer { .label = "drawn leaf",
+                                           .style = { .color = tools::LayerStyle::Color::Purple },
+                                           .lines = outline_of };
+constexpr tools::Layer kLeafVeinLayer { .label = "drawn veins",
+                                        .style = { .color = tools::LayerStyle::Color::Orange },
+                                        .lines = veins_of };
+constexpr tools::Layer kLeafOtherLayer { .label = "other lines of the leaf",
+                                         .style = { .pattern = tools::LayerStyle::Pattern::Dotted },
+                                         .lines = others_of };
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -2,13 +2,13 @@
 
 #include "app/tools/layer.h"
 
-namespace tractus {
+namespace tractus::leaf {
 
 // The lines of the active leaf's drawing, where they stand around it: its outline,
-extern Layer const kLeafOutlineLayer;
+extern tools::Layer const kLeafOutlineLayer;
 // its midrib, veins and stalk,
-extern Layer const kLeafVeinLayer;
+extern tools::Layer const kLeafVeinLayer;
 // and those that are left out, or no leaf yet.
-extern Layer const kLeafOtherLayer;
+extern tools::Layer const kLeafOtherLayer;
 
-} // namespace tractus
+} // namespace tractus::leaf

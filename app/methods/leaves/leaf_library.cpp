@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace fs = std::filesystem;
 
@@ -154,4 +154,4 @@ std::string short_leaf_name(std::string const& name)
     return fs::path(name).stem().string();
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tractus {
+namespace tractus::leaf {
 
 // The species whose leaf grammars come with the program, in alphabetical order.
 std::vector<std::string> leaf_names();
@@ -68,4 +68,4 @@ void paint_damage(leaf::PaintOptions& options, lsystem::LeafDamage const& damage
 // Returns what a user called a leaf: its file's name without folders and ending.
 std::string short_leaf_name(std::string const& name);
 
-} // namespace tractus
+} // namespace tractus::leaf

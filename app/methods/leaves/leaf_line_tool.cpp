@@ -9,17 +9,17 @@
 #include <cmath>
 #include <utility>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
 // In the order of LeafLineTool::Plant.
-constexpr std::array<OptionWord, 2> kPlantWords { {
+constexpr std::array<tools::OptionWord, 2> kPlantWords { {
     { "go_on", "Line" },
     { "new_leaf", "Another leaf" },
 } };
 
-void visit(OptionVisitor& visitor, LeafLineTool& tool)
+void visit(tools::OptionVisitor& visitor, LeafLineTool& tool)
 {
     visitor.choice({ kPlantWords }, tool.plant);
     visitor.number({ "bend", "degrees", -180, 180, 5, "Bend" }, tool.bend_deg);
@@ -62,7 +62,8 @@ leaf::LeafForm followed(leaf::LeafForm form, leaf::LeafForm const& before,
     return form;
 }
 
-std::vector<Edit> follow(Tool const& before, Tool const& after, Scene const& scene)
+std::vector<scene::Edit> follow(tools::Tool const& before, tools::Tool const& after,
+                                scene::Scene const& scene)
 {
     auto const* const sketch = leaf::active_leaf_sketch(scene.state);
     if (!sketch)
@@ -74,7 +75,7 @@ std::vector<Edit> follow(Tool const& before, Tool const& after, Scene const& sce
     return { leaf::FormLeaf { scene.state.active, form } };
 }
 
-std::optional<Tool> like_drawn(Tool const& tool, Scene const& scene)
+std::optional<tools::Tool> like_drawn(tools::Tool const& tool, scene::Scene const& scene)
 {
     auto const* const sketch = leaf::active_leaf_sketch(scene.state);
     if (!sketch)
@@ -88,22 +89,23 @@ std::optional<Tool> like_drawn(Tool const& tool, Scene const& scene)
     options.teeth = form.teeth;
     options.tooth_depth = form.tooth_depth;
     options.variation = form.variation;
-    return Tool(options);
+    return tools::Tool(options);
 }
 
 // Stands where it was drawn: its lowest place on the desk.
-Vec3 stands_at(Stroke const& stroke, DocumentState const& state)
+Vec3 stands_at(Stroke const& stroke, scene::DocumentState const& state)
 {
     Vec3 lowest_mm = stroke.tips.front().position_mm;
     for (auto const& tip : stroke.tips)
         if (tip.position_mm.y() < lowest_mm.y())
             lowest_mm = tip.position_mm;
-    Vec3 at_mm = paper_of(state).world_of_sheet(lowest_mm.head<2>());
+    Vec3 at_mm = scene::paper_of(state).world_of_sheet(lowest_mm.head<2>());
     at_mm.z() = 0;
     return at_mm;
 }
 
-Result<std::vector<Edit>> add_line(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> add_line(tools::Tool const& tool, Stroke const& stroke,
+                                          scene::Scene const& scene)
 {
     auto const& options = *tool.get<LeafLineTool>();
     leaf::AddLeafLine edit { .stroke = stroke, .form = form_of(options) };
@@ -113,10 +115,10 @@ Result<std::vector<Edit>> add_line(Tool const& tool, Stroke const& stroke, Scene
         edit.scale = scene.placement.scale;
     if (!stroke.tips.empty())
         edit.stands_at_mm = stands_at(stroke, scene.state);
-    return std::vector<Edit> { std::move(edit) };
+    return std::vector<scene::Edit> { std::move(edit) };
 }
 
-std::string said_of_leaf(Tool const&, Scene const& after)
+std::string said_of_leaf(tools::Tool const&, scene::Scene const& after)
 {
     auto const* const sketch = leaf::active_leaf_sketch(after.state);
     return sketch ? leaf::said_of(*sketch) : "";
@@ -124,7 +126,7 @@ std::string said_of_leaf(Tool const&, Scene const& after)
 
 } // namespace
 
-constexpr ToolKind LeafLineTool::kKind {
+constexpr tools::ToolKind LeafLineTool::kKind {
     .word = "leaf_line",
     .label = "Leaf",
     .title = "Draw a leaf by its outline and veins",
@@ -136,8 +138,8 @@ constexpr ToolKind LeafLineTool::kKind {
     .group = "Sketch",
     .method = "A leaf",
     .icon = "5951 57757351 57353351",
-    .surface = Surface::Paper,
-    .options = options_type<LeafLineTool, visit>(),
+    .surface = tools::Surface::Paper,
+    .options = tools::options_type<LeafLineTool, visit>(),
     .mean = add_line,
     .follow = follow,
     .like_drawn = like_drawn,
@@ -146,4 +148,4 @@ constexpr ToolKind LeafLineTool::kKind {
     .other_end = { &EraseLeafTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::leaf

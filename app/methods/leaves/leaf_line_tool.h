@@ -3,12 +3,12 @@
 #include "app/tools/tool.h"
 #include "engine/methods/leaves/leaf_sketch.h"
 
-namespace tractus {
+namespace tractus::leaf {
 
 // A stroke is a line of a leaf, on paper: its outline, midrib or a vein, which are told apart by
 // how they lie. The leaf follows each of them. Numbers change the leaf that takes what is drawn.
 struct LeafLineTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
     enum class Plant {
         GoOn,    // With the active plant if that is a leaf, else with another one.
@@ -25,4 +25,4 @@ struct LeafLineTool {
     double variation = 1;
 };
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::leaf {
 
 // A map's pixels as bytes, channels side by side.
 template<std::size_t N>
@@ -32,4 +32,4 @@ std::string packed_map(std::vector<std::array<std::uint8_t, N>> const& pixels)
                                 .packing = exports::PngPicture::Packing::Fast });
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
@@ -154,4 +154,4 @@ Result<mesh::Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf,
     return mesh;
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

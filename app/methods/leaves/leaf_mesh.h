@@ -5,7 +5,7 @@
 #include "engine/methods/leaves/leaf_paint.h"
 #include "engine/methods/leaves/leaf_triangles.h"
 
-namespace tractus {
+namespace tractus::leaf {
 
 // A leaf as exporters and pictures take it: upright, its origin on the ground, its upper side
 // towards -y, veins and limb of one material each. `size_mm` is the longer side of the flat leaf,
@@ -19,4 +19,4 @@ Result<mesh::Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm);
 Result<mesh::Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf,
                                      leaf::LeafPicture const& picture, double size_mm);
 
-} // namespace tractus
+} // namespace tractus::leaf

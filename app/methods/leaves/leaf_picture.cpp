@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::leaf {
 
 render::Image on_paper(leaf::LeafPicture const& picture, render::Color const& paper)
 {
@@ -44,4 +44,4 @@ Result<render::Image> picture_of_leaf(leaf::Grammar const& grammar, int side,
     return on_paper(leaf::paint_leaf(grown.leaf, grown.triangles, options), paper);
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

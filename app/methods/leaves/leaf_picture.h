@@ -5,7 +5,7 @@
 #include "engine/methods/leaves/leaf_grammar.h"
 #include "engine/methods/leaves/leaf_paint.h"
 
-namespace tractus {
+namespace tractus::leaf {
 
 // A painted leaf as it lies on paper of that colour, in light from the upper left.
 render::Image on_paper(leaf::LeafPicture const& picture, render::Color const& paper);
@@ -15,4 +15,4 @@ render::Image on_paper(leaf::LeafPicture const& picture, render::Color const& pa
 Result<render::Image> picture_of_leaf(leaf::Grammar const& grammar, int side,
                                       render::Color const& paper);
 
-} // namespace tractus
+} // namespace tractus::leaf

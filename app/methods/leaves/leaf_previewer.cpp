@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
-class LeafPreviewer final : public StrokePreviewer {
+class LeafPreviewer final : public tools::StrokePreviewer {
 public:
-    std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
+    std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
     {
         if (stroke.ink.size() < 2)
             return {};
@@ -25,7 +25,7 @@ public:
         auto const lines = leaf::lines_of_leaf(*sketch);
         if (!lines)
             return {};
-        std::vector<SkeletonLine> shown;
+        std::vector<tools::SkeletonLine> shown;
         for (auto const& line : *lines)
             shown.push_back(shown_line(line, *stroke.scene));
         return shown;
@@ -33,7 +33,7 @@ public:
 
 private:
     // The sketch that takes the line, with it.
-    static Result<leaf::LeafSketch> sketch_with(UnfinishedStroke const& stroke)
+    static Result<leaf::LeafSketch> sketch_with(tools::UnfinishedStroke const& stroke)
     {
         auto const edits = stroke.tool.mean(
             Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) }, *stroke.scene);
@@ -43,17 +43,17 @@ private:
         auto const* const active = leaf::active_leaf_sketch(stroke.scene->state);
         bool const begins = edit.plant == 0 || !active;
         auto line = edit.stroke;
-        if (begins && is_coming_back(stroke.ink))
+        if (begins && tools::is_coming_back(stroke.ink))
             line.tips.push_back(stroke.ink.front());
         leaf::LeafSketch const empty { .form = edit.form, .scale = edit.scale };
         return leaf::with_line(begins ? empty : *active, { .id = 0, .stroke = std::move(line) });
     }
 
-    static SkeletonLine shown_line(std::vector<Vec3> const& line, Scene const& scene)
+    static tools::SkeletonLine shown_line(std::vector<Vec3> const& line, scene::Scene const& scene)
     {
-        auto const paper = paper_of(scene.state);
-        SkeletonLine shown;
-        shown.state = SkeletonLine::State::Assigned;
+        auto const paper = scene::paper_of(scene.state);
+        tools::SkeletonLine shown;
+        shown.state = tools::SkeletonLine::State::Assigned;
         for (auto const& place : line) {
             Vec3 at_mm = paper.world_of_sheet(place.head<2>());
             at_mm.y() -= place.z();
@@ -65,9 +65,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<StrokePreviewer> leaf_previewer()
+std::unique_ptr<tools::StrokePreviewer> leaf_previewer()
 {
     return std::make_unique<LeafPreviewer>();
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

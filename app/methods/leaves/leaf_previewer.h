@@ -4,10 +4,10 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::leaf {
 
 // For the tool that draws a leaf: the edge and the veins of the leaf as they would be if the line
 // ended now; of an outline that comes back, as if the pen had got there.
-std::unique_ptr<StrokePreviewer> leaf_previewer();
+std::unique_ptr<tools::StrokePreviewer> leaf_previewer();
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
@@ -88,4 +88,4 @@ Result<leaf::LeafDrawing> load_leaf_sketch(std::filesystem::path const& path)
     return parse_leaf_sketch(text, path.string());
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

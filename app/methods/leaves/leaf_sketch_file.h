@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::leaf {
 
 // Reads a drawn leaf from JSON, millimetres:
 //
@@ -21,4 +21,4 @@ Result<leaf::LeafDrawing> parse_leaf_sketch(std::string_view text, std::string c
 // strokes.
 Result<leaf::LeafDrawing> load_leaf_sketch(std::filesystem::path const& path);
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
@@ -105,4 +105,4 @@ Result<LeafStudy> study_leaf(leaf::Grammar const& grammar, LeafLook const& look,
     return study;
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

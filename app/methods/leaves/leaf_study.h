@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace tractus {
+namespace tractus::leaf {
 
 // How leaves are looked at.
 struct LeafLook {
@@ -30,4 +30,4 @@ struct LeafStudy {
 Result<LeafStudy> study_leaf(leaf::Grammar const& grammar, LeafLook const& look,
                              render::Color const& paper);
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -15,7 +15,7 @@
 #include <span>
 #include <utility>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
@@ -260,4 +260,4 @@ Result<std::optional<std::string>> make_ordered_leaves(std::filesystem::path con
     return sheet;
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

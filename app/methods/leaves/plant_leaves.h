@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace tractus {
+namespace tractus::leaf {
 
 // Leaves for plants have at most that many triangles.
 constexpr std::size_t kMostLeafTriangles = 24;
@@ -31,4 +31,4 @@ Result<std::optional<std::string>> make_ordered_leaves(std::filesystem::path con
 // in the picture is left open. Empty where the line leaves the cut-out in between.
 CutLeaf cut_along_midrib(leaf::Cutout const& cutout, Vec2 const& stem, double blade_px, int bends);
 
-} // namespace tractus
+} // namespace tractus::leaf

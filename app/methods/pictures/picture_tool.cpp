@@ -10,14 +10,14 @@
 #include <cmath>
 #include <numbers>
 
-namespace tractus {
+namespace tractus::pictures {
 
 namespace {
 
 using Does = PictureTool::Does;
 
 // In the order of Does.
-constexpr std::array<OptionWord, 6> kDoesWords { {
+constexpr std::array<tools::OptionWord, 6> kDoesWords { {
     { "move", "Move", "Move the picture" },
     { "size", "Size", "Size the picture" },
     { "turn", "Turn", "Turn the picture" },
@@ -26,12 +26,12 @@ constexpr std::array<OptionWord, 6> kDoesWords { {
     { "remove", "Remove", nullptr, true },
 } };
 
-void visit(OptionVisitor& visitor, PictureTool& tool)
+void visit(tools::OptionVisitor& visitor, PictureTool& tool)
 {
     visitor.choice({ kDoesWords }, tool.does);
     visitor.number({ .name = "strength",
                      .unit = "%",
-                     .least = 100 * kLeastPictureStrength,
+                     .least = 100 * scene::kLeastPictureStrength,
                      .greatest = 100,
                      .step = 5,
                      .label = "Strength" },
@@ -45,7 +45,7 @@ void visit(OptionVisitor& visitor, PictureTool& tool)
                    tool.height_m);
 }
 
-Result<PicturePlace> place_of(Scene const& scene)
+Result<scene::PicturePlace> place_of(scene::Scene const& scene)
 {
     if (!scene.state.picture)
         return fail(Fault::User, "no picture lies behind what is drawn: open one first");
@@ -53,7 +53,8 @@ Result<PicturePlace> place_of(Scene const& scene)
 }
 
 // Sizing and turning are about the picture's middle.
-Result<PicturePlace> dragged(PicturePlace place, Does does, Vec2 const& from_mm, Vec2 const& to_mm)
+Result<scene::PicturePlace> dragged(scene::PicturePlace place, Does does, Vec2 const& from_mm,
+                                    Vec2 const& to_mm)
 {
     constexpr double kLeastLever_mm = 3;
     Vec2 const middle_mm(place.x_mm, place.y_mm);
@@ -69,8 +70,8 @@ Result<PicturePlace> dragged(PicturePlace place, Does does, Vec2 const& from_mm,
                     "the stroke begins or ends at the picture's middle, about which it is sized "
                     "and turned: draw it farther out");
     if (does == Does::Size) {
-        place.width_mm = std::clamp(place.width_mm * to.norm() / from.norm(), kLeastPictureWidth_mm,
-                                    kGreatestPictureWidth_mm);
+        place.width_mm = std::clamp(place.width_mm * to.norm() / from.norm(),
+                                    scene::kLeastPictureWidth_mm, scene::kGreatestPictureWidth_mm);
         return place;
     }
     double const by_rad = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
@@ -79,8 +80,8 @@ Result<PicturePlace> dragged(PicturePlace place, Does does, Vec2 const& from_mm,
 }
 
 // A level line is the horizon, an upright one something of known height.
-Result<PictureGround> ground_drawn(BackPicture const& picture, Stroke const& stroke,
-                                   double height_m)
+Result<scene::PictureGround> ground_drawn(scene::BackPicture const& picture, Stroke const& stroke,
+                                          double height_m)
 {
     constexpr double kShortest_mm = 3;
     Vec2 const from_mm = stroke.tips.front().position_mm.head<2>();
@@ -91,39 +92,40 @@ Result<PictureGround> ground_drawn(BackPicture const& picture, Stroke const& str
                     "that is a dot: draw the horizon from side to side, or from the foot of "
                     "something of known height to its top");
     auto ground = picture.ground;
-    auto const from = on_picture(picture.place, from_mm);
-    auto const to = on_picture(picture.place, to_mm);
+    auto const from = scene::on_picture(picture.place, from_mm);
+    auto const to = scene::on_picture(picture.place, to_mm);
     if (std::abs(way.x()) > std::abs(way.y()))
         ground.horizon = (from.y() + to.y()) / 2;
     else
         ground.measured = { .foot = way.y() > 0 ? from : to,
                             .top = way.y() > 0 ? to : from,
                             .height_m = height_m };
-    TRY(check_ground(ground));
+    TRY(scene::check_ground(ground));
     return ground;
 }
 
-Result<std::vector<Edit>> mean(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> mean(tools::Tool const& tool, Stroke const& stroke,
+                                      scene::Scene const& scene)
 {
     auto const does = tool.get<PictureTool>()->does;
     auto place = TRY(place_of(scene));
     if (does == Does::Remove)
-        return std::vector<Edit> { RemovePicture {} };
+        return std::vector<scene::Edit> { scene::RemovePicture {} };
     if (does == Does::Lock) {
         place.is_locked = !place.is_locked;
-        return std::vector<Edit> { PlacePicture { place } };
+        return std::vector<scene::Edit> { scene::PlacePicture { place } };
     }
     if (does == Does::Ground)
-        return std::vector<Edit> { SetPictureGround {
+        return std::vector<scene::Edit> { scene::SetPictureGround {
             TRY(ground_drawn(*scene.state.picture, stroke, tool.get<PictureTool>()->height_m)) } };
     if (place.is_locked)
         return fail(Fault::User, "the picture is locked: press Lock to let it go");
-    return std::vector<Edit> { PlacePicture {
+    return std::vector<scene::Edit> { scene::PlacePicture {
         TRY(dragged(place, does, stroke.tips.front().position_mm.head<2>(),
                     stroke.tips.back().position_mm.head<2>())) } };
 }
 
-std::string said_of_ground(PictureGround const& ground)
+std::string said_of_ground(scene::PictureGround const& ground)
 {
     if (!ground.measured)
         return "The horizon is there: now draw along something of known height, from its foot up";
@@ -133,7 +135,7 @@ std::string said_of_ground(PictureGround const& ground)
     return "A tree's foot says where it stands now, and its outline how tall it is";
 }
 
-std::string said(Tool const& tool, Scene const& after)
+std::string said(tools::Tool const& tool, scene::Scene const& after)
 {
     auto const does = tool.get<PictureTool>()->does;
     if (does == Does::Remove)
@@ -148,7 +150,8 @@ std::string said(Tool const& tool, Scene const& after)
 }
 
 // Strength is the picture's own, locked or not.
-std::vector<Edit> follow(Tool const&, Tool const& after, Scene const& scene)
+std::vector<scene::Edit> follow(tools::Tool const&, tools::Tool const& after,
+                                scene::Scene const& scene)
 {
     if (!scene.state.picture)
         return {};
@@ -156,12 +159,12 @@ std::vector<Edit> follow(Tool const&, Tool const& after, Scene const& scene)
     double const strength = after.get<PictureTool>()->strength_percent / 100;
     if (std::exchange(place.strength, strength) == strength)
         return {};
-    return { PlacePicture { place } };
+    return { scene::PlacePicture { place } };
 }
 
 } // namespace
 
-constexpr ToolKind PictureTool::kKind {
+constexpr tools::ToolKind PictureTool::kKind {
     .word = "back_picture",
     .label = "Picture",
     .title = "Place the picture",
@@ -172,15 +175,15 @@ constexpr ToolKind PictureTool::kKind {
       "upright one where something stands that is so tall, and trees stand on that ground",
     .group = "Picture",
     .icon = "1282871712 174467 567486",
-    .surface = Surface::Paper,
-    .ink = { InkStyle::Look::Arrow },
+    .surface = tools::Surface::Paper,
+    .ink = { tools::InkStyle::Look::Arrow },
     .shows_outcome = true,
     .lays_pictures = true,
-    .options = options_type<PictureTool, visit>(),
+    .options = tools::options_type<PictureTool, visit>(),
     .mean = mean,
     .follow = follow,
     .said = said,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::pictures

@@ -4,15 +4,16 @@
 #include "app/tools/erase_tool.h"
 #include "engine/scene/edit.h"
 
-namespace tractus {
+namespace tractus::plants {
 
-static Result<std::vector<Edit>> choose(Tool const&, Stroke const& stroke, Scene const& scene)
+static Result<std::vector<scene::Edit>> choose(tools::Tool const&, Stroke const& stroke,
+                                               scene::Scene const& scene)
 {
     auto const plant = TRY(plant_under(stroke.tips.back(), scene));
-    return std::vector<Edit> { ActivatePlant { plant->drawn->id } };
+    return std::vector<scene::Edit> { scene::ActivatePlant { plant->drawn->id } };
 }
 
-constexpr ToolKind ChoosePlantTool::kKind {
+constexpr tools::ToolKind ChoosePlantTool::kKind {
     .word = "choose_plant",
     .label = "Choose",
     .title = "Choose a plant",
@@ -21,9 +22,9 @@ constexpr ToolKind ChoosePlantTool::kKind {
     .group = "Plants",
     .icon = "2090 2045 2060 3550 6090 6025 6045 8030 6055 4045",
     .key = 'P',
-    .options = options_type<ChoosePlantTool>(),
+    .options = tools::options_type<ChoosePlantTool>(),
     .mean = choose,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::plants

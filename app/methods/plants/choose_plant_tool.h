@@ -2,11 +2,11 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::plants {
 
 // Makes the plant that the pen touches take what is drawn from here on.
 struct ChoosePlantTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 };
 
-} // namespace tractus
+} // namespace tractus::plants

@@ -6,12 +6,12 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::plants {
 
 namespace {
 
 // How far to the right a plant must stand for its box to be beside those of all others.
-double free_x_mm(BuiltPlant const& copied, Scene const& scene)
+double free_x_mm(scene::BuiltPlant const& copied, scene::Scene const& scene)
 {
     constexpr double kGap_mm = 10;
     double right_mm = 0;
@@ -23,17 +23,17 @@ double free_x_mm(BuiltPlant const& copied, Scene const& scene)
     return right_mm + kGap_mm - left_mm;
 }
 
-Result<std::vector<Edit>> copy(Tool const&, Stroke const&, Scene const& scene)
+Result<std::vector<scene::Edit>> copy(tools::Tool const&, Stroke const&, scene::Scene const& scene)
 {
     auto const plant = TRY(active_plant_of(scene));
     Vec3 at_mm = scene.placement.origin_mm;
     at_mm.x() = free_x_mm(scene, scene);
-    return std::vector<Edit> { CopyPlant { plant, at_mm } };
+    return std::vector<scene::Edit> { scene::CopyPlant { plant, at_mm } };
 }
 
 } // namespace
 
-constexpr ToolKind CopyPlantTool::kKind {
+constexpr tools::ToolKind CopyPlantTool::kKind {
     .word = "copy_plant",
     .label = "Copy",
     .title = "Copy a plant",
@@ -42,9 +42,9 @@ constexpr ToolKind CopyPlantTool::kKind {
     .group = "Plants",
     .begins_group_of_buttons = true,
     .at_once = true,
-    .options = options_type<CopyPlantTool>(),
+    .options = tools::options_type<CopyPlantTool>(),
     .mean = copy,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::plants

@@ -5,33 +5,34 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::plants {
 
 namespace {
 
 // In the order of Grafting.
-constexpr std::array<OptionWord, 2> kGraftWords { {
+constexpr std::array<tools::OptionWord, 2> kGraftWords { {
     { "beside", "Put on" },
     { "instead", "Put in place", "Put a plant in the place of a branch" },
 } };
 
-void visit(OptionVisitor& visitor, GraftPlantTool& tool)
+void visit(tools::OptionVisitor& visitor, GraftPlantTool& tool)
 {
     visitor.choice({ kGraftWords }, tool.grafting);
 }
 
-Result<std::vector<Edit>> graft(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> graft(tools::Tool const& tool, Stroke const& stroke,
+                                       scene::Scene const& scene)
 {
     auto const plant = TRY(plant_under(stroke.tips.front(), scene));
     auto const id = plant->drawn->id;
-    auto const place = TRY(branch_at(scene, stroke.tips.back().position_mm, Vec3::UnitZ(),
-                                     tool.get<GraftPlantTool>()->grafting, id));
-    return graft_edits(scene, place, id);
+    auto const place = TRY(tools::branch_at(scene, stroke.tips.back().position_mm, Vec3::UnitZ(),
+                                            tool.get<GraftPlantTool>()->grafting, id));
+    return tools::graft_edits(scene, place, id);
 }
 
 } // namespace
 
-constexpr ToolKind GraftPlantTool::kKind {
+constexpr tools::ToolKind GraftPlantTool::kKind {
     .word = "graft_plant",
     .label = "Put on",
     .title = "Put a plant on a branch",
@@ -40,10 +41,10 @@ constexpr ToolKind GraftPlantTool::kKind {
             "the place of that branch: it is a part of that plant from then on",
     .group = "Plants",
     .begins_group_of_buttons = true,
-    .ink = { InkStyle::Look::Arrow },
-    .options = options_type<GraftPlantTool, visit>(),
+    .ink = { tools::InkStyle::Look::Arrow },
+    .options = tools::options_type<GraftPlantTool, visit>(),
     .mean = graft,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::plants

@@ -3,13 +3,13 @@
 #include "app/tools/branch_place.h"
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::plants {
 
 // Puts the plant where the stroke begins on the branch of another where it ends.
 struct GraftPlantTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
-    Grafting grafting = Grafting::Beside;
+    tools::Grafting grafting = tools::Grafting::Beside;
 };
 
-} // namespace tractus
+} // namespace tractus::plants

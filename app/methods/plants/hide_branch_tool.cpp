@@ -8,23 +8,23 @@
 #include <array>
 #include <set>
 
-namespace tractus {
+namespace tractus::plants {
 
 namespace {
 
 // Words in the order of What.
-constexpr std::array<OptionWord, 2> kBranchWords { {
+constexpr std::array<tools::OptionWord, 2> kBranchWords { {
     { "selected", "Hide branch", nullptr, true },
     { "none", "Show branches", nullptr, true },
 } };
 
-void visit(OptionVisitor& visitor, HideBranchTool& tool)
+void visit(tools::OptionVisitor& visitor, HideBranchTool& tool)
 {
     visitor.choice({ kBranchWords }, tool.what);
 }
 
 // Of each path the part on its last axis: what leads to a branch stays.
-std::set<SegmentId> chosen_branches(BuiltPlant const& plant)
+std::set<SegmentId> chosen_branches(scene::BuiltPlant const& plant)
 {
     std::set<SegmentId> firsts;
     for (auto const& path : plant.selection) {
@@ -36,20 +36,21 @@ std::set<SegmentId> chosen_branches(BuiltPlant const& plant)
     return firsts;
 }
 
-Result<std::vector<Edit>> hide_branches(Tool const& tool, Stroke const&, Scene const& scene)
+Result<std::vector<scene::Edit>> hide_branches(tools::Tool const& tool, Stroke const&,
+                                               scene::Scene const& scene)
 {
     auto const plant = TRY(active_plant_of(scene));
-    std::vector<Edit> edits;
+    std::vector<scene::Edit> edits;
     if (tool.get<HideBranchTool>()->what == HideBranchTool::What::None) {
         for (auto const& at : scene.drawn->hidden_branches)
-            edits.push_back(HideBranch { plant, at, false });
+            edits.push_back(scene::HideBranch { plant, at, false });
         if (edits.empty())
             return fail(Fault::User, "no branch is hidden");
         return edits;
     }
     for (auto const segment : chosen_branches(scene))
         edits.push_back(
-            HideBranch { plant, scene.rest->addresses.address_of(*scene.base, segment) });
+            scene::HideBranch { plant, scene.rest->addresses.address_of(*scene.base, segment) });
     if (edits.empty())
         return fail(Fault::User, "no branch is selected: select what is to be hidden");
     return edits;
@@ -57,7 +58,7 @@ Result<std::vector<Edit>> hide_branches(Tool const& tool, Stroke const&, Scene c
 
 } // namespace
 
-constexpr ToolKind HideBranchTool::kKind {
+constexpr tools::ToolKind HideBranchTool::kKind {
     .word = "hide_branch",
     .label = "Hide branch",
     .title = "Hide branches",
@@ -66,9 +67,9 @@ constexpr ToolKind HideBranchTool::kKind {
             "hidden on the plant that takes what is drawn",
     .group = "Plants",
     .at_once = true,
-    .options = options_type<HideBranchTool, visit>(),
+    .options = tools::options_type<HideBranchTool, visit>(),
     .mean = hide_branches,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::plants

@@ -2,13 +2,13 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::plants {
 
 // Hides the branches that are selected, or shows all that are hidden on the active plant.
 struct HideBranchTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
     enum class What { Selected, None } what = What::Selected;
 };
 
-} // namespace tractus
+} // namespace tractus::plants

@@ -6,29 +6,30 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::plants {
 
 namespace {
 
 // Words in the order of What.
-constexpr std::array<OptionWord, 2> kWords { {
+constexpr std::array<tools::OptionWord, 2> kWords { {
     { "active", "Hide", nullptr, true },
     { "none", "Show all", nullptr, true },
 } };
 
-void visit(OptionVisitor& visitor, HidePlantTool& tool)
+void visit(tools::OptionVisitor& visitor, HidePlantTool& tool)
 {
     visitor.choice({ kWords }, tool.what);
 }
 
-Result<std::vector<Edit>> hide(Tool const& tool, Stroke const&, Scene const& scene)
+Result<std::vector<scene::Edit>> hide(tools::Tool const& tool, Stroke const&,
+                                      scene::Scene const& scene)
 {
     if (tool.get<HidePlantTool>()->what == HidePlantTool::What::Active)
-        return std::vector<Edit> { HidePlant { TRY(active_plant_of(scene)), true } };
-    std::vector<Edit> edits;
+        return std::vector<scene::Edit> { scene::HidePlant { TRY(active_plant_of(scene)), true } };
+    std::vector<scene::Edit> edits;
     for (auto const& plant : scene.plants)
         if (plant->drawn->is_hidden)
-            edits.push_back(HidePlant { plant->drawn->id, false });
+            edits.push_back(scene::HidePlant { plant->drawn->id, false });
     if (edits.empty())
         return fail(Fault::User, "no plant is hidden");
     return edits;
@@ -36,7 +37,7 @@ Result<std::vector<Edit>> hide(Tool const& tool, Stroke const&, Scene const& sce
 
 } // namespace
 
-constexpr ToolKind HidePlantTool::kKind {
+constexpr tools::ToolKind HidePlantTool::kKind {
     .word = "hide_plant",
     .label = "Hide",
     .title = "Hide a plant",
@@ -44,9 +45,9 @@ constexpr ToolKind HidePlantTool::kKind {
     .help = "hides the plant that takes what is drawn, or shows all that are hidden",
     .group = "Plants",
     .at_once = true,
-    .options = options_type<HidePlantTool, visit>(),
+    .options = tools::options_type<HidePlantTool, visit>(),
     .mean = hide,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::plants

@@ -2,13 +2,13 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::plants {
 
 // Hides the active plant, or shows all that are hidden.
 struct HidePlantTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
     enum class What { Active, None } what = What::Active;
 };
 
-} // namespace tractus
+} // namespace tractus::plants

@@ -4,28 +4,29 @@
 #include "app/tools/erase_tool.h"
 #include "engine/scene/edit.h"
 
-namespace tractus {
+namespace tractus::plants {
 
-static Result<std::vector<Edit>> move(Tool const&, Stroke const& stroke, Scene const& scene)
+static Result<std::vector<scene::Edit>> move(tools::Tool const&, Stroke const& stroke,
+                                             scene::Scene const& scene)
 {
     auto const plant = TRY(plant_under(stroke.tips.front(), scene));
     Vec3 way_mm = stroke.tips.back().position_mm - stroke.tips.front().position_mm;
     way_mm.z() = 0;
-    return std::vector<Edit> { MovePlant { plant->drawn->id,
-                                           plant->placement.origin_mm + way_mm } };
+    return std::vector<scene::Edit> { scene::MovePlant { plant->drawn->id,
+                                                         plant->placement.origin_mm + way_mm } };
 }
 
-constexpr ToolKind MovePlantTool::kKind {
+constexpr tools::ToolKind MovePlantTool::kKind {
     .word = "move_plant",
     .label = "Move",
     .title = "Move a plant",
     .done = "The plant stands there now",
     .help = "moves the plant where the stroke begins along with it, over the ground",
     .group = "Plants",
-    .ink = { InkStyle::Look::Arrow },
-    .options = options_type<MovePlantTool>(),
+    .ink = { tools::InkStyle::Look::Arrow },
+    .options = tools::options_type<MovePlantTool>(),
     .mean = move,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::plants

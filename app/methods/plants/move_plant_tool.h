@@ -2,11 +2,11 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::plants {
 
 // The plant where the stroke begins goes along with it, over the ground.
 struct MovePlantTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 };
 
-} // namespace tractus
+} // namespace tractus::plants

@@ -4,14 +4,15 @@
 #include "app/tools/erase_tool.h"
 #include "engine/scene/edit.h"
 
-namespace tractus {
+namespace tractus::plants {
 
-static Result<std::vector<Edit>> remove(Tool const&, Stroke const&, Scene const& scene)
+static Result<std::vector<scene::Edit>> remove(tools::Tool const&, Stroke const&,
+                                               scene::Scene const& scene)
 {
-    return std::vector<Edit> { RemovePlant { TRY(active_plant_of(scene)) } };
+    return std::vector<scene::Edit> { scene::RemovePlant { TRY(active_plant_of(scene)) } };
 }
 
-constexpr ToolKind RemovePlantTool::kKind {
+constexpr tools::ToolKind RemovePlantTool::kKind {
     .word = "remove_plant",
     .label = "Remove",
     .title = "Remove a plant",
@@ -19,9 +20,9 @@ constexpr ToolKind RemovePlantTool::kKind {
     .help = "takes the plant away that takes what is drawn, with all that was drawn on it",
     .group = "Plants",
     .at_once = true,
-    .options = options_type<RemovePlantTool>(),
+    .options = tools::options_type<RemovePlantTool>(),
     .mean = remove,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::plants

@@ -2,11 +2,11 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::plants {
 
 // Takes the active plant away with all that was drawn on it.
 struct RemovePlantTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 };
 
-} // namespace tractus
+} // namespace tractus::plants

@@ -6,22 +6,23 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::plants {
 
-static Result<std::vector<Edit>> take_off(Tool const&, Stroke const& stroke, Scene const& scene)
+static Result<std::vector<scene::Edit>> take_off(tools::Tool const&, Stroke const& stroke,
+                                                 scene::Scene const& scene)
 {
-    auto const place
-        = TRY(branch_at(scene, stroke.tips.front().position_mm, Vec3::UnitZ(), Grafting::Beside));
-    auto const& plant = *scene.plants[*find_plant(scene.state, place.plant)];
+    auto const place = TRY(tools::branch_at(scene, stroke.tips.front().position_mm, Vec3::UnitZ(),
+                                            tools::Grafting::Beside));
+    auto const& plant = *scene.plants[*scene::find_plant(scene.state, place.plant)];
     auto const part = part_of(plant.rest->addresses.address_of(*plant.base, place.touched));
     if (part == 0)
         return fail(Fault::User, "what the stroke touches was not put on: touch a plant that was");
     Vec3 stands_at_mm = place.base_mm;
     stands_at_mm.z() = 0;
-    return std::vector<Edit> { TakeOffGraft { place.plant, part, stands_at_mm } };
+    return std::vector<scene::Edit> { scene::TakeOffGraft { place.plant, part, stands_at_mm } };
 }
 
-constexpr ToolKind TakeOffTool::kKind {
+constexpr tools::ToolKind TakeOffTool::kKind {
     .word = "take_off",
     .label = "Take off",
     .title = "Take a plant off its branch",
@@ -29,9 +30,9 @@ constexpr ToolKind TakeOffTool::kKind {
     .help = "takes the plant that is touched off the branch that it was put on: it stands on the "
             "ground then",
     .group = "Plants",
-    .options = options_type<TakeOffTool>(),
+    .options = tools::options_type<TakeOffTool>(),
     .mean = take_off,
-    .other_end = { &EraseTool::kKind },
+    .other_end = { &tools::EraseTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::plants

@@ -2,11 +2,11 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::plants {
 
 // Makes a part that was put on a plant a plant of its own again.
 struct TakeOffTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 };
 
-} // namespace tractus
+} // namespace tractus::plants

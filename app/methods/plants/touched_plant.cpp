@@ -1,11 +1,12 @@
 #include "app/methods/plants/touched_plant.h"
 
-namespace tractus {
+namespace tractus::plants {
 
-Result<std::shared_ptr<BuiltPlant const>> plant_under(TipSample const& tip, Scene const& scene)
+Result<std::shared_ptr<scene::BuiltPlant const>> plant_under(TipSample const& tip,
+                                                             scene::Scene const& scene)
 {
     constexpr double kFinger_mm = 15;
-    std::shared_ptr<BuiltPlant const> nearest;
+    std::shared_ptr<scene::BuiltPlant const> nearest;
     double nearest2_mm2 = kFinger_mm * kFinger_mm;
     for (auto const& plant : scene.plants) {
         if (plant->drawn->is_hidden)
@@ -24,11 +25,11 @@ Result<std::shared_ptr<BuiltPlant const>> plant_under(TipSample const& tip, Scen
     return nearest;
 }
 
-Result<ItemId> active_plant_of(Scene const& scene)
+Result<scene::ItemId> active_plant_of(scene::Scene const& scene)
 {
     if (scene.state.active == 0)
         return fail(Fault::User, "there is no plant: draw one, or load a model");
     return scene.state.active;
 }
 
-} // namespace tractus
+} // namespace tractus::plants

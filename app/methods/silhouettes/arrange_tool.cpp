@@ -5,12 +5,12 @@
 
 #include <array>
 
-namespace tractus {
+namespace tractus::silhouette {
 
 namespace {
 
 // In the order of To: the next one, then those of silhouette::Pattern.
-constexpr std::array<OptionWord, 7> kTo { {
+constexpr std::array<tools::OptionWord, 7> kTo { {
     { "next", "Next", nullptr, true },
     { "even", "Even", nullptr, true },
     { "spiral", "Spiral", nullptr, true },
@@ -22,18 +22,19 @@ constexpr std::array<OptionWord, 7> kTo { {
 constexpr int kPatterns = static_cast<int>(kTo.size()) - 1;
 
 // In the order of Around.
-constexpr std::array<OptionWord, 2> kAround { {
+constexpr std::array<tools::OptionWord, 2> kAround { {
     { "trunk", "Around the trunk" },
     { "branches", "Around branches" },
 } };
 
-void visit(OptionVisitor& visitor, ArrangeTool& tool)
+void visit(tools::OptionVisitor& visitor, ArrangeTool& tool)
 {
     visitor.choice({ kAround }, tool.around);
     visitor.choice({ kTo }, tool.to);
 }
 
-Result<std::vector<Edit>> arrange(Tool const& tool, Stroke const&, Scene const& scene)
+Result<std::vector<scene::Edit>> arrange(tools::Tool const& tool, Stroke const&,
+                                         scene::Scene const& scene)
 {
     auto const& options = *tool.get<ArrangeTool>();
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
@@ -50,12 +51,12 @@ Result<std::vector<Edit>> arrange(Tool const& tool, Stroke const&, Scene const& 
     pattern = static_cast<silhouette::Pattern>(next);
     if (!is_trunk)
         edit.form.patterns[2] = pattern;
-    return std::vector<Edit> { edit };
+    return std::vector<scene::Edit> { edit };
 }
 
 } // namespace
 
-constexpr ToolKind ArrangeTool::kKind {
+constexpr tools::ToolKind ArrangeTool::kKind {
     .word = "arrange",
     .label = "Arrange",
     .title = "Arrange the tree's branches",
@@ -66,9 +67,9 @@ constexpr ToolKind ArrangeTool::kKind {
     .method = "From an outline",
     .begins_group_of_buttons = true,
     .at_once = true,
-    .options = options_type<ArrangeTool, visit>(),
+    .options = tools::options_type<ArrangeTool, visit>(),
     .mean = arrange,
     .other_end = { &EraseOutlineTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -2,14 +2,14 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::silhouette {
 
 // Arranges the branches of the active tree, which was drawn by its outline, in another pattern.
 struct ArrangeTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
     enum class To { Next, Even, Spiral, Decussate, Whorls, TwoRows, Horizontal } to = To::Next;
     enum class Around { Trunk, Branches } around = Around::Trunk;
 };
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -5,20 +5,20 @@
 
 #include <utility>
 
-namespace tractus {
+namespace tractus::silhouette {
 
 namespace {
 
 // Shows the branches of the trunk as they would stand in space.
-class CrownPreviewer final : public StrokePreviewer {
+class CrownPreviewer final : public tools::StrokePreviewer {
 public:
-    std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
+    std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
     {
         if (stroke.ink.size() < 4)
             return {};
         auto const& scene = *stroke.scene;
         std::vector tips(stroke.ink.begin(), stroke.ink.end());
-        if (is_coming_back(stroke.ink))
+        if (tools::is_coming_back(stroke.ink))
             tips.push_back(stroke.ink.front());
         auto const edit
             = drawn_crown(*stroke.tool.get<CrownTool>(), Stroke { std::move(tips) }, scene);
@@ -37,13 +37,13 @@ public:
     }
 
 private:
-    static std::vector<SkeletonLine> lines_of(Plant const& plant, DeskPlacement const& placement,
-                                              Scene const& scene)
+    static std::vector<tools::SkeletonLine>
+    lines_of(Plant const& plant, scene::DeskPlacement const& placement, scene::Scene const& scene)
     {
-        std::vector<SkeletonLine> lines;
+        std::vector<tools::SkeletonLine> lines;
         for (auto const& axis : plant.axes) {
-            SkeletonLine line;
-            line.state = SkeletonLine::State::Assigned;
+            tools::SkeletonLine line;
+            line.state = tools::SkeletonLine::State::Assigned;
             for (NodeId node = 0; node <= axis.segment_count; ++node) {
                 auto const& at_mm = plant.node_position_mm[axis.first_node + node];
                 line.points_mm.push_back(
@@ -57,9 +57,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<StrokePreviewer> crown_previewer()
+std::unique_ptr<tools::StrokePreviewer> crown_previewer()
 {
     return std::make_unique<CrownPreviewer>();
 }
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::silhouette {
 
 namespace {
 
@@ -19,21 +19,21 @@ using silhouette::DrawTree;
 using silhouette::OutlinedTree;
 
 // In the order of What.
-constexpr std::array<OptionWord, 2> kCrownWords { {
+constexpr std::array<tools::OptionWord, 2> kCrownWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },
 } };
 
-void visit_crown(OptionVisitor& visitor, CrownTool& tool)
+void visit_crown(tools::OptionVisitor& visitor, CrownTool& tool)
 {
     visitor.choice(
-        { .words = kCrownWords, .offered = WordOption::Offered::InHand, .label = "Crown" },
+        { .words = kCrownWords, .offered = tools::WordOption::Offered::InHand, .label = "Crown" },
         tool.what);
 }
 
 // The tree whose crown a line on its sheet is: the trunk stands where the line goes around. Null:
 // none's.
-Result<OutlinedTree const*> tree_inside(CrownLine const& line, Scene const& scene)
+Result<OutlinedTree const*> tree_inside(CrownLine const& line, scene::Scene const& scene)
 {
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
     if (!tree || tree->is_leaf)
@@ -51,10 +51,11 @@ Result<OutlinedTree const*> tree_inside(CrownLine const& line, Scene const& scen
     return is_around ? tree : nullptr;
 }
 
-Result<std::vector<Edit>> mean_crown(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> mean_crown(tools::Tool const& tool, Stroke const& stroke,
+                                            scene::Scene const& scene)
 {
     auto const& options = *tool.get<CrownTool>();
-    return std::vector<Edit> { TRY(drawn_crown(options, stroke, scene)) };
+    return std::vector<scene::Edit> { TRY(drawn_crown(options, stroke, scene)) };
 }
 
 std::string counted_lines(std::size_t count, char const* one, char const* many)
@@ -63,7 +64,7 @@ std::string counted_lines(std::size_t count, char const* one, char const* many)
 }
 
 // What says the crown's surface now.
-std::string said_of_crown(Tool const&, Scene const& after)
+std::string said_of_crown(tools::Tool const&, scene::Scene const& after)
 {
     auto const* const tree = silhouette::outlined_tree(*after.drawn);
     if (!tree)
@@ -93,7 +94,7 @@ std::string said_of_crown(Tool const&, Scene const& after)
 
 } // namespace
 
-Stroke on_sheet(Stroke stroke, Paper const& paper)
+Stroke on_sheet(Stroke stroke, scene::Paper const& paper)
 {
     std::vector<TipSample> tips;
     for (auto tip : stroke.tips) {
@@ -106,10 +107,10 @@ Stroke on_sheet(Stroke stroke, Paper const& paper)
     return stroke;
 }
 
-Result<DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke, Scene const& scene)
+Result<DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke, scene::Scene const& scene)
 {
     DrawTree edit { .part = DrawTree::Part::Surface };
-    auto paper = paper_of(scene.state);
+    auto paper = scene::paper_of(scene.state);
     edit.stroke = on_sheet(stroke, paper);
     auto line = TRY(silhouette::crown_line_of(edit.stroke));
     TRY(silhouette::kind_of(line));
@@ -133,7 +134,7 @@ Result<DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke, Scene 
     return edit;
 }
 
-constexpr ToolKind CrownTool::kKind {
+constexpr tools::ToolKind CrownTool::kKind {
     .word = "crown_line",
     .label = "Crown in space",
     .title = "Rings around the crown, or a line that climbs around it",
@@ -143,11 +144,11 @@ constexpr ToolKind CrownTool::kKind {
             "the surface through these; of a new tree",
     .group = "Sketch",
     .method = "From an outline",
-    .options = options_type<CrownTool, visit_crown>(),
+    .options = tools::options_type<CrownTool, visit_crown>(),
     .mean = mean_crown,
     .said = said_of_crown,
     .previewer = crown_previewer,
     .other_end = { &EraseCrownTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -4,19 +4,20 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::silhouette {
 
 namespace {
 
-Result<std::vector<Edit>> erase_lines(Tool const&, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> erase_lines(tools::Tool const&, Stroke const& stroke,
+                                             scene::Scene const& scene)
 {
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
     if (!tree || tree->crown_lines.empty())
         return fail(Fault::User,
                     "the plant that takes what is drawn has no crown in space: draw rings "
                     "around it first");
-    auto const eraser = on_sheet(stroke, paper_of(scene.state));
-    std::vector<Edit> edits;
+    auto const eraser = on_sheet(stroke, scene::paper_of(scene.state));
+    std::vector<scene::Edit> edits;
     for (auto const& drawn : tree->crown_lines) {
         auto const line = TRY(silhouette::crown_line_of(drawn.stroke));
         bool const is_near
@@ -37,7 +38,7 @@ Result<std::vector<Edit>> erase_lines(Tool const&, Stroke const& stroke, Scene c
 
 } // namespace
 
-constexpr ToolKind EraseCrownTool::kKind {
+constexpr tools::ToolKind EraseCrownTool::kKind {
     .word = "erase_crown",
     .label = "Erase in space",
     .title = "Erase lines of the crown in space",
@@ -45,10 +46,10 @@ constexpr ToolKind EraseCrownTool::kKind {
     .help = "takes away lines in space of a tree's crown that the stroke comes near",
     .group = "Sketch",
     .method = "From an outline",
-    .ink = { InkStyle::Look::Eraser, 2 * EraseCrownTool::kRadius_mm },
-    .options = options_type<EraseCrownTool>(),
+    .ink = { tools::InkStyle::Look::Eraser, 2 * EraseCrownTool::kRadius_mm },
+    .options = tools::options_type<EraseCrownTool>(),
     .mean = erase_lines,
     .other_end = { &EraseCrownTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -2,12 +2,12 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::silhouette {
 
 // Takes away lines in space of the active tree's crown that the stroke comes near.
 struct EraseCrownTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
     static constexpr double kRadius_mm = 8;
 };
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace tractus {
+namespace tractus::silhouette {
 
 namespace {
 
@@ -24,7 +24,8 @@ bool runs_over(Stroke const& eraser, std::vector<Vec2> const& line)
 
 // Touches on bumps first, then branches before what bears them, and their outlines before the
 // crown's: where lines meet, the smaller one is meant.
-Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> erase(tools::Tool const&, Stroke const& stroke,
+                                       scene::Scene const& scene)
 {
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
     if (!tree)
@@ -33,7 +34,7 @@ Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& 
                     "drawn by its outline");
     auto const drawing = TRY(silhouette::drawing_of(*tree));
     auto const plant = scene.drawn->id;
-    std::vector<Edit> edits;
+    std::vector<scene::Edit> edits;
     for (std::size_t i = 0; i < drawing.touches.size(); ++i)
         if (runs_over(stroke, { drawing.touches[i].place }))
             edits.push_back(EraseTreePart { plant,
@@ -70,7 +71,7 @@ Result<std::vector<Edit>> erase(Tool const&, Stroke const& stroke, Scene const& 
 
 } // namespace
 
-constexpr ToolKind EraseOutlineTool::kKind {
+constexpr tools::ToolKind EraseOutlineTool::kKind {
     .word = "erase_outline",
     .label = "Erase",
     .title = "Erase lines of the tree's drawing",
@@ -82,11 +83,11 @@ constexpr ToolKind EraseOutlineTool::kKind {
       "its crown",
     .group = "Sketch",
     .method = "From an outline",
-    .surface = Surface::Paper,
-    .ink = { InkStyle::Look::Eraser, 2 * EraseOutlineTool::kRadius_mm },
-    .options = options_type<EraseOutlineTool>(),
+    .surface = tools::Surface::Paper,
+    .ink = { tools::InkStyle::Look::Eraser, 2 * EraseOutlineTool::kRadius_mm },
+    .options = tools::options_type<EraseOutlineTool>(),
     .mean = erase,
     .other_end = { &EraseOutlineTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -2,12 +2,12 @@
 
 #include "app/tools/tool.h"
 
-namespace tractus {
+namespace tractus::silhouette {
 
 // Takes away what was drawn of the active tree where the stroke runs over it on paper.
 struct EraseOutlineTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
     static constexpr double kRadius_mm = 4;
 };
 
-} // namespace tractus
+} // namespace tractus::silhouette

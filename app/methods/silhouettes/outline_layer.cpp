@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace tractus {
+namespace tractus::silhouette {
 
 namespace {
 
@@ -16,13 +16,14 @@ using Lines = std::vector<std::vector<Vec3f>>;
 
 enum class Lies { OnSheet, InSpace }; // Where z is how far behind the sheet it is.
 
-void add(Stroke const& stroke, BuiltPlant const& plant, Lines& lines, Lies lies = Lies::OnSheet)
+void add(Stroke const& stroke, scene::BuiltPlant const& plant, Lines& lines,
+         Lies lies = Lies::OnSheet)
 {
     constexpr float kApart_mm = 0.5f; // Points that are nearer show nothing.
     auto const tips = stroke.tips.in_memory();
     if (!tips || tips->size() < 2 || !plant.drawn->paper_mm)
         return;
-    auto const paper = *paper_of(*plant.drawn);
+    auto const paper = *scene::paper_of(*plant.drawn);
     std::vector<Vec3f> line;
     for (auto const& tip : *tips) {
         Vec3 world_mm = paper.world_of_sheet(tip.position_mm.head<2>());
@@ -36,7 +37,7 @@ void add(Stroke const& stroke, BuiltPlant const& plant, Lines& lines, Lies lies 
         lines.push_back(std::move(line));
 }
 
-Lines outline_of(BuiltPlant const& plant)
+Lines outline_of(scene::BuiltPlant const& plant)
 {
     Lines lines;
     if (auto const* const tree = silhouette::outlined_tree(*plant.drawn)) {
@@ -52,13 +53,13 @@ Lines outline_of(BuiltPlant const& plant)
 }
 
 // A cross where a bump is split, a bar where two are joined.
-void add_mark(silhouette::DrawnTouch const& touch, BuiltPlant const& plant, Lines& lines)
+void add_mark(silhouette::DrawnTouch const& touch, scene::BuiltPlant const& plant, Lines& lines)
 {
     constexpr double kArm_mm = 2;
     auto const place = silhouette::place_of(touch);
     if (!place || !plant.drawn->paper_mm)
         return;
-    auto const paper = *paper_of(*plant.drawn);
+    auto const paper = *scene::paper_of(*plant.drawn);
     auto const add_arm = [&](Vec2 const& arm) {
         lines.push_back({ paper.world_of_sheet(*place - arm).cast<float>(),
                           paper.world_of_sheet(*place + arm).cast<float>() });
@@ -71,7 +72,7 @@ void add_mark(silhouette::DrawnTouch const& touch, BuiltPlant const& plant, Line
     add_arm({ kArm_mm, -kArm_mm });
 }
 
-Lines trunk_of(BuiltPlant const& plant)
+Lines trunk_of(scene::BuiltPlant const& plant)
 {
     Lines lines;
     if (auto const* const tree = silhouette::outlined_tree(*plant.drawn)) {
@@ -87,7 +88,7 @@ Lines trunk_of(BuiltPlant const& plant)
 }
 
 // Of the trunk's branches alone, which is quick.
-std::optional<silhouette::BranchingSystem> system_of(BuiltPlant const& plant)
+std::optional<silhouette::BranchingSystem> system_of(scene::BuiltPlant const& plant)
 {
     auto const* const tree = silhouette::outlined_tree(*plant.drawn);
     if (!tree || !tree->has_crown() || !plant.drawn->paper_mm)
@@ -100,18 +101,18 @@ std::optional<silhouette::BranchingSystem> system_of(BuiltPlant const& plant)
     return std::move(skeleton->systems.front());
 }
 
-void add_closed(std::vector<Vec2> const& line, BuiltPlant const& plant, Lines& lines)
+void add_closed(std::vector<Vec2> const& line, scene::BuiltPlant const& plant, Lines& lines)
 {
     if (line.size() < 2)
         return;
-    auto const paper = *paper_of(*plant.drawn);
+    auto const paper = *scene::paper_of(*plant.drawn);
     auto& closed = lines.emplace_back();
     for (auto const& point : line)
         closed.push_back(paper.world_of_sheet(point).cast<float>());
     closed.push_back(Vec3f(closed.front()));
 }
 
-Lines seen_of(BuiltPlant const& plant)
+Lines seen_of(scene::BuiltPlant const& plant)
 {
     constexpr int kSteps = 16;
     constexpr double kSize = 0.012; // Of a bump's middle, as a share of the outline's diagonal.
@@ -135,7 +136,7 @@ Lines seen_of(BuiltPlant const& plant)
     return lines;
 }
 
-Lines triangles_of(BuiltPlant const& plant)
+Lines triangles_of(scene::BuiltPlant const& plant)
 {
     Lines lines;
     auto const system = system_of(plant);
@@ -151,7 +152,7 @@ Lines triangles_of(BuiltPlant const& plant)
     return lines;
 }
 
-OutlineTool::SeenFor seen_for(Tool const& in_hand)
+OutlineTool::SeenFor seen_for(tools::Tool const& in_hand)
 {
     auto const* const tool = in_hand.get<OutlineTool>();
     return tool ? tool->seen : OutlineTool::SeenFor::AWhile;
@@ -159,30 +160,31 @@ OutlineTool::SeenFor seen_for(Tool const& in_hand)
 
 } // namespace
 
-constexpr Layer kOutlineLayer { .label = "outline",
-                                .style = { .color = LayerStyle::Color::Purple },
-                                .lines = outline_of };
-constexpr Layer kTrunkLayer { .label = "drawn trunk and branches",
-                              .style = { .color = LayerStyle::Color::Purple,
-                                         .pattern = LayerStyle::Pattern::Dashed },
-                              .lines = trunk_of };
+constexpr tools::Layer kOutlineLayer { .label = "outline",
+                                       .style = { .color = tools::LayerStyle::Color::Purple },
+                                       .lines = outline_of };
+constexpr tools::Layer kTrunkLayer { .label = "drawn trunk and branches",
+                                     .style = { .color = tools::LayerStyle::Color::Purple,
+                                                .pattern = tools::LayerStyle::Pattern::Dashed },
+                                     .lines = trunk_of };
 
-constexpr Layer kSeenLayer { .label = "bumps and parts of the crown",
-                             .style = { .color = LayerStyle::Color::Grey,
-                                        .pattern = LayerStyle::Pattern::Dotted,
-                                        .width_mm = 0.8 },
-                             .lines = seen_of,
-                             .seen = Layer::Seen::AWhile,
-                             .is_asked_for = [](Tool const& in_hand) {
-                                 return seen_for(in_hand) != OutlineTool::SeenFor::AWhile;
-                             } };
-constexpr Layer kTrianglesLayer { .label = "triangles",
-                                  .style = { .color = LayerStyle::Color::Grey, .width_mm = 0.3 },
-                                  .lines = triangles_of,
-                                  .seen = Layer::Seen::WhenAskedFor,
-                                  .is_asked_for = [](Tool const& in_hand) {
-                                      return seen_for(in_hand)
-                                          == OutlineTool::SeenFor::WithTriangles;
-                                  } };
+constexpr tools::Layer kSeenLayer { .label = "bumps and parts of the crown",
+                                    .style = { .color = tools::LayerStyle::Color::Grey,
+                                               .pattern = tools::LayerStyle::Pattern::Dotted,
+                                               .width_mm = 0.8 },
+                                    .lines = seen_of,
+                                    .seen = tools::Layer::Seen::AWhile,
+                                    .is_asked_for = [](tools::Tool const& in_hand) {
+                                        return seen_for(in_hand) != OutlineTool::SeenFor::AWhile;
+                                    } };
+constexpr tools::Layer kTrianglesLayer { .label = "triangles",
+                                         .style = { .color = tools::LayerStyle::Color::Grey,
+                                                    .width_mm = 0.3 },
+                                         .lines = triangles_of,
+                                         .seen = tools::Layer::Seen::WhenAskedFor,
+                                         .is_asked_for = [](tools::Tool const& in_hand) {
+                                             return seen_for(in_hand)
+                                                 == OutlineTool::SeenFor::WithTriangles;
+                                         } };
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-namespace tractus {
+namespace tractus::silhouette {
 
 namespace {
 
@@ -23,9 +23,9 @@ Stroke closed(std::span<TipSample const> ink)
     return { std::move(tips) };
 }
 
-class OutlinePreviewer final : public StrokePreviewer {
+class OutlinePreviewer final : public tools::StrokePreviewer {
 public:
-    std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
+    std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
     {
         auto const& scene = *stroke.scene;
         if (stroke.ink.empty() || (stroke.ink.size() < 2 && !scene.state.picture))
@@ -34,10 +34,10 @@ public:
         if (what == OutlineTool::What::Carry)
             return carried(stroke.ink, scene);
         // A line that does not come back declares an outline a leaf, at its end.
-        if (what == OutlineTool::What::Leaf && !is_coming_back(stroke.ink))
+        if (what == OutlineTool::What::Leaf && !tools::is_coming_back(stroke.ink))
             return {};
         bool const is_touch = what == OutlineTool::What::Split || what == OutlineTool::What::Join;
-        auto const ink = !is_touch && is_coming_back(stroke.ink)
+        auto const ink = !is_touch && tools::is_coming_back(stroke.ink)
             ? closed(stroke.ink)
             : Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) };
         auto const edit = drawn_tree(*stroke.tool.get<OutlineTool>(), ink, scene);
@@ -54,7 +54,8 @@ public:
             return {};
         // Branches with outlines of their own have those in them, too. What the pen has not drawn
         // is shown: the outline of a crown in the picture.
-        std::vector<SkeletonLine> lines { line_of(skeleton->systems[0].whole_trunk(), scene) };
+        std::vector<tools::SkeletonLine> lines { line_of(skeleton->systems[0].whole_trunk(),
+                                                         scene) };
         for (auto const& system : skeleton->systems)
             for (auto const& branch : system.branches) {
                 lines.push_back(line_of(branch.path.curve.points(9), scene));
@@ -76,7 +77,8 @@ private:
     }
 
     // Branches that the line carries a style between.
-    static std::vector<SkeletonLine> carried(std::span<TipSample const> ink, Scene const& scene)
+    static std::vector<tools::SkeletonLine> carried(std::span<TipSample const> ink,
+                                                    scene::Scene const& scene)
     {
         auto const* const tree = silhouette::outlined_tree(*scene.drawn);
         if (!tree)
@@ -90,7 +92,7 @@ private:
         auto const styles = silhouette::carried_by(*skeleton, points);
         if (!styles)
             return {};
-        std::vector<SkeletonLine> lines;
+        std::vector<tools::SkeletonLine> lines;
         for (auto const& path : silhouette::paths_in(*styles))
             if (auto const at = skeleton->at(path))
                 lines.push_back(
@@ -100,7 +102,7 @@ private:
 
     // An outline that is small so far, over a crown that is there: the outline of a branch begins
     // so, and the crown's, too.
-    static bool may_become_a_branchs(DrawTree const& edit, Scene const& scene)
+    static bool may_become_a_branchs(DrawTree const& edit, scene::Scene const& scene)
     {
         auto const* const tree = silhouette::outlined_tree(*scene.drawn);
         if (!tree || edit.plant == 0 || edit.part != DrawTree::Part::Outline)
@@ -113,11 +115,11 @@ private:
         return std::fabs(silhouette::signed_area(points_of(stroke)));
     }
 
-    static SkeletonLine line_of(std::vector<Vec2> const& points, Scene const& scene)
+    static tools::SkeletonLine line_of(std::vector<Vec2> const& points, scene::Scene const& scene)
     {
-        auto const paper = paper_of(scene.state);
-        SkeletonLine line;
-        line.state = SkeletonLine::State::Assigned;
+        auto const paper = scene::paper_of(scene.state);
+        tools::SkeletonLine line;
+        line.state = tools::SkeletonLine::State::Assigned;
         for (auto const& point : points)
             line.points_mm.push_back(
                 scene.placement.plant_of_world(paper.world_of_sheet(point)).cast<float>());
@@ -127,9 +129,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<StrokePreviewer> outline_previewer()
+std::unique_ptr<tools::StrokePreviewer> outline_previewer()
 {
     return std::make_unique<OutlinePreviewer>();
 }
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -4,9 +4,9 @@
 
 #include <memory>
 
-namespace tractus {
+namespace tractus::silhouette {
 
 // Shows the branches that would follow from an outline if it were closed where the pen is.
-std::unique_ptr<StrokePreviewer> outline_previewer();
+std::unique_ptr<tools::StrokePreviewer> outline_previewer();
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::silhouette {
 
 namespace {
 
@@ -23,7 +23,7 @@ using Part = silhouette::DrawTree::Part;
 using What = OutlineTool::What;
 
 // In the order of What.
-constexpr std::array<OptionWord, 8> kWords { {
+constexpr std::array<tools::OptionWord, 8> kWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },
     { "carry", "Carry a style" },
@@ -35,7 +35,7 @@ constexpr std::array<OptionWord, 8> kWords { {
 } };
 
 // In the order of OutlineTool::Form: the usual one, then the ready ones.
-constexpr std::array<OptionWord, 6> kFormWords { {
+constexpr std::array<tools::OptionWord, 6> kFormWords { {
     { "usual", "Usual" },
     { "oak", "Oak" },
     { "pine", "Pine" },
@@ -45,21 +45,21 @@ constexpr std::array<OptionWord, 6> kFormWords { {
 } };
 
 // In the order of OutlineTool::Branches.
-constexpr std::array<OptionWord, 3> kBranchesWords { {
+constexpr std::array<tools::OptionWord, 3> kBranchesWords { {
     { "of_trunk", "of the trunk" },
     { "of_nearest", "of its branches" },
     { "of_any", "of what they begin on" },
 } };
 
 // In the order of silhouette::StyleTo.
-constexpr std::array<OptionWord, 3> kStyleWords { {
+constexpr std::array<tools::OptionWord, 3> kStyleWords { {
     { "none", "of one branch" },
     { "siblings", "to its siblings" },
     { "deeper", "to siblings and below" },
 } };
 
 // In the order of OutlineTool::SeenFor.
-constexpr std::array<OptionWord, 3> kSeenWords { {
+constexpr std::array<tools::OptionWord, 3> kSeenWords { {
     { "seen_fades", "fades" },
     { "seen_stays", "stays" },
     { "with_triangles", "stays, with triangles" },
@@ -81,10 +81,10 @@ void take_numbers_of_form(void* options)
     tool.leaves = form.leaves;
 }
 
-void visit(OptionVisitor& visitor, OutlineTool& tool)
+void visit(tools::OptionVisitor& visitor, OutlineTool& tool)
 {
     visitor.choice({ .words = kFormWords,
-                     .offered = WordOption::Offered::Cards,
+                     .offered = tools::WordOption::Offered::Cards,
                      .goes_with = take_numbers_of_form,
                      .label = "Form" },
                    tool.form);
@@ -92,15 +92,17 @@ void visit(OptionVisitor& visitor, OutlineTool& tool)
     visitor.number({ "density", "", 0, 10, 0.25, "Density" }, tool.density);
     visitor.number({ "leaves", "", 1, 500, 4, "Leaves" }, tool.leaves);
     visitor.choice({ kWords }, tool.what);
+    visitor.choice({ .words = kBranchesWords,
+                     .offered = tools::WordOption::Offered::InTurn,
+                     .label = "Lines" },
+                   tool.branches);
     visitor.choice(
-        { .words = kBranchesWords, .offered = WordOption::Offered::InTurn, .label = "Lines" },
-        tool.branches);
-    visitor.choice(
-        { .words = kStyleWords, .offered = WordOption::Offered::InTurn, .label = "Style" },
+        { .words = kStyleWords, .offered = tools::WordOption::Offered::InTurn, .label = "Style" },
         tool.style);
-    visitor.choice(
-        { .words = kSeenWords, .offered = WordOption::Offered::InTurn, .label = "What is seen" },
-        tool.seen);
+    visitor.choice({ .words = kSeenWords,
+                     .offered = tools::WordOption::Offered::InTurn,
+                     .label = "What is seen" },
+                   tool.seen);
 }
 
 std::vector<Vec2> points_of(Stroke const& stroke)
@@ -193,7 +195,7 @@ silhouette::TreeForm form_of(OutlineTool const& tool, silhouette::TreeForm form)
 }
 
 // The tree that takes what is drawn.
-Result<OutlinedTree const*> active_tree(Scene const& scene)
+Result<OutlinedTree const*> active_tree(scene::Scene const& scene)
 {
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
     if (!tree)
@@ -203,7 +205,7 @@ Result<OutlinedTree const*> active_tree(Scene const& scene)
     return tree;
 }
 
-Result<std::vector<Edit>> form_active(OutlineTool const& tool, Scene const& scene)
+Result<std::vector<scene::Edit>> form_active(OutlineTool const& tool, scene::Scene const& scene)
 {
     auto const* const tree = TRY(active_tree(scene));
     auto form = tree->form;
@@ -211,11 +213,11 @@ Result<std::vector<Edit>> form_active(OutlineTool const& tool, Scene const& scen
         ++form.seed;
     else
         form = form_of(tool, form);
-    return std::vector<Edit> { silhouette::FormTree { scene.drawn->id, form } };
+    return std::vector<scene::Edit> { silhouette::FormTree { scene.drawn->id, form } };
 }
 
 // As large as it is in truth, and where it stands among the others, all in the scale of the first.
-void stand_on_ground(DrawTree& edit, GroundPlace const& place, Scene const& scene)
+void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Scene const& scene)
 {
     constexpr double kMetre_mm = 1000; // Of a plant's millimetres.
     edit.scale = 1 / (kMetre_mm * place.m_per_mm);
@@ -235,7 +237,7 @@ silhouette::DrawnOnBranch const* drawn_by(std::vector<silhouette::DrawnOnBranch>
 {
     auto const found
         = std::find_if(drawn.begin(), drawn.end(), [&](silhouette::DrawnOnBranch const& one) {
-              return edit_of_item(one.id) == edit;
+              return scene::edit_of_item(one.id) == edit;
           });
     return found == drawn.end() ? nullptr : &*found;
 }
@@ -298,7 +300,7 @@ std::string said_of_styles(OutlinedTree const& tree)
 }
 
 // What the tree has now, and what it still wants.
-std::string said_of_tree(Tool const& tool, Scene const& after)
+std::string said_of_tree(tools::Tool const& tool, scene::Scene const& after)
 {
     auto const* const tree = silhouette::outlined_tree(*after.drawn);
     if (!tree)
@@ -318,22 +320,24 @@ std::string said_of_tree(Tool const& tool, Scene const& after)
                        axes.size() - 1, said_of_waiting(*tree));
 }
 
-Result<std::vector<Edit>> draw(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> draw(tools::Tool const& tool, Stroke const& stroke,
+                                      scene::Scene const& scene)
 {
     auto const& options = *tool.get<OutlineTool>();
     if (options.what == What::Form || options.what == What::Reseed)
         return form_active(options, scene);
     if (options.what == What::Carry)
-        return std::vector<Edit> { TRY(carried_styles(stroke, scene)) };
+        return std::vector<scene::Edit> { TRY(carried_styles(stroke, scene)) };
     if (options.what == What::Leaf)
         if (auto const declared = TRY(declared_leaf(stroke, scene)))
-            return std::vector<Edit> { *declared };
-    return std::vector<Edit> { TRY(drawn_tree(options, stroke, scene)) };
+            return std::vector<scene::Edit> { *declared };
+    return std::vector<scene::Edit> { TRY(drawn_tree(options, stroke, scene)) };
 }
 
 } // namespace
 
-Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke, Scene const& scene)
+Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
+                            scene::Scene const& scene)
 {
     if (tool.what == What::Split || tool.what == What::Join) {
         TRY(active_tree(scene));
@@ -367,16 +371,16 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke, Scene
         edit.scale = scene.placement.scale;
     auto const tree_drawn = TRY(tree_with(edit, scene));
     auto const foot_mm = TRY(silhouette::foot_of(tree_drawn));
-    edit.stands_at_mm = paper_of(scene.state).world_of_sheet(foot_mm);
+    edit.stands_at_mm = scene::paper_of(scene.state).world_of_sheet(foot_mm);
     edit.stands_at_mm.z() = 0;
     if (scene.state.picture)
-        if (auto const place = TRY(place_on_ground(*scene.state.picture, foot_mm)))
+        if (auto const place = TRY(scene::place_on_ground(*scene.state.picture, foot_mm)))
             stand_on_ground(edit, *place, scene);
     return edit;
 }
 
 Result<std::optional<silhouette::DeclareLeaf>> declared_leaf(Stroke const& stroke,
-                                                             Scene const& scene)
+                                                             scene::Scene const& scene)
 {
     auto const points = points_of(stroke);
     if (!is_touch(points) && silhouette::comes_back(points))
@@ -393,21 +397,21 @@ Result<std::optional<silhouette::DeclareLeaf>> declared_leaf(Stroke const& strok
     return silhouette::DeclareLeaf { scene.drawn->id, *id, !is_leaf };
 }
 
-Result<silhouette::ChooseStyles> carried_styles(Stroke const& stroke, Scene const& scene)
+Result<silhouette::ChooseStyles> carried_styles(Stroke const& stroke, scene::Scene const& scene)
 {
     auto const* const tree = TRY(active_tree(scene));
     return silhouette::ChooseStyles { scene.drawn->id,
                                       TRY(silhouette::styles_carried_by(*tree, stroke)) };
 }
 
-Result<OutlinedTree> tree_with(DrawTree const& edit, Scene const& scene)
+Result<OutlinedTree> tree_with(DrawTree const& edit, scene::Scene const& scene)
 {
     if (edit.plant != 0)
         return silhouette::with_part(*silhouette::outlined_tree(*scene.drawn), edit);
     return silhouette::with_part({ .form = edit.form, .scale = edit.scale }, edit);
 }
 
-constexpr ToolKind OutlineTool::kKind {
+constexpr tools::ToolKind OutlineTool::kKind {
     .word = "outline",
     .label = "Outline",
     .title = "A trunk, and the outline of its crown",
@@ -428,12 +432,12 @@ constexpr ToolKind OutlineTool::kKind {
     .method = "From an outline",
     .icon = "5954 371624416184866737",
     .key = 'O',
-    .surface = Surface::Paper,
-    .options = options_type<OutlineTool, visit>(),
+    .surface = tools::Surface::Paper,
+    .options = tools::options_type<OutlineTool, visit>(),
     .mean = draw,
     .said = said_of_tree,
     .previewer = outline_previewer,
     .other_end = { &EraseOutlineTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::silhouette

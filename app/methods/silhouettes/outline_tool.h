@@ -5,11 +5,11 @@
 
 #include <optional>
 
-namespace tractus {
+namespace tractus::silhouette {
 
 // Draws a tree by its trunk and the outline of its crown (Wither, Boudon, Cani, Godin 2009).
 struct OutlineTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
     // Of trees that are begun, or of the active one when they are given to it. A ready form
     // (ready_form.h) says how branches stand and what leaves are like; a person who chooses one
@@ -47,19 +47,20 @@ struct OutlineTool {
 // (own_outline.h), any other a trunk or a branch, of the trunk or of the branch that it begins on
 // (own_branch.h).
 Result<silhouette::DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
-                                        Scene const& scene);
+                                        scene::Scene const& scene);
 
 // What a stroke with the tool does to a leaf where it does not come back: the smallest outline of
 // the active tree around its middle becomes a leaf, or is none any more. No value: the stroke is an
 // outline. Fails, as the user's fault, where it lies in no outline.
 Result<std::optional<silhouette::DeclareLeaf>> declared_leaf(Stroke const& stroke,
-                                                             Scene const& scene);
+                                                             scene::Scene const& scene);
 
 // The styles that a stroke with the tool carries, in the active tree (carried_by(),
 // chosen_style.h). Fails, as the user's fault, where there is no such tree, and like that.
-Result<silhouette::ChooseStyles> carried_styles(Stroke const& stroke, Scene const& scene);
+Result<silhouette::ChooseStyles> carried_styles(Stroke const& stroke, scene::Scene const& scene);
 
 // The tree that the edit would make, with all its lines.
-Result<silhouette::OutlinedTree> tree_with(silhouette::DrawTree const& edit, Scene const& scene);
+Result<silhouette::OutlinedTree> tree_with(silhouette::DrawTree const& edit,
+                                           scene::Scene const& scene);
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -60,7 +60,7 @@ Result<void> touch_bumps(SilhouetteFile& file, TouchesOn which, SkeletonOptions&
                         fmt::format("{} at [{:g}, {:g}]: {}",
                                     touch.kind == BumpTouch::Kind::Split ? "split" : "join",
                                     touch.place.x(), touch.place.y(), added.error().message));
-        auto const fresh = fmt::format("{}.", tractus::name_of(item_id(++edits, 0)));
+        auto const fresh = fmt::format("{}.", scene::name_of(scene::item_id(++edits, 0)));
         options.names = TRY(kept_names({ before, options }, file.drawing, options, fresh));
     }
     return {};
@@ -124,9 +124,9 @@ public:
     {
         edit_.part = part;
         edit_.stroke = std::move(stroke);
-        edit_.id = item_id(edits_.size() + 1, 0);
+        edit_.id = scene::item_id(edits_.size() + 1, 0);
         edits_.push_back(edit_);
-        edit_.plant = item_id(1, 0);
+        edit_.plant = scene::item_id(1, 0);
     }
 
     void draw_parts(SilhouetteFile const& file, StyleTo style_to)
@@ -149,11 +149,11 @@ public:
     }
 
     DrawTree& edit() { return edit_; } // The next one.
-    std::vector<Edit>& edits() { return edits_; }
+    std::vector<scene::Edit>& edits() { return edits_; }
 
 private:
     DrawTree edit_;
-    std::vector<Edit> edits_;
+    std::vector<scene::Edit> edits_;
 };
 
 } // namespace
@@ -174,8 +174,8 @@ Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, Styl
     return infer_skeleton(file.drawing, options);
 }
 
-Result<std::vector<Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree const& first,
-                                         StyleTo style_to)
+Result<std::vector<scene::Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree const& first,
+                                                StyleTo style_to)
 {
     auto const& drawing = file.drawing;
     bool const has_outline = !drawing.outline.empty();
@@ -199,7 +199,7 @@ Result<std::vector<Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree co
     drawer.draw_parts(file, style_to);
     drawer.touch(touches_of(file, TouchesOn::Parts));
     for (auto const& line : file.styles) {
-        auto const scene = TRY(apply_edits({}, drawer.edits()));
+        auto const scene = TRY(scene::apply_edits({}, drawer.edits()));
         drawer.edits().push_back(TRY(carried_styles(stroke_along(line), scene)));
     }
     return std::move(drawer.edits());

@@ -17,7 +17,7 @@ Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, Styl
 
 // The edits of a pen that draws the lines. `first` has what all have: the tree's form and scale.
 // Fails, as the user's fault, for an outline of several strokes, and like infer_lines().
-Result<std::vector<Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree const& first,
-                                         StyleTo style_to);
+Result<std::vector<scene::Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree const& first,
+                                                StyleTo style_to);
 
 } // namespace tractus::silhouette

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::silhouette {
 
 namespace {
 
@@ -28,7 +28,7 @@ PictureGrid grid_of(render::Image const& image)
 }
 
 // From pixels, x to the right and y up from the lower left corner, to the sheet.
-silhouette::Similarity to_sheet(PicturePlace const& place, PictureGrid const& grid)
+silhouette::Similarity to_sheet(scene::PicturePlace const& place, PictureGrid const& grid)
 {
     double const unit = place.width_mm / grid.width;
     return { .from = Vec2(grid.width, grid.height) / 2,
@@ -44,7 +44,7 @@ silhouette::Similarity to_pixels(silhouette::Similarity const& way)
 
 } // namespace
 
-Result<Stroke> outline_touched(BackPicture const& picture, Stroke const& touch)
+Result<Stroke> outline_touched(scene::BackPicture const& picture, Stroke const& touch)
 {
     constexpr auto kStep = Duration(5'000'000);
     auto const image = TRY(render::read_picture(*picture.file));
@@ -63,4 +63,4 @@ Result<Stroke> outline_touched(BackPicture const& picture, Stroke const& touch)
     return Stroke { std::move(tips) };
 }
 
-} // namespace tractus
+} // namespace tractus::silhouette

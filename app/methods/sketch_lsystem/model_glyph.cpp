@@ -9,7 +9,7 @@
 #include <mutex>
 #include <string>
 
-namespace tractus {
+namespace tractus::sketch {
 
 namespace {
 
@@ -52,10 +52,10 @@ private:
     Vec3 middle_mm_ = Vec3::Zero();
 };
 
-Glyph draw_model(sketch::ModelRule const& model)
+tools::Glyph draw_model(sketch::ModelRule const& model)
 {
     constexpr std::size_t kMostLines = 200;
-    Glyph glyph;
+    tools::Glyph glyph;
     glyph.hint = "A plant of this model";
     sketch::GrowAlongStroke edit;
     edit.stroke = short_stroke();
@@ -69,12 +69,12 @@ Glyph draw_model(sketch::ModelRule const& model)
     order.resize(std::min(order.size(), kMostLines));
     std::reverse(order.begin(), order.end()); // The trunk over all others.
     for (auto const id : order) {
-        Glyph::Line line;
+        tools::Glyph::Line line;
         for (auto const& node_mm : plant.positions(plant.axes[id]))
             line.points.push_back(view.seen(node_mm));
         bool const is_drawn = id == 0;
         line.width = is_drawn ? 0.04 : 0.012;
-        line.color = is_drawn ? LayerStyle::Color::Grey : LayerStyle::Color::Green;
+        line.color = is_drawn ? tools::LayerStyle::Color::Grey : tools::LayerStyle::Color::Green;
         glyph.lines.push_back(std::move(line));
     }
     return glyph;
@@ -82,10 +82,10 @@ Glyph draw_model(sketch::ModelRule const& model)
 
 } // namespace
 
-Glyph show_model(sketch::ModelRule const& model)
+tools::Glyph show_model(sketch::ModelRule const& model)
 {
     static std::mutex mutex;
-    static std::map<std::string, Glyph> drawn;
+    static std::map<std::string, tools::Glyph> drawn;
     std::lock_guard const lock(mutex);
     auto const found = drawn.find(model.source.name);
     if (found != drawn.end())
@@ -93,4 +93,4 @@ Glyph show_model(sketch::ModelRule const& model)
     return drawn.emplace(model.source.name, draw_model(model)).first->second;
 }
 
-} // namespace tractus
+} // namespace tractus::sketch

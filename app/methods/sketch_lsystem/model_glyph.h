@@ -3,10 +3,10 @@
 #include "app/tools/glyph.h"
 #include "engine/methods/sketch_lsystem/model_rule.h"
 
-namespace tractus {
+namespace tractus::sketch {
 
 // A model that grows along a stroke as a card shows it: the plant of a short stroke, its axis dark.
 // It has no handles. Grown once, and kept.
-Glyph show_model(sketch::ModelRule const& model);
+tools::Glyph show_model(sketch::ModelRule const& model);
 
-} // namespace tractus
+} // namespace tractus::sketch

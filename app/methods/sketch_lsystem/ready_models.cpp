@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-namespace tractus {
+namespace tractus::sketch {
 
 // A view without its statements of grown leaves.
 static std::string without_grown_leaves(std::string_view view)
@@ -30,4 +30,4 @@ sketch::ModelRule ready_model(std::string_view name)
                          without_grown_leaves(found->view) } };
 }
 
-} // namespace tractus
+} // namespace tractus::sketch

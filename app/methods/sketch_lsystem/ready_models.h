@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace tractus {
+namespace tractus::sketch {
 
 // One of our models that can be grown along a stroke, as its files were when the program was built.
 struct ModelTexts {
@@ -19,4 +19,4 @@ std::span<ModelTexts const> model_texts();
 // would be in each edit.
 sketch::ModelRule ready_model(std::string_view name);
 
-} // namespace tractus
+} // namespace tractus::sketch

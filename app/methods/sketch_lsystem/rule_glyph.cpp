@@ -9,11 +9,11 @@
 #include <fmt/core.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sketch {
 
 namespace {
 
-using Color = LayerStyle::Color;
+using Color = tools::LayerStyle::Color;
 
 constexpr double kParent = 0.86; // A parent's length in the glyph's frame, of which most is seen.
 constexpr double kWidth = 0.13;  // Its width.
@@ -70,7 +70,7 @@ struct Places {
 };
 
 // The ring of laterals at the end of a part that goes `ahead`, in the length of the part.
-void add_ring(Glyph& glyph, sketch::Rule const& rule, Vec2 const& end, Vec3 const& ahead,
+void add_ring(tools::Glyph& glyph, sketch::Rule const& rule, Vec2 const& end, Vec3 const& ahead,
               Vec3 const& aside, double length, double twist_deg)
 {
     for (int i = 0; i < rule.laterals; ++i) {
@@ -82,7 +82,7 @@ void add_ring(Glyph& glyph, sketch::Rule const& rule, Vec2 const& end, Vec3 cons
     }
 }
 
-void add_parts(Glyph& glyph, sketch::Rule const& rule)
+void add_parts(tools::Glyph& glyph, sketch::Rule const& rule)
 {
     Places const at(rule);
     glyph.lines.push_back({ { kBase, kNode }, kWidth, Color::Grey });
@@ -103,10 +103,10 @@ void add_parts(Glyph& glyph, sketch::Rule const& rule)
 }
 
 // An arc around a point, from so far before an angle to so far behind it.
-Glyph::Line arc(Vec2 const& middle, double radius, double angle, double half)
+tools::Glyph::Line arc(Vec2 const& middle, double radius, double angle, double half)
 {
     constexpr int kSteps = 8;
-    Glyph::Line line { {}, kSpreadWidth, Color::Grey };
+    tools::Glyph::Line line { {}, kSpreadWidth, Color::Grey };
     for (int i = -kSteps; i <= kSteps; ++i)
         line.points.push_back(middle + radius * from_up(angle + half * i / kSteps));
     return line;
@@ -114,7 +114,7 @@ Glyph::Line arc(Vec2 const& middle, double radius, double angle, double half)
 
 // How far the plants of a collection may differ: the sector in which the lateral stays, as long as
 // it may get, and outside of both ends' letters how far the twists go.
-void add_spread(Glyph& glyph, sketch::Rule const& rule)
+void add_spread(tools::Glyph& glyph, sketch::Rule const& rule)
 {
     if (rule.laterals == 0)
         return;
@@ -137,7 +137,7 @@ std::string share(char const* name, double value)
     return fmt::format("{} {:.3g}", name, value);
 }
 
-void add_handles(Glyph& glyph, sketch::Rule const& rule)
+void add_handles(tools::Glyph& glyph, sketch::Rule const& rule)
 {
     Places const at(rule);
     auto const add = [&](HandleId id, Vec2 const& place, char const* sign, char const* number,
@@ -164,13 +164,13 @@ void add_handles(Glyph& glyph, sketch::Rule const& rule)
     glyph.handles.push_back({ More, { 0.86, -0.86 }, laterals, "+", true });
 }
 
-Glyph show_rule(void const* options)
+tools::Glyph show_rule(void const* options)
 {
     auto const& tool = *static_cast<SketchTool const*>(options);
     if (auto const model = model_of(tool); model.is_set())
         return show_model(model);
     auto const rule = rule_of(tool);
-    Glyph glyph;
+    tools::Glyph glyph;
     add_parts(glyph, rule);
     if (tool.card == SketchTool::Card::Plant) // It stands for any, and is nobody's to change here.
         for (auto& line : glyph.lines)
@@ -249,6 +249,6 @@ void drag_rule(void* options, std::size_t handle, Vec2 const& to)
 
 } // namespace
 
-constexpr GlyphKind kRuleGlyph { .title = "Rule", .show = show_rule, .drag = drag_rule };
+constexpr tools::GlyphKind kRuleGlyph { .title = "Rule", .show = show_rule, .drag = drag_rule };
 
-} // namespace tractus
+} // namespace tractus::sketch

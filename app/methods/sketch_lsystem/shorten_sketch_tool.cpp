@@ -9,14 +9,14 @@
 
 #include <optional>
 
-namespace tractus {
+namespace tractus::sketch {
 
 namespace {
 
 // Where the pad, or the paper on it, shows a point.
-Vec2 seen_at(Vec3 const& point_mm, StrokeSurface surface, Scene const& scene)
+Vec2 seen_at(Vec3 const& point_mm, StrokeSurface surface, scene::Scene const& scene)
 {
-    return surface == StrokeSurface::Paper ? paper_of(scene.state).sheet_of_world(point_mm)
+    return surface == StrokeSurface::Paper ? scene::paper_of(scene.state).sheet_of_world(point_mm)
                                            : Vec2(point_mm.head<2>());
 }
 
@@ -27,7 +27,7 @@ double distance_mm(Vec2 const& point_mm, Vec2 const& from_mm, Vec2 const& to_mm)
 }
 
 // The segments of the drawn axis, in the plant as it is built. The branch may go on beyond them.
-Result<std::vector<SegmentId>> drawn_axis(Scene const& scene, sketch::GrownPart const& grown)
+Result<std::vector<SegmentId>> drawn_axis(scene::Scene const& scene, sketch::GrownPart const& grown)
 {
     std::vector<SegmentId> axis;
     auto const count = TRY(sketch::drawn_nodes_mm(*grown.sketch)).size() - 1;
@@ -44,9 +44,9 @@ Result<std::vector<SegmentId>> drawn_axis(Scene const& scene, sketch::GrownPart 
 
 // How many segments lie before the first that the eraser touches; no value: it touches none.
 std::optional<std::size_t> untouched(Stroke const& eraser, std::vector<SegmentId> const& axis,
-                                     StrokeSurface surface, Scene const& scene)
+                                     StrokeSurface surface, scene::Scene const& scene)
 {
-    BentPlant const bent(scene);
+    tools::BentPlant const bent(scene);
     for (std::size_t i = 0; i < axis.size(); ++i) {
         auto const from_mm = seen_at(bent.begin_of(axis[i]), surface, scene);
         auto const to_mm = seen_at(bent.end_of(axis[i]), surface, scene);
@@ -59,9 +59,10 @@ std::optional<std::size_t> untouched(Stroke const& eraser, std::vector<SegmentId
 }
 
 // Strokes and indicators that were drawn on the plant lie over its axis, so they go first.
-Result<std::vector<Edit>> shorten(Tool const&, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> shorten(tools::Tool const&, Stroke const& stroke,
+                                         scene::Scene const& scene)
 {
-    if (auto erased = Tool(EraseTool {}).mean(stroke, scene))
+    if (auto erased = tools::Tool(tools::EraseTool {}).mean(stroke, scene))
         return erased;
     auto const grown = sketch::newest_grown(*scene.drawn);
     if (!grown)
@@ -77,13 +78,13 @@ Result<std::vector<Edit>> shorten(Tool const&, Stroke const& stroke, Scene const
         return fail(Fault::User,
                     "nothing of the stroke would be left: remove the plant to take it away");
     auto const tips = TRY(sketch::count_tips(*grown->sketch, *left));
-    return std::vector<Edit> { sketch::ShortenSketch { scene.drawn->id, grown->part,
-                                                       tips.value_or(0) } };
+    return std::vector<scene::Edit> { sketch::ShortenSketch { scene.drawn->id, grown->part,
+                                                              tips.value_or(0) } };
 }
 
 } // namespace
 
-constexpr ToolKind ShortenSketchTool::kKind {
+constexpr tools::ToolKind ShortenSketchTool::kKind {
     .word = "shorten_sketch",
     .label = "Shorten",
     .title = "Shorten the stroke of a plant",
@@ -92,10 +93,10 @@ constexpr ToolKind ShortenSketchTool::kKind {
             "runs over the plant's axis; but first strokes and indicators that it runs over",
     .group = "Sketch",
     .method = "Along a stroke",
-    .ink = { InkStyle::Look::Eraser, 2 * ShortenSketchTool::kRadius_mm },
-    .options = options_type<ShortenSketchTool>(),
+    .ink = { tools::InkStyle::Look::Eraser, 2 * ShortenSketchTool::kRadius_mm },
+    .options = tools::options_type<ShortenSketchTool>(),
     .mean = shorten,
     .other_end = { &ShortenSketchTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::sketch

@@ -7,33 +7,33 @@
 #include <cstddef>
 #include <optional>
 
-namespace tractus {
+namespace tractus::sketch {
 
 namespace {
 
 // Words in the order of the tool's values, of which the first is what no word means.
-constexpr std::array<OptionWord, 2> kLeavesWords { {
+constexpr std::array<tools::OptionWord, 2> kLeavesOptions { {
     { "leafy", "Leaves" },
     { "bare", "Bare" },
 } };
-constexpr std::array<OptionWord, 3> kSurfaceWords { {
+constexpr std::array<tools::OptionWord, 3> kSurfaceOptions { {
     { "as_it_moves", "as it moves" },
     { "space", "in space" },
     { "paper", "on paper" },
 } };
-constexpr std::array<OptionWord, 5> kPlaceWords { {
+constexpr std::array<tools::OptionWord, 5> kPlaceWords { {
     { "ground", "Alone" },
     { "branch", "On a branch", "A rule grows along the stroke, on the branch where it begins" },
     { "in_place", "In its place", "A rule grows in the place of the branch" },
     { "again", "Again", "The stroke of a plant is drawn again" },
     { "change", "Change", nullptr, true },
 } };
-constexpr std::array<OptionWord, 2> kDrawnWords { {
+constexpr std::array<tools::OptionWord, 2> kDrawnWords { {
     { "follow", "follows" },
     { "stay", "stays" },
 } };
 constexpr char const* kModelTitle = "The model grows along the stroke";
-constexpr std::array<OptionWord, 17> kCardWords { {
+constexpr std::array<tools::OptionWord, 17> kCardWords { {
     { "opposite", "Opposite" },
     { "whorls", "Whorls" },
     { "crown", "Crown" },
@@ -55,7 +55,7 @@ constexpr std::array<OptionWord, 17> kCardWords { {
 } };
 
 // In the order of SketchTool::Laterals: the paper's, then the first cards.
-constexpr std::array<OptionWord, 8> kLateralsWords { {
+constexpr std::array<tools::OptionWord, 8> kLateralsWords { {
     { "fork", "fork" },
     { "by_opposite", "as opposite" },
     { "by_whorls", "as whorls" },
@@ -176,38 +176,41 @@ std::optional<SketchTool::Laterals> said_laterals(SketchTool tool, sketch::Rule 
 
 } // namespace
 
-void visit_sketch_options(OptionVisitor& visitor, SketchTool& tool)
+void visit_sketch_options(tools::OptionVisitor& visitor, SketchTool& tool)
 {
     visitor.choice({ .words = kCardWords,
-                     .offered = WordOption::Offered::Cards,
+                     .offered = tools::WordOption::Offered::Cards,
                      .goes_with = take_numbers_of_card,
                      .label = "Rule" },
                    tool.card);
-    using enum NumberOption::Offered;
+    using enum tools::NumberOption::Offered;
     visitor.number({ "laterals", "", 0, 8, 1, "Laterals", WithoutGlyph }, tool.laterals);
     visitor.number({ "angle", "degrees", 0, 150, 5, "Angle", WithoutGlyph }, tool.angle_deg);
     visitor.number({ "first", "mm", 5, 100, 5, "Internode" }, tool.first_length_mm);
     visitor.number({ "ratio", "", 0.5, 1.2, 0.05, "Lengthening", WithoutGlyph }, tool.length_ratio);
     visitor.number({ "lateral", "", 0.2, 1, 0.02, "Lateral", WithoutGlyph }, tool.lateral_length);
-    visitor.choice(
-        { .words = kLateralsWords, .offered = WordOption::Offered::InTurn, .label = "Laterals" },
-        tool.go_on_by);
+    visitor.choice({ .words = kLateralsWords,
+                     .offered = tools::WordOption::Offered::InTurn,
+                     .label = "Laterals" },
+                   tool.go_on_by);
     int leaves = tool.leaves == sketch::Leaves::Leafy ? 0 : 1;
-    visitor.word({ kLeavesWords }, leaves);
+    visitor.word({ kLeavesOptions }, leaves);
     tool.leaves = leaves == 0 ? sketch::Leaves::Leafy : sketch::Leaves::Bare;
     int surface = tool.surface == StrokeSurface::Decided ? 0
         : tool.surface == StrokeSurface::Space           ? 1
                                                          : 2;
-    visitor.word(
-        { .words = kSurfaceWords, .offered = WordOption::Offered::InTurn, .label = "Surface" },
-        surface);
+    visitor.word({ .words = kSurfaceOptions,
+                   .offered = tools::WordOption::Offered::InTurn,
+                   .label = "Surface" },
+                 surface);
     tool.surface = surface == 0 ? StrokeSurface::Decided
         : surface == 1          ? StrokeSurface::Space
                                 : StrokeSurface::Paper;
     visitor.choice({ kPlaceWords }, tool.place);
-    visitor.choice(
-        { .words = kDrawnWords, .offered = WordOption::Offered::BesideGlyph, .label = "Drawn" },
-        tool.drawn);
+    visitor.choice({ .words = kDrawnWords,
+                     .offered = tools::WordOption::Offered::BesideGlyph,
+                     .label = "Drawn" },
+                   tool.drawn);
     visitor.number({ "width", "", 0.3, 1, 0.05, "Thinning", OnGlyph }, tool.width_ratio);
     visitor.number({ "lateral_width", "", 0.2, 1, 0.05, "Lateral's thickness", OnGlyph },
                    tool.lateral_width);
@@ -327,4 +330,4 @@ double as_twist_deg(double angle_deg)
     return std::abs(angle_deg) <= 180 ? angle_deg : std::remainder(angle_deg, 360);
 }
 
-} // namespace tractus
+} // namespace tractus::sketch

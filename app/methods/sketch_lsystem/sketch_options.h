@@ -8,9 +8,9 @@
 
 #include <optional>
 
-namespace tractus {
+namespace tractus::sketch {
 
-void visit_sketch_options(OptionVisitor& visitor, SketchTool& tool);
+void visit_sketch_options(tools::OptionVisitor& visitor, SketchTool& tool);
 
 // The model that the tool's card stands for, by its seed 1; not set where it stands for a rule.
 sketch::ModelRule model_of(SketchTool const& tool);
@@ -38,4 +38,4 @@ SketchTool saying_grown(SketchTool const& tool, sketch::GrowAlongStroke const& g
 // An angle of any size as one from -180 to 180 degrees.
 double as_twist_deg(double angle_deg);
 
-} // namespace tractus
+} // namespace tractus::sketch

@@ -6,18 +6,18 @@
 #include <fmt/format.h>
 #include <optional>
 
-namespace tractus {
+namespace tractus::sketch {
 
 namespace {
 
 constexpr double kMostInternodes = 4000;
 constexpr std::size_t kMostModules = 200'000; // Of a model that is grown again for each frame.
 
-SkeletonLine line_of(Plant const& plant, Axis const& axis, DeskPlacement const& from,
-                     DeskPlacement const& to)
+tools::SkeletonLine line_of(Plant const& plant, Axis const& axis, scene::DeskPlacement const& from,
+                            scene::DeskPlacement const& to)
 {
-    SkeletonLine line;
-    line.state = SkeletonLine::State::Assigned;
+    tools::SkeletonLine line;
+    line.state = tools::SkeletonLine::State::Assigned;
     line.width_mm
         = 2 * plant.node_radius_mm[axis.first_node] * static_cast<float>(from.scale / to.scale);
     for (auto const& node_mm : plant.positions(axis))
@@ -26,7 +26,7 @@ SkeletonLine line_of(Plant const& plant, Axis const& axis, DeskPlacement const& 
 }
 
 // The axis alone, of a model that is too large for a preview.
-Result<BuiltSource> drawn_axis_of(sketch::GrowAlongStroke const& edit)
+Result<scene::BuiltSource> drawn_axis_of(sketch::GrowAlongStroke const& edit)
 {
     constexpr float kRadius_mm = 8; // In the plant.
     auto const nodes_mm = TRY(sketch::drawn_nodes_mm(edit));
@@ -38,7 +38,7 @@ Result<BuiltSource> drawn_axis_of(sketch::GrowAlongStroke const& edit)
     Axis axis;
     axis.segment_count = static_cast<std::uint32_t>(nodes_mm.size() - 1);
     plant.axes.push_back(axis);
-    return BuiltSource { std::move(plant) };
+    return scene::BuiltSource { std::move(plant) };
 }
 
 // What the rule's limit cuts, and what the preview leaves out of that besides.
@@ -56,11 +56,11 @@ std::string note_of_depth(sketch::Rule const& whole, sketch::Rule const& shown, 
     return note;
 }
 
-class SketchPreviewer final : public StrokePreviewer {
+class SketchPreviewer final : public tools::StrokePreviewer {
 public:
     std::string note() const override { return note_; }
 
-    std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
+    std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
     {
         note_.clear();
         auto lines = show_if_grown(stroke);
@@ -78,13 +78,13 @@ private:
         StrokeSurface surface = StrokeSurface::Decided;
         double scale = 1;
         SketchTool::Place place = SketchTool::Place::Ground;
-        std::shared_ptr<Scene const> scene {};
+        std::shared_ptr<scene::Scene const> scene {};
         std::vector<Vec3> nodes_mm {};
 
         bool operator==(Shown const&) const = default;
     };
 
-    std::vector<SkeletonLine> show_if_grown(UnfinishedStroke const& stroke)
+    std::vector<tools::SkeletonLine> show_if_grown(tools::UnfinishedStroke const& stroke)
     {
         auto const& tool = *stroke.tool.get<SketchTool>();
         Stroke const ink { std::vector(stroke.ink.begin(), stroke.ink.end()) };
@@ -96,7 +96,7 @@ private:
         auto edit = *again;
         auto const rule = edit.rule;
         edit.leaves = sketch::Leaves::Bare;
-        LoadOptions options;
+        scene::LoadOptions options;
         if (edit.model.is_set())
             options.limits.max_modules = kMostModules;
         else
@@ -123,10 +123,10 @@ private:
         if (!edit.model.is_set())
             note_ = note_of_depth(rule, edit.rule, built->plant);
         auto const& branch = *place;
-        DeskPlacement const placement { .scale = edit.scale,
-                                        .origin_mm
-                                        = branch ? branch->base_mm : sketch::stands_at_mm(edit) };
-        std::vector<SkeletonLine> lines;
+        scene::DeskPlacement const placement { .scale = edit.scale,
+                                               .origin_mm = branch ? branch->base_mm
+                                                                   : sketch::stands_at_mm(edit) };
+        std::vector<tools::SkeletonLine> lines;
         for (auto const& axis : built->plant.axes)
             lines.push_back(line_of(built->plant, axis, placement, stroke.scene->placement));
         shown_ = std::move(shown);
@@ -136,9 +136,9 @@ private:
     }
 
     // Looked for once a stroke: that goes through all plants.
-    Result<std::optional<BranchPlace>> const& find_place(SketchTool const& tool,
-                                                         sketch::GrowAlongStroke const& edit,
-                                                         std::shared_ptr<Scene const> const& scene)
+    Result<std::optional<tools::BranchPlace>> const&
+    find_place(SketchTool const& tool, sketch::GrowAlongStroke const& edit,
+               std::shared_ptr<scene::Scene const> const& scene)
     {
         Vec3 const begin_mm
             = edit.stroke.tips.empty() ? Vec3::Zero() : edit.stroke.tips.front().position_mm;
@@ -155,20 +155,20 @@ private:
 
     std::string note_;
     std::optional<Shown> shown_; // What was shown last: these lines, with this note.
-    std::vector<SkeletonLine> shown_lines_;
+    std::vector<tools::SkeletonLine> shown_lines_;
     std::string shown_note_;
-    std::optional<Result<std::optional<BranchPlace>>> place_; // For what follows.
+    std::optional<Result<std::optional<tools::BranchPlace>>> place_; // For what follows.
     StrokeSurface surface_ = StrokeSurface::Decided;
     Vec3 begin_mm_ = Vec3::Zero();
-    std::shared_ptr<Scene const> scene_; // Shared with the document, which may go on.
+    std::shared_ptr<scene::Scene const> scene_; // Shared with the document, which may go on.
     SketchTool::Place grows_ = SketchTool::Place::Ground;
 };
 
 } // namespace
 
-std::unique_ptr<StrokePreviewer> sketch_previewer()
+std::unique_ptr<tools::StrokePreviewer> sketch_previewer()
 {
     return std::make_unique<SketchPreviewer>();
 }
 
-} // namespace tractus
+} // namespace tractus::sketch

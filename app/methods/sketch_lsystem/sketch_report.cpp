@@ -22,7 +22,7 @@ Result<std::string> print_report(ReportedAxis const& drawn, lsystem::Model const
         report["plane"].push_back(turn.plane_deg);
         report["bend"].push_back(turn.bend_deg);
     }
-    auto const run = load_options();
+    auto const run = document::load_options();
     lsystem::DeriveOptions options { .seed = seed, .limits = run.limits, .print = run.print };
     options.on_step = [&](int step, lsystem::ModuleString const& string) {
         if (step > 0)

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sketch {
 
 namespace {
 
@@ -19,7 +19,7 @@ bool is_on_branch(SketchTool const& tool)
     return tool.place == SketchTool::Place::Branch || tool.place == SketchTool::Place::InPlace;
 }
 
-Result<sketch::GrownPart> grown_last(Scene const& scene)
+Result<sketch::GrownPart> grown_last(scene::Scene const& scene)
 {
     auto const grown = sketch::newest_grown(*scene.drawn);
     if (!grown)
@@ -37,13 +37,13 @@ sketch::ModelRule model_for(SketchTool const& tool, sketch::GrowAlongStroke cons
     return model;
 }
 
-Result<std::vector<Edit>> change(SketchTool const& tool, Scene const& scene)
+Result<std::vector<scene::Edit>> change(SketchTool const& tool, scene::Scene const& scene)
 {
     auto const grown = TRY(grown_last(scene));
     if (tool.card == SketchTool::Card::Plant)
         return fail(Fault::User, "the plant grows by its own rule already: choose another one");
     if (auto model = model_for(tool, *grown.sketch); model.is_set())
-        return std::vector<Edit> { sketch::ChangeSketch {
+        return std::vector<scene::Edit> { sketch::ChangeSketch {
             scene.drawn->id, grown.part, grown.sketch->rule, tool.leaves, std::move(model) } };
     auto const& before = grown.sketch->rule;
     auto rule = with_options(before, tool);
@@ -56,25 +56,26 @@ Result<std::vector<Edit>> change(SketchTool const& tool, Scene const& scene)
         rule.lateral_width = before.lateral_width;
     if (tool.shortest_mm == plain.shortest_mm && tool.card == plain.card)
         rule.shortest_mm = before.shortest_mm;
-    return std::vector<Edit> { sketch::ChangeSketch { scene.drawn->id, grown.part, rule,
-                                                      tool.leaves } };
+    return std::vector<scene::Edit> { sketch::ChangeSketch { scene.drawn->id, grown.part, rule,
+                                                             tool.leaves } };
 }
 
-Result<std::vector<Edit>> draw_again(SketchTool const& tool, Stroke const& stroke,
-                                     Scene const& scene)
+Result<std::vector<scene::Edit>> draw_again(SketchTool const& tool, Stroke const& stroke,
+                                            scene::Scene const& scene)
 {
     auto const grown = TRY(grown_last(scene));
     auto again = TRY(drawn_again(tool, stroke, scene));
-    return std::vector<Edit> { sketch::RedrawSketch { scene.drawn->id, grown.part, again.surface,
-                                                      std::move(again.stroke) } };
+    return std::vector<scene::Edit> { sketch::RedrawSketch {
+        scene.drawn->id, grown.part, again.surface, std::move(again.stroke) } };
 }
 
 // All that has grown by the rule.
-std::vector<Edit> follow(Tool const& before, Tool const& after, Scene const& scene)
+std::vector<scene::Edit> follow(tools::Tool const& before, tools::Tool const& after,
+                                scene::Scene const& scene)
 {
     auto const& old = *before.get<SketchTool>();
     auto const& options = *after.get<SketchTool>();
-    std::vector<Edit> edits;
+    std::vector<scene::Edit> edits;
     if (options.drawn == SketchTool::Drawn::Stays || options.card == SketchTool::Card::Plant)
         return edits;
     for (auto const& plant : scene.state.plants)
@@ -86,18 +87,19 @@ std::vector<Edit> follow(Tool const& before, Tool const& after, Scene const& sce
     return edits;
 }
 
-std::optional<Tool> like_drawn(Tool const& tool, Scene const& scene)
+std::optional<tools::Tool> like_drawn(tools::Tool const& tool, scene::Scene const& scene)
 {
     auto const grown = sketch::newest_grown(*scene.drawn);
     if (!grown)
         return std::nullopt;
     auto options = saying_grown(*tool.get<SketchTool>(), *grown->sketch);
     options.leaves = grown->sketch->leaves;
-    return Tool(options);
+    return tools::Tool(options);
 }
 
 // The end of the internode that each application of the rule adds.
-std::vector<Vec3> applications(Tool const& tool, Stroke const& stroke, Scene const& scene)
+std::vector<Vec3> applications(tools::Tool const& tool, Stroke const& stroke,
+                               scene::Scene const& scene)
 {
     auto const& options = *tool.get<SketchTool>();
     if (options.place == SketchTool::Place::Change)
@@ -115,7 +117,8 @@ std::vector<Vec3> applications(Tool const& tool, Stroke const& stroke, Scene con
     return ends_mm;
 }
 
-Result<std::vector<Edit>> grow(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> grow(tools::Tool const& tool, Stroke const& stroke,
+                                      scene::Scene const& scene)
 {
     auto const& options = *tool.get<SketchTool>();
     if (options.place == SketchTool::Place::Change)
@@ -125,10 +128,10 @@ Result<std::vector<Edit>> grow(Tool const& tool, Stroke const& stroke, Scene con
     auto grown = TRY(grown_along(options, stroke, scene));
     auto const place = TRY(place_of(options, grown, scene));
     if (!place)
-        return std::vector<Edit> { std::move(grown) };
+        return std::vector<scene::Edit> { std::move(grown) };
     fit_to_branch(grown, *place);
-    std::vector<Edit> edits { std::move(grown) };
-    for (auto& edit : graft_edits(scene, *place, 0))
+    std::vector<scene::Edit> edits { std::move(grown) };
+    for (auto& edit : tools::graft_edits(scene, *place, 0))
         edits.push_back(std::move(edit));
     return edits;
 }
@@ -136,14 +139,14 @@ Result<std::vector<Edit>> grow(Tool const& tool, Stroke const& stroke, Scene con
 } // namespace
 
 // Takes what the active plant has grown by, or is the plant of.
-static Result<void> take_from_plant(sketch::GrowAlongStroke& edit, Scene const& scene)
+static Result<void> take_from_plant(sketch::GrowAlongStroke& edit, scene::Scene const& scene)
 {
     if (auto const grown = sketch::newest_grown(*scene.drawn)) {
         edit.rule = grown->sketch->rule;
         edit.model = grown->sketch->model;
         return {};
     }
-    auto const* const loaded = loaded_model(scene.drawn->source);
+    auto const* const loaded = scene::loaded_model(scene.drawn->source);
     if (!loaded)
         return fail(Fault::User,
                     "the plant that takes what is drawn is neither from a rule nor from a model "
@@ -153,7 +156,7 @@ static Result<void> take_from_plant(sketch::GrowAlongStroke& edit, Scene const& 
 }
 
 Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const& stroke,
-                                            Scene const& scene)
+                                            scene::Scene const& scene)
 {
     sketch::GrowAlongStroke edit;
     edit.rule = rule_of(tool);
@@ -173,7 +176,7 @@ Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const
 }
 
 Result<sketch::GrowAlongStroke> drawn_again(SketchTool const& tool, Stroke const& stroke,
-                                            Scene const& scene)
+                                            scene::Scene const& scene)
 {
     auto again = *TRY(grown_last(scene)).sketch;
     again.stroke = stroke;
@@ -181,7 +184,7 @@ Result<sketch::GrowAlongStroke> drawn_again(SketchTool const& tool, Stroke const
     return again;
 }
 
-void fit_to_branch(sketch::GrowAlongStroke& grown, BranchPlace const& place)
+void fit_to_branch(sketch::GrowAlongStroke& grown, tools::BranchPlace const& place)
 {
     constexpr double kThinner = 0.85;  // Than what bears it.
     constexpr double kThinnest = 0.02; // Of a first internode's length.
@@ -191,21 +194,22 @@ void fit_to_branch(sketch::GrowAlongStroke& grown, BranchPlace const& place)
                      std::max(rule.first_width_mm, kThinnest * rule.first_length_mm));
 }
 
-Result<std::optional<BranchPlace>>
-place_of(SketchTool const& tool, sketch::GrowAlongStroke const& grown, Scene const& scene)
+Result<std::optional<tools::BranchPlace>>
+place_of(SketchTool const& tool, sketch::GrowAlongStroke const& grown, scene::Scene const& scene)
 {
     if (!is_on_branch(tool) || grown.stroke.tips.empty())
         return std::nullopt;
     Vec3 const down_mm = grown.stroke.tips.front().position_mm;
-    auto const grafting
-        = tool.place == SketchTool::Place::InPlace ? Grafting::InPlace : Grafting::Beside;
+    auto const grafting = tool.place == SketchTool::Place::InPlace ? tools::Grafting::InPlace
+                                                                   : tools::Grafting::Beside;
     if (grown.surface == StrokeSurface::Paper)
-        return TRY(branch_at(scene, paper_of(scene.state).world_of_sheet(down_mm.head<2>()),
-                             Vec3::UnitY(), grafting));
-    return TRY(branch_at(scene, down_mm, Vec3::UnitZ(), grafting));
+        return TRY(tools::branch_at(scene,
+                                    scene::paper_of(scene.state).world_of_sheet(down_mm.head<2>()),
+                                    Vec3::UnitY(), grafting));
+    return TRY(tools::branch_at(scene, down_mm, Vec3::UnitZ(), grafting));
 }
 
-constexpr ToolKind SketchTool::kKind {
+constexpr tools::ToolKind SketchTool::kKind {
     .word = "sketch",
     .label = "Rule",
     .title = "A rule grows along the stroke",
@@ -225,7 +229,7 @@ constexpr ToolKind SketchTool::kKind {
     .method = "Along a stroke",
     .icon = "5950 5674 5422 5362",
     .key = 'K',
-    .options = options_type<SketchTool, visit_sketch_options>(),
+    .options = tools::options_type<SketchTool, visit_sketch_options>(),
     .glyph = &kRuleGlyph,
     .mean = grow,
     .follow = follow,
@@ -235,4 +239,4 @@ constexpr ToolKind SketchTool::kKind {
     .other_end = { &ShortenSketchTool::kKind },
 };
 
-} // namespace tractus
+} // namespace tractus::sketch

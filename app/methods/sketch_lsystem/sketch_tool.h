@@ -6,11 +6,11 @@
 
 #include <optional>
 
-namespace tractus {
+namespace tractus::sketch {
 
 // A rule grows along the stroke: a new plant (Ijiri, Owada, Igarashi 2006).
 struct SketchTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
     // A ready rule. A person who chooses one chooses its numbers, too, which logs name; its twist
     // and its shortest internode are the card's as long as no option says others. Or, from Birch
@@ -79,19 +79,19 @@ struct SketchTool {
 // in a document as it is built. Fails, as the user's fault, where the active plant is to be grown
 // again and is neither from a rule nor from a model.
 Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const& stroke,
-                                            Scene const& scene);
+                                            scene::Scene const& scene);
 
 // Returns what has grown along a stroke last along this one, by its own rule. Fails, as the user's
 // fault, where nothing has.
 Result<sketch::GrowAlongStroke> drawn_again(SketchTool const& tool, Stroke const& stroke,
-                                            Scene const& scene);
+                                            scene::Scene const& scene);
 
 // Makes a plant that shall stand on a branch no thicker than that, as far as a rule can be thin.
-void fit_to_branch(sketch::GrowAlongStroke& grown, BranchPlace const& place);
+void fit_to_branch(sketch::GrowAlongStroke& grown, tools::BranchPlace const& place);
 
 // Returns the place on a branch that the tool gives to such a plant; no value: it stands alone.
 // Fails, as the user's fault, where the stroke begins on no branch.
-Result<std::optional<BranchPlace>>
-place_of(SketchTool const& tool, sketch::GrowAlongStroke const& grown, Scene const& scene);
+Result<std::optional<tools::BranchPlace>>
+place_of(SketchTool const& tool, sketch::GrowAlongStroke const& grown, scene::Scene const& scene);
 
-} // namespace tractus
+} // namespace tractus::sketch

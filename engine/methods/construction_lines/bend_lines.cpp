@@ -48,7 +48,7 @@ Result<Stroke> moved(SketchLine const& line, std::function<Vec2(Vec2 const& shee
     return stroke;
 }
 
-PenSketch with_stroke(PenSketch sketch, ItemId line, Stroke const& stroke)
+PenSketch with_stroke(PenSketch sketch, scene::ItemId line, Stroke const& stroke)
 {
     for (auto& each : sketch.lines)
         if (each.id == line)
@@ -406,7 +406,8 @@ Result<BentLine> with_size(PenSketch const& whole, std::size_t place, StemSide s
     return bent;
 }
 
-Result<PenSketch> with_heading(PenSketch sketch, ItemId stem, std::size_t place, double heading_deg)
+Result<PenSketch> with_heading(PenSketch sketch, scene::ItemId stem, std::size_t place,
+                               double heading_deg)
 {
     TRY(refuse("a direction", heading_deg, -kGreatestHeading_deg, kGreatestHeading_deg));
     auto const* const found = find_line(sketch, stem);

@@ -21,7 +21,7 @@ constexpr double kGreatestSize = 2;
 
 // A line of a sketch with the tips that it is to have.
 struct BentLine {
-    ItemId line = 0;
+    scene::ItemId line = 0;
     Stroke stroke {};
 };
 
@@ -54,7 +54,7 @@ constexpr double kGreatestHeading_deg = 90; // To either side.
 // it where they did and reach as far, and stems that stand on it stay as they are at its side. Its
 // foot stays, and so does its length. Fails, as the user's fault, for a line that is no stem, and
 // where the sketch would give no plant.
-Result<PenSketch> with_heading(PenSketch sketch, ItemId stem, std::size_t place,
+Result<PenSketch> with_heading(PenSketch sketch, scene::ItemId stem, std::size_t place,
                                double heading_deg);
 
 } // namespace tractus::lines

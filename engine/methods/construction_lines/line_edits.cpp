@@ -12,7 +12,7 @@
 
 namespace tractus::lines {
 
-using tractus::name_of; // Of items.
+using scene::name_of; // Of items.
 
 namespace {
 
@@ -23,7 +23,7 @@ constexpr std::array kPatterns {
 constexpr std::array kRoles { "stem",   "left",  "right", "inclination", "half_inclination",
                               "unsure", "around" };
 
-void list(Fields& fields, Pattern& pattern)
+void list(scene::Fields& fields, Pattern& pattern)
 {
     fields.word("pattern", pattern.kind, kPatterns);
     fields.field("divergence", &pattern.divergence_deg);
@@ -73,15 +73,15 @@ struct Found {
     PenSketch sketch;
 };
 
-Result<Found> find_sketch(DocumentState const& state, ItemId plant)
+Result<Found> find_sketch(scene::DocumentState const& state, scene::ItemId plant)
 {
-    auto const number = TRY(plant_number(state, plant));
+    auto const number = TRY(scene::plant_number(state, plant));
     auto const* const sketch = pen_sketch(*state.plants[number]);
     if (!sketch)
         return fail(Fault::User,
                     fmt::format("plant {} is not drawn with construction lines: begin another one "
                                 "with a stem",
-                                name_of(plant)));
+                                scene::name_of(plant)));
     return Found { number, *sketch };
 }
 
@@ -99,25 +99,25 @@ Vec2 begin_on_sheet(SketchLine const& line)
 
 // Puts another sketch in the place of a plant's. Where it has another stem the plant stands at that
 // one's foot, and so all of its lines stay where they are.
-void put_sketch(DocumentState& state, Found found)
+void put_sketch(scene::DocumentState& state, Found found)
 {
     auto const& before = *state.plants[found.number];
     auto const sheet = sheet_of(before, state.scale);
     auto const& stem = first_stem(found.sketch);
     bool const is_other = stem.id != first_stem(*pen_sketch(before)).id;
     Vec2 const foot_mm = sheet.on_tablet(begin_on_sheet(stem));
-    change_plant(state, found.number, [&](PlantState& plant) {
+    scene::change_plant(state, found.number, [&](scene::PlantState& plant) {
         if (is_other && plant.paper_mm) {
             plant.stands_at_mm.x() += foot_mm.x() - plant.paper_mm->x();
             plant.paper_mm = foot_mm;
         }
-        plant.source = PlantSource(kPenSketch, std::move(found.sketch));
+        plant.source = scene::PlantSource(kPenSketch, std::move(found.sketch));
         plant.source_edit = state.last_edit;
         plant.selection.clear();
     });
 }
 
-void list(Fields& fields, AddLine& edit)
+void list(scene::Fields& fields, AddLine& edit)
 {
     fields.sparse_field("plant", &edit.plant);
     int another_stem = edit.another_stem ? 1 : 0;
@@ -134,7 +134,7 @@ void list(Fields& fields, AddLine& edit)
     fields.numbers(edit.stroke);
 }
 
-Result<DocumentState> begun(DocumentState state, AddLine const& edit)
+Result<scene::DocumentState> begun(scene::DocumentState state, AddLine const& edit)
 {
     TRY(check_pattern(edit.pattern));
     if (!(edit.scale > 0 && std::isfinite(edit.scale)))
@@ -142,7 +142,7 @@ Result<DocumentState> begun(DocumentState state, AddLine const& edit)
                     fmt::format("a plant cannot be shown {} times as large as it is", edit.scale));
     if (!edit.stands_at_mm.allFinite())
         return fail(Fault::User, "the place for the plant is not a number: draw the stem again");
-    SketchLine const stem { .id = take_id(state, edit.id),
+    SketchLine const stem { .id = scene::take_id(state, edit.id),
                             .stroke = edit.stroke,
                             .nodes = edit.nodes,
                             .depth_by = edit.depth_by };
@@ -150,16 +150,17 @@ Result<DocumentState> begun(DocumentState state, AddLine const& edit)
         = TRY(with_line({ .lines = {}, .pattern = edit.pattern, .scale = edit.scale }, stem));
     if (!state.scale)
         state.scale = edit.scale;
-    return with_source(std::move(state),
-                       { .name = "lines",
-                         .source = PlantSource(kPenSketch, std::move(sketch)),
-                         .drawn = Drawn::Beside,
-                         .stands_at_mm = edit.stands_at_mm,
-                         .paper_mm = begin_on_tablet(stem),
-                         .id = stem.id });
+    return scene::with_source(std::move(state),
+                              { .name = "lines",
+                                .source = scene::PlantSource(kPenSketch, std::move(sketch)),
+                                .drawn = scene::Drawn::Beside,
+                                .stands_at_mm = edit.stands_at_mm,
+                                .paper_mm = begin_on_tablet(stem),
+                                .id = stem.id });
 }
 
-Result<DocumentState> applied(DocumentState state, AddLine const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, AddLine const& edit,
+                                     scene::SceneBuilder&)
 {
     TRY(check_nodes(edit.nodes));
     if (edit.plant == 0)
@@ -168,7 +169,7 @@ Result<DocumentState> applied(DocumentState state, AddLine const& edit, SceneBui
     auto const sheet = sheet_of(*state.plants[found.number], state.scale);
     auto const add = edit.another_stem ? with_stem : with_line;
     found.sketch = TRY(add(std::move(found.sketch),
-                           { .id = take_id(state, edit.id),
+                           { .id = scene::take_id(state, edit.id),
                              .stroke = edit.stroke,
                              .sheet = sheet,
                              .nodes = edit.nodes,
@@ -181,20 +182,21 @@ std::string described(AddLine const& edit)
 {
     if (edit.plant == 0)
         return fmt::format("begins a plant of construction lines, {}: {}", describe(edit.pattern),
-                           describe_stroke(edit.stroke));
+                           scene::describe_stroke(edit.stroke));
     return fmt::format("adds {} to plant {}: {}",
                        edit.another_stem ? "another stem" : "a construction line",
-                       name_of(edit.plant), describe_stroke(edit.stroke));
+                       scene::name_of(edit.plant), scene::describe_stroke(edit.stroke));
 }
 
-void list(Fields& fields, SetLayerNodes& edit)
+void list(scene::Fields& fields, SetLayerNodes& edit)
 {
     fields.field("plant", &edit.plant);
     fields.field("line", &edit.line);
     fields.field("nodes", &edit.nodes);
 }
 
-Result<DocumentState> applied(DocumentState state, SetLayerNodes const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, SetLayerNodes const& edit,
+                                     scene::SceneBuilder&)
 {
     TRY(check_nodes(edit.nodes));
     auto found = TRY(find_sketch(state, edit.plant));
@@ -202,9 +204,9 @@ Result<DocumentState> applied(DocumentState state, SetLayerNodes const& edit, Sc
     auto const line = std::find_if(lines.begin(), lines.end(),
                                    [&](SketchLine const& each) { return each.id == edit.line; });
     if (line == lines.end())
-        return fail(
-            Fault::User,
-            fmt::format("the sketch has no line {}, so no layer above it", name_of(edit.line)));
+        return fail(Fault::User,
+                    fmt::format("the sketch has no line {}, so no layer above it",
+                                scene::name_of(edit.line)));
     line->nodes = edit.nodes;
     put_sketch(state, std::move(found));
     return state;
@@ -212,18 +214,19 @@ Result<DocumentState> applied(DocumentState state, SetLayerNodes const& edit, Sc
 
 std::string described(SetLayerNodes const& edit)
 {
-    return fmt::format("gives the layer above line {} of plant {} {}", name_of(edit.line),
-                       name_of(edit.plant),
-                       counted(static_cast<std::size_t>(std::max(0, edit.nodes)), "node"));
+    return fmt::format("gives the layer above line {} of plant {} {}", scene::name_of(edit.line),
+                       scene::name_of(edit.plant),
+                       scene::counted(static_cast<std::size_t>(std::max(0, edit.nodes)), "node"));
 }
 
-void list(Fields& fields, SetLinePattern& edit)
+void list(scene::Fields& fields, SetLinePattern& edit)
 {
     fields.field("plant", &edit.plant);
     list(fields, edit.pattern);
 }
 
-Result<DocumentState> applied(DocumentState state, SetLinePattern const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, SetLinePattern const& edit,
+                                     scene::SceneBuilder&)
 {
     TRY(check_pattern(edit.pattern));
     auto found = TRY(find_sketch(state, edit.plant));
@@ -234,18 +237,19 @@ Result<DocumentState> applied(DocumentState state, SetLinePattern const& edit, S
 
 std::string described(SetLinePattern const& edit)
 {
-    return fmt::format("gives the organs of plant {} another pattern: {}", name_of(edit.plant),
-                       describe(edit.pattern));
+    return fmt::format("gives the organs of plant {} another pattern: {}",
+                       scene::name_of(edit.plant), describe(edit.pattern));
 }
 
-void list(Fields& fields, SetLineRole& edit)
+void list(scene::Fields& fields, SetLineRole& edit)
 {
     fields.field("plant", &edit.plant);
     fields.field("line", &edit.line);
     fields.word("role", edit.role, kRoles);
 }
 
-Result<DocumentState> applied(DocumentState state, SetLineRole const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, SetLineRole const& edit,
+                                     scene::SceneBuilder&)
 {
     auto found = TRY(find_sketch(state, edit.plant));
     found.sketch = TRY(with_role(std::move(found.sketch), edit.line, edit.role));
@@ -255,18 +259,19 @@ Result<DocumentState> applied(DocumentState state, SetLineRole const& edit, Scen
 
 std::string described(SetLineRole const& edit)
 {
-    return fmt::format("takes line {} of plant {} for: {}", name_of(edit.line), name_of(edit.plant),
-                       name_of(edit.role));
+    return fmt::format("takes line {} of plant {} for: {}", scene::name_of(edit.line),
+                       scene::name_of(edit.plant), name_of(edit.role));
 }
 
-void list(Fields& fields, RedrawLine& edit)
+void list(scene::Fields& fields, RedrawLine& edit)
 {
     fields.field("plant", &edit.plant);
     fields.field("line", &edit.line);
     fields.numbers(edit.stroke);
 }
 
-Result<DocumentState> applied(DocumentState state, RedrawLine const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, RedrawLine const& edit,
+                                     scene::SceneBuilder&)
 {
     auto found = TRY(find_sketch(state, edit.plant));
     found.sketch = TRY(with_other_stroke(std::move(found.sketch), edit.line, edit.stroke));
@@ -276,11 +281,11 @@ Result<DocumentState> applied(DocumentState state, RedrawLine const& edit, Scene
 
 std::string described(RedrawLine const& edit)
 {
-    return fmt::format("draws line {} of plant {} otherwise: {}", name_of(edit.line),
-                       name_of(edit.plant), describe_stroke(edit.stroke));
+    return fmt::format("draws line {} of plant {} otherwise: {}", scene::name_of(edit.line),
+                       scene::name_of(edit.plant), scene::describe_stroke(edit.stroke));
 }
 
-void list(Fields& fields, BendStem& edit)
+void list(scene::Fields& fields, BendStem& edit)
 {
     fields.field("plant", &edit.plant);
     fields.field("line", &edit.line);
@@ -288,7 +293,8 @@ void list(Fields& fields, BendStem& edit)
     fields.field("heading", &edit.heading_deg);
 }
 
-Result<DocumentState> applied(DocumentState state, BendStem const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, BendStem const& edit,
+                                     scene::SceneBuilder&)
 {
     auto found = TRY(find_sketch(state, edit.plant));
     found.sketch
@@ -301,24 +307,24 @@ Result<DocumentState> applied(DocumentState state, BendStem const& edit, SceneBu
 std::string described(BendStem const& edit)
 {
     return fmt::format("bends stem {} of plant {} to {:g} degrees at place {} of {}",
-                       name_of(edit.line), name_of(edit.plant), edit.heading_deg, edit.place + 1,
-                       kHeadingPlaces.size());
+                       scene::name_of(edit.line), scene::name_of(edit.plant), edit.heading_deg,
+                       edit.place + 1, kHeadingPlaces.size());
 }
 
 } // namespace
 
-PenSketch const* pen_sketch(PlantState const& plant)
+PenSketch const* pen_sketch(scene::PlantState const& plant)
 {
     return plant.source.get<PenSketch>(kPenSketch);
 }
 
-PenSketch const* active_pen_sketch(DocumentState const& state)
+PenSketch const* active_pen_sketch(scene::DocumentState const& state)
 {
-    auto const* const plant = active_plant(state);
+    auto const* const plant = scene::active_plant(state);
     return plant ? pen_sketch(*plant) : nullptr;
 }
 
-SheetPlacement sheet_of(PlantState const& plant, std::optional<double> scale)
+SheetPlacement sheet_of(scene::PlantState const& plant, std::optional<double> scale)
 {
     auto const& sketch = *pen_sketch(plant);
     double const size = sketch.scale / scale.value_or(sketch.scale);
@@ -326,22 +332,22 @@ SheetPlacement sheet_of(PlantState const& plant, std::optional<double> scale)
     return { foot_mm - size * plant.paper_mm.value_or(foot_mm), size };
 }
 
-constexpr EditKind AddLine::kKind
-    = make_edit_kind<AddLine, list, applied, described>("add_construction_line", true);
+constexpr scene::EditKind AddLine::kKind
+    = scene::make_edit_kind<AddLine, list, applied, described>("add_construction_line", true);
 
-constexpr EditKind SetLayerNodes::kKind
-    = make_edit_kind<SetLayerNodes, list, applied, described>("set_layer_nodes");
+constexpr scene::EditKind SetLayerNodes::kKind
+    = scene::make_edit_kind<SetLayerNodes, list, applied, described>("set_layer_nodes");
 
-constexpr EditKind SetLinePattern::kKind
-    = make_edit_kind<SetLinePattern, list, applied, described>("set_line_pattern");
+constexpr scene::EditKind SetLinePattern::kKind
+    = scene::make_edit_kind<SetLinePattern, list, applied, described>("set_line_pattern");
 
-constexpr EditKind RedrawLine::kKind
-    = make_edit_kind<RedrawLine, list, applied, described>("redraw_construction_line");
+constexpr scene::EditKind RedrawLine::kKind
+    = scene::make_edit_kind<RedrawLine, list, applied, described>("redraw_construction_line");
 
-constexpr EditKind BendStem::kKind
-    = make_edit_kind<BendStem, list, applied, described>("bend_stem");
+constexpr scene::EditKind BendStem::kKind
+    = scene::make_edit_kind<BendStem, list, applied, described>("bend_stem");
 
-constexpr EditKind SetLineRole::kKind
-    = make_edit_kind<SetLineRole, list, applied, described>("set_line_role");
+constexpr scene::EditKind SetLineRole::kKind
+    = scene::make_edit_kind<SetLineRole, list, applied, described>("set_line_role");
 
 } // namespace tractus::lines

@@ -11,9 +11,10 @@ namespace tractus::lines {
 
 // Adds a line to a sketch, whose plant follows it. What was drawn on the plant's branches stays.
 struct AddLine {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0; // 0: the line is the stem of another plant, which becomes the active one.
+    scene::ItemId plant
+        = 0;          // 0: the line is the stem of another plant, which becomes the active one.
     Stroke stroke {}; // World frame.
     // The line is another stem of the plant: beside the others, or where it begins on one, on that.
     bool another_stem = false;
@@ -25,62 +26,62 @@ struct AddLine {
     Pattern pattern {};
     double scale = 0.1;
     Vec3 stands_at_mm = Vec3::Zero(); // World frame.
-    ItemId id = 0; // Of the line, and of the plant that it begins; 0: it has none yet.
+    scene::ItemId id = 0; // Of the line, and of the plant that it begins; 0: it has none yet.
 };
 
 // Sets how many nodes a layer has.
 struct SetLayerNodes {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0;
-    ItemId line = 0; // The layer's: see Layer.
+    scene::ItemId plant = 0;
+    scene::ItemId line = 0; // The layer's: see Layer.
     int nodes = 8;
 };
 
 // Sets how organs stand around the stem.
 struct SetLinePattern {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0;
+    scene::ItemId plant = 0;
     Pattern pattern {};
 };
 
 // Says what a line of a sketch is: see with_role().
 struct SetLineRole {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0;
-    ItemId line = 0;
+    scene::ItemId plant = 0;
+    scene::ItemId line = 0;
     Role role = Role::Unsure;
 };
 
 // Puts another stroke in the place of a line's, which keeps its role and its nodes (bend_lines.h).
 struct RedrawLine {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0;
-    ItemId line = 0;
+    scene::ItemId plant = 0;
+    scene::ItemId line = 0;
     Stroke stroke {}; // World frame.
 };
 
 // Bends a stem: see with_heading().
 struct BendStem {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0;
-    ItemId line = 0; // The stem.
-    int place = 0;   // Its number among kHeadingPlaces.
+    scene::ItemId plant = 0;
+    scene::ItemId line = 0; // The stem.
+    int place = 0;          // Its number among kHeadingPlaces.
     double heading_deg = 0;
 };
 
 // The sketch that a plant is drawn with; null for a plant of another kind.
-PenSketch const* pen_sketch(PlantState const& plant);
+PenSketch const* pen_sketch(scene::PlantState const& plant);
 
 // The active plant's sketch; null where there is no plant, or it was not drawn so.
-PenSketch const* active_pen_sketch(DocumentState const& state);
+PenSketch const* active_pen_sketch(scene::DocumentState const& state);
 
 // Where the sheet of such a plant is on the tablet in a document of this scale.
-SheetPlacement sheet_of(PlantState const& plant, std::optional<double> scale);
+SheetPlacement sheet_of(scene::PlantState const& plant, std::optional<double> scale);
 
 // For the person who has drawn a sketch's newest line: what it was taken for, and what is missing
 // still.

@@ -15,7 +15,7 @@
 
 namespace tractus::lines {
 
-using tractus::name_of; // Of items.
+using scene::name_of; // Of items.
 
 namespace {
 
@@ -91,14 +91,14 @@ Result<PenSketch> checked(PenSketch sketch)
     return sketch;
 }
 
-Result<void> check_line(PenSketch const& sketch, ItemId line)
+Result<void> check_line(PenSketch const& sketch, scene::ItemId line)
 {
     if (find_line(sketch, line))
         return {};
     return fail(Fault::User,
                 fmt::format("the sketch has no line {}: it was drawn again, or is "
                             "another plant's",
-                            name_of(line)));
+                            scene::name_of(line)));
 }
 
 bool same(SketchLine const& one, SketchLine const& other)
@@ -220,21 +220,22 @@ Pattern pattern_of(PenSketch const& sketch, std::vector<StemLines> const& stems)
 
 } // namespace
 
-constexpr SourceKind kPenSketch {
+constexpr scene::SourceKind kPenSketch {
     .word = "construction_lines",
     .build =
-        [](void const* drawn, LoadOptions const& options) {
+        [](void const* drawn, scene::LoadOptions const& options) {
             return build_pen_sketch(*static_cast<PenSketch const*>(drawn), options);
         },
     .same =
         [](void const* one, void const* other) {
             return same(*static_cast<PenSketch const*>(one), *static_cast<PenSketch const*>(other));
         },
-    .model = [](void const* drawn) -> Result<SourceModel> {
+    .model = [](void const* drawn) -> Result<scene::SourceModel> {
         auto model = TRY(model_of(*static_cast<PenSketch const*>(drawn)));
-        return SourceModel { std::move(model.source), std::move(model.functions) };
+        return scene::SourceModel { std::move(model.source), std::move(model.functions) };
     },
-    .vary = [](void const* drawn, SourceVariation const& variation) -> std::shared_ptr<void const> {
+    .vary = [](void const* drawn,
+               scene::SourceVariation const& variation) -> std::shared_ptr<void const> {
         return std::make_shared<PenSketch const>(
             varied_sketch(*static_cast<PenSketch const*>(drawn), variation));
     },
@@ -301,7 +302,7 @@ Result<PenSketch> with_stem(PenSketch sketch, SketchLine line)
     return with_stroke(std::move(sketch), std::move(line), StemRecogniser::Says::AnotherStem);
 }
 
-Result<PenSketch> with_role(PenSketch sketch, ItemId line, Role role)
+Result<PenSketch> with_role(PenSketch sketch, scene::ItemId line, Role role)
 {
     TRY(check_line(sketch, line));
     bool const is_one = role == Role::Stem || role == Role::Left || role == Role::Right;
@@ -320,7 +321,7 @@ Result<PenSketch> with_role(PenSketch sketch, ItemId line, Role role)
     return checked(TRY(with_levels(std::move(sketch), stem)));
 }
 
-Result<PenSketch> with_other_stroke(PenSketch sketch, ItemId line, Stroke stroke)
+Result<PenSketch> with_other_stroke(PenSketch sketch, scene::ItemId line, Stroke stroke)
 {
     TRY(check_line(sketch, line));
     auto const found = std::find_if(sketch.lines.begin(), sketch.lines.end(),
@@ -376,10 +377,11 @@ Result<LineModel> model_of(PenSketch const& sketch)
     return write_model(stems, pattern_of(sketch, lines), "lines");
 }
 
-Result<BuiltSource> build_pen_sketch(PenSketch const& sketch, LoadOptions const& options)
+Result<scene::BuiltSource> build_pen_sketch(PenSketch const& sketch,
+                                            scene::LoadOptions const& options)
 {
     auto model = TRY(model_of(sketch));
-    return build_lsystem(
+    return scene::build_lsystem(
         { .source = std::move(model.source), .includes = std::move(model.functions) }, options);
 }
 
@@ -435,11 +437,11 @@ Result<Layer> layer_at(PenSketch const& sketch, Vec2 const& place_mm)
     return above == layers.end() ? layers.back() : *above;
 }
 
-std::optional<ItemId> line_at(PenSketch const& sketch, Vec2 const& place_mm)
+std::optional<scene::ItemId> line_at(PenSketch const& sketch, Vec2 const& place_mm)
 {
     constexpr double kFinger_mm = 15;
     double nearest_mm = kFinger_mm;
-    std::optional<ItemId> found;
+    std::optional<scene::ItemId> found;
     for (auto const& line : sketch.lines) {
         auto const points = points_on_sheet(line);
         if (!points)
@@ -457,7 +459,7 @@ std::optional<ItemId> line_at(PenSketch const& sketch, Vec2 const& place_mm)
     return found;
 }
 
-SketchLine const* find_line(PenSketch const& sketch, ItemId line)
+SketchLine const* find_line(PenSketch const& sketch, scene::ItemId line)
 {
     auto const found = std::find_if(sketch.lines.begin(), sketch.lines.end(),
                                     [&](SketchLine const& each) { return each.id == line; });

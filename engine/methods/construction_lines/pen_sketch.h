@@ -34,7 +34,7 @@ enum class DepthBy {
 
 // A line of a sketch as a pen drew it.
 struct SketchLine {
-    ItemId id = 0;
+    scene::ItemId id = 0;
     Stroke stroke {};        // World frame.
     SheetPlacement sheet {}; // When it was drawn.
     Role role = Role::Unsure;
@@ -64,7 +64,7 @@ struct PenSketch {
     double scale = 0.1; // World millimetres per plant millimetre, where a line's size is 1.
 };
 
-extern SourceKind const kPenSketch;
+extern scene::SourceKind const kPenSketch;
 
 // Where the tips of a line are on the sheet, (u, v, depth), the hand's tremor taken out
 // (capture_line.h). Where the surface has moved by less than a twentieth of the line's length the
@@ -92,11 +92,11 @@ Result<PenSketch> with_stem(PenSketch sketch, SketchLine line);
 // it before is unsure from then on, but for inclination lines, of which there are many. Fails, as
 // the user's fault, for a line that is not there, if no stem would be left, and if it gives no
 // plant.
-Result<PenSketch> with_role(PenSketch sketch, ItemId line, Role role);
+Result<PenSketch> with_role(PenSketch sketch, scene::ItemId line, Role role);
 
 // The sketch in which a line has another stroke, drawn on the same sheet. Fails, as the user's
 // fault, for a line that is not there, and if it gives no plant.
-Result<PenSketch> with_other_stroke(PenSketch sketch, ItemId line, Stroke stroke);
+Result<PenSketch> with_other_stroke(PenSketch sketch, scene::ItemId line, Stroke stroke);
 
 // The lines that count, of each stem, as measure_stems() takes them with Missing::Guessed. In
 // millimetres of the sheet, or so that their plant is as large in the document as they were drawn.
@@ -119,11 +119,12 @@ Result<LineSketch> line_sketch(PenSketch const& sketch);
 // The sketch's plant as a model in cpfg's language, called "lines".
 Result<LineModel> model_of(PenSketch const& sketch);
 
-Result<BuiltSource> build_pen_sketch(PenSketch const& sketch, LoadOptions const& options);
+Result<scene::BuiltSource> build_pen_sketch(PenSketch const& sketch,
+                                            scene::LoadOptions const& options);
 
 // A layer of nodes.
 struct Layer {
-    ItemId line = 0; // Whose number of nodes it is: the line below it, or else the stem.
+    scene::ItemId line = 0; // Whose number of nodes it is: the line below it, or else the stem.
     double from_x = 0;
     double to_x = 1;
     int nodes = 0;
@@ -137,9 +138,9 @@ Result<std::vector<Layer>> layers_of(PenSketch const& sketch);
 Result<Layer> layer_at(PenSketch const& sketch, Vec2 const& place_mm);
 
 // The line nearest to a place on the sheet, if one is within 15 mm of it.
-std::optional<ItemId> line_at(PenSketch const& sketch, Vec2 const& place_mm);
+std::optional<scene::ItemId> line_at(PenSketch const& sketch, Vec2 const& place_mm);
 
 // Null where there is none.
-SketchLine const* find_line(PenSketch const& sketch, ItemId line);
+SketchLine const* find_line(PenSketch const& sketch, scene::ItemId line);
 
 } // namespace tractus::lines

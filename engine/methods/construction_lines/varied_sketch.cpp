@@ -69,7 +69,7 @@ double length_of(std::vector<TipSample> const& tips)
 
 } // namespace
 
-PenSketch varied_sketch(PenSketch sketch, SourceVariation const& variation)
+PenSketch varied_sketch(PenSketch sketch, scene::SourceVariation const& variation)
 {
     constexpr std::uint32_t kStream = 0x6C69;
     auto const stem

@@ -8,6 +8,6 @@ namespace tractus::lines {
 // in long waves, by a twenty-fifth of the stem's length where the spread is 1, and stays where the
 // stem begins. So lines cross as they did, and organs reach as far as their lines. Layers have a
 // tenth of their nodes more or less. The mean of many is the sketch.
-PenSketch varied_sketch(PenSketch sketch, SourceVariation const& variation);
+PenSketch varied_sketch(PenSketch sketch, scene::SourceVariation const& variation);
 
 } // namespace tractus::lines

@@ -46,7 +46,8 @@ private:
     double scale_;
 };
 
-void add_axis(BuiltSource& built, std::span<Vec3 const> nodes, double radius, std::string_view name)
+void add_axis(scene::BuiltSource& built, std::span<Vec3 const> nodes, double radius,
+              std::string_view name)
 {
     auto& plant = built.plant;
     plant.axes.push_back({ .first_node = static_cast<NodeId>(plant.node_position_mm.size()),
@@ -162,14 +163,14 @@ private:
     Eigen::Matrix3d turn_;
 };
 
-Result<BuiltSource> leaf_plant(LeafSketch const& sketch, DrawnLeaf const& drawn)
+Result<scene::BuiltSource> leaf_plant(LeafSketch const& sketch, DrawnLeaf const& drawn)
 {
     auto const made = TRY(derived(sketch, drawn));
     auto const& leaf = made->triangles;
     LeafToPaper const to_paper(sketch.seen->fit.place, drawn, leaf);
     PaperToPlant const to_plant(TRY(foot_of(sketch)), sketch.scale);
     auto const placed = [&](Vec3 const& at) { return to_plant(to_paper(at)); };
-    BuiltSource built;
+    scene::BuiltSource built;
     built.plant.materials = materials();
     double const radius_mm = 0.5 * drawn.width * drawn.size_mm / sketch.scale;
     std::array const stalk { placed(vertex_at(leaf, Vec2::Zero())), placed(to_paper.base()) };
@@ -182,13 +183,13 @@ Result<BuiltSource> leaf_plant(LeafSketch const& sketch, DrawnLeaf const& drawn)
     return built;
 }
 
-Result<BuiltSource> stems_along(LeafSketch const& sketch)
+Result<scene::BuiltSource> stems_along(LeafSketch const& sketch)
 {
     constexpr double kRadius_mm = 0.4; // On the paper.
     constexpr std::size_t kMostNodes = 65;
     auto const drawing = TRY(drawing_of(sketch));
     PaperToPlant const to_plant(TRY(foot_of(sketch)), sketch.scale);
-    BuiltSource built;
+    scene::BuiltSource built;
     built.plant.materials = { materials()[kStalk] };
     for (std::size_t i = 0; i < sketch.lines.size(); ++i) {
         auto const& line = drawing.strokes[i];
@@ -196,14 +197,14 @@ Result<BuiltSource> stems_along(LeafSketch const& sketch)
         std::vector<Vec3> points;
         for (std::size_t n = 0; n < nodes; ++n)
             points.push_back(to_plant(line[n * (line.size() - 1) / (nodes - 1)]));
-        add_axis(built, points, kRadius_mm / sketch.scale, tractus::name_of(sketch.lines[i].id));
+        add_axis(built, points, kRadius_mm / sketch.scale, scene::name_of(sketch.lines[i].id));
     }
     return built;
 }
 
 } // namespace
 
-Result<BuiltSource> build_leaf(LeafSketch const& sketch, LoadOptions const&)
+Result<scene::BuiltSource> build_leaf(LeafSketch const& sketch, scene::LoadOptions const&)
 {
     TRY(check_form(sketch.form));
     if (!(sketch.scale > 0 && std::isfinite(sketch.scale)))

@@ -182,7 +182,7 @@ bool same(LeafSketch const& one, LeafSketch const& other)
         && one.seed == other.seed && one.spread == other.spread;
 }
 
-LeafSketch varied(LeafSketch sketch, SourceVariation const& variation)
+LeafSketch varied(LeafSketch sketch, scene::SourceVariation const& variation)
 {
     constexpr std::uint32_t kStream = 0x6c66;
     Random random({ variation.seed, kStream + variation.stream, variation.plant });
@@ -261,7 +261,7 @@ Result<LeafSketch> with_line(LeafSketch sketch, LeafLine line)
     return looked_at(std::move(sketch));
 }
 
-Result<LeafSketch> without_line(LeafSketch sketch, ItemId line)
+Result<LeafSketch> without_line(LeafSketch sketch, scene::ItemId line)
 {
     auto const removed
         = std::erase_if(sketch.lines, [&](LeafLine const& each) { return each.id == line; });
@@ -303,10 +303,10 @@ Result<std::string> grammar_text(LeafSketch const& sketch, std::string const& ti
     return fail(Fault::User, "the lines are no leaf yet");
 }
 
-constexpr SourceKind LeafSketch::kKind {
+constexpr scene::SourceKind LeafSketch::kKind {
     .word = "leaf_sketch",
     .build =
-        [](void const* drawn, LoadOptions const& options) {
+        [](void const* drawn, scene::LoadOptions const& options) {
             return build_leaf(*static_cast<LeafSketch const*>(drawn), options);
         },
     .same =
@@ -314,7 +314,8 @@ constexpr SourceKind LeafSketch::kKind {
             return same(*static_cast<LeafSketch const*>(one),
                         *static_cast<LeafSketch const*>(other));
         },
-    .vary = [](void const* drawn, SourceVariation const& variation) -> std::shared_ptr<void const> {
+    .vary = [](void const* drawn,
+               scene::SourceVariation const& variation) -> std::shared_ptr<void const> {
         return std::make_shared<LeafSketch const>(
             varied(*static_cast<LeafSketch const*>(drawn), variation));
     },

@@ -31,7 +31,7 @@ Result<void> check_form(LeafForm const& form); // Refuses what is out of range, 
 
 // A line of a leaf as a pen drew it.
 struct LeafLine {
-    ItemId id = 0;
+    scene::ItemId id = 0;
     Stroke stroke {}; // World frame: x and y on the tablet as on upright paper, z the height.
 };
 
@@ -49,7 +49,7 @@ struct SeenLeaf {
 // Depth towards the viewer is the surface's height above where the first line began. It gives a
 // plant at every stage: lines that are no leaf yet are stems along them.
 struct LeafSketch {
-    static SourceKind const kKind;
+    static scene::SourceKind const kKind;
 
     std::vector<LeafLine> lines {}; // At least one, in the order in which they were drawn.
     LeafForm form {};
@@ -78,7 +78,7 @@ Result<SeenLeaf> see_leaf(LeafSketch const& sketch);
 Result<LeafSketch> with_line(LeafSketch sketch, LeafLine line);
 
 // Without one of them. Fails, as the user's fault, for one that is not there and for the last one.
-Result<LeafSketch> without_line(LeafSketch sketch, ItemId line);
+Result<LeafSketch> without_line(LeafSketch sketch, scene::ItemId line);
 
 // The numbers of the leaf that was drawn, with what the form changes; no value: it is none yet.
 std::optional<DrawnLeaf> formed_leaf(LeafSketch const& sketch);
@@ -90,6 +90,7 @@ Result<std::string> grammar_text(LeafSketch const& sketch, std::string const& ti
 // The plant: as large as drawn when it is shown at its scale, the place of foot_of() at the origin.
 // The blade is as in the drawing; its veins and limb are polygons on the end of its stalk. Fails,
 // as the user's fault, for a form that check_form() refuses, or with which the grammar gives none.
-Result<BuiltSource> build_leaf(LeafSketch const& sketch, LoadOptions const& options = {});
+Result<scene::BuiltSource> build_leaf(LeafSketch const& sketch,
+                                      scene::LoadOptions const& options = {});
 
 } // namespace tractus::leaf

@@ -13,7 +13,7 @@ namespace tractus::leaf {
 
 namespace {
 
-void list(tractus::Fields& fields, LeafForm& form)
+void list(scene::Fields& fields, LeafForm& form)
 {
     fields.field("bend_deg", &form.bend_deg);
     fields.field("rise_deg", &form.rise_deg);
@@ -24,7 +24,7 @@ void list(tractus::Fields& fields, LeafForm& form)
     fields.field("variation", &form.variation);
 }
 
-void list(tractus::Fields& fields, AddLeafLine& edit)
+void list(scene::Fields& fields, AddLeafLine& edit)
 {
     fields.sparse_field("plant", &edit.plant);
     list(fields, edit.form);
@@ -34,73 +34,76 @@ void list(tractus::Fields& fields, AddLeafLine& edit)
     fields.numbers(edit.stroke);
 }
 
-Result<LeafSketch> find_leaf(DocumentState const& state, ItemId plant)
+Result<LeafSketch> find_leaf(scene::DocumentState const& state, scene::ItemId plant)
 {
-    auto const number = TRY(plant_number(state, plant));
+    auto const number = TRY(scene::plant_number(state, plant));
     auto const* const sketch = leaf_sketch(*state.plants[number]);
     if (!sketch)
         return fail(Fault::User,
                     fmt::format("plant {} is no drawn leaf: begin another leaf with its outline",
-                                tractus::name_of(plant)));
+                                scene::name_of(plant)));
     return *sketch;
 }
 
 // The plant stays under its ink: where its foot has moved on the paper, it moves. A form with which
 // there is no leaf is refused here.
-Result<DocumentState> with_leaf(DocumentState state, ItemId plant, LeafSketch sketch)
+Result<scene::DocumentState> with_leaf(scene::DocumentState state, scene::ItemId plant,
+                                       LeafSketch sketch)
 {
     TRY(build_leaf(sketch));
     auto const foot_mm = TRY(foot_of(sketch));
-    redraw_on_paper(state, TRY(plant_number(state, plant)),
-                    PlantSource(LeafSketch::kKind, std::move(sketch)), foot_mm);
+    scene::redraw_on_paper(state, TRY(scene::plant_number(state, plant)),
+                           scene::PlantSource(LeafSketch::kKind, std::move(sketch)), foot_mm);
     return state;
 }
 
-Result<DocumentState> begun(DocumentState state, AddLeafLine const& edit)
+Result<scene::DocumentState> begun(scene::DocumentState state, AddLeafLine const& edit)
 {
     if (!edit.stands_at_mm.allFinite())
         return fail(Fault::User, "the place for the leaf is not a number: draw it again");
-    auto const id = take_id(state, edit.id);
+    auto const id = scene::take_id(state, edit.id);
     auto sketch = TRY(
         with_line({ .form = edit.form, .scale = edit.scale }, { .id = id, .stroke = edit.stroke }));
     TRY(build_leaf(sketch));
     auto const foot_mm = TRY(foot_of(sketch));
     if (!state.scale)
         state.scale = edit.scale;
-    return with_source(std::move(state),
-                       { .name = "leaf",
-                         .source = PlantSource(LeafSketch::kKind, std::move(sketch)),
-                         .drawn = Drawn::Beside,
-                         .stands_at_mm = edit.stands_at_mm,
-                         .paper_mm = foot_mm,
-                         .id = id });
+    return scene::with_source(std::move(state),
+                              { .name = "leaf",
+                                .source = scene::PlantSource(LeafSketch::kKind, std::move(sketch)),
+                                .drawn = scene::Drawn::Beside,
+                                .stands_at_mm = edit.stands_at_mm,
+                                .paper_mm = foot_mm,
+                                .id = id });
 }
 
-Result<DocumentState> applied(DocumentState state, AddLeafLine const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, AddLeafLine const& edit,
+                                     scene::SceneBuilder&)
 {
     if (edit.plant == 0)
         return begun(std::move(state), edit);
     auto sketch = TRY(find_leaf(state, edit.plant));
-    sketch = TRY(
-        with_line(std::move(sketch), { .id = take_id(state, edit.id), .stroke = edit.stroke }));
+    sketch = TRY(with_line(std::move(sketch),
+                           { .id = scene::take_id(state, edit.id), .stroke = edit.stroke }));
     return with_leaf(std::move(state), edit.plant, std::move(sketch));
 }
 
 std::string described(AddLeafLine const& edit)
 {
     if (edit.plant == 0)
-        return fmt::format("begins a leaf: {}", describe_stroke(edit.stroke));
-    return fmt::format("adds a line to leaf {}: {}", tractus::name_of(edit.plant),
-                       describe_stroke(edit.stroke));
+        return fmt::format("begins a leaf: {}", scene::describe_stroke(edit.stroke));
+    return fmt::format("adds a line to leaf {}: {}", scene::name_of(edit.plant),
+                       scene::describe_stroke(edit.stroke));
 }
 
-void list(tractus::Fields& fields, EraseLeafLine& edit)
+void list(scene::Fields& fields, EraseLeafLine& edit)
 {
     fields.field("plant", &edit.plant);
     fields.field("line", &edit.line);
 }
 
-Result<DocumentState> applied(DocumentState state, EraseLeafLine const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, EraseLeafLine const& edit,
+                                     scene::SceneBuilder&)
 {
     auto sketch = TRY(find_leaf(state, edit.plant));
     sketch = TRY(without_line(std::move(sketch), edit.line));
@@ -109,17 +112,18 @@ Result<DocumentState> applied(DocumentState state, EraseLeafLine const& edit, Sc
 
 std::string described(EraseLeafLine const& edit)
 {
-    return fmt::format("takes line {} of leaf {} away", tractus::name_of(edit.line),
-                       tractus::name_of(edit.plant));
+    return fmt::format("takes line {} of leaf {} away", scene::name_of(edit.line),
+                       scene::name_of(edit.plant));
 }
 
-void list(tractus::Fields& fields, FormLeaf& edit)
+void list(scene::Fields& fields, FormLeaf& edit)
 {
     fields.field("plant", &edit.plant);
     list(fields, edit.form);
 }
 
-Result<DocumentState> applied(DocumentState state, FormLeaf const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, FormLeaf const& edit,
+                                     scene::SceneBuilder&)
 {
     auto sketch = TRY(find_leaf(state, edit.plant));
     sketch.form = edit.form;
@@ -129,21 +133,21 @@ Result<DocumentState> applied(DocumentState state, FormLeaf const& edit, SceneBu
 std::string described(FormLeaf const& edit)
 {
     return fmt::format("gives leaf {} other numbers: bend {:g} and rise {:g} degrees, {}",
-                       tractus::name_of(edit.plant), edit.form.bend_deg, edit.form.rise_deg,
+                       scene::name_of(edit.plant), edit.form.bend_deg, edit.form.rise_deg,
                        edit.form.teeth > 0 ? fmt::format("{} teeth", edit.form.teeth)
                                            : "its margin as drawn");
 }
 
 } // namespace
 
-LeafSketch const* leaf_sketch(PlantState const& plant)
+LeafSketch const* leaf_sketch(scene::PlantState const& plant)
 {
     return plant.source.get<LeafSketch>(LeafSketch::kKind);
 }
 
-LeafSketch const* active_leaf_sketch(DocumentState const& state)
+LeafSketch const* active_leaf_sketch(scene::DocumentState const& state)
 {
-    auto const* const plant = active_plant(state);
+    auto const* const plant = scene::active_plant(state);
     return plant ? leaf_sketch(*plant) : nullptr;
 }
 
@@ -163,17 +167,18 @@ std::string said_of(LeafSketch const& sketch)
     auto const side = static_cast<std::size_t>(std::ranges::count_if(
         fit.veins, [](LeafFit::Vein const& vein) { return vein.parent != vein.stroke; }));
     return fmt::format("{} with {}{}", lengths,
-                       main > 0 ? counted(main, "main vein") + " beside the midrib and " : "",
-                       counted(side, "side vein"));
+                       main > 0 ? scene::counted(main, "main vein") + " beside the midrib and "
+                                : "",
+                       scene::counted(side, "side vein"));
 }
 
-constexpr EditKind AddLeafLine::kKind
-    = make_edit_kind<AddLeafLine, list, applied, described>("add_leaf_line", true);
+constexpr scene::EditKind AddLeafLine::kKind
+    = scene::make_edit_kind<AddLeafLine, list, applied, described>("add_leaf_line", true);
 
-constexpr EditKind EraseLeafLine::kKind
-    = make_edit_kind<EraseLeafLine, list, applied, described>("erase_leaf_line");
+constexpr scene::EditKind EraseLeafLine::kKind
+    = scene::make_edit_kind<EraseLeafLine, list, applied, described>("erase_leaf_line");
 
-constexpr EditKind FormLeaf::kKind
-    = make_edit_kind<FormLeaf, list, applied, described>("form_leaf");
+constexpr scene::EditKind FormLeaf::kKind
+    = scene::make_edit_kind<FormLeaf, list, applied, described>("form_leaf");
 
 } // namespace tractus::leaf

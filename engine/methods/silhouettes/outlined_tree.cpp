@@ -285,12 +285,12 @@ Result<OutlinedTree> with_crown_line(OutlinedTree tree, DrawnCrownLine line)
     return tree;
 }
 
-Result<std::optional<ItemId>> outline_around(OutlinedTree const& tree, Stroke const& stroke)
+Result<std::optional<scene::ItemId>> outline_around(OutlinedTree const& tree, Stroke const& stroke)
 {
     auto const place = TRY(middle_of(stroke));
-    std::optional<ItemId> smallest;
+    std::optional<scene::ItemId> smallest;
     double least = 1e300;
-    auto const look_at = [&](std::vector<Vec2> const& outline, ItemId id) {
+    auto const look_at = [&](std::vector<Vec2> const& outline, scene::ItemId id) {
         double const area = outline.size() < 3 ? 0 : std::fabs(signed_area(outline));
         if (area >= least || outline.size() < 3 || !is_inside(outline, place))
             return;
@@ -357,24 +357,24 @@ Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::st
     return {};
 }
 
-Result<BuiltSource> build_tree(OutlinedTree const& tree, LoadOptions const&)
+Result<scene::BuiltSource> build_tree(OutlinedTree const& tree, scene::LoadOptions const&)
 {
     TRY(check_form(tree.form));
     TRY(check_scale(tree.scale));
     auto const drawing = TRY(drawing_of(tree));
     if (drawing.outline.empty() && !drawing.trunk.empty())
-        return BuiltSource { .plant = TRY(bare_stem(drawing.trunk, tree.scale)),
-                             .axis_keys = { axis_key(kTrunkName) } };
+        return scene::BuiltSource { .plant = TRY(bare_stem(drawing.trunk, tree.scale)),
+                                    .axis_keys = { axis_key(kTrunkName) } };
     auto const skeleton = TRY(skeleton_of(tree));
     auto made = make_tree(skeleton, tree_options(tree.form, drawn_height(skeleton) / tree.scale));
-    BuiltSource built { std::move(made.plant), skeleton.systems[0].notes };
+    scene::BuiltSource built { std::move(made.plant), skeleton.systems[0].notes };
     for (auto const& name : made.axis_names)
         built.axis_keys.push_back(axis_key(name));
     return built;
 }
 
 // What the drawing leaves open is left to another chance.
-static OutlinedTree varied(OutlinedTree tree, SourceVariation const& variation)
+static OutlinedTree varied(OutlinedTree tree, scene::SourceVariation const& variation)
 {
     constexpr std::uint32_t kStream = 0x7472;
     Random random({ variation.seed ^ tree.form.seed, kStream + variation.stream, variation.plant });
@@ -382,10 +382,10 @@ static OutlinedTree varied(OutlinedTree tree, SourceVariation const& variation)
     return tree;
 }
 
-constexpr SourceKind OutlinedTree::kKind {
+constexpr scene::SourceKind OutlinedTree::kKind {
     .word = "outlined_tree",
     .build =
-        [](void const* drawn, LoadOptions const& options) {
+        [](void const* drawn, scene::LoadOptions const& options) {
             return build_tree(*static_cast<OutlinedTree const*>(drawn), options);
         },
     .same =
@@ -393,7 +393,8 @@ constexpr SourceKind OutlinedTree::kKind {
             return same(*static_cast<OutlinedTree const*>(one),
                         *static_cast<OutlinedTree const*>(other));
         },
-    .vary = [](void const* drawn, SourceVariation const& variation) -> std::shared_ptr<void const> {
+    .vary = [](void const* drawn,
+               scene::SourceVariation const& variation) -> std::shared_ptr<void const> {
         return std::make_shared<OutlinedTree const>(
             varied(*static_cast<OutlinedTree const*>(drawn), variation));
     },

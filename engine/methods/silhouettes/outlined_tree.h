@@ -19,7 +19,7 @@ namespace tractus::silhouette {
 
 // A branch that was drawn, by the edit that brought it.
 struct DrawnBranch {
-    ItemId id = 0;
+    scene::ItemId id = 0;
     Stroke stroke {};
 };
 
@@ -27,7 +27,7 @@ struct DrawnBranch {
 // that brought it. The path of the branch is found when it is drawn (own_outline.h, own_branch.h);
 // where the tree has no such branch any more, it waits.
 struct DrawnOnBranch {
-    ItemId id = 0;
+    scene::ItemId id = 0;
     Stroke stroke {};
     std::string branch {};
     StyleTo style_to = StyleTo::None;
@@ -37,7 +37,7 @@ struct DrawnOnBranch {
 // A touch on a bump, by the edit that brought it. The path of the branch whose outline has the bump
 // is found when it is drawn; where there is no such bump any more, it waits.
 struct DrawnTouch {
-    ItemId id = 0;
+    scene::ItemId id = 0;
     Stroke stroke {}; // Its middle counts.
     BumpTouch::Kind kind = BumpTouch::Kind::Split;
     std::string branch {}; // "": it is on the crown's outline.
@@ -45,14 +45,14 @@ struct DrawnTouch {
 
 // A line in space on the crown's surface (drawn_surface.h), by the edit that brought it.
 struct DrawnCrownLine {
-    ItemId id = 0;
+    scene::ItemId id = 0;
     Stroke stroke {}; // Its x and y are on the sheet as of all strokes; z is how far behind it is.
 };
 
 // A tree as it is drawn on paper: strokes whose x and y are tablet-centred millimetres; how high
 // the surface was counts for nothing. The source of a plant (plant_source.h).
 struct OutlinedTree {
-    static SourceKind const kKind;
+    static scene::SourceKind const kKind;
 
     Stroke trunk {};   // From the foot upwards; without tips: not drawn.
     Stroke outline {}; // Once around the crown; likewise.
@@ -91,7 +91,7 @@ branch_outlined_by(OutlinedTree const& tree, Stroke const& stroke, Search search
 
 // A line on a branch that is looked for.
 struct LineOnBranch {
-    ItemId id = 0;
+    scene::ItemId id = 0;
     StyleTo style_to = StyleTo::None;
     Search search = Search::OnTrunk;
     bool is_leaf = false; // An outline, which is declared one.
@@ -122,7 +122,7 @@ Result<Vec2> place_of(DrawnTouch const& touch);
 
 // The id of the smallest outline that somebody drew around a stroke's middle; 0: it is the crown's,
 // no value: there is none.
-Result<std::optional<ItemId>> outline_around(OutlinedTree const& tree, Stroke const& stroke);
+Result<std::optional<scene::ItemId>> outline_around(OutlinedTree const& tree, Stroke const& stroke);
 
 // The tree with a line on its crown's surface, in place of those whose place that takes
 // (takes_place_of(), crown_line.h). An outline that lies in the sheet, within eight degrees, is the
@@ -142,6 +142,7 @@ Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::st
 // The plant: as large as drawn when it is shown at its scale, its foot at the origin. Without an
 // outline a bare stem along the trunk. Fails, as the user's fault, for neither, like
 // infer_skeleton() and check_form(), and for a trunk that is a dot.
-Result<BuiltSource> build_tree(OutlinedTree const& tree, LoadOptions const& options = {});
+Result<scene::BuiltSource> build_tree(OutlinedTree const& tree,
+                                      scene::LoadOptions const& options = {});
 
 } // namespace tractus::silhouette

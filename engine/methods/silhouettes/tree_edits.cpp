@@ -46,7 +46,7 @@ constexpr std::array<StyleNames, 3> kStyleNames { {
 } };
 
 // Sparse, so that a form without styles is written as it was before there were any.
-void list(Fields& fields, StyleNames const& names, BranchStyle& style)
+void list(scene::Fields& fields, StyleNames const& names, BranchStyle& style)
 {
     fields.sparse_field(names.children, &style.children);
     fields.sparse_field(names.children_deviation, &style.children_deviation);
@@ -59,7 +59,7 @@ void list(Fields& fields, StyleNames const& names, BranchStyle& style)
     fields.sparse_field(names.angle_deviation_deg, &style.angle_deviation_deg);
 }
 
-void list(Fields& fields, TreeForm& form)
+void list(scene::Fields& fields, TreeForm& form)
 {
     fields.field("levels", &form.levels);
     fields.word("trunk_pattern", form.patterns[0], kPatterns);
@@ -73,7 +73,7 @@ void list(Fields& fields, TreeForm& form)
         list(fields, kStyleNames[level], form.styles[level]);
 }
 
-void list(Fields& fields, DrawTree& edit)
+void list(scene::Fields& fields, DrawTree& edit)
 {
     fields.word("part", edit.part, kParts);
     fields.sparse_field("is_leaf", &edit.is_leaf);
@@ -100,41 +100,41 @@ void list(Fields& fields, DrawTree& edit)
     fields.numbers(edit.stroke);
 }
 
-void list(Fields& fields, EraseTreePart& edit)
+void list(scene::Fields& fields, EraseTreePart& edit)
 {
     fields.field("plant", &edit.plant);
     fields.word("part", edit.part, kParts);
     fields.sparse_field("branch", &edit.branch);
 }
 
-void list(Fields& fields, DeclareLeaf& edit)
+void list(scene::Fields& fields, DeclareLeaf& edit)
 {
     fields.field("plant", &edit.plant);
     fields.sparse_field("outline", &edit.outline);
     fields.field("is_leaf", &edit.is_leaf);
 }
 
-void list(Fields& fields, ChooseStyles& edit)
+void list(scene::Fields& fields, ChooseStyles& edit)
 {
     fields.field("plant", &edit.plant);
     fields.field("styles", &edit.styles);
 }
 
-void list(Fields& fields, FormTree& edit)
+void list(scene::Fields& fields, FormTree& edit)
 {
     fields.field("plant", &edit.plant);
     list(fields, edit.form);
 }
 
-Result<OutlinedTree> tree_of(DocumentState const& state, ItemId plant)
+Result<OutlinedTree> tree_of(scene::DocumentState const& state, scene::ItemId plant)
 {
-    auto const number = TRY(plant_number(state, plant));
+    auto const number = TRY(scene::plant_number(state, plant));
     auto const* const tree = outlined_tree(*state.plants[number]);
     if (!tree)
         return fail(Fault::User,
                     fmt::format("plant {} has no outline: choose a tree that was drawn by its "
                                 "outline",
-                                tractus::name_of(plant)));
+                                scene::name_of(plant)));
     return *tree;
 }
 
@@ -155,37 +155,40 @@ Result<void> check_tree(OutlinedTree const& tree)
 }
 
 // The plant stays under its ink: where the foot has moved on the paper, it moves.
-Result<DocumentState> with_tree(DocumentState state, ItemId plant, OutlinedTree tree)
+Result<scene::DocumentState> with_tree(scene::DocumentState state, scene::ItemId plant,
+                                       OutlinedTree tree)
 {
     TRY(check_tree(tree));
     auto const foot_mm = TRY(foot_of(tree));
-    redraw_on_paper(state, TRY(plant_number(state, plant)),
-                    PlantSource(OutlinedTree::kKind, std::move(tree)), foot_mm);
+    scene::redraw_on_paper(state, TRY(scene::plant_number(state, plant)),
+                           scene::PlantSource(OutlinedTree::kKind, std::move(tree)), foot_mm);
     return state;
 }
 
 // A tree whose lines have changed; branches that this brings are called after `id`.
-Result<DocumentState> with_lines(DocumentState state, ItemId plant, OutlinedTree const& before,
-                                 OutlinedTree after, ItemId id)
+Result<scene::DocumentState> with_lines(scene::DocumentState state, scene::ItemId plant,
+                                        OutlinedTree const& before, OutlinedTree after,
+                                        scene::ItemId id)
 {
     TRY(check_tree(after));
-    TRY(keep_names(before, after, fmt::format("{}.", tractus::name_of(id))));
+    TRY(keep_names(before, after, fmt::format("{}.", scene::name_of(id))));
     return with_tree(std::move(state), plant, std::move(after));
 }
 
-Result<DocumentState> applied(DocumentState state, DrawTree const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, DrawTree const& edit,
+                                     scene::SceneBuilder&)
 {
     if (edit.plant != 0) {
         auto const before = TRY(tree_of(state, edit.plant));
-        auto const id = take_id(state, edit.id);
+        auto const id = scene::take_id(state, edit.id);
         auto after = TRY(with_part(before, edit, id));
         return with_lines(std::move(state), edit.plant, before, std::move(after), id);
     }
     using Part = DrawTree::Part;
     if (edit.part != Part::Trunk && edit.part != Part::Outline && edit.part != Part::Surface)
         return fail(Fault::User, "there is no tree for the branch: draw a trunk or a crown first");
-    auto tree
-        = TRY(with_part({ .form = edit.form, .scale = edit.scale }, edit, take_id(state, edit.id)));
+    auto tree = TRY(with_part({ .form = edit.form, .scale = edit.scale }, edit,
+                              scene::take_id(state, edit.id)));
     tree.ground_mm = edit.ground_mm;
     TRY(check_tree(tree));
     if (!edit.stands_at_mm.allFinite())
@@ -197,23 +200,24 @@ Result<DocumentState> applied(DocumentState state, DrawTree const& edit, SceneBu
     auto const foot_mm = TRY(foot_of(tree));
     if (!state.scale)
         state.scale = edit.scale;
-    return with_source(std::move(state),
-                       { .name = "tree",
-                         .source = PlantSource(OutlinedTree::kKind, std::move(tree)),
-                         .drawn = Drawn::Beside,
-                         .stands_at_mm = edit.stands_at_mm,
-                         .paper_mm = foot_mm,
-                         .paper_unit = edit.enlarged != 0 ? edit.enlarged : 1,
-                         .id = edit.id });
+    return scene::with_source(std::move(state),
+                              { .name = "tree",
+                                .source = scene::PlantSource(OutlinedTree::kKind, std::move(tree)),
+                                .drawn = scene::Drawn::Beside,
+                                .stands_at_mm = edit.stands_at_mm,
+                                .paper_mm = foot_mm,
+                                .paper_unit = edit.enlarged != 0 ? edit.enlarged : 1,
+                                .id = edit.id });
 }
 
 // Whether there was one of that id.
-template<typename Drawn> bool take_out(std::vector<Drawn>& drawn, ItemId id)
+template<typename Drawn> bool take_out(std::vector<Drawn>& drawn, scene::ItemId id)
 {
     return std::erase_if(drawn, [&](Drawn const& one) { return one.id == id; }) > 0;
 }
 
-Result<DocumentState> applied(DocumentState state, EraseTreePart const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, EraseTreePart const& edit,
+                                     scene::SceneBuilder&)
 {
     auto const before = TRY(tree_of(state, edit.plant));
     auto after = before;
@@ -248,11 +252,12 @@ Result<DocumentState> applied(DocumentState state, EraseTreePart const& edit, Sc
     if (after.trunk.tips.empty() && !after.has_crown())
         return fail(Fault::User,
                     "nothing of the tree would be left: remove the plant to take it away");
-    auto const id = item_id(state.last_edit, 0);
+    auto const id = scene::item_id(state.last_edit, 0);
     return with_lines(std::move(state), edit.plant, before, std::move(after), id);
 }
 
-Result<DocumentState> applied(DocumentState state, DeclareLeaf const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, DeclareLeaf const& edit,
+                                     scene::SceneBuilder&)
 {
     auto const before = TRY(tree_of(state, edit.plant));
     auto after = before;
@@ -266,19 +271,21 @@ Result<DocumentState> applied(DocumentState state, DeclareLeaf const& edit, Scen
         }
     if (!is_there)
         return fail(Fault::User, "the tree has no such outline any more");
-    auto const id = item_id(state.last_edit, 0);
+    auto const id = scene::item_id(state.last_edit, 0);
     return with_lines(std::move(state), edit.plant, before, std::move(after), id);
 }
 
-Result<DocumentState> applied(DocumentState state, ChooseStyles const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, ChooseStyles const& edit,
+                                     scene::SceneBuilder&)
 {
     auto const before = TRY(tree_of(state, edit.plant));
     auto after = TRY(with_styles(before, edit.styles));
-    auto const id = item_id(state.last_edit, 0);
+    auto const id = scene::item_id(state.last_edit, 0);
     return with_lines(std::move(state), edit.plant, before, std::move(after), id);
 }
 
-Result<DocumentState> applied(DocumentState state, FormTree const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, FormTree const& edit,
+                                     scene::SceneBuilder&)
 {
     auto const before = TRY(tree_of(state, edit.plant));
     auto tree = before;
@@ -286,7 +293,7 @@ Result<DocumentState> applied(DocumentState state, FormTree const& edit, SceneBu
     if (!tree.is_refined() && tree.styles.empty() && tree.touches.empty())
         return with_tree(std::move(state), edit.plant, std::move(tree));
     // Their branches have to be found again.
-    auto const id = item_id(state.last_edit, 0);
+    auto const id = scene::item_id(state.last_edit, 0);
     return with_lines(std::move(state), edit.plant, before, std::move(tree), id);
 }
 
@@ -303,11 +310,12 @@ std::string described(DrawTree const& edit)
     auto const what = std::string(kWhat[static_cast<std::size_t>(edit.part)])
         + (edit.is_leaf ? ", a leaf," : "");
     auto const whose = edit.plant == 0 ? std::string("a new tree")
-                                       : fmt::format("plant {}", tractus::name_of(edit.plant));
+                                       : fmt::format("plant {}", scene::name_of(edit.plant));
     constexpr std::array kStyles { "", ", in whose style its siblings are",
                                    ", in whose style its siblings and those below are" };
     auto const* const style = kStyles[static_cast<std::size_t>(edit.style_to)];
-    return fmt::format("draws {} for {}{}: {}", what, whose, style, describe_stroke(edit.stroke));
+    return fmt::format("draws {} for {}{}: {}", what, whose, style,
+                       scene::describe_stroke(edit.stroke));
 }
 
 std::string described(EraseTreePart const& edit)
@@ -321,14 +329,14 @@ std::string described(EraseTreePart const& edit)
                                  "the join of bumps",
                                  "a line in space on the crown" };
     return fmt::format("takes {} of plant {} away", kWhat[static_cast<std::size_t>(edit.part)],
-                       tractus::name_of(edit.plant));
+                       scene::name_of(edit.plant));
 }
 
 std::string described(DeclareLeaf const& edit)
 {
     return fmt::format("declares {} of plant {} {}",
                        edit.outline == 0 ? "the outline of the crown" : "a branch's own outline",
-                       tractus::name_of(edit.plant), edit.is_leaf ? "a leaf" : "no leaf any more");
+                       scene::name_of(edit.plant), edit.is_leaf ? "a leaf" : "no leaf any more");
 }
 
 std::string described(ChooseStyles const& edit)
@@ -337,22 +345,22 @@ std::string described(ChooseStyles const& edit)
     for (auto const& [target, source] : edit.styles)
         said += fmt::format("{}{}", said.empty() ? "" : ", ",
                             source.empty() ? target + " its own" : target + " that of " + source);
-    return fmt::format("gives branches of plant {} styles: {}", tractus::name_of(edit.plant), said);
+    return fmt::format("gives branches of plant {} styles: {}", scene::name_of(edit.plant), said);
 }
 
 std::string described(FormTree const& edit)
 {
     return fmt::format("arranges plant {}: {} around the trunk, {} around branches, {}, {:g} times "
                        "as many as usual, {} leaves on a twig",
-                       tractus::name_of(edit.plant), name_of(edit.form.patterns[0]),
+                       scene::name_of(edit.plant), name_of(edit.form.patterns[0]),
                        name_of(edit.form.patterns[1]),
-                       counted(static_cast<std::size_t>(edit.form.levels), "level"),
+                       scene::counted(static_cast<std::size_t>(edit.form.levels), "level"),
                        edit.form.density, edit.form.leaves);
 }
 
 } // namespace
 
-Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, ItemId id)
+Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, scene::ItemId id)
 {
     switch (edit.part) {
     case DrawTree::Part::Trunk:
@@ -381,20 +389,20 @@ Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, ItemId i
     return tree;
 }
 
-OutlinedTree const* outlined_tree(PlantState const& plant)
+OutlinedTree const* outlined_tree(scene::PlantState const& plant)
 {
     return plant.source.get<OutlinedTree>(OutlinedTree::kKind);
 }
 
-constexpr EditKind DrawTree::kKind
-    = make_edit_kind<DrawTree, list, applied, described>("draw_tree", true);
-constexpr EditKind EraseTreePart::kKind
-    = make_edit_kind<EraseTreePart, list, applied, described>("erase_tree_part");
-constexpr EditKind DeclareLeaf::kKind
-    = make_edit_kind<DeclareLeaf, list, applied, described>("declare_leaf");
-constexpr EditKind ChooseStyles::kKind
-    = make_edit_kind<ChooseStyles, list, applied, described>("choose_branch_styles");
-constexpr EditKind FormTree::kKind
-    = make_edit_kind<FormTree, list, applied, described>("form_tree", true);
+constexpr scene::EditKind DrawTree::kKind
+    = scene::make_edit_kind<DrawTree, list, applied, described>("draw_tree", true);
+constexpr scene::EditKind EraseTreePart::kKind
+    = scene::make_edit_kind<EraseTreePart, list, applied, described>("erase_tree_part");
+constexpr scene::EditKind DeclareLeaf::kKind
+    = scene::make_edit_kind<DeclareLeaf, list, applied, described>("declare_leaf");
+constexpr scene::EditKind ChooseStyles::kKind
+    = scene::make_edit_kind<ChooseStyles, list, applied, described>("choose_branch_styles");
+constexpr scene::EditKind FormTree::kKind
+    = scene::make_edit_kind<FormTree, list, applied, described>("form_tree", true);
 
 } // namespace tractus::silhouette

@@ -8,7 +8,7 @@ namespace tractus::silhouette {
 
 // Draws a part of a tree on paper (Wither et al. 2009).
 struct DrawTree {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
     enum class Part {
         Trunk,      // In place of the tree's trunk, if it has one.
@@ -28,7 +28,7 @@ struct DrawTree {
     Search search = Search::OnTrunk;  // and among which ones that is looked for.
     // A tree that there is; 0: a new plant, which becomes the active one. What follows is a new
     // one's.
-    ItemId plant = 0;
+    scene::ItemId plant = 0;
     Vec3 stands_at_mm = Vec3::Zero(); // World frame.
     // Where the foot of a new tree is on the paper that begins with its surface. No value: below
     // that, by a quarter of its height.
@@ -42,50 +42,50 @@ struct DrawTree {
     double enlarged = 0;
     // The id of the plant, or of the part, after which branches that it brings are called; 0: it
     // has none yet.
-    ItemId id = 0;
+    scene::ItemId id = 0;
 };
 
 // Takes a part of a tree away. A tree of which neither trunk nor outline would be left is refused:
 // RemovePlant takes the whole.
 struct EraseTreePart {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0;
+    scene::ItemId plant = 0;
     DrawTree::Part part = DrawTree::Part::Branch;
     // Which one it is, of a branch, of what was drawn on one, of a touch, or of a line in space.
-    ItemId branch = 0;
+    scene::ItemId branch = 0;
 };
 
 // Declares an outline of a tree a leaf (leaf_blade.h), or that it is none.
 struct DeclareLeaf {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0;
-    ItemId outline = 0; // A branch's; 0: the crown's.
+    scene::ItemId plant = 0;
+    scene::ItemId outline = 0; // A branch's; 0: the crown's.
     bool is_leaf = true;
 };
 
 // Gives branches of a tree the styles of others (chosen_style.h).
 struct ChooseStyles {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0;
+    scene::ItemId plant = 0;
     ChosenStyles styles {}; // To paths, from paths; from "": the branch has its own again.
 };
 
 // Sets another form for a tree. What was drawn on branches stays where their names stay.
 struct FormTree {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0;
+    scene::ItemId plant = 0;
     TreeForm form {};
 };
 
 // The tree with the edit's part; `id` becomes a branch's or its outline's. Fails like
 // with_own_outline(), with_own_branch() and with_crown_line().
-Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, ItemId id = 0);
+Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, scene::ItemId id = 0);
 
 // Null for a plant that was not outlined.
-OutlinedTree const* outlined_tree(PlantState const& plant);
+OutlinedTree const* outlined_tree(scene::PlantState const& plant);
 
 } // namespace tractus::silhouette

@@ -13,13 +13,14 @@ namespace tractus::sketch {
 
 namespace {
 
-template<typename Grafts> auto find_graft(Grafts& grafts, ItemId part)
+template<typename Grafts> auto find_graft(Grafts& grafts, scene::ItemId part)
 {
-    return std::find_if(grafts.begin(), grafts.end(),
-                        [&](Graft const& graft) { return graft.prefix == part_prefix(part); });
+    return std::find_if(grafts.begin(), grafts.end(), [&](scene::Graft const& graft) {
+        return graft.prefix == part_prefix(part);
+    });
 }
 
-Result<GrowAlongStroke> sketch_in(PlantState const& plant, ItemId part)
+Result<GrowAlongStroke> sketch_in(scene::PlantState const& plant, scene::ItemId part)
 {
     GrowAlongStroke const* sketch = nullptr;
     if (part == 0)
@@ -29,19 +30,20 @@ Result<GrowAlongStroke> sketch_in(PlantState const& plant, ItemId part)
     if (!sketch)
         return fail(Fault::User,
                     fmt::format("plant {} has nothing any more that grew along that stroke",
-                                name_of(plant.id)));
+                                scene::name_of(plant.id)));
     return *sketch;
 }
 
 // The document with what `change` makes of a sketch in its place.
 template<typename Edit, typename Change>
-Result<DocumentState> changed(DocumentState state, Edit const& edit, Change const& change)
+Result<scene::DocumentState> changed(scene::DocumentState state, Edit const& edit,
+                                     Change const& change)
 {
-    auto const number = TRY(plant_number(state, edit.plant));
+    auto const number = TRY(scene::plant_number(state, edit.plant));
     auto sketch = TRY(sketch_in(*state.plants[number], edit.part));
     TRY(change(sketch));
     TRY(drawn_nodes_mm(sketch));
-    change_plant(state, number, [&](PlantState& plant) {
+    scene::change_plant(state, number, [&](scene::PlantState& plant) {
         auto const graft = find_graft(plant.grafts, edit.part);
         auto& source = edit.part == 0 ? plant.source : graft->source;
         auto& source_edit = edit.part == 0 ? plant.source_edit : graft->source_edit;
@@ -52,7 +54,7 @@ Result<DocumentState> changed(DocumentState state, Edit const& edit, Change cons
     return state;
 }
 
-void list(Fields& fields, ChangeSketch& edit)
+void list(scene::Fields& fields, ChangeSketch& edit)
 {
     fields.field("plant", &edit.plant);
     fields.sparse_field("part", &edit.part);
@@ -61,7 +63,8 @@ void list(Fields& fields, ChangeSketch& edit)
     list_model(fields, edit.model);
 }
 
-Result<DocumentState> applied(DocumentState state, ChangeSketch const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, ChangeSketch const& edit,
+                                     scene::SceneBuilder&)
 {
     return changed(std::move(state), edit, [&](GrowAlongStroke& sketch) {
         sketch.rule = edit.rule;
@@ -75,21 +78,22 @@ std::string described(ChangeSketch const& edit)
 {
     if (edit.model.is_set())
         return fmt::format("lets another model grow along the stroke of {}",
-                           name_of(edit.part == 0 ? edit.plant : edit.part));
+                           scene::name_of(edit.part == 0 ? edit.plant : edit.part));
     return fmt::format("changes the rule of {} to {} at {:g} degrees",
-                       name_of(edit.part == 0 ? edit.plant : edit.part),
-                       counted(static_cast<std::size_t>(edit.rule.laterals), "lateral"),
+                       scene::name_of(edit.part == 0 ? edit.plant : edit.part),
+                       scene::counted(static_cast<std::size_t>(edit.rule.laterals), "lateral"),
                        edit.rule.angle_deg);
 }
 
-void list(Fields& fields, ShortenSketch& edit)
+void list(scene::Fields& fields, ShortenSketch& edit)
 {
     fields.field("plant", &edit.plant);
     fields.sparse_field("part", &edit.part);
     fields.field("tips", &edit.tips);
 }
 
-Result<DocumentState> applied(DocumentState state, ShortenSketch const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, ShortenSketch const& edit,
+                                     scene::SceneBuilder&)
 {
     return changed(std::move(state), edit, [&](GrowAlongStroke& sketch) -> Result<void> {
         auto const tips = TRY(sketch.stroke.tips.in_memory());
@@ -100,7 +104,7 @@ Result<DocumentState> applied(DocumentState state, ShortenSketch const& edit, Sc
     });
 }
 
-void list(Fields& fields, RedrawSketch& edit)
+void list(scene::Fields& fields, RedrawSketch& edit)
 {
     fields.field("plant", &edit.plant);
     fields.sparse_field("part", &edit.part);
@@ -108,7 +112,8 @@ void list(Fields& fields, RedrawSketch& edit)
     fields.numbers(edit.stroke);
 }
 
-Result<DocumentState> applied(DocumentState state, RedrawSketch const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, RedrawSketch const& edit,
+                                     scene::SceneBuilder&)
 {
     state = TRY(changed(std::move(state), edit, [&](GrowAlongStroke& sketch) {
         sketch.stroke = edit.stroke;
@@ -117,30 +122,32 @@ Result<DocumentState> applied(DocumentState state, RedrawSketch const& edit, Sce
     }));
     if (edit.part != 0)
         return state;
-    change_plant(state, TRY(plant_number(state, edit.plant)), [&](PlantState& plant) {
-        auto const& sketch = *sketch_of(plant.source);
-        plant.stands_at_mm = stands_at_mm(sketch);
-        plant.paper_mm = stands_on_paper_mm(sketch);
-    });
+    scene::change_plant(state, TRY(scene::plant_number(state, edit.plant)),
+                        [&](scene::PlantState& plant) {
+                            auto const& sketch = *sketch_of(plant.source);
+                            plant.stands_at_mm = stands_at_mm(sketch);
+                            plant.paper_mm = stands_on_paper_mm(sketch);
+                        });
     return state;
 }
 
 std::string described(RedrawSketch const& edit)
 {
     return fmt::format("draws the stroke of {} again: {}",
-                       name_of(edit.part == 0 ? edit.plant : edit.part),
-                       describe_stroke(edit.stroke));
+                       scene::name_of(edit.part == 0 ? edit.plant : edit.part),
+                       scene::describe_stroke(edit.stroke));
 }
 
 std::string described(ShortenSketch const& edit)
 {
     return fmt::format("shortens the stroke of {} to {}",
-                       name_of(edit.part == 0 ? edit.plant : edit.part), counted(edit.tips, "tip"));
+                       scene::name_of(edit.part == 0 ? edit.plant : edit.part),
+                       scene::counted(edit.tips, "tip"));
 }
 
 } // namespace
 
-std::vector<GrownPart> all_grown(PlantState const& plant)
+std::vector<GrownPart> all_grown(scene::PlantState const& plant)
 {
     std::vector<GrownPart> grown;
     for (auto graft = plant.grafts.rbegin(); graft != plant.grafts.rend(); ++graft)
@@ -152,7 +159,7 @@ std::vector<GrownPart> all_grown(PlantState const& plant)
     return grown;
 }
 
-std::optional<GrownPart> newest_grown(PlantState const& plant)
+std::optional<GrownPart> newest_grown(scene::PlantState const& plant)
 {
     auto const grown = all_grown(plant);
     return grown.empty() ? std::nullopt : std::optional(grown.front());
@@ -172,11 +179,11 @@ Result<std::optional<std::size_t>> count_tips(GrowAlongStroke const& sketch, std
     return std::nullopt;
 }
 
-constexpr EditKind ChangeSketch::kKind
-    = make_edit_kind<ChangeSketch, list, applied, described>("change_sketch", true);
-constexpr EditKind ShortenSketch::kKind
-    = make_edit_kind<ShortenSketch, list, applied, described>("shorten_sketch", true);
-constexpr EditKind RedrawSketch::kKind
-    = make_edit_kind<RedrawSketch, list, applied, described>("redraw_sketch", true);
+constexpr scene::EditKind ChangeSketch::kKind
+    = scene::make_edit_kind<ChangeSketch, list, applied, described>("change_sketch", true);
+constexpr scene::EditKind ShortenSketch::kKind
+    = scene::make_edit_kind<ShortenSketch, list, applied, described>("shorten_sketch", true);
+constexpr scene::EditKind RedrawSketch::kKind
+    = scene::make_edit_kind<RedrawSketch, list, applied, described>("redraw_sketch", true);
 
 } // namespace tractus::sketch

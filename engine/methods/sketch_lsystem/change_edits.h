@@ -17,10 +17,10 @@ namespace tractus::sketch {
 
 // Lets another rule, or another model, grow along the same stroke.
 struct ChangeSketch {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0;
-    ItemId part = 0;
+    scene::ItemId plant = 0;
+    scene::ItemId part = 0;
     Rule rule {};
     Leaves leaves = Leaves::Leafy;
     ModelRule model {}; // As of GrowAlongStroke.
@@ -28,36 +28,36 @@ struct ChangeSketch {
 
 // Takes the end of the stroke away, and what the rule has grown along it.
 struct ShortenSketch {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0;
-    ItemId part = 0;
+    scene::ItemId plant = 0;
+    scene::ItemId part = 0;
     std::uint64_t tips = 0; // How many of the stroke's stay, from its beginning.
 };
 
 // Lets the rule grow along another stroke. A plant stands where that begins then; a part stays on
 // its branch.
 struct RedrawSketch {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
-    ItemId plant = 0;
-    ItemId part = 0;
+    scene::ItemId plant = 0;
+    scene::ItemId part = 0;
     StrokeSurface surface = StrokeSurface::Space; // Never Decided.
     Stroke stroke {};                             // World frame.
 };
 
 // Something that has grown along a stroke.
 struct GrownPart {
-    ItemId part = 0;                         // As in the edits.
+    scene::ItemId part = 0;                  // As in the edits.
     GrowAlongStroke const* sketch = nullptr; // As long as the plant's state is there.
 };
 
 // All of a plant that has grown so, the newest part first and the plant itself last.
-std::vector<GrownPart> all_grown(PlantState const& plant);
+std::vector<GrownPart> all_grown(scene::PlantState const& plant);
 
 // What has grown of a plant last: the newest part that has, or else the plant itself. No value: it
 // has not.
-std::optional<GrownPart> newest_grown(PlantState const& plant);
+std::optional<GrownPart> newest_grown(scene::PlantState const& plant);
 
 // How many of the stroke's tips it takes to make so many segments; no value: it makes fewer.
 Result<std::optional<std::size_t>> count_tips(GrowAlongStroke const& sketch, std::size_t segments);

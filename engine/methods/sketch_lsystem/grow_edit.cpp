@@ -29,7 +29,7 @@ bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
 }
 
 // The rule's laterals differ; the axis stays as it was drawn.
-GrowAlongStroke varied(GrowAlongStroke edit, SourceVariation const& variation)
+GrowAlongStroke varied(GrowAlongStroke edit, scene::SourceVariation const& variation)
 {
     constexpr std::uint32_t kStream = 0x736B;
     constexpr auto kAngle_deg = kRuleSpread.angle_deg;
@@ -59,10 +59,10 @@ GrowAlongStroke varied(GrowAlongStroke edit, SourceVariation const& variation)
     return edit;
 }
 
-constexpr SourceKind kSketch {
+constexpr scene::SourceKind kSketch {
     .word = "sketch_lsystem",
     .build =
-        [](void const* drawn, LoadOptions const& options) {
+        [](void const* drawn, scene::LoadOptions const& options) {
             return build_sketch(*static_cast<GrowAlongStroke const*>(drawn), options);
         },
     .same =
@@ -70,17 +70,18 @@ constexpr SourceKind kSketch {
             return same(*static_cast<GrowAlongStroke const*>(one),
                         *static_cast<GrowAlongStroke const*>(other));
         },
-    .model = [](void const* drawn) -> Result<SourceModel> {
+    .model = [](void const* drawn) -> Result<scene::SourceModel> {
         auto const& edit = *static_cast<GrowAlongStroke const*>(drawn);
-        return SourceModel { TRY(model_of(edit)), edit.model.includes };
+        return scene::SourceModel { TRY(model_of(edit)), edit.model.includes };
     },
-    .vary = [](void const* drawn, SourceVariation const& variation) -> std::shared_ptr<void const> {
+    .vary = [](void const* drawn,
+               scene::SourceVariation const& variation) -> std::shared_ptr<void const> {
         return std::make_shared<GrowAlongStroke const>(
             varied(*static_cast<GrowAlongStroke const*>(drawn), variation));
     },
 };
 
-void list(Fields& fields, GrowAlongStroke& edit)
+void list(scene::Fields& fields, GrowAlongStroke& edit)
 {
     list_rule(fields, edit.rule);
     fields.word("surface", edit.surface, kSurfaceWords);
@@ -102,18 +103,19 @@ Rule at_scale(Rule rule, double scale)
     return rule;
 }
 
-Result<DocumentState> applied(DocumentState state, GrowAlongStroke const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, GrowAlongStroke const& edit,
+                                     scene::SceneBuilder&)
 {
     TRY(drawn_nodes_mm(edit));
     if (!state.scale)
         state.scale = edit.scale;
-    return with_source(std::move(state),
-                       { .name = "sketch",
-                         .source = source_of(edit),
-                         .drawn = Drawn::Beside,
-                         .stands_at_mm = stands_at_mm(edit),
-                         .paper_mm = stands_on_paper_mm(edit),
-                         .id = edit.id });
+    return scene::with_source(std::move(state),
+                              { .name = "sketch",
+                                .source = source_of(edit),
+                                .drawn = scene::Drawn::Beside,
+                                .stands_at_mm = stands_at_mm(edit),
+                                .paper_mm = stands_on_paper_mm(edit),
+                                .id = edit.id });
 }
 
 std::string described(GrowAlongStroke const& edit)
@@ -121,10 +123,10 @@ std::string described(GrowAlongStroke const& edit)
     if (edit.model.is_set())
         return fmt::format("grows the model {} along a stroke: {}",
                            std::filesystem::path(edit.model.source.name).filename().string(),
-                           describe_stroke(edit.stroke));
+                           scene::describe_stroke(edit.stroke));
     return fmt::format("grows a rule of {} at {:g} degrees along a stroke: {}",
-                       counted(static_cast<std::size_t>(edit.rule.laterals), "lateral"),
-                       edit.rule.angle_deg, describe_stroke(edit.stroke));
+                       scene::counted(static_cast<std::size_t>(edit.rule.laterals), "lateral"),
+                       edit.rule.angle_deg, scene::describe_stroke(edit.stroke));
 }
 
 } // namespace
@@ -144,7 +146,7 @@ static constexpr std::array<LateralNames, kMostLateralRules> kLateralNames { {
 } };
 
 // Only who changes them touches them: edits are shared between threads.
-static void list_lateral_rules(Fields& fields, std::vector<LateralRule>& rules)
+static void list_lateral_rules(scene::Fields& fields, std::vector<LateralRule>& rules)
 {
     constexpr LateralRule kNone { 0, 0, 0, 0, 0, 0, 0, 0, 0 };
     auto all = rules;
@@ -167,7 +169,7 @@ static void list_lateral_rules(Fields& fields, std::vector<LateralRule>& rules)
         rules = std::move(all);
 }
 
-void list_rule(Fields& fields, Rule& rule)
+void list_rule(scene::Fields& fields, Rule& rule)
 {
     fields.field("l", &rule.first_length_mm);
     fields.field("r", &rule.length_ratio);
@@ -185,7 +187,7 @@ void list_rule(Fields& fields, Rule& rule)
     list_lateral_rules(fields, rule.lateral_rules);
 }
 
-void list_model(Fields& fields, ModelRule& model)
+void list_model(scene::Fields& fields, ModelRule& model)
 {
     fields.sparse_field("model", &model.source.text);
     if (!model.is_set())
@@ -231,12 +233,12 @@ Result<std::vector<Vec3>> drawn_nodes_mm(GrowAlongStroke const& edit)
                       "shorter first internode, l");
 }
 
-PlantSource source_of(GrowAlongStroke const& edit)
+scene::PlantSource source_of(GrowAlongStroke const& edit)
 {
     return { kSketch, edit };
 }
 
-GrowAlongStroke const* sketch_of(PlantSource const& source)
+GrowAlongStroke const* sketch_of(scene::PlantSource const& source)
 {
     return source.get<GrowAlongStroke>(kSketch);
 }
@@ -278,11 +280,12 @@ static std::vector<Vec3> nodes_in_plant(std::vector<Vec3> nodes_mm, double scale
     return nodes_mm;
 }
 
-static Result<BuiltSource> build_model(GrowAlongStroke const& edit, LoadOptions const& options)
+static Result<scene::BuiltSource> build_model(GrowAlongStroke const& edit,
+                                              scene::LoadOptions const& options)
 {
     auto const nodes_mm = TRY(drawn_nodes_mm(edit));
     auto source = TRY(model_of(edit));
-    auto built = TRY(build_lsystem(
+    auto built = TRY(scene::build_lsystem(
         { .source = std::move(source), .includes = edit.model.includes, .seed = edit.model.seed },
         options));
     auto const& name = edit.model.source.name;
@@ -295,14 +298,15 @@ static Result<BuiltSource> build_model(GrowAlongStroke const& edit, LoadOptions 
     return built;
 }
 
-Result<BuiltSource> build_sketch(GrowAlongStroke const& edit, LoadOptions const& options)
+Result<scene::BuiltSource> build_sketch(GrowAlongStroke const& edit,
+                                        scene::LoadOptions const& options)
 {
     if (edit.model.is_set())
         return build_model(edit, options);
-    return build_lsystem({ .source = TRY(model_of(edit)) }, options);
+    return scene::build_lsystem({ .source = TRY(model_of(edit)) }, options);
 }
 
-constexpr EditKind GrowAlongStroke::kKind
-    = make_edit_kind<GrowAlongStroke, list, applied, described>("grow_along_stroke", true);
+constexpr scene::EditKind GrowAlongStroke::kKind
+    = scene::make_edit_kind<GrowAlongStroke, list, applied, described>("grow_along_stroke", true);
 
 } // namespace tractus::sketch

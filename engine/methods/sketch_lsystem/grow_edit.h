@@ -17,7 +17,7 @@ namespace tractus::sketch {
 // Adds a plant that a rule grows along a stroke (Ijiri et al. 2006). It stands where the pen came
 // down and becomes the active one.
 struct GrowAlongStroke {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
     Rule rule {};
     Stroke stroke {};                             // World frame.
@@ -26,7 +26,7 @@ struct GrowAlongStroke {
     // World millimetres per plant millimetre: what was drawn is a plant of so many times its size.
     // A document whose scale nobody has set keeps this one.
     double scale = 0.1;
-    ItemId id = 0; // The plant's; 0: it has none yet.
+    scene::ItemId id = 0; // The plant's; 0: it has none yet.
     // Grows in the rule's place if it is set: of the rule only its limit counts then, and leaves
     // are as the model has them.
     ModelRule model {};
@@ -43,15 +43,16 @@ Result<lsystem::ModelSource> model_of(GrowAlongStroke const& edit);
 // Grows that model: a plant frame whose origin is where the pen came down. Fails like model_of(),
 // where the model takes more than the options allow, and where its plant has more internodes than
 // the limit or another axis than was drawn.
-Result<BuiltSource> build_sketch(GrowAlongStroke const& edit, LoadOptions const& options);
+Result<scene::BuiltSource> build_sketch(GrowAlongStroke const& edit,
+                                        scene::LoadOptions const& options);
 
 // The nodes of the drawn axis, plant frame in millimetres on the desk. Fails like model_of().
 Result<std::vector<Vec3>> drawn_nodes_mm(GrowAlongStroke const& edit);
 
 // What the edit puts into a document, and the edit that has put a source there; null for a source
 // of another kind.
-PlantSource source_of(GrowAlongStroke const& edit);
-GrowAlongStroke const* sketch_of(PlantSource const& source);
+scene::PlantSource source_of(GrowAlongStroke const& edit);
+GrowAlongStroke const* sketch_of(scene::PlantSource const& source);
 
 // How far laterals differ between the plants of a collection whose spread is 1: standard deviations
 // of a rule's angle, of its ratios, as shares of them, and of its twists. None differs by more than
@@ -65,10 +66,10 @@ constexpr RuleSpread kRuleSpread {};
 constexpr double kMostDeviations = 2;
 
 // Lists the fields of a rule by the letters of rule files.
-void list_rule(Fields& fields, Rule& rule);
+void list_rule(scene::Fields& fields, Rule& rule);
 
 // Lists the fields of a model; none but its text where there is none.
-void list_model(Fields& fields, ModelRule& model);
+void list_model(scene::Fields& fields, ModelRule& model);
 
 // The words for Leaves, and for surfaces, in their order. A surface that is not decided is in no
 // edit.

@@ -110,7 +110,7 @@ static std::vector<Vec3> short_nodes_mm(SegmentLengths const& lengths)
     return nodes_mm;
 }
 
-std::vector<std::string> lacks_for_stroke(ModelRule const& model, LoadOptions const& options)
+std::vector<std::string> lacks_for_stroke(ModelRule const& model, scene::LoadOptions const& options)
 {
     auto const reading = read_contract(model.source.name, model.source.text);
     if (!reading.lacks.empty())
@@ -121,7 +121,7 @@ std::vector<std::string> lacks_for_stroke(ModelRule const& model, LoadOptions co
     if (!source)
         return { source.error().message };
     for (std::uint64_t const seed : { 1u, 2u }) {
-        auto const built = build_lsystem(
+        auto const built = scene::build_lsystem(
             { .source = *source, .includes = model.includes, .seed = seed }, options);
         if (!built)
             return { built.error().message };

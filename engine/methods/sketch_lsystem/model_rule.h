@@ -56,6 +56,7 @@ Result<void> check_follows(std::string const& name, Plant const& plant,
 
 // What a model lacks to be grown along a stroke: one sentence each; empty: nothing. Where its text
 // lacks nothing it is grown along a stroke of a few segments, with two seeds.
-std::vector<std::string> lacks_for_stroke(ModelRule const& model, LoadOptions const& options);
+std::vector<std::string> lacks_for_stroke(ModelRule const& model,
+                                          scene::LoadOptions const& options);
 
 } // namespace tractus::sketch

@@ -17,7 +17,7 @@ namespace {
 // Each of our plants has a demo: a script of what the hand does, and the recording made from it.
 class Demo : public ::testing::TestWithParam<char const*> {
 protected:
-    Scene scene() const { return our_plant(GetParam()); }
+    scene::Scene scene() const { return our_plant(GetParam()); }
     std::filesystem::path file(char const* kind) const
     {
         return files::find_resource(fmt::format("demo/{}.{}", GetParam(), kind)).value();
@@ -33,7 +33,7 @@ TEST_P(Demo, IsRecordedFromItsScriptByteForByte)
 {
     std::ostringstream out;
     auto const written
-        = play::write_simulated_recording(out, script(), scene(), all_methods().tools);
+        = play::write_simulated_recording(out, script(), scene(), methods::all_methods().tools);
     ASSERT_TRUE(written) << written.error().message;
     // Not EXPECT_EQ, which would print half a megabyte.
     EXPECT_TRUE(out.str() == read_file(file("tractus-log")).value())

@@ -66,7 +66,7 @@ std::vector<double> digest(Plant const& plant)
 }
 
 // Digest of what was drawn, and of the plant at two seeds and young.
-std::vector<double> digest(Scene scene)
+std::vector<double> digest(scene::Scene scene)
 {
     std::vector<double> numbers { static_cast<double>(scene.associations.size()),
                                   static_cast<double>(scene.indicators.size()),
@@ -100,7 +100,7 @@ std::map<std::string, std::vector<double>> expected_digests()
 }
 
 // Another compiler and another C library may differ in the last digits.
-void expect_digest(std::string const& name, Scene const& scene)
+void expect_digest(std::string const& name, scene::Scene const& scene)
 {
     auto const found = digest(scene);
     auto const line = fmt::format("{} {:.12g}", name, fmt::join(found, " "));
@@ -114,11 +114,13 @@ void expect_digest(std::string const& name, Scene const& scene)
             << line;
 }
 
-Scene scene_of_log(fs::path const& log_path, fs::path const& model)
+scene::Scene scene_of_log(fs::path const& log_path, fs::path const& model)
 {
     auto const log = drivers::read_log(log_path).value();
     return replayed(log, {},
-                    apply_edit({}, io::load_plant_edit(model).value(), make_load_options()).value())
+                    scene::apply_edit({}, io::load_plant_edit(model).value(),
+                                      document::make_load_options())
+                        .value())
         .scene;
 }
 
@@ -146,8 +148,8 @@ TEST_P(FixtureOfFormat, GivesItsPlantAndItsEdits)
     auto const path
         = fs::temp_directory_path() / fmt::format("tractus_{}_{}.tractus", name, ::getpid());
     fs::copy_file(fixture(name + ".tractus"), path); // Reading may leave files beside it.
-    expect_digest(name, load_session_scene(path, all_methods().edits).value());
-    auto const contents = session::read_session(path, core_edit_kinds());
+    expect_digest(name, load_session_scene(path, methods::all_methods().edits).value());
+    auto const contents = session::read_session(path, scene::core_edit_kinds());
     ASSERT_TRUE(contents) << contents.error().message;
     std::ifstream in(fixture(name + ".txt"));
     std::string line;

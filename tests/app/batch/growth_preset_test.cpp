@@ -49,7 +49,7 @@ protected:
         auto edit = io::load_model_edit(files::find_resource("models/" + GetParam() + ".l").value())
                         .value();
         edit.seed = 1;
-        return *apply_edit({}, edit).value().base;
+        return *scene::apply_edit({}, edit).value().base;
     }
 
     Posture of(std::string_view name) const

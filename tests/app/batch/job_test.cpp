@@ -38,7 +38,8 @@ protected:
         write("leafy.v",
               "material: 2 leaf kind=leaf color=0.2,0.5,0.2\n"
               "organ: l leaf kind=blade material=2 length=30 width=5\n");
-        auto const scene = apply_edit({}, io::load_model_edit(folder_ / "leafy.l").value()).value();
+        auto const scene
+            = scene::apply_edit({}, io::load_model_edit(folder_ / "leafy.l").value()).value();
         plant_width_mm_ = width_mm(mesh::make_mesh(*scene.base));
         auto const script
             = sim::parse_gesture_script("version = 1\n[[gesture]]\ntool = \"indicate\"\n"
@@ -47,7 +48,8 @@ protected:
                                         "script");
         ASSERT_TRUE(script) << script.error().message;
         auto const log = [&](std::ostream& out) {
-            return play::write_simulated_recording(out, *script, scene, all_methods().tools);
+            return play::write_simulated_recording(out, *script, scene,
+                                                   methods::all_methods().tools);
         };
         ASSERT_TRUE(write_file(folder_ / "leafy.tractus-log", log));
     }
@@ -62,7 +64,8 @@ protected:
     // The drawing on the leafy stem, varied so often, into the folder "out".
     JobOptions job(std::size_t variations) const
     {
-        return { .drawing = { .log = folder_ / "leafy.tractus-log", .methods = all_methods() },
+        return { .drawing
+                 = { .log = folder_ / "leafy.tractus-log", .methods = methods::all_methods() },
                  .model = folder_ / "leafy.l",
                  .variations = variations,
                  .folder = folder_ / "out" };
@@ -106,7 +109,7 @@ TEST_F(LeafyJob, BeginsWithAnEmptySheet)
     JobOptions options { .variations = 2, .folder = folder_ / "sheet" };
     options.drawing.log
         = files::find_resource("demo/first-plants/sketch-surface.tractus-log").value();
-    options.drawing.methods = all_methods();
+    options.drawing.methods = methods::all_methods();
     terminal::Progress progress;
     auto const report = run_job(options, progress);
     ASSERT_TRUE(report) << report.error().message;
@@ -123,7 +126,7 @@ TEST_F(LeafyJob, SaysThatTheRigIsAnotherOne)
     ASSERT_TRUE(calib::save_rig(rig, folder_ / "other.rig.toml"));
     terminal::Progress progress;
     auto const report = run_job({ .drawing = { .log = folder_ / "leafy.tractus-log",
-                                               .methods = all_methods(),
+                                               .methods = methods::all_methods(),
                                                .rig = folder_ / "other.rig.toml" },
                                   .model = folder_ / "leafy.l",
                                   .variations = 1,
@@ -148,14 +151,14 @@ TEST_F(LeafyJob, VariesAnotherProgramsSkeletonByStrokesInSpace)
           "0 0 0\n0 0 50\n40 0 90\n\n0 0 0\n10 0 0\n10 30 20\n\n"
           "0 0 0\n10 0 0\n\n0 0 0\n10 0 0\n");
     terminal::Progress progress;
-    auto const report
-        = run_job({ .drawing = { .log = folder_ / "drawing.strokes", .methods = all_methods() },
-                    .model = folder_ / "tree.obj",
-                    .variations = 2,
-                    .folder = folder_ / "out",
-                    .growth = { .preset = "windy hillside" },
-                    .age = 0.7 },
-                  progress);
+    auto const report = run_job(
+        { .drawing = { .log = folder_ / "drawing.strokes", .methods = methods::all_methods() },
+          .model = folder_ / "tree.obj",
+          .variations = 2,
+          .folder = folder_ / "out",
+          .growth = { .preset = "windy hillside" },
+          .age = 0.7 },
+        progress);
     ASSERT_TRUE(report) << report.error().message;
     EXPECT_EQ(report->strokes, 3u);
     EXPECT_EQ(report->branches_selected, 3u);
@@ -175,7 +178,7 @@ TEST_F(LeafyJob, SaysWhatIsWrongWithAFileOfStrokes)
     terminal::Progress progress;
     for (auto const* name : { "drawing.strokes", "drawing.tilt" }) {
         auto const report
-            = run_job({ .drawing = { .log = folder_ / name, .methods = all_methods() },
+            = run_job({ .drawing = { .log = folder_ / name, .methods = methods::all_methods() },
                         .model = folder_ / "leafy.l",
                         .folder = folder_ / "out" },
                       progress);

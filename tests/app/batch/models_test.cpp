@@ -49,14 +49,14 @@ std::vector<Expected> const kModels {
 
 class BaseModel : public testing::TestWithParam<Expected> {
 protected:
-    static Scene grow(std::optional<int> steps = {}, std::uint64_t seed = 1)
+    static scene::Scene grow(std::optional<int> steps = {}, std::uint64_t seed = 1)
     {
         auto edit
             = io::load_model_edit(files::find_resource("models/" + GetParam().name + ".l").value())
                   .value();
         edit.steps = steps;
         edit.seed = seed;
-        return apply_edit({}, edit).value();
+        return scene::apply_edit({}, edit).value();
     }
 };
 
@@ -135,7 +135,7 @@ TEST_P(BaseModel, HasAnAxisThatAStrokeCanBend)
 
 TEST_P(BaseModel, GrowsWithItsSteps)
 {
-    Scene younger = grow(GetParam().steps / 4);
+    scene::Scene younger = grow(GetParam().steps / 4);
     check_plant(*younger.base);
     for (int const quarter : { 2, 3, 4 }) {
         auto const older = grow(GetParam().steps * quarter / 4);

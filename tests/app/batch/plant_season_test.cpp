@@ -42,10 +42,10 @@ std::set<MaterialId> leaf_materials(Plant const& plant)
 TEST(PlantSeason, GrowsLeavesOfTheSeasonOnOnePage)
 {
     auto const summer = our_plant("birch");
-    auto const edits = season_edits(summer, Season { .month = 10.2, .fallen = 1 }).value();
+    auto const edits = season_edits(summer, scene::Season { .month = 10.2, .fallen = 1 }).value();
     ASSERT_EQ(edits.size(), 2u);
-    ASSERT_NE(edits[0].get<KeepLeaves>(), nullptr);
-    auto const autumn = apply_edits(summer, edits).value();
+    ASSERT_NE(edits[0].get<scene::KeepLeaves>(), nullptr);
+    auto const autumn = scene::apply_edits(summer, edits).value();
     auto const& plant = *autumn.in_season;
     check_plant(plant);
     EXPECT_EQ(plant.organs.size(), summer.base->organs.size()) << "they are all somewhere";
@@ -57,7 +57,8 @@ TEST(PlantSeason, GrowsLeavesOfTheSeasonOnOnePage)
     EXPECT_GT(green.y(), green.x());
     EXPECT_GT(leaves.x(), leaves.y()) << "yellow";
     // Once there, they are not grown again.
-    EXPECT_EQ(season_edits(autumn, Season { .month = 10.2, .fallen = 0 }).value().size(), 1u);
+    EXPECT_EQ(season_edits(autumn, scene::Season { .month = 10.2, .fallen = 0 }).value().size(),
+              1u);
 }
 
 TEST(PlantSeason, IsKeptByASession)
@@ -65,13 +66,15 @@ TEST(PlantSeason, IsKeptByASession)
     auto const path = std::filesystem::temp_directory_path()
         / ("tractus_season_test_" + std::to_string(::getpid()) + ".tractus");
     std::filesystem::remove(path);
-    std::vector<Edit> edits { io::load_model_edit(files::find_model("birch").value()).value() };
-    auto scene = apply_edits({}, edits).value();
-    auto const season = season_edits(scene, Season { .month = 4.8 }).value();
+    std::vector<scene::Edit> edits {
+        io::load_model_edit(files::find_model("birch").value()).value()
+    };
+    auto scene = scene::apply_edits({}, edits).value();
+    auto const season = season_edits(scene, scene::Season { .month = 4.8 }).value();
     edits.insert(edits.end(), season.begin(), season.end());
-    scene = apply_edits({}, edits).value();
-    ASSERT_TRUE(begin_session(path, edits, all_methods().edits));
-    auto const opened = load_session_scene(path, all_methods().edits);
+    scene = scene::apply_edits({}, edits).value();
+    ASSERT_TRUE(begin_session(path, edits, methods::all_methods().edits));
+    auto const opened = load_session_scene(path, methods::all_methods().edits);
     std::filesystem::remove(path);
     ASSERT_TRUE(opened) << opened.error().message;
     EXPECT_EQ(opened->state.season, scene.state.season);
@@ -89,10 +92,10 @@ TEST(PlantSeason, SaysWhichLeavesCannotBeGrown)
     plant.organ_shapes.push_back({ .kind = OrganShape::Kind::Leaf,
                                    .material = static_cast<MaterialId>(plant.materials.size() - 1),
                                    .cut = cut });
-    auto built = std::make_shared<BuiltPlant>(*scene.plants[0]);
+    auto built = std::make_shared<scene::BuiltPlant>(*scene.plants[0]);
     built->base = built->dressed = std::make_shared<Plant const>(plant);
     scene.plants[0] = built;
-    auto const edits = season_edits(scene, Season {});
+    auto const edits = season_edits(scene, scene::Season {});
     ASSERT_FALSE(edits);
     EXPECT_TRUE(edits.error().message.starts_with(
         "the plants cannot change with the season: there is no leaf no-such-leaf"))
@@ -103,8 +106,8 @@ TEST(PlantGroup, IsThePlantsOfADocumentWhereTheyStand)
 {
     auto scene = small_scene();
     auto const one = shown_plants(scene).value();
-    CopyPlant const copy { scene.state.active, { 100, 0, 0 } };
-    scene = apply_edit(std::move(scene), copy).value();
+    scene::CopyPlant const copy { scene.state.active, { 100, 0, 0 } };
+    scene = scene::apply_edit(std::move(scene), copy).value();
     auto group = PlantGroup::create(scene).value();
     auto const both = group.as_set();
     ASSERT_EQ(both.segment_count(), 2 * one.segment_count());
@@ -122,7 +125,7 @@ TEST(PlantGroup, IsThePlantsOfADocumentWhereTheyStand)
     EXPECT_LT(bounds(group.grow(key, 0.3)).max_mm.z(), bounds(varied).max_mm.z());
     auto const shown = scene.plants;
     for (auto const& plant : shown)
-        scene = apply_edit(std::move(scene), HidePlant { plant->drawn->id }).value();
+        scene = scene::apply_edit(std::move(scene), scene::HidePlant { plant->drawn->id }).value();
     EXPECT_FALSE(PlantGroup::create(scene));
 }
 

@@ -29,8 +29,8 @@ TEST(SessionExport, WritesNothingOutsideOfItsFolder)
         model.includes[name] = "harm";
         auto const path = folder / "a.tractus";
         std::filesystem::remove(path);
-        ASSERT_TRUE(begin_session(path, { model }, core_edit_kinds()));
-        auto const written = export_session(path, folder / "inner", core_edit_kinds());
+        ASSERT_TRUE(begin_session(path, { model }, scene::core_edit_kinds()));
+        auto const written = export_session(path, folder / "inner", scene::core_edit_kinds());
         ASSERT_FALSE(written) << name;
         EXPECT_NE(written.error().message.find("outside the model's folder"), std::string::npos);
         EXPECT_TRUE(std::filesystem::exists(folder / "inner" / "model.l"));
@@ -51,19 +51,20 @@ TEST(SessionExport, GivesEachPlantAndPartItsFiles)
     silhouette::DrawTree const stem { .part = silhouette::DrawTree::Part::Trunk,
                                       .stroke = stroke_through({ { 99, -60, 9 }, { 99, 5, 9 } }),
                                       .stands_at_mm = { 99, 0, 0 } };
-    std::vector<Edit> edits { small_model(), sketch, stem };
-    auto const before = apply_edits({}, edits).value();
+    std::vector<scene::Edit> edits { small_model(), sketch, stem };
+    auto const before = scene::apply_edits({}, edits).value();
     auto const& host = *before.plants[0];
     auto const part = before.plants[1]->drawn->id;
     edits.push_back(
-        GraftPlant { part, host.drawn->id, host.rest->addresses.address_of(*host.base, 2) });
-    auto const kinds = all_methods().edits;
+        scene::GraftPlant { part, host.drawn->id, host.rest->addresses.address_of(*host.base, 2) });
+    auto const kinds = methods::all_methods().edits;
     ASSERT_TRUE(begin_session(folder / "a.tractus", edits, kinds));
     auto const written = export_session(folder / "a.tractus", folder / "files", kinds).value();
     EXPECT_EQ(file_bytes(folder / "files" / "small.l"), small_model().source.text);
     auto const model = folder / "files" / "sketch-2" / "sketch.l";
     auto const alone
-        = apply_edits({}, std::vector<Edit> { io::load_model_edit(model).value() }).value();
+        = scene::apply_edits({}, std::vector<scene::Edit> { io::load_model_edit(model).value() })
+              .value();
     EXPECT_EQ(alone.base->node_position_mm, before.plants[1]->base->node_position_mm);
     EXPECT_EQ(alone.base->organs.size(), before.plants[1]->base->organs.size());
     auto const graph = file_bytes(folder / "files" / "tree-3" / "tree.mtg");

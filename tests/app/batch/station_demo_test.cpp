@@ -27,8 +27,8 @@ TEST(StationDemo, IsRecordedFromItsScriptByteForByte)
     auto const path = files::find_resource("demo/station.hand.toml").value();
     auto const script = sim::parse_gesture_script(read_file(path).value(), path.string()).value();
     std::ostringstream out;
-    auto const written
-        = play::write_simulated_recording(out, script, our_plant("birch"), all_methods().tools);
+    auto const written = play::write_simulated_recording(out, script, our_plant("birch"),
+                                                         methods::all_methods().tools);
     ASSERT_TRUE(written) << written.error().message;
     auto const kept = read_file(files::find_resource("demo/station.tractus-log").value()).value();
     EXPECT_TRUE(out.str() == kept) << "record it again: its script says how";

@@ -26,7 +26,7 @@ inline Outcome run(std::vector<std::string> const& arguments)
     ::testing::internal::CaptureStdout();
     ::testing::internal::CaptureStderr();
     auto const exit_code = run_command_line(static_cast<int>(argv.size()), argv.data(),
-                                            with_commands(all_methods()));
+                                            methods::with_commands(methods::all_methods()));
     auto out = ::testing::internal::GetCapturedStdout();
     return { exit_code, std::move(out), ::testing::internal::GetCapturedStderr() };
 }

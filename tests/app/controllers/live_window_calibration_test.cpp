@@ -29,7 +29,7 @@ protected:
     LiveWindow window()
     {
         auto const now = std::make_shared<Timestamp>();
-        LiveWindowOptions options { .methods = all_methods(),
+        LiveWindowOptions options { .methods = methods::all_methods(),
                                     .rig_file = folder_ / "my" / "table.rig.toml",
                                     .scene = small_scene(),
                                     .now = [now] { return *now; },

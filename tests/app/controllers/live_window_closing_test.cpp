@@ -29,7 +29,7 @@ protected:
             std::make_unique<ScriptedSource>(drivers::simple_pen(), std::move(reports)));
         auto options = live_options();
         options.session
-            = batch::begin_session(path_, { small_model() }, all_methods().edits).value();
+            = batch::begin_session(path_, { small_model() }, methods::all_methods().edits).value();
         auto window = LiveWindow::create(devices::LiveDevices::start(std::move(sources)).value(),
                                          std::move(options))
                           .value();
@@ -40,7 +40,7 @@ protected:
     }
     std::size_t kept_steps() const
     {
-        return session::read_session(path_, all_methods().edits).value().last_step();
+        return session::read_session(path_, methods::all_methods().edits).value().last_step();
     }
 
     fs::path path_

@@ -59,7 +59,9 @@ inline devices::LiveDevices drawing_devices(bool goes_away)
 
 inline LiveWindowOptions live_options()
 {
-    return { .methods = all_methods(), .scene = small_scene(), .now = [] { return at_ms(100); } };
+    return { .methods = methods::all_methods(), .scene = small_scene(), .now = [] {
+                return at_ms(100);
+            } };
 }
 
 // Advances until the script is over and was seen to be: it is read on a thread of its own, which a

@@ -26,7 +26,7 @@ protected:
     LiveWindowWithFolder() { fs::create_directory(folder_); }
     ~LiveWindowWithFolder() override { fs::remove_all(folder_); }
 
-    LiveWindow window(bool goes_away = false, Scene scene = small_scene()) const
+    LiveWindow window(bool goes_away = false, scene::Scene scene = small_scene()) const
     {
         auto options = live_options();
         options.folder = folder_;
@@ -53,7 +53,7 @@ TEST_F(LiveWindowWithFolder, RecordsWhenItIsAskedTo)
 {
     auto window = this->window();
     EXPECT_FALSE(window.state().recording.is_on);
-    window.perform(view::ChooseTool { IndicateTool {} });
+    window.perform(view::ChooseTool { indicators::IndicateTool {} });
     window.perform(view::SetRecording { true });
     EXPECT_TRUE(window.state().recording.is_on);
     EXPECT_EQ(window.state().recording.file.substr(0, 6), "small-");
@@ -79,11 +79,12 @@ TEST_F(LiveWindowWithFolder, RecordsWhenItIsAskedTo)
 TEST_F(LiveWindowWithFolder, RecordsHowThePensOtherEndErasesFromTheBeginning)
 {
     auto window = this->window();
-    window.perform(view::ChooseTool { EraseTool { .erasing = EraseTool::Erasing::Part } });
-    window.perform(view::ChooseTool { DrawInOrderTool {} });
+    window.perform(
+        view::ChooseTool { tools::EraseTool { .erasing = tools::EraseTool::Erasing::Part } });
+    window.perform(view::ChooseTool { tools::DrawInOrderTool {} });
     window.perform(view::Restart {});
     EXPECT_EQ(window.state().remembered,
-              std::vector<Tool> { EraseTool { EraseTool::Erasing::Part } });
+              std::vector<tools::Tool> { tools::EraseTool { tools::EraseTool::Erasing::Part } });
     window.perform(view::SetRecording { true });
     window.perform(view::SetRecording { false });
     auto const log = drivers::read_log(files(".tractus-log").at(0)).value();
@@ -138,7 +139,7 @@ TEST_F(LiveWindowWithFolder, ExportsLeavesInTheMeshOrAsItIsAsked)
     using Organs = exports::GlbOptions::Organs;
     auto const edit = io::load_plant_edit(files::find_model("leaf").value());
     ASSERT_TRUE(edit) << edit.error().message;
-    auto const scene = apply_edit({}, *edit).value();
+    auto const scene = scene::apply_edit({}, *edit).value();
     for (auto const organs : { Organs::Merged, Organs::Instanced }) {
         auto window = this->window(false, scene);
         advance_to_end(window);

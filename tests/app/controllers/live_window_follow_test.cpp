@@ -7,10 +7,12 @@
 namespace tractus::controllers {
 namespace {
 
-Scene sketched(SketchTool const& tool)
+scene::Scene sketched(sketch::SketchTool const& tool)
 {
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 10, 0, 100 }, { 10, 20, 200 } });
-    return apply_edits(Scene {}, Tool(tool).mean(stroke, Scene {}).value()).value();
+    return scene::apply_edits(scene::Scene {},
+                              tools::Tool(tool).mean(stroke, scene::Scene {}).value())
+        .value();
 }
 
 class LiveWindowFollow : public testing::Test {
@@ -36,7 +38,7 @@ protected:
     std::size_t triangles() { return window_->state().plant->triangle_count(); }
     int laterals() { return sketch::newest_grown(*window_->scene().drawn)->sketch->rule.laterals; }
 
-    SketchTool drawn_ { .laterals = 2 };
+    sketch::SketchTool drawn_ { .laterals = 2 };
     std::optional<LiveWindow> window_;
 };
 
@@ -44,14 +46,14 @@ TEST_F(LiveWindowFollow, ShowsWhatAHandleWouldDoAndDoesItWhenItIsLetGo)
 {
     auto const before = triangles();
     auto const skeleton = window_->state().skeleton.size();
-    SketchTool more = drawn_;
+    sketch::SketchTool more = drawn_;
     more.laterals = 4;
     window_->perform(view::AdjustTool { more, Slider::Moving });
     settle();
     EXPECT_GT(triangles(), before);
     EXPECT_GT(window_->state().skeleton.size(), skeleton);
     EXPECT_EQ(laterals(), 2) << "nothing is done yet";
-    EXPECT_EQ(window_->state().hand, Tool(drawn_));
+    EXPECT_EQ(window_->state().hand, tools::Tool(drawn_));
 
     window_->perform(view::AdjustTool { drawn_, Slider::Moving }); // Back to where it was.
     settle();
@@ -62,33 +64,33 @@ TEST_F(LiveWindowFollow, ShowsWhatAHandleWouldDoAndDoesItWhenItIsLetGo)
     settle();
     EXPECT_EQ(laterals(), 4);
     EXPECT_GT(triangles(), before);
-    EXPECT_EQ(window_->state().hand, Tool(more));
+    EXPECT_EQ(window_->state().hand, tools::Tool(more));
     EXPECT_EQ(window_->state().status, "What was drawn so follows");
 }
 
 // So that the next drag changes the plant again.
 TEST_F(LiveWindowFollow, UndoGivesTheHandItsRuleBack)
 {
-    SketchTool more = drawn_;
+    sketch::SketchTool more = drawn_;
     more.laterals = 4;
     window_->perform(view::AdjustTool { more, Slider::Released });
     settle();
     window_->perform(view::Undo {});
     settle();
     EXPECT_EQ(laterals(), 2);
-    EXPECT_EQ(window_->state().hand, Tool(drawn_));
+    EXPECT_EQ(window_->state().hand, tools::Tool(drawn_));
     window_->perform(view::Redo {});
     settle();
     EXPECT_EQ(laterals(), 4);
-    EXPECT_EQ(window_->state().hand, Tool(more));
+    EXPECT_EQ(window_->state().hand, tools::Tool(more));
 }
 
 TEST_F(LiveWindowFollow, LeavesWhatWasDrawnOtherwise)
 {
-    SketchTool other { .laterals = 5 };
+    sketch::SketchTool other { .laterals = 5 };
     window_->perform(view::ChooseTool { other });
     auto const before = triangles();
-    SketchTool next = other;
+    sketch::SketchTool next = other;
     next.laterals = 7;
     window_->perform(view::AdjustTool { next, Slider::Moving });
     settle();
@@ -96,10 +98,10 @@ TEST_F(LiveWindowFollow, LeavesWhatWasDrawnOtherwise)
     window_->perform(view::AdjustTool { next, Slider::Released });
     settle();
     EXPECT_EQ(laterals(), 2);
-    EXPECT_EQ(window_->state().hand, Tool(next));
+    EXPECT_EQ(window_->state().hand, tools::Tool(next));
     window_->perform(view::TakeLikeDrawn {});
     settle();
-    EXPECT_EQ(window_->state().hand, Tool(drawn_));
+    EXPECT_EQ(window_->state().hand, tools::Tool(drawn_));
 }
 
 } // namespace

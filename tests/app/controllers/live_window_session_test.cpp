@@ -20,9 +20,10 @@ LiveWindowOptions options_with_session(fs::path const& path)
     options.session = fs::exists(path)
         ? session::Session::open(
               path,
-              session::session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; }))
+              session::session_by_the_clock(methods::all_methods().edits,
+                                            [] { return scene::LoadOptions {}; }))
               .value()
-        : batch::begin_session(path, { small_model() }, all_methods().edits).value();
+        : batch::begin_session(path, { small_model() }, methods::all_methods().edits).value();
     return options;
 }
 
@@ -35,12 +36,12 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
             = LiveWindow::create(drawing_devices(false), options_with_session(path)).value();
         advance_to_end(window);
         window.settle();
-        EXPECT_EQ(session::read_session(path, all_methods().edits).value().step,
+        EXPECT_EQ(session::read_session(path, methods::all_methods().edits).value().step,
                   1u); // While the window is open.
         window.perform(view::Undo {});
         window.settle();
         EXPECT_TRUE(window.state().strokes.empty());
-        EXPECT_EQ(session::read_session(path, all_methods().edits).value().step, 0u);
+        EXPECT_EQ(session::read_session(path, methods::all_methods().edits).value().step, 0u);
         window.perform(view::Undo {});
         window.settle();
         EXPECT_NE(window.state().status.find("nothing to undo"), std::string::npos);
@@ -59,8 +60,8 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
     advance_to_end(again);
     again.settle();
     EXPECT_EQ(again.scene().associations.size(), 2u);
-    EXPECT_EQ(session::read_session(path, all_methods().edits).value().step, 2u);
-    EXPECT_EQ(session::read_session(path, all_methods().edits).value().last_step(),
+    EXPECT_EQ(session::read_session(path, methods::all_methods().edits).value().step, 2u);
+    EXPECT_EQ(session::read_session(path, methods::all_methods().edits).value().last_step(),
               2u); // Undone steps are gone.
     fs::remove(path);
 }
@@ -99,7 +100,9 @@ TEST_F(LiveWindowWithSession, NamesTheDrawingAndSavesCopies)
     auto const drawings = recent_drawings(home / "tractus", 12, {});
     ASSERT_EQ(drawings.size(), 1u);
     EXPECT_EQ(drawings.front().name, "oak/ash");
-    EXPECT_EQ(session::read_session(drawings.front().file, all_methods().edits).value().step, 1u);
+    EXPECT_EQ(
+        session::read_session(drawings.front().file, methods::all_methods().edits).value().step,
+        1u);
     auto const again
         = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
     EXPECT_EQ(again.state().drawing_name, "Ash by the gate");
@@ -128,9 +131,9 @@ TEST_F(LiveWindowWithSession, KeepsGrowthAndTakesItBack)
     window.settle();
     EXPECT_EQ(window.state().seed, 2u);
     EXPECT_EQ(window.state().growth.age, 0.25);
-    auto const kept = session::read_session(path_, all_methods().edits).value();
+    auto const kept = session::read_session(path_, methods::all_methods().edits).value();
     EXPECT_EQ(kept.last_step(), 2u);
-    EXPECT_EQ(kept.edits.back().edit.get<SetGrowth>()->seed, 2u);
+    EXPECT_EQ(kept.edits.back().edit.get<scene::SetGrowth>()->seed, 2u);
     window.perform(view::Undo {});
     window.settle();
     EXPECT_EQ(window.state().seed, 1u);
@@ -153,10 +156,10 @@ TEST_F(LiveWindowWithSession, ShowsWhatASliderWouldGiveAndKeepsItWhenItIsRelease
     EXPECT_FALSE(window.state().is_growing);
     EXPECT_LT(window.state().plant->triangle_count(), triangles);
     EXPECT_EQ(window.state().growth.age, 0.3);
-    EXPECT_EQ(session::read_session(path_, all_methods().edits).value().last_step(), 0u);
+    EXPECT_EQ(session::read_session(path_, methods::all_methods().edits).value().last_step(), 0u);
     window.perform(view::ChangeGrowth { { "", 1, 0.2 }, Slider::Released });
     window.settle();
-    EXPECT_EQ(session::read_session(path_, all_methods().edits).value().last_step(), 1u);
+    EXPECT_EQ(session::read_session(path_, methods::all_methods().edits).value().last_step(), 1u);
 }
 
 TEST_F(LiveWindowWithSession, ShowsASeasonAndTakesItBack)
@@ -167,21 +170,21 @@ TEST_F(LiveWindowWithSession, ShowsASeasonAndTakesItBack)
     leafy.source.view_text = "material: 2 leaf kind=leaf color=0.2,0.5,0.2\n"
                              "organ: l leaf kind=blade material=2 length=10 width=5\n";
     auto options = live_options();
-    options.session = batch::begin_session(path_, { leafy }, all_methods().edits).value();
+    options.session = batch::begin_session(path_, { leafy }, methods::all_methods().edits).value();
     auto window = LiveWindow::create(drawing_devices(false), std::move(options)).value();
     window.settle();
     auto const triangles = window.state().plant->triangle_count();
-    Season const winter { .month = 1.5, .fallen = 0 };
+    scene::Season const winter { .month = 1.5, .fallen = 0 };
     window.perform(view::ChangeSeason { winter, Slider::Moving });
     window.settle();
     EXPECT_LT(window.state().plant->triangle_count(), triangles);
-    EXPECT_EQ(session::read_session(path_, all_methods().edits).value().last_step(), 0u);
+    EXPECT_EQ(session::read_session(path_, methods::all_methods().edits).value().last_step(), 0u);
     window.perform(view::ChangeSeason { winter });
     window.settle();
     EXPECT_LT(window.state().plant->triangle_count(), triangles);
     EXPECT_EQ(window.state().season, winter);
     EXPECT_EQ(window.state().status, "It is mid-January");
-    EXPECT_EQ(session::read_session(path_, all_methods().edits).value().last_step(), 1u);
+    EXPECT_EQ(session::read_session(path_, methods::all_methods().edits).value().last_step(), 1u);
     window.perform(view::Undo {});
     window.settle();
     EXPECT_EQ(window.state().plant->triangle_count(), triangles);
@@ -216,7 +219,7 @@ TEST_F(LiveWindowWithSession, RefusesGrowthThatThereIsNot)
     window.settle();
     EXPECT_NE(window.state().status.find("full-grown"), std::string::npos);
     EXPECT_EQ(window.state().growth.age, 1); // What holds is shown.
-    EXPECT_EQ(session::read_session(path_, all_methods().edits).value().last_step(), 0u);
+    EXPECT_EQ(session::read_session(path_, methods::all_methods().edits).value().last_step(), 0u);
 }
 
 } // namespace

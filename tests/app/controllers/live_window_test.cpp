@@ -56,7 +56,7 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     options.recording = path;
     {
         auto window = LiveWindow::create(drawing_devices(true), std::move(options)).value();
-        window.perform(view::ChooseTool { IndicateTool {} });
+        window.perform(view::ChooseTool { indicators::IndicateTool {} });
         EXPECT_EQ(window.state().tool, "Motion indicator");
         advance_to_end(window);
     }
@@ -96,7 +96,7 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     auto options = live_options();
     options.recording = path;
     options.now = [] { return at_ms(0); }; // No report is older.
-    Scene drawn;
+    scene::Scene drawn;
     {
         auto window = LiveWindow::create(drawing_devices(true), std::move(options)).value();
         window.perform(view::NextVariation {});
@@ -117,7 +117,7 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     EXPECT_EQ(log.tools[0].tool, "step");
     EXPECT_EQ(log.tools[3].tool, "undo");
     EXPECT_EQ(log.tools[3].arguments, "1");
-    station::ReplayOptions replay_options { .methods = all_methods() };
+    station::ReplayOptions replay_options { .methods = methods::all_methods() };
     replay_options.height = calib::parse_height_scenario("0").value();
     auto const [counts, scene, strokes] = replayed(log, replay_options);
     ASSERT_EQ(strokes.size(), 1u);
@@ -132,7 +132,7 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
 TEST(LiveWindow, BeginsAgainWithTheSameTool)
 {
     auto window = LiveWindow::create(drawing_devices(false), live_options()).value();
-    window.perform(view::ChooseTool { IndicateTool {} });
+    window.perform(view::ChooseTool { indicators::IndicateTool {} });
     advance_to_end(window);
     window.perform(view::Restart {});
     window.settle();

@@ -40,7 +40,7 @@ protected:
     }
 
     // The scene that is seen.
-    Scene const& scene() const { return *controller_.view().grown_scene(); }
+    scene::Scene const& scene() const { return *controller_.view().grown_scene(); }
 
     fs::path const path_
         = fs::temp_directory_path() / fmt::format("tractus_long_{}.tractus", ::getpid());
@@ -52,11 +52,11 @@ private:
     static session::Session session_at(fs::path const& path)
     {
         fs::remove(path);
-        return batch::begin_session(path, { small_model() }, core_edit_kinds()).value();
+        return batch::begin_session(path, { small_model() }, scene::core_edit_kinds()).value();
     }
 };
 
-std::ptrdiff_t strokes_in_memory(Scene const& scene)
+std::ptrdiff_t strokes_in_memory(scene::Scene const& scene)
 {
     return std::count_if(scene.associations.begin(), scene.associations.end(),
                          [](auto const& drawn) { return drawn.what.stroke.tips.is_in_memory(); });
@@ -80,7 +80,7 @@ TEST_F(LongDrawing, LeavesWhatIsKeptToTheFile)
     EXPECT_EQ(strokes_in_memory(controller_.document().session().scene()), 0);
     EXPECT_EQ(strokes_in_memory(scene()), 0);
     EXPECT_EQ(scene().associations.size(), kStrokes);
-    EXPECT_EQ(session::read_session(path_, core_edit_kinds()).value().last_step(), kStrokes)
+    EXPECT_EQ(session::read_session(path_, scene::core_edit_kinds()).value().last_step(), kStrokes)
         << "no lost edit";
 }
 
@@ -90,7 +90,8 @@ TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
     Stroke const first { scene().associations[0].what.stroke.tips.vector() };
     draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
     EXPECT_FALSE(scene().associations[0].what.stroke.tips.is_in_memory());
-    controller_.document().make(step_of({ DeleteStroke { numbered({ 3, 6 }) } }));
+    controller_.document().make(
+        document::step_of({ scene::DeleteStroke { scene::numbered({ 3, 6 }) } }));
     controller_.settle(station_, at_ms(now_ms_));
     ASSERT_EQ(scene().associations.size(), 5u);
     auto const& shown = controller_.view().state().strokes;
@@ -101,19 +102,19 @@ TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
 
 TEST_F(LongDrawing, ReadsAStrokeBackThatWasErasedInPart)
 {
-    auto const make = [&](Edit const& edit) {
-        controller_.document().make(step_of({ edit }));
+    auto const make = [&](scene::Edit const& edit) {
+        controller_.document().make(document::step_of({ edit }));
         controller_.settle(station_, at_ms(now_ms_));
     };
     draw(1);
     auto const count = scene().associations[0].what.stroke.tips.size();
-    make(EraseTips { numbered({ 0 }), { { 3, 5 } } });
-    make(EraseTips { numbered({ 0 }), { { 0, 0 } } });
+    make(scene::EraseTips { scene::numbered({ 0 }), { { 3, 5 } } });
+    make(scene::EraseTips { scene::numbered({ 0 }), { { 0, 0 } } });
     Stroke const rest { scene().associations[0].what.stroke.tips.vector() };
     EXPECT_EQ(rest.tips.size(), count - 4);
     draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
     EXPECT_FALSE(scene().associations[0].what.stroke.tips.is_in_memory());
-    make(DeleteStroke { numbered({ 3, 6 }) });
+    make(scene::DeleteStroke { scene::numbered({ 3, 6 }) });
     ASSERT_EQ(controller_.view().state().strokes.size(), 3u);
     EXPECT_TRUE(is_ink_of(rest, controller_.view().state().strokes[0]));
     EXPECT_TRUE(session::same(scene().associations[0].what.stroke, rest));
@@ -129,7 +130,7 @@ TEST_F(LongDrawing, ShowsInkUntilTheStrokeIsInThePlant)
     controller_.show(station_, at_ms(now_ms_));
     EXPECT_GE(state.live_ink.size() + state.strokes.size(), 2u);
     controller_.settle(station_, at_ms(now_ms_ + 2000));
-    EXPECT_EQ(session::read_session(path_, core_edit_kinds()).value().last_step(), 2u);
+    EXPECT_EQ(session::read_session(path_, scene::core_edit_kinds()).value().last_step(), 2u);
     EXPECT_EQ(state.strokes.size(), 2u);
     EXPECT_TRUE(state.live_ink.empty());
     EXPECT_EQ(state.unkept_steps, 0u);
@@ -151,7 +152,7 @@ TEST_F(LongDrawing, ANewStationLosesNothingThatAFullDiskCouldNotKeep)
     }
     ASSERT_TRUE(controller_.finish(station_, at_ms(now_ms_)));
     EXPECT_EQ(controller_.view().state().unkept_steps, 0u);
-    EXPECT_EQ(session::read_session(path_, core_edit_kinds()).value().last_step(), 3u);
+    EXPECT_EQ(session::read_session(path_, scene::core_edit_kinds()).value().last_step(), 3u);
 }
 
 TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)
@@ -159,7 +160,7 @@ TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)
     draw(30);
     EXPECT_EQ(controller_.view().state().strokes.size(), 3u)
         << "one for each of the three branches";
-    EXPECT_EQ(shaping_associations(scene()).size(), 3u);
+    EXPECT_EQ(scene::shaping_associations(scene()).size(), 3u);
     controller_.perform(view::Undo {}, station_);
     controller_.settle(station_, at_ms(now_ms_));
     EXPECT_EQ(scene().associations.size(), 29u);

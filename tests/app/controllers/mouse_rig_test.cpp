@@ -126,7 +126,7 @@ template<typename Done> void advance_until(LiveWindow& window, Done const& done)
 
 TEST(LiveWindow, LetsAMouseDrawWhereThereIsNothingElse)
 {
-    LiveWindowOptions options { .methods = all_methods(),
+    LiveWindowOptions options { .methods = methods::all_methods(),
                                 .scene = small_scene(),
                                 .now = clock_now };
     options.mouse.emplace(clock_now);
@@ -145,7 +145,7 @@ TEST(LiveWindow, LetsAMouseDrawWhereThereIsNothingElse)
     auto const still = heights() + 40; // Five milliseconds each: the last glide is over.
     advance_until(window, [&] { return heights() >= still; });
 
-    window.perform(view::ChooseTool { IndicateTool {} });
+    window.perform(view::ChooseTool { indicators::IndicateTool {} });
     for (int i = 0; i <= 10; ++i) {
         window.perform(view::MoveMousePen {
             { { .place_mm = { -50.0 + 10 * i, 20 }, .in_range = true, .touching = i < 10 } } });
@@ -175,9 +175,10 @@ TEST(LiveWindow, LetsAMouseMoveTheSurfaceUnderATablet)
     };
     std::vector<std::unique_ptr<drivers::ReportSource>> sources;
     sources.push_back(std::make_unique<SilentTablet>());
-    LiveWindowOptions options {
-        .methods = all_methods(), .height_mm = 200, .scene = small_scene(), .now = clock_now
-    };
+    LiveWindowOptions options { .methods = methods::all_methods(),
+                                .height_mm = 200,
+                                .scene = small_scene(),
+                                .now = clock_now };
     options.mouse.emplace(clock_now);
     auto window = LiveWindow::create(devices::LiveDevices::start(std::move(sources)).value(),
                                      std::move(options))

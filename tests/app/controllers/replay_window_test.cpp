@@ -18,9 +18,9 @@ class ReplayedWindow : public testing::Test {
 protected:
     ReplayWindow open(fs::path const& pictures = ".") const
     {
-        auto window
-            = ReplayWindow::create(log_, { .methods = all_methods() }, small_scene(), pictures)
-                  .value();
+        auto window = ReplayWindow::create(log_, { .methods = methods::all_methods() },
+                                           small_scene(), pictures)
+                          .value();
         window.settle();
         return window;
     }
@@ -82,7 +82,7 @@ TEST_F(ReplayedWindow, ColoursTheBranchThatIsSelectedAndThenAssigned)
     auto window = open();
     bool was_selected = false;
     play(window, [&](view::WindowState const& state) {
-        was_selected |= state.skeleton.front().state == SkeletonLine::State::Selected;
+        was_selected |= state.skeleton.front().state == tools::SkeletonLine::State::Selected;
     });
     EXPECT_TRUE(was_selected);
 }
@@ -144,12 +144,13 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
     auto const path
         = fs::temp_directory_path() / fmt::format("tractus_replay_{}.tractus", ::getpid());
     fs::remove(path);
-    auto window = ReplayWindow::create(
-                      log_, { .methods = all_methods() }, {}, ".",
-                      batch::begin_session(path, { small_model() }, all_methods().edits).value())
-                      .value();
+    auto window
+        = ReplayWindow::create(
+              log_, { .methods = methods::all_methods() }, {}, ".",
+              batch::begin_session(path, { small_model() }, methods::all_methods().edits).value())
+              .value();
     play(window);
-    EXPECT_EQ(session::read_session(path, all_methods().edits)->last_step(),
+    EXPECT_EQ(session::read_session(path, methods::all_methods().edits)->last_step(),
               3u); // Includes what selects.
     EXPECT_EQ(window.state().layers.size(), 1u);
     window.perform(view::Undo {});
@@ -160,7 +161,7 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
     EXPECT_TRUE(window.state().strokes.empty());
     play(window);
     EXPECT_EQ(window.state().strokes.size(), 1u);
-    EXPECT_EQ(session::read_session(path, all_methods().edits)->last_step(), 6u)
+    EXPECT_EQ(session::read_session(path, methods::all_methods().edits)->last_step(), 6u)
         << "beginning again is a step in place of undone ones";
     fs::remove(path);
 }

@@ -45,8 +45,8 @@ protected:
 
     StartPageOptions options() const
     {
-        return { .kinds = all_methods().edits,
-                 .tools = all_methods().tools,
+        return { .kinds = methods::all_methods().edits,
+                 .tools = methods::all_methods().tools,
                  .models = { folder_ / "models", folder_ / "missing" },
                  .sessions = sessions(),
                  .pictures = folder_ / "pictures",
@@ -67,9 +67,9 @@ protected:
         EXPECT_TRUE(log.flush());
         out.close();
         auto const now = std::make_shared<Timestamp>();
-        LiveWindowOptions how { .methods = all_methods(),
+        LiveWindowOptions how { .methods = methods::all_methods(),
                                 .height_mm = 100,
-                                .scene = at_page ? Scene() : small_scene(),
+                                .scene = at_page ? scene::Scene() : small_scene(),
                                 .folder = folder_,
                                 .now = [now] { return *now; },
                                 .counted_time = now,
@@ -160,13 +160,14 @@ TEST_F(StartPage, BeginsAnEmptySheetWhoseFirstStrokeIsAPlantThatIsKept)
     }
     ASSERT_EQ(session_files().size(), 1u);
     EXPECT_TRUE(session_files()[0].filename().string().starts_with("drawing-"));
-    auto const kept = session::read_session(session_files()[0], all_methods().edits).value();
+    auto const kept
+        = session::read_session(session_files()[0], methods::all_methods().edits).value();
     ASSERT_EQ(kept.edits.size(), 2u);
     EXPECT_TRUE(kept.edits[0].edit.get<session::BeginEmpty>());
     EXPECT_TRUE(kept.edits[1].edit.get<sketch::GrowAlongStroke>());
     // Who does not know how it began begins with an empty sheet, too.
-    auto const others = all_methods().edits;
-    std::vector<EditKind const*> fewer(others.begin(), others.end());
+    auto const others = methods::all_methods().edits;
+    std::vector<scene::EditKind const*> fewer(others.begin(), others.end());
     std::erase(fewer, &session::BeginEmpty::kKind);
     EXPECT_EQ(batch::load_session_scene(session_files()[0], fewer).value().plants.size(), 1u);
 }

@@ -68,13 +68,13 @@ TEST_F(UnnamedSession, TakesNoNameThatIsTaken)
 
 TEST_F(UnnamedSession, GoesAgainOnlyIfNothingWasDrawn)
 {
-    std::vector<Edit> const beginning { small_model() };
+    std::vector<scene::Edit> const beginning { small_model() };
     auto const empty = path("empty");
-    ASSERT_TRUE(batch::begin_session(empty, beginning, core_edit_kinds()));
+    ASSERT_TRUE(batch::begin_session(empty, beginning, scene::core_edit_kinds()));
     auto const drawn = path("drawn");
     {
-        auto session = batch::begin_session(drawn, beginning, core_edit_kinds()).value();
-        std::vector<Edit> const edits { SetGrowth {} };
+        auto session = batch::begin_session(drawn, beginning, scene::core_edit_kinds()).value();
+        std::vector<scene::Edit> const edits { scene::SetGrowth {} };
         ASSERT_TRUE(session.append(edits));
         ASSERT_TRUE(session.undo());
     }

@@ -7,21 +7,22 @@
 
 #include <rapidcheck/gtest.h>
 
-namespace tractus {
+namespace tractus::document {
 namespace {
 
 constexpr auto kOnItsThread = Document::Working::OnItsThread;
 constexpr auto kAtOnce = Document::Working::AtOnce;
 
 // A stroke for the trunk, which is selected, towards a place of its own.
-ToolStroke stroke_number(int number)
+tools::ToolStroke stroke_number(int number)
 {
-    return { stroke_through({ { 0, 0, 0 }, { 10.0 * number, 5, 100 } }), DrawInOrderTool {} };
+    return { stroke_through({ { 0, 0, 0 }, { 10.0 * number, 5, 100 } }),
+             tools::DrawInOrderTool {} };
 }
 
 WantedStep seeded(std::uint64_t seed)
 {
-    auto const change = [=](Scene const& scene) -> Result<WantedStep::Change> {
+    auto const change = [=](scene::Scene const& scene) -> Result<WantedStep::Change> {
         auto growth = scene.growth;
         growth.seed = 10 * growth.seed + seed; // Shows in which order they were made.
         return WantedStep::Change { { growth }, "seeded" };
@@ -59,7 +60,7 @@ TEST_F(DocumentTest, DrawsShowsAndKeepsInOrder)
     EXPECT_EQ(snapshot->unkept, 0u);
     EXPECT_EQ(snapshot->scene.associations.size(), 5u);
     EXPECT_TRUE(session::same_scene(snapshot->scene, document.session().scene()));
-    EXPECT_EQ(session::read_session(path(), core_edit_kinds()).value().last_step(), 5u);
+    EXPECT_EQ(session::read_session(path(), scene::core_edit_kinds()).value().last_step(), 5u);
 }
 
 // Strokes each go to the next branch: two quick ones are not both given the same.
@@ -127,7 +128,7 @@ TEST_F(DocumentTest, DoesWhatIsWantedInItsOrder)
 TEST_F(DocumentTest, ARefusedStrokeChangesNothingAndSaysWhy)
 {
     auto document = new_document();
-    document.draw({ stroke_number(1).stroke, DrawTool {} });
+    document.draw({ stroke_number(1).stroke, tools::DrawTool {} });
     document.settle();
     auto const drawn = document.take_drawn();
     ASSERT_EQ(drawn.size(), 1u);
@@ -135,7 +136,7 @@ TEST_F(DocumentTest, ARefusedStrokeChangesNothingAndSaysWhy)
     EXPECT_TRUE(drawn[0].edits.empty());
     EXPECT_EQ(document.newest()->revision, 0u);
     EXPECT_TRUE(document.waiting().empty());
-    EXPECT_EQ(session::read_session(path(), core_edit_kinds()).value().last_step(), 0u);
+    EXPECT_EQ(session::read_session(path(), scene::core_edit_kinds()).value().last_step(), 0u);
 }
 
 TEST_F(DocumentTest, BeginsAgainAsAStepLikeAnother)
@@ -184,7 +185,7 @@ TEST_F(DocumentTest, DrawsOnWhileTheDiskIsFullAndKeepsAllAfterwards)
     EXPECT_EQ(document.newest()->not_kept, "");
     EXPECT_EQ(document.newest()->revision, seen->revision) << "it is the same scene";
     EXPECT_TRUE(session::same_scene(document.newest()->scene, seen->scene));
-    EXPECT_EQ(session::read_session(path(), core_edit_kinds()).value().last_step(), 4u);
+    EXPECT_EQ(session::read_session(path(), scene::core_edit_kinds()).value().last_step(), 4u);
 }
 
 TEST_F(DocumentTest, ClosingDoesAllThatHasCome)
@@ -194,7 +195,7 @@ TEST_F(DocumentTest, ClosingDoesAllThatHasCome)
         for (int i = 1; i <= 30; ++i)
             document.draw(stroke_number(i));
     }
-    EXPECT_EQ(session::read_session(path(), core_edit_kinds()).value().last_step(), 30u);
+    EXPECT_EQ(session::read_session(path(), scene::core_edit_kinds()).value().last_step(), 30u);
 }
 
 TEST_F(DocumentTest, WithoutAFileStepsCanBeTakenBack)
@@ -257,8 +258,8 @@ RC_GTEST_FIXTURE_PROP(DocumentTest, WithAThreadIsTheSameAsWithout, ())
     RC_ASSERT(session::same_scene(one.newest()->scene, other.newest()->scene));
     RC_ASSERT(one.newest()->revision == other.newest()->revision);
     RC_ASSERT(said_by(one) == said_by(other));
-    auto const a = session::read_session(path("a.tractus"), core_edit_kinds()).value();
-    auto const b = session::read_session(path("b.tractus"), core_edit_kinds()).value();
+    auto const a = session::read_session(path("a.tractus"), scene::core_edit_kinds()).value();
+    auto const b = session::read_session(path("b.tractus"), scene::core_edit_kinds()).value();
     RC_ASSERT(a.step == b.step);
     RC_ASSERT(a.edits.size() == b.edits.size());
     for (std::size_t i = 0; i < a.edits.size(); ++i)
@@ -266,4 +267,4 @@ RC_GTEST_FIXTURE_PROP(DocumentTest, WithAThreadIsTheSameAsWithout, ())
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::document

@@ -7,12 +7,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace tractus {
+namespace tractus::document {
 namespace {
 
 std::string refusal(std::string_view name, std::string_view arguments)
 {
-    auto const step = parse_step(name, arguments, core_edit_kinds());
+    auto const step = parse_step(name, arguments, scene::core_edit_kinds());
     return step && !*step ? step->error().message : "";
 }
 
@@ -23,7 +23,7 @@ RC_GTEST_PROP(LoggedStep, EditsComeBackBitForBit, ())
         done.edits.push_back(session::random_edit());
     auto const words = words_for(done, 17);
     RC_ASSERT(words.arguments.find('\n') == std::string::npos);
-    auto const step = parse_step(words.name, words.arguments, core_edit_kinds());
+    auto const step = parse_step(words.name, words.arguments, scene::core_edit_kinds());
     RC_ASSERT(step.has_value());
     RC_ASSERT(step->has_value());
     RC_ASSERT((*step)->what == LoggedStep::What::Edits);
@@ -35,8 +35,8 @@ RC_GTEST_PROP(LoggedStep, EditsComeBackBitForBit, ())
 
 TEST(LoggedStep, IsReadableByEye)
 {
-    auto const grown
-        = words_for({ .status = "", .edits = { SmoothStroke { numbered({ 4 }), 0.5 } } }, 3);
+    auto const grown = words_for(
+        { .status = "", .edits = { scene::SmoothStroke { scene::numbered({ 4 }), 0.5 } } }, 3);
     EXPECT_EQ(grown.name, "step");
     EXPECT_EQ(grown.arguments,
               R"(3 [{"kind":"smooth_stroke","fields":{"associations":[4],"kept_hand":0.5},)"
@@ -51,8 +51,8 @@ TEST(LoggedStep, IsReadableByEye)
 
 TEST(LoggedStep, OtherWordsAreNoStep)
 {
-    EXPECT_FALSE(parse_step("draw", "both", core_edit_kinds()));
-    EXPECT_FALSE(parse_step("", "", core_edit_kinds()));
+    EXPECT_FALSE(parse_step("draw", "both", scene::core_edit_kinds()));
+    EXPECT_FALSE(parse_step("", "", scene::core_edit_kinds()));
 }
 
 TEST(LoggedStep, RefusesWhatIsNone)
@@ -73,11 +73,11 @@ TEST(LoggedStep, KeepsAnEditThatIsUnknown)
 {
     auto const step
         = parse_step("step", R"(0 [{"kind":"graft","fields":{"on":3},"numbers":"00ff"}])",
-                     core_edit_kinds())
+                     scene::core_edit_kinds())
               .value();
     ASSERT_TRUE(step);
     ASSERT_EQ(step->edits.size(), 1u);
-    auto const* const unknown = step->edits[0].get<UnknownEdit>();
+    auto const* const unknown = step->edits[0].get<scene::UnknownEdit>();
     ASSERT_TRUE(unknown);
     EXPECT_EQ(unknown->word, "graft");
     EXPECT_EQ(unknown->fields, R"({"on":3})");
@@ -85,4 +85,4 @@ TEST(LoggedStep, KeepsAnEditThatIsUnknown)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::document

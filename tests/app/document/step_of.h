@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::document {
 
 // A step of these edits, whatever the scene is.
-inline WantedStep step_of(std::vector<Edit> edits, std::string status = "")
+inline WantedStep step_of(std::vector<scene::Edit> edits, std::string status = "")
 {
     return { [change = WantedStep::Change { std::move(edits), std::move(status) }](
-                 Scene const&) -> Result<WantedStep::Change> { return change; } };
+                 scene::Scene const&) -> Result<WantedStep::Change> { return change; } };
 }
 
-} // namespace tractus
+} // namespace tractus::document

@@ -28,7 +28,7 @@ protected:
         std::array const arguments { "tractus",      "render", input.c_str(), "-o",
                                      output.c_str(), "--size", size };
         return commands::run_command_line(static_cast<int>(arguments.size()), arguments.data(),
-                                          all_methods());
+                                          methods::all_methods());
     }
 
     std::filesystem::path folder_;

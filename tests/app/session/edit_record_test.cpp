@@ -12,14 +12,14 @@ namespace {
 
 std::string refusal(EditRecord const& record)
 {
-    auto const edit = edit_of(record, core_edit_kinds());
+    auto const edit = edit_of(record, scene::core_edit_kinds());
     return edit ? "" : edit.error().message;
 }
 
 RC_GTEST_PROP(EditRecord, GivesEveryEditBackBitForBit, ())
 {
     auto const edit = random_edit();
-    auto const read = edit_of(record_of(edit), core_edit_kinds());
+    auto const read = edit_of(record_of(edit), scene::core_edit_kinds());
     RC_ASSERT(read.has_value());
     RC_ASSERT(same(*read, edit));
 }
@@ -32,7 +32,7 @@ RC_GTEST_PROP(EditRecord, TakesAnyBytesWithoutHarm, ())
         if (!part.empty())
             part[*rc::gen::inRange<std::size_t>(0, part.size())] = *rc::gen::arbitrary<char>();
     }
-    auto const read = edit_of(record, core_edit_kinds());
+    auto const read = edit_of(record, scene::core_edit_kinds());
     if (!read)
         RC_ASSERT(!read.error().message.empty());
 }
@@ -40,17 +40,18 @@ RC_GTEST_PROP(EditRecord, TakesAnyBytesWithoutHarm, ())
 // Engineers find this in the file, and files of today must stay readable by it.
 TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
 {
-    auto const select = record_of(Select { { { 0, 1 }, { 7 } } });
+    auto const select = record_of(scene::Select { { { 0, 1 }, { 7 } } });
     EXPECT_EQ(select.kind, "select");
     EXPECT_EQ(select.fields, R"({"paths":[[0,1],[7]]})");
     EXPECT_EQ(select.numbers, "");
+    EXPECT_EQ(record_of(scene::Indicate { { .start_mm = { 0, 0.1, -0.0 }, .end_mm = { 1, 2, 3 } } })
+                  .fields,
+              R"({"start_mm":[0.0,0.1,-0.0],"end_mm":[1.0,2.0,3.0],"kind":"push","below":[],)"
+              R"("reach_mm":null,"is_orphaned":false})");
     EXPECT_EQ(
-        record_of(Indicate { { .start_mm = { 0, 0.1, -0.0 }, .end_mm = { 1, 2, 3 } } }).fields,
-        R"({"start_mm":[0.0,0.1,-0.0],"end_mm":[1.0,2.0,3.0],"kind":"push","below":[],)"
-        R"("reach_mm":null,"is_orphaned":false})");
-    EXPECT_EQ(record_of(EraseTips { numbered({ 4, 5 }), { { 0, 2 }, { 9, 9 } } }).fields,
-              R"({"associations":[4,5],"ranges":[[0,2],[9,9]]})");
-    Associate stroke;
+        record_of(scene::EraseTips { scene::numbered({ 4, 5 }), { { 0, 2 }, { 9, 9 } } }).fields,
+        R"({"associations":[4,5],"ranges":[[0,2],[9,9]]})");
+    scene::Associate stroke;
     stroke.propagation = variation::Propagation::Both;
     auto& tip = stroke.stroke.tips.own().emplace_back();
     tip.time = timestamp_ns(258);
@@ -62,31 +63,33 @@ TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
     numbers[1] = 1;
     numbers[40] = 1;
     EXPECT_EQ(drawn.numbers, numbers);
-    Associate leaning;
+    scene::Associate leaning;
     leaning.id = 5;
     leaning.stroke.tips.own().emplace_back().tilt_rad = Vec2(0, 2);
     auto const tilted = record_of(leaning);
     EXPECT_EQ(tilted.fields, R"({"propagation":"selected","fit":"start","kept_hand":1.0,"id":5})");
     EXPECT_EQ(tilted.numbers, std::string(40, '\0') + '\x10' + std::string(15, '\0') + '\x40');
-    EXPECT_FALSE(edit_of({ "associate", "{}", tilted.numbers.substr(0, 56) }, core_edit_kinds()));
-    EXPECT_EQ(record_of(Select { .at = { { { 0, 1 }, { 0, 4 } } } }).fields,
+    EXPECT_FALSE(
+        edit_of({ "associate", "{}", tilted.numbers.substr(0, 56) }, scene::core_edit_kinds()));
+    EXPECT_EQ(record_of(scene::Select { .at = { { { 0, 1 }, { 0, 4 } } } }).fields,
               R"({"at":[[[0,1],[0,4]]]})");
-    EXPECT_EQ(record_of(DeleteStroke { { .ids = { 7, 9 } } }).fields, R"({"strokes":[7,9]})");
-    LoadMeasured const measured { .name = "a.csv",
-                                  .text = "1 2\n",
-                                  .format = LoadMeasured::Format::Qsm };
+    EXPECT_EQ(record_of(scene::DeleteStroke { { .ids = { 7, 9 } } }).fields,
+              R"({"strokes":[7,9]})");
+    scene::LoadMeasured const measured { .name = "a.csv",
+                                         .text = "1 2\n",
+                                         .format = scene::LoadMeasured::Format::Qsm };
     EXPECT_EQ(record_of(measured).fields,
               R"({"name":"a.csv","text":"1 2\n","format":"qsm","drawn":"forget"})");
-    EXPECT_EQ(record_of(LoadModel { .source = { .name = "\xff.l" } }).fields.substr(0, 24),
+    EXPECT_EQ(record_of(scene::LoadModel { .source = { .name = "\xff.l" } }).fields.substr(0, 24),
               "{\"name\":{\"bytes\":\"\xc3\xbf.l\"}");
 }
 
 TEST(EditRecord, FieldsThatAreMissingAreAsTheyAreByDefault)
 {
     auto const edit
-        = edit_of({ "load_model", R"({"name":"a.l","text":"x"})", "" }, core_edit_kinds());
+        = edit_of({ "load_model", R"({"name":"a.l","text":"x"})", "" }, scene::core_edit_kinds());
     ASSERT_TRUE(edit) << edit.error().message;
-    EXPECT_TRUE(same(*edit, LoadModel { .source = { .name = "a.l", .text = "x" } }));
+    EXPECT_TRUE(same(*edit, scene::LoadModel { .source = { .name = "a.l", .text = "x" } }));
 }
 
 TEST(EditRecord, RefusesWhatItDoesNotKnow)

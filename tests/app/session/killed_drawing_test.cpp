@@ -101,9 +101,10 @@ protected:
     {
         constexpr Duration kFrame = std::chrono::milliseconds(16);
         auto const edits = batch::growing_plant_edits({ folder_ / "small.l", {} }, {}, 1).value();
-        auto session = batch::begin_session(path, edits, all_methods().edits).value();
+        auto session = batch::begin_session(path, edits, methods::all_methods().edits).value();
         auto const log = drivers::read_log(this->log()).value();
-        auto replay = station::LogReplay::create(log, { .methods = all_methods() }).value();
+        auto replay
+            = station::LogReplay::create(log, { .methods = methods::all_methods() }).value();
         auto& station = replay.station();
         controllers::StationController controller(station, std::move(session), {}, folder_);
         int done = -1;
@@ -129,15 +130,16 @@ protected:
     // which selects, and those that shape the trunk or lean the plant.
     static void open_and_count(fs::path const& path, Say const& say)
     {
-        auto session = Session::open(
-            path, session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; }));
+        auto session = Session::open(path, session_by_the_clock(methods::all_methods().edits, [] {
+                                         return scene::LoadOptions {};
+                                     }));
         if (!session)
             return;
         auto const& scene = session->scene();
         auto const drawn = scene.associations.size() + scene.indicators.size();
         auto const steps = session->step();
         if (drawn + scene.selection.size() == steps
-            && session->append(std::vector<Edit> { Select {} }))
+            && session->append(std::vector<scene::Edit> { scene::Select {} }))
             say(static_cast<int>(steps));
     }
 
@@ -176,7 +178,7 @@ TEST_F(KilledDrawing, LosesNoFinishedStrokeAndOpensAgain)
     ASSERT_EQ(last_said(draw, kForever), kStrokes);
     auto const whole_us
         = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - begin).count();
-    auto const whole = read_session(session(), all_methods().edits).value().edits;
+    auto const whole = read_session(session(), methods::all_methods().edits).value().edits;
     ASSERT_EQ(whole.back().step, static_cast<std::size_t>(kStrokes));
 
     std::mt19937_64 random(7);
@@ -188,7 +190,7 @@ TEST_F(KilledDrawing, LosesNoFinishedStrokeAndOpensAgain)
         SCOPED_TRACE(fmt::format("{} strokes were done when it was killed", done));
         if (done < 0 && !fs::exists(session()))
             continue; // It had not begun, and left nothing half under that name.
-        auto const contents = read_session(session(), all_methods().edits);
+        auto const contents = read_session(session(), methods::all_methods().edits);
         ASSERT_TRUE(contents) << contents.error().message;
         // More may have come to the disk than there was time to show.
         auto const steps = static_cast<int>(contents->step);

@@ -83,59 +83,60 @@ inline variation::GrowthParameters random_growth()
     return growth;
 }
 
-inline ItemId random_id()
+inline scene::ItemId random_id()
 {
-    return *rc::gen::arbitrary<ItemId>();
+    return *rc::gen::arbitrary<scene::ItemId>();
 }
 
 // Only a plant that is added stands somewhere and has an id of its own.
 template<typename T> void give_place(T& edit)
 {
-    if (edit.drawn != Drawn::Beside)
+    if (edit.drawn != scene::Drawn::Beside)
         return;
     edit.stands_at_mm = random_vec3();
     edit.id = random_id();
 }
 
-inline LoadModel random_model()
+inline scene::LoadModel random_model()
 {
-    LoadModel edit;
+    scene::LoadModel edit;
     edit.source = { random_bytes(), random_bytes(), random_bytes(), random_bytes() };
     edit.includes = *rc::gen::arbitrary<std::map<std::string, std::string>>();
     if (*rc::gen::arbitrary<bool>())
         edit.steps = *rc::gen::arbitrary<int>();
     edit.seed = *rc::gen::arbitrary<std::uint64_t>();
-    edit.drawn = random_enum<Drawn>(3);
+    edit.drawn = random_enum<scene::Drawn>(3);
     give_place(edit);
     return edit;
 }
 
-inline LoadSkeleton random_skeleton()
+inline scene::LoadSkeleton random_skeleton()
 {
-    LoadSkeleton edit;
+    scene::LoadSkeleton edit;
     edit.name = random_bytes();
     edit.lines.resize(*rc::gen::inRange<std::size_t>(0, 5));
     for (auto& line : edit.lines)
         line = { random_vec3(), random_vec3() };
-    edit.drawn = random_enum<Drawn>(3);
+    edit.drawn = random_enum<scene::Drawn>(3);
     give_place(edit);
     return edit;
 }
 
-inline LoadMeasured random_measured()
+inline scene::LoadMeasured random_measured()
 {
-    LoadMeasured edit { .name = random_bytes(), .text = random_bytes() };
-    edit.format = random_enum<LoadMeasured::Format>(3);
-    edit.drawn = random_enum<Drawn>(3);
+    scene::LoadMeasured edit { .name = random_bytes(), .text = random_bytes() };
+    edit.format = random_enum<scene::LoadMeasured::Format>(3);
+    edit.drawn = random_enum<scene::Drawn>(3);
     give_place(edit);
     return edit;
 }
 
 // Names things by ids, or as sessions before format 4 do.
-inline Items random_items()
+inline scene::Items random_items()
 {
     auto const numbers = *rc::gen::arbitrary<std::vector<std::uint64_t>>();
-    return *rc::gen::arbitrary<bool>() ? Items { .numbers = numbers } : Items { .ids = numbers };
+    return *rc::gen::arbitrary<bool>() ? scene::Items { .numbers = numbers }
+                                       : scene::Items { .ids = numbers };
 }
 
 inline std::vector<PathAddress> random_paths()
@@ -147,71 +148,72 @@ inline std::vector<PathAddress> random_paths()
 }
 
 // An edit of the plants of a document and their parts.
-inline Edit random_plant_edit()
+inline scene::Edit random_plant_edit()
 {
     switch (*rc::gen::inRange(0, 10)) {
     case 0:
-        return ActivatePlant { random_id() };
+        return scene::ActivatePlant { random_id() };
     case 1:
-        return MovePlant { random_id(), random_vec3() };
+        return scene::MovePlant { random_id(), random_vec3() };
     case 2:
-        return CopyPlant { random_id(), random_vec3(), random_id() };
+        return scene::CopyPlant { random_id(), random_vec3(), random_id() };
     case 3:
-        return HidePlant { random_id(), *rc::gen::arbitrary<bool>() };
+        return scene::HidePlant { random_id(), *rc::gen::arbitrary<bool>() };
     case 4:
-        return NamePlant { random_id(), random_bytes() };
+        return scene::NamePlant { random_id(), random_bytes() };
     case 5:
-        return RemovePlant { random_id() };
+        return scene::RemovePlant { random_id() };
     case 6:
-        return SetScale { random_double() };
+        return scene::SetScale { random_double() };
     case 7:
-        return GraftPlant { random_id(), random_id(), *rc::gen::arbitrary<SegmentAddress>(),
-                            random_vec3(), random_vec3() };
+        return scene::GraftPlant { random_id(), random_id(), *rc::gen::arbitrary<SegmentAddress>(),
+                                   random_vec3(), random_vec3() };
     case 8:
-        return TakeOffGraft { random_id(), random_id(), random_vec3(), random_id() };
+        return scene::TakeOffGraft { random_id(), random_id(), random_vec3(), random_id() };
     default:
-        return HideBranch { random_id(), *rc::gen::arbitrary<SegmentAddress>(),
-                            *rc::gen::arbitrary<bool>() };
+        return scene::HideBranch { random_id(), *rc::gen::arbitrary<SegmentAddress>(),
+                                   *rc::gen::arbitrary<bool>() };
     }
 }
 
 // An edit of any kind with any values, whether or not a scene takes it.
-inline Edit random_edit()
+inline scene::Edit random_edit()
 {
     auto const numbers = [] { return *rc::gen::arbitrary<std::vector<std::size_t>>(); };
-    switch (*rc::gen::inRange<std::size_t>(0, core_edit_kinds().size())) {
+    switch (*rc::gen::inRange<std::size_t>(0, scene::core_edit_kinds().size())) {
     case 0:
         return random_model();
     case 1:
         return random_skeleton();
     case 2:
-        return Select { *rc::gen::arbitrary<variation::Selection>(), random_paths() };
+        return scene::Select { *rc::gen::arbitrary<variation::Selection>(), random_paths() };
     case 3:
-        return Associate { random_stroke(), random_enum<variation::Propagation>(3),
-                           random_enum<variation::StrokeFit>(3), random_double(), random_id() };
+        return scene::Associate { random_stroke(), random_enum<variation::Propagation>(3),
+                                  random_enum<variation::StrokeFit>(3), random_double(),
+                                  random_id() };
     case 4:
-        return Oversketch { random_items(), random_stroke() };
+        return scene::Oversketch { random_items(), random_stroke() };
     case 5:
-        return SmoothStroke { random_items(), random_double() };
+        return scene::SmoothStroke { random_items(), random_double() };
     case 6:
-        return DeleteStroke { random_items() };
+        return scene::DeleteStroke { random_items() };
     case 7:
-        return Indicate { random_indicator(), *rc::gen::arbitrary<std::vector<SegmentAddress>>(),
-                          random_id() };
+        return scene::Indicate { random_indicator(),
+                                 *rc::gen::arbitrary<std::vector<SegmentAddress>>(), random_id() };
     case 8:
-        return ChangeIndicator { random_id(), *rc::gen::arbitrary<std::uint64_t>(),
-                                 random_indicator() };
+        return scene::ChangeIndicator { random_id(), *rc::gen::arbitrary<std::uint64_t>(),
+                                        random_indicator() };
     case 9:
-        return DeleteIndicator { random_id(), *rc::gen::arbitrary<std::uint64_t>() };
+        return scene::DeleteIndicator { random_id(), *rc::gen::arbitrary<std::uint64_t>() };
     case 10: {
-        EraseTips edit { random_items(), {} };
+        scene::EraseTips edit { random_items(), {} };
         for (auto const number : numbers())
             edit.ranges.push_back({ number, *rc::gen::arbitrary<std::size_t>() });
         return edit;
     }
     case 11:
-        return SetGrowth { random_growth(), *rc::gen::arbitrary<std::uint64_t>(), random_double(),
-                           random_double() };
+        return scene::SetGrowth { random_growth(), *rc::gen::arbitrary<std::uint64_t>(),
+                                  random_double(), random_double() };
     case 12:
         return random_measured();
     default:

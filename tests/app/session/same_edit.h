@@ -67,7 +67,7 @@ inline bool same(variation::GrowthParameters const& one, variation::GrowthParame
         && same(one.prevailing, other.prevailing);
 }
 
-inline bool same(LoadModel const& one, LoadModel const& other)
+inline bool same(scene::LoadModel const& one, scene::LoadModel const& other)
 {
     return one.source.name == other.source.name && one.source.text == other.source.text
         && one.source.view_name == other.source.view_name
@@ -76,7 +76,7 @@ inline bool same(LoadModel const& one, LoadModel const& other)
         && same(one.stands_at_mm, other.stands_at_mm) && one.id == other.id;
 }
 
-inline bool same(LoadSkeleton const& one, LoadSkeleton const& other)
+inline bool same(scene::LoadSkeleton const& one, scene::LoadSkeleton const& other)
 {
     if (one.name != other.name || one.drawn != other.drawn || one.id != other.id
         || !same(one.stands_at_mm, other.stands_at_mm) || one.lines.size() != other.lines.size())
@@ -88,151 +88,152 @@ inline bool same(LoadSkeleton const& one, LoadSkeleton const& other)
     return true;
 }
 
-inline bool same(LoadMeasured const& one, LoadMeasured const& other)
+inline bool same(scene::LoadMeasured const& one, scene::LoadMeasured const& other)
 {
     return one.name == other.name && one.text == other.text && one.format == other.format
         && one.drawn == other.drawn && same(one.stands_at_mm, other.stands_at_mm)
         && one.id == other.id;
 }
 
-inline bool same(Items const& one, Items const& other)
+inline bool same(scene::Items const& one, scene::Items const& other)
 {
     return one.ids == other.ids && one.numbers == other.numbers;
 }
 
-inline bool same(Select const& one, Select const& other)
+inline bool same(scene::Select const& one, scene::Select const& other)
 {
     return one.paths == other.paths && one.at == other.at;
 }
 
-inline bool same(Associate const& one, Associate const& other)
+inline bool same(scene::Associate const& one, scene::Associate const& other)
 {
     return same(one.stroke, other.stroke) && one.propagation == other.propagation
         && one.fit == other.fit && same(one.detail_weight, other.detail_weight)
         && one.id == other.id;
 }
 
-inline bool same(Oversketch const& one, Oversketch const& other)
+inline bool same(scene::Oversketch const& one, scene::Oversketch const& other)
 {
     return same(one.strokes, other.strokes) && same(one.over, other.over);
 }
 
-inline bool same(SmoothStroke const& one, SmoothStroke const& other)
+inline bool same(scene::SmoothStroke const& one, scene::SmoothStroke const& other)
 {
     return same(one.strokes, other.strokes) && same(one.detail_weight, other.detail_weight);
 }
 
-inline bool same(DeleteStroke const& one, DeleteStroke const& other)
+inline bool same(scene::DeleteStroke const& one, scene::DeleteStroke const& other)
 {
     return same(one.strokes, other.strokes);
 }
 
-inline bool same(EraseTips const& one, EraseTips const& other)
+inline bool same(scene::EraseTips const& one, scene::EraseTips const& other)
 {
     return same(one.strokes, other.strokes) && one.ranges == other.ranges;
 }
 
-inline bool same(Indicate const& one, Indicate const& other)
+inline bool same(scene::Indicate const& one, scene::Indicate const& other)
 {
     return same(one.indicator, other.indicator) && one.below == other.below && one.id == other.id;
 }
 
-inline bool same(ChangeIndicator const& one, ChangeIndicator const& other)
+inline bool same(scene::ChangeIndicator const& one, scene::ChangeIndicator const& other)
 {
     return one.which == other.which && one.number == other.number
         && same(one.indicator, other.indicator);
 }
 
-inline bool same(DeleteIndicator const& one, DeleteIndicator const& other)
+inline bool same(scene::DeleteIndicator const& one, scene::DeleteIndicator const& other)
 {
     return one.which == other.which && one.number == other.number;
 }
 
-inline bool same(SetGrowth const& one, SetGrowth const& other)
+inline bool same(scene::SetGrowth const& one, scene::SetGrowth const& other)
 {
     return same(one.parameters, other.parameters) && one.seed == other.seed
         && same(one.variability, other.variability) && same(one.age, other.age);
 }
 
-inline bool same(ActivatePlant const& one, ActivatePlant const& other)
+inline bool same(scene::ActivatePlant const& one, scene::ActivatePlant const& other)
 {
     return one.plant == other.plant;
 }
 
-inline bool same(MovePlant const& one, MovePlant const& other)
+inline bool same(scene::MovePlant const& one, scene::MovePlant const& other)
 {
     return one.plant == other.plant && same(one.to_mm, other.to_mm);
 }
 
-inline bool same(CopyPlant const& one, CopyPlant const& other)
+inline bool same(scene::CopyPlant const& one, scene::CopyPlant const& other)
 {
     return one.plant == other.plant && same(one.stands_at_mm, other.stands_at_mm)
         && one.id == other.id;
 }
 
-inline bool same(HidePlant const& one, HidePlant const& other)
+inline bool same(scene::HidePlant const& one, scene::HidePlant const& other)
 {
     return one.plant == other.plant && one.hidden == other.hidden;
 }
 
-inline bool same(NamePlant const& one, NamePlant const& other)
+inline bool same(scene::NamePlant const& one, scene::NamePlant const& other)
 {
     return one.plant == other.plant && one.name == other.name;
 }
 
-inline bool same(RemovePlant const& one, RemovePlant const& other)
+inline bool same(scene::RemovePlant const& one, scene::RemovePlant const& other)
 {
     return one.plant == other.plant;
 }
 
-inline bool same(SetScale const& one, SetScale const& other)
+inline bool same(scene::SetScale const& one, scene::SetScale const& other)
 {
     return same(one.scale, other.scale);
 }
 
-inline bool same(GraftPlant const& one, GraftPlant const& other)
+inline bool same(scene::GraftPlant const& one, scene::GraftPlant const& other)
 {
     return one.plant == other.plant && one.onto == other.onto && one.at == other.at
         && same(one.turn_rad, other.turn_rad) && same(one.base_mm, other.base_mm);
 }
 
-inline bool same(TakeOffGraft const& one, TakeOffGraft const& other)
+inline bool same(scene::TakeOffGraft const& one, scene::TakeOffGraft const& other)
 {
     return one.plant == other.plant && one.graft == other.graft
         && same(one.stands_at_mm, other.stands_at_mm) && one.id == other.id;
 }
 
-inline bool same(HideBranch const& one, HideBranch const& other)
+inline bool same(scene::HideBranch const& one, scene::HideBranch const& other)
 {
     return one.plant == other.plant && one.at == other.at && one.hidden == other.hidden;
 }
 
-inline bool same(UnknownEdit const& one, UnknownEdit const& other)
+inline bool same(scene::UnknownEdit const& one, scene::UnknownEdit const& other)
 {
     return one.word == other.word && one.fields == other.fields && one.numbers == other.numbers;
 }
 
-template<typename T> bool same_of(Edit const& one, Edit const& other)
+template<typename T> bool same_of(scene::Edit const& one, scene::Edit const& other)
 {
     auto const* const a = one.get<T>();
     auto const* const b = other.get<T>();
     return a && b && same(*a, *b);
 }
 
-inline bool same(Edit const& one, Edit const& other)
+inline bool same(scene::Edit const& one, scene::Edit const& other)
 {
-    return same_of<LoadModel>(one, other) || same_of<LoadSkeleton>(one, other)
-        || same_of<LoadMeasured>(one, other) || same_of<Select>(one, other)
-        || same_of<Associate>(one, other) || same_of<Oversketch>(one, other)
-        || same_of<SmoothStroke>(one, other) || same_of<DeleteStroke>(one, other)
-        || same_of<EraseTips>(one, other) || same_of<Indicate>(one, other)
-        || same_of<ChangeIndicator>(one, other) || same_of<DeleteIndicator>(one, other)
-        || same_of<SetGrowth>(one, other) || same_of<ActivatePlant>(one, other)
-        || same_of<MovePlant>(one, other) || same_of<CopyPlant>(one, other)
-        || same_of<HidePlant>(one, other) || same_of<NamePlant>(one, other)
-        || same_of<RemovePlant>(one, other) || same_of<SetScale>(one, other)
-        || same_of<GraftPlant>(one, other) || same_of<TakeOffGraft>(one, other)
-        || same_of<HideBranch>(one, other) || same_of<UnknownEdit>(one, other);
+    return same_of<scene::LoadModel>(one, other) || same_of<scene::LoadSkeleton>(one, other)
+        || same_of<scene::LoadMeasured>(one, other) || same_of<scene::Select>(one, other)
+        || same_of<scene::Associate>(one, other) || same_of<scene::Oversketch>(one, other)
+        || same_of<scene::SmoothStroke>(one, other) || same_of<scene::DeleteStroke>(one, other)
+        || same_of<scene::EraseTips>(one, other) || same_of<scene::Indicate>(one, other)
+        || same_of<scene::ChangeIndicator>(one, other)
+        || same_of<scene::DeleteIndicator>(one, other) || same_of<scene::SetGrowth>(one, other)
+        || same_of<scene::ActivatePlant>(one, other) || same_of<scene::MovePlant>(one, other)
+        || same_of<scene::CopyPlant>(one, other) || same_of<scene::HidePlant>(one, other)
+        || same_of<scene::NamePlant>(one, other) || same_of<scene::RemovePlant>(one, other)
+        || same_of<scene::SetScale>(one, other) || same_of<scene::GraftPlant>(one, other)
+        || same_of<scene::TakeOffGraft>(one, other) || same_of<scene::HideBranch>(one, other)
+        || same_of<scene::UnknownEdit>(one, other);
 }
 
 } // namespace tractus::session

@@ -99,7 +99,7 @@ TEST_F(SessionDamage, AnEditThatIsNotAsItWasWritten)
 TEST_F(SessionDamage, RandomBytesNeverHarm)
 {
     auto const whole = read_bytes();
-    auto const edits = read_session(path(), core_edit_kinds()).value().edits;
+    auto const edits = read_session(path(), scene::core_edit_kinds()).value().edits;
     std::mt19937 random(1);
     int refused = 0;
     for (int i = 0; i < 400; ++i) {
@@ -107,7 +107,7 @@ TEST_F(SessionDamage, RandomBytesNeverHarm)
         for (int flips = 1 + i % 3; flips > 0; --flips)
             bytes[random() % bytes.size()] ^= static_cast<char>(1u << (random() % 8));
         write_bytes("flipped", bytes);
-        auto const read = read_session(path("flipped"), core_edit_kinds());
+        auto const read = read_session(path("flipped"), scene::core_edit_kinds());
         refused += !read;
         EXPECT_EQ(open("flipped").has_value(), read.has_value());
         if (!read)
@@ -124,7 +124,7 @@ TEST_F(SessionDamage, AFileThatMayNotBeWrittenCanBeRead)
     if (::geteuid() == 0)
         GTEST_SKIP() << "root may write everywhere";
     std::filesystem::permissions(path(), std::filesystem::perms::owner_read);
-    EXPECT_TRUE(read_session(path(), core_edit_kinds()));
+    EXPECT_TRUE(read_session(path(), scene::core_edit_kinds()));
     EXPECT_NE(open().error().message.find("may not be written"), std::string::npos)
         << open().error().message;
 }

@@ -11,13 +11,13 @@ namespace {
 // Steps that are kept in memory, and counted as a file counts their edits.
 class Steps {
 public:
-    explicit Steps(std::vector<std::vector<Edit>> steps)
+    explicit Steps(std::vector<std::vector<scene::Edit>> steps)
         : steps_(std::move(steps))
     {
     }
 
     // Adds a step; `step` and later ones of before are gone.
-    void push(std::size_t step, std::vector<Edit> edits)
+    void push(std::size_t step, std::vector<scene::Edit> edits)
     {
         steps_.resize(step);
         steps_.push_back(std::move(edits));
@@ -39,12 +39,12 @@ public:
     Result<SessionHistory> history() const
     {
         auto const last = steps_.size() - 1;
-        SceneBuilder builder;
+        scene::SceneBuilder builder;
         return SessionHistory::create({ last, last }, read(), builder);
     }
 
 private:
-    std::vector<std::vector<Edit>> steps_;
+    std::vector<std::vector<scene::Edit>> steps_;
 };
 
 // The scene of a history, whose plants one builder builds.
@@ -56,9 +56,9 @@ public:
     }
 
     SessionHistory& history() { return history_; }
-    Scene scene() { return builder_.build(history_.state()).value(); }
+    scene::Scene scene() { return builder_.build(history_.state()).value(); }
 
-    void push(std::vector<Edit> const& edits)
+    void push(std::vector<scene::Edit> const& edits)
     {
         history_.push(history_.after(edits, builder_).value());
     }
@@ -70,11 +70,11 @@ public:
 
 private:
     SessionHistory history_;
-    SceneBuilder builder_;
+    scene::SceneBuilder builder_;
 };
 
 // Erases tips of a stroke; draws one if there is none with enough.
-std::vector<Edit> erasing_step(Scene const& scene)
+std::vector<scene::Edit> erasing_step(scene::Scene const& scene)
 {
     if (scene.associations.empty())
         return drawing_step(1);
@@ -84,22 +84,22 @@ std::vector<Edit> erasing_step(Scene const& scene)
         return drawing_step(2);
     auto const erased = *rc::gen::inRange<std::size_t>(1, count - 1);
     auto const first = *rc::gen::inRange<std::size_t>(0, count - erased + 1);
-    return { EraseTips { numbered({ number }), { { first, first + erased - 1 } } } };
+    return { scene::EraseTips { scene::numbered({ number }), { { first, first + erased - 1 } } } };
 }
 
 // A step that the scene, of the small model, takes.
-std::vector<Edit> random_step(Scene const& scene)
+std::vector<scene::Edit> random_step(scene::Scene const& scene)
 {
     switch (*rc::gen::inRange(0, 8)) {
     case 0:
-        return { Select { { { *rc::gen::inRange<SegmentId>(0, 12) } } } };
+        return { scene::Select { { { *rc::gen::inRange<SegmentId>(0, 12) } } } };
     case 1:
-        return { Indicate { { .end_mm = { *rc::gen::arbitrary<double>(), 0, 30 } } } };
+        return { scene::Indicate { { .end_mm = { *rc::gen::arbitrary<double>(), 0, 30 } } } };
     case 2:
-        return { SetGrowth { {}, *rc::gen::arbitrary<std::uint64_t>() } };
+        return { scene::SetGrowth { {}, *rc::gen::arbitrary<std::uint64_t>() } };
     case 3: {
         auto again = small_model();
-        again.drawn = *rc::gen::arbitrary<bool>() ? Drawn::Keep : Drawn::Forget;
+        again.drawn = *rc::gen::arbitrary<bool>() ? scene::Drawn::Keep : scene::Drawn::Forget;
         return { again };
     }
     case 4:
@@ -112,15 +112,15 @@ std::vector<Edit> random_step(Scene const& scene)
 
 // The steps, and how many of them count.
 struct ModelOfHistory {
-    std::vector<std::vector<Edit>> steps;
+    std::vector<std::vector<scene::Edit>> steps;
     std::size_t count = 0;
 
-    Scene scene() const
+    scene::Scene scene() const
     {
         auto edits = beginning();
         for (std::size_t i = 0; i < count; ++i)
             edits.insert(edits.end(), steps[i].begin(), steps[i].end());
-        return fold(edits).value();
+        return scene::fold(edits).value();
     }
 };
 
@@ -165,7 +165,8 @@ TEST(SessionHistory, FindsEveryStepOfALongSession)
     Steps steps({ beginning() });
     Built built(steps.history().value());
     for (int i = 0; i < kSteps; ++i) {
-        std::vector<Edit> const edits { SetGrowth { {}, static_cast<std::uint64_t>(i) } };
+        std::vector<scene::Edit> const edits { scene::SetGrowth { {},
+                                                                  static_cast<std::uint64_t>(i) } };
         built.push(edits);
         steps.push(built.history().step(), edits);
     }
@@ -177,10 +178,11 @@ TEST(SessionHistory, FindsEveryStepOfALongSession)
 
 TEST(SessionHistory, SaysWhichPlantCannotBeLoaded)
 {
-    auto const history
-        = Steps({ { SetGrowth {}, LoadModel { { "bad.l", "Lsystem: 1\nAxiom: (" } } } }).history();
+    auto const history = Steps({ { scene::SetGrowth {},
+                                   scene::LoadModel { { "bad.l", "Lsystem: 1\nAxiom: (" } } } })
+                             .history();
     ASSERT_TRUE(history) << "no plant is needed to know what was drawn";
-    SceneBuilder builder;
+    scene::SceneBuilder builder;
     auto const scene = build_scene(builder, history->state());
     ASSERT_FALSE(scene);
     EXPECT_EQ(scene.error().message.find("edit 2: bad.l:2:"), 0u) << scene.error().message;
@@ -189,13 +191,14 @@ TEST(SessionHistory, SaysWhichPlantCannotBeLoaded)
 // The file's damage may have taken what an edit needs.
 TEST(SessionHistory, GoesOnWithoutAStepThatCannotBeMade)
 {
-    SetGrowth const seven { {}, 7 };
-    SetGrowth const eight { {}, 8 };
+    scene::SetGrowth const seven { {}, 7 };
+    scene::SetGrowth const eight { {}, 8 };
     auto const history
-        = Steps({ { small_model() }, { seven }, { eight, DeleteIndicator { .number = 3 } } })
+        = Steps({ { small_model() }, { seven }, { eight, scene::DeleteIndicator { .number = 3 } } })
               .history();
     ASSERT_TRUE(history) << history.error().message;
-    EXPECT_EQ(active_plant(history->state())->growth.seed, 7u) << "all of a step, or nothing";
+    EXPECT_EQ(scene::active_plant(history->state())->growth.seed, 7u)
+        << "all of a step, or nothing";
     EXPECT_EQ(history->last_step(), 2u);
 }
 

@@ -31,12 +31,12 @@ protected:
             ASSERT_TRUE(database.execute("VACUUM")); // No old copies: each edit has one place.
         }
         whole_ = read_bytes();
-        edits_ = read_session(path(), core_edit_kinds()).value().edits;
+        edits_ = read_session(path(), scene::core_edit_kinds()).value().edits;
         ASSERT_EQ(edits_.size(), 242u);
     }
 
     // A stroke of a hand: it goes on in other pages than it begins in.
-    static std::vector<Edit> long_step(int number)
+    static std::vector<scene::Edit> long_step(int number)
     {
         std::vector<TipSample> tips;
         for (int i = 0; i < 60 + number % 50 * 5; ++i)
@@ -44,14 +44,14 @@ protected:
                              .position_mm = { 0.1 * i, 0.37 * number, 1.0 * i },
                              .pressure = 0.5,
                              .touching = true });
-        return { Select { { { 0, 1, 2 } } }, Associate { { tips } } };
+        return { scene::Select { { { 0, 1, 2 } } }, scene::Associate { { tips } } };
     }
 
     // How many of the edits that were read are as they were written, each at the place of its own.
     std::size_t count_back(std::string const& bytes)
     {
         write_bytes("damaged.tractus", bytes);
-        auto const salvaged = salvage_session(path("damaged.tractus"), core_edit_kinds());
+        auto const salvaged = salvage_session(path("damaged.tractus"), scene::core_edit_kinds());
         if (!salvaged)
             return 0;
         std::size_t count = 0;
@@ -59,7 +59,7 @@ protected:
         for (auto const& row : salvaged->rows) {
             EXPECT_GT(row.place.number, last);
             last = row.place.number;
-            auto const edit = edit_of(row.record, core_edit_kinds());
+            auto const edit = edit_of(row.record, scene::core_edit_kinds());
             bool const is_known = edit && last <= std::ssize(edits_)
                 && same(*edit, edits_[static_cast<std::size_t>(last) - 1].edit);
             EXPECT_TRUE(is_known) << "edit " << last << " was never made so";
@@ -183,8 +183,9 @@ TEST_F(SessionRepair, WritesASessionThatOpensAsFarAsItGoes)
     auto bytes = whole_;
     bytes.replace(0, 200, 200, 'x'); // No header, no schema.
     write_bytes("damaged.tractus", bytes);
-    EXPECT_FALSE(read_session(path("damaged.tractus"), core_edit_kinds()));
-    auto const salvaged = salvage_session(path("damaged.tractus"), core_edit_kinds()).value();
+    EXPECT_FALSE(read_session(path("damaged.tractus"), scene::core_edit_kinds()));
+    auto const salvaged
+        = salvage_session(path("damaged.tractus"), scene::core_edit_kinds()).value();
     EXPECT_TRUE(salvaged.missing.empty());
     ASSERT_TRUE(write_repaired(salvaged, {}, path("new.tractus")));
     EXPECT_FALSE(write_repaired(salvaged, {}, path("new.tractus"))) << "never written over";
@@ -205,19 +206,19 @@ TEST_F(SessionRepair, LeavesOutWhatWasUndoneAndReplaced)
             ASSERT_TRUE(session.undo());
         ASSERT_TRUE(session.append(drawing_step(7)));
     }
-    after = read_session(path(), core_edit_kinds()).value().edits;
-    auto const salvaged = salvage_session(path(), core_edit_kinds()).value();
+    after = read_session(path(), scene::core_edit_kinds()).value().edits;
+    auto const salvaged = salvage_session(path(), scene::core_edit_kinds()).value();
     ASSERT_EQ(salvaged.rows.size(), after.size());
     EXPECT_EQ(salvaged.step, 101u);
     for (std::size_t i = 0; i < after.size(); ++i)
         EXPECT_TRUE(
-            same(edit_of(salvaged.rows[i].record, core_edit_kinds()).value(), after[i].edit))
+            same(edit_of(salvaged.rows[i].record, scene::core_edit_kinds()).value(), after[i].edit))
             << i;
 }
 
 TEST_F(SessionRepair, NamesWhatIsLostAndGoesOnWithoutIt)
 {
-    auto salvaged = salvage_session(path(), core_edit_kinds()).value();
+    auto salvaged = salvage_session(path(), scene::core_edit_kinds()).value();
     salvaged.rows.erase(salvaged.rows.begin() + 10); // Stands for damage.
     ASSERT_TRUE(write_repaired(salvaged, {}, path("new.tractus")));
     auto const session = open("new.tractus");
@@ -229,17 +230,17 @@ TEST_F(SessionRepair, NamesWhatIsLostAndGoesOnWithoutIt)
 // session, which have no ids.
 TEST_F(SessionRepair, WhatIsLeftKeepsItsName)
 {
-    Anchored<variation::Association> erased;
+    scene::Anchored<variation::Association> erased;
     {
         auto session = open().value();
         erased = session.scene().associations[20];
-        ASSERT_TRUE(
-            session.append(std::vector<Edit> { DeleteStroke { { .ids = { erased.id } } } }));
+        ASSERT_TRUE(session.append(
+            std::vector<scene::Edit> { scene::DeleteStroke { { .ids = { erased.id } } } }));
     }
-    auto salvaged = salvage_session(path(), core_edit_kinds()).value();
+    auto salvaged = salvage_session(path(), scene::core_edit_kinds()).value();
     for (auto& row : salvaged.rows)
-        if (auto const edit = edit_of(row.record, core_edit_kinds()).value();
-            auto const* const drawn = edit.get<Associate>()) {
+        if (auto const edit = edit_of(row.record, scene::core_edit_kinds()).value();
+            auto const* const drawn = edit.get<scene::Associate>()) {
             auto without_id = *drawn;
             without_id.id = 0;
             row.record = record_of(without_id);
@@ -254,7 +255,7 @@ TEST_F(SessionRepair, WhatIsLeftKeepsItsName)
 
 TEST_F(SessionRepair, TakesAnotherPlantInThePlaceOfALostOne)
 {
-    auto salvaged = salvage_session(path(), core_edit_kinds()).value();
+    auto salvaged = salvage_session(path(), scene::core_edit_kinds()).value();
     salvaged.rows.erase(salvaged.rows.begin()); // The plant.
     ASSERT_TRUE(write_repaired(salvaged, { small_model() }, path("new.tractus")));
     auto const session = open("new.tractus");
@@ -265,7 +266,8 @@ TEST_F(SessionRepair, TakesAnotherPlantInThePlaceOfALostOne)
     auto const bare = open("bare.tractus");
     ASSERT_TRUE(bare) << bare.error().message;
     EXPECT_EQ(bare->scene().associations.size(), 0u);
-    EXPECT_EQ(read_session(path("bare.tractus"), core_edit_kinds()).value().edits.size(), 241u)
+    EXPECT_EQ(read_session(path("bare.tractus"), scene::core_edit_kinds()).value().edits.size(),
+              241u)
         << "nothing is thrown away";
 }
 
@@ -289,11 +291,11 @@ TEST_F(SessionRepair, AStrokeThatCannotBeReadIsReadAgain)
 TEST_F(SessionRepair, WhatIsNoSession)
 {
     write_bytes("text.tractus", std::string(5000, 'x'));
-    auto const salvaged = salvage_session(path("text.tractus"), core_edit_kinds());
+    auto const salvaged = salvage_session(path("text.tractus"), scene::core_edit_kinds());
     ASSERT_FALSE(salvaged);
     EXPECT_NE(salvaged.error().message.find("no edit of a session can be found in it"),
               std::string::npos);
-    EXPECT_FALSE(salvage_session(path("missing.tractus"), core_edit_kinds()));
+    EXPECT_FALSE(salvage_session(path("missing.tractus"), scene::core_edit_kinds()));
 }
 
 } // namespace

@@ -18,7 +18,7 @@ TEST_F(SessionTest, HoldsWhatWasAppended)
     auto const scene = session.scene();
     EXPECT_EQ(scene.associations.size(), 3u);
     auto const contents
-        = read_session(path(), core_edit_kinds()).value(); // While it is being written.
+        = read_session(path(), scene::core_edit_kinds()).value(); // While it is being written.
     EXPECT_EQ(contents.edits.size(), 8u);
     EXPECT_EQ(contents.step, 3u);
     EXPECT_EQ(contents.origin.plant, "small.l");
@@ -27,7 +27,7 @@ TEST_F(SessionTest, HoldsWhatWasAppended)
 
 TEST_F(SessionTest, OpensAsItWasClosed)
 {
-    Scene scene;
+    scene::Scene scene;
     {
         auto session = create().value();
         for (int i = 0; i < 4; ++i)
@@ -46,12 +46,12 @@ TEST_F(SessionTest, SaysOnceThatAnEarlierLanguagesPlantsAreDerivedAnew)
 {
     ASSERT_TRUE(create());
     EXPECT_FALSE(open().value().is_derived_anew());
-    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().origin.language,
+    EXPECT_EQ(read_session(path(), scene::core_edit_kinds()).value().origin.language,
               lsystem::kLanguageVersion);
     ASSERT_TRUE(Database::open(path(), Database::Access::Write)
                     .value()
                     .execute("DELETE FROM meta WHERE key = 'language'"));
-    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().origin.language, 1);
+    EXPECT_EQ(read_session(path(), scene::core_edit_kinds()).value().origin.language, 1);
     EXPECT_TRUE(open().value().is_derived_anew());
     EXPECT_FALSE(open().value().is_derived_anew()) << "it is what it is now";
 }
@@ -86,16 +86,17 @@ TEST_F(SessionTest, AStrokeAfterUndoReplacesWhatWasUndone)
     ASSERT_EQ(session.scene().associations.size(), 2u);
     EXPECT_NEAR(session.scene().associations[1].what.stroke.tips.back().position_mm.x(), 70.7,
                 1e-9);
-    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().edits.size(), 6u);
+    EXPECT_EQ(read_session(path(), scene::core_edit_kinds()).value().edits.size(), 6u);
 }
 
 TEST_F(SessionTest, AStepThatIsRefusedChangesNothing)
 {
     auto session = create().value();
     ASSERT_TRUE(session.append(drawing_step(1)));
-    EXPECT_FALSE(session.append(std::vector<Edit> { Select {}, DeleteIndicator { .number = 9 } }));
+    EXPECT_FALSE(session.append(
+        std::vector<scene::Edit> { scene::Select {}, scene::DeleteIndicator { .number = 9 } }));
     EXPECT_EQ(session.scene().selection.size(), 1u);
-    EXPECT_EQ(read_session(path(), core_edit_kinds()).value().edits.size(), 4u);
+    EXPECT_EQ(read_session(path(), scene::core_edit_kinds()).value().edits.size(), 4u);
     ASSERT_TRUE(session.append({}));
     EXPECT_EQ(session.step(), 1u);
 }
@@ -128,7 +129,7 @@ TEST_F(SessionTest, ThatTheProgramLeftOpenIsReadAsItWas)
     ASSERT_TRUE(session.append(drawing_step(1)));
     std::filesystem::copy_file(path(), path("b.tractus"));
     std::filesystem::copy_file(path().string() + "-wal", path("b.tractus").string() + "-wal");
-    EXPECT_EQ(read_session(path("b.tractus"), core_edit_kinds()).value().edits.size(), 4u);
+    EXPECT_EQ(read_session(path("b.tractus"), scene::core_edit_kinds()).value().edits.size(), 4u);
     EXPECT_EQ(open("b.tractus").value().scene().associations.size(), 1u);
 }
 
@@ -150,20 +151,20 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
         }
         ASSERT_TRUE(
             Database::open(path(name), Database::Access::Write).value().execute(statements));
-        EXPECT_EQ(read_session(path(name), core_edit_kinds()).value().edits.size(),
+        EXPECT_EQ(read_session(path(name), scene::core_edit_kinds()).value().edits.size(),
                   8u); // Reading needs no change.
         EXPECT_EQ(file_count(), count_before + 1);
         {
             auto session = open(name).value();
             EXPECT_EQ(session.scene().associations.size(), 3u);
-            EXPECT_EQ(read_session(path(name), core_edit_kinds())
+            EXPECT_EQ(read_session(path(name), scene::core_edit_kinds())
                           .value()
                           .edits.back()
                           .made.time_since_epoch()
                           .count(),
                       made);
-            ASSERT_TRUE(
-                session.append(std::vector<Edit> { EraseTips { numbered({ 2 }), { { 0, 3 } } } }));
+            ASSERT_TRUE(session.append(std::vector<scene::Edit> {
+                scene::EraseTips { scene::numbered({ 2 }), { { 0, 3 } } } }));
         }
         EXPECT_EQ(file_count(), count_before + 2);
         auto const format = [&](std::string const& file) {
@@ -174,8 +175,9 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
         };
         EXPECT_EQ(format(name), kSessionFormat);
         EXPECT_EQ(format(name + ".bak"), older);
-        EXPECT_EQ(read_session(path(name), core_edit_kinds()).value().edits.size(), 9u);
-        EXPECT_EQ(read_session(path(name + ".bak"), core_edit_kinds()).value().edits.size(), 8u);
+        EXPECT_EQ(read_session(path(name), scene::core_edit_kinds()).value().edits.size(), 9u);
+        EXPECT_EQ(read_session(path(name + ".bak"), scene::core_edit_kinds()).value().edits.size(),
+                  8u);
     }
 }
 
@@ -184,8 +186,10 @@ TEST_F(SessionTest, KeepsAStrokeThatIsErasedInPart)
     auto const tips = [](Session const& session) {
         return session.scene().associations[0].what.stroke.tips.size();
     };
-    std::vector<Edit> const middle { EraseTips { numbered({ 0 }), { { 3, 5 } } } };
-    std::vector<Edit> const end { EraseTips { numbered({ 0 }), { { 6, 7 } } } };
+    std::vector<scene::Edit> const middle { scene::EraseTips { scene::numbered({ 0 }),
+                                                               { { 3, 5 } } } };
+    std::vector<scene::Edit> const end { scene::EraseTips { scene::numbered({ 0 }),
+                                                            { { 6, 7 } } } };
     {
         auto session = create().value();
         ASSERT_TRUE(session.append(drawing_step(1)));
@@ -202,7 +206,7 @@ TEST_F(SessionTest, KeepsAStrokeThatIsErasedInPart)
     auto edits = beginning();
     for (auto const& step : { drawing_step(1), middle, end })
         edits.insert(edits.end(), step.begin(), step.end());
-    EXPECT_TRUE(same_scene(session.scene(), fold(edits).value()));
+    EXPECT_TRUE(same_scene(session.scene(), scene::fold(edits).value()));
     for (int i = 0; i < 2; ++i)
         ASSERT_TRUE(session.undo());
     EXPECT_EQ(tips(session), 11u);
@@ -225,7 +229,7 @@ TEST_F(SessionTest, MayHaveAnyName)
             auto session = create(name).value();
             ASSERT_TRUE(session.append(drawing_step(1)));
         }
-        EXPECT_EQ(read_session(path(name), core_edit_kinds()).value().step, 1u);
+        EXPECT_EQ(read_session(path(name), scene::core_edit_kinds()).value().step, 1u);
         EXPECT_TRUE(open(name)) << name;
     }
     EXPECT_EQ(file_count(), 4u);

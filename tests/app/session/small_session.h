@@ -18,7 +18,7 @@ namespace tractus::session {
 // A clock that stands still.
 inline SessionOptions options_for_tests()
 {
-    return { core_edit_kinds(), [] { return LoadOptions {}; },
+    return { scene::core_edit_kinds(), [] { return scene::LoadOptions {}; },
              [] { return std::chrono::sys_seconds(std::chrono::seconds(1'800'000'000)); } };
 }
 
@@ -30,20 +30,20 @@ constexpr char const* kToFormat1 = "ALTER TABLE edits DROP COLUMN made;"
 // The second differed from today's only in what edits there were.
 constexpr char const* kToFormat2 = "PRAGMA user_version = 2;";
 
-inline std::vector<Edit> const& beginning()
+inline std::vector<scene::Edit> const& beginning()
 {
-    static std::vector<Edit> const edits { small_model(), SetGrowth {} };
+    static std::vector<scene::Edit> const edits { small_model(), scene::SetGrowth {} };
     return edits;
 }
 
 // Chooses the trunk and shapes it towards a place of its own.
-inline std::vector<Edit> drawing_step(int number)
+inline std::vector<scene::Edit> drawing_step(int number)
 {
-    return { Select { { { 0, 1, 2 } } },
-             Associate { stroke_through({ { 0, 0, 0 }, { 10.1 * number, 5, 100 } }) } };
+    return { scene::Select { { { 0, 1, 2 } } },
+             scene::Associate { stroke_through({ { 0, 0, 0 }, { 10.1 * number, 5, 100 } }) } };
 }
 
-inline bool same_scene(Scene const& one, Scene const& other)
+inline bool same_scene(scene::Scene const& one, scene::Scene const& other)
 {
     bool equal = one.model_name == other.model_name
         && one.base->node_position_mm == other.base->node_position_mm
@@ -102,7 +102,7 @@ protected:
     // Why a session cannot be opened, neither to read nor to write.
     std::string refusal(std::string const& name) const
     {
-        auto const read = read_session(path(name), core_edit_kinds());
+        auto const read = read_session(path(name), scene::core_edit_kinds());
         auto const opened = open(name);
         EXPECT_FALSE(read);
         EXPECT_FALSE(opened);

@@ -28,7 +28,7 @@ protected:
             auto session = create().value();
             ASSERT_TRUE(session.append(drawing_step(1)));
         }
-        auto const known = record_of(SetGrowth { .parameters = {}, .seed = 77 });
+        auto const known = record_of(scene::SetGrowth { .parameters = {}, .seed = 77 });
         write_step_of({ graft(), known, select_with_more() });
         auto session = open().value();
         ASSERT_TRUE(session.append(drawing_step(3)));
@@ -86,7 +86,7 @@ TEST_F(UnknownEditsTest, AreNamed)
               "2 of its edits are unknown to this tractus and stay without effect (the first is "
               "edit 5: its kind \"graft\" is unknown to this tractus: a newer one has written it)");
     EXPECT_EQ(UnknownEdits {}.sentence(), "");
-    auto const contents = read_session(path(), core_edit_kinds()).value();
+    auto const contents = read_session(path(), scene::core_edit_kinds()).value();
     EXPECT_EQ(contents.edits[4].edit.describe(),
               "does what this tractus does not know (\"graft\"): its kind \"graft\" is unknown to "
               "this tractus: a newer one has written it");
@@ -97,10 +97,10 @@ TEST_F(UnknownEditsTest, AreNamed)
 TEST_F(UnknownEditsTest, AreCountedForTheIdsOfLaterStrokes)
 {
     auto const session = open().value();
-    EXPECT_EQ(session.scene().associations[0].id, item_id(4, 0));
-    EXPECT_EQ(session.scene().associations[1].id, item_id(9, 0)) << "of edit 9 in the file";
-    auto const contents = read_session(path(), core_edit_kinds()).value();
-    EXPECT_EQ(contents.edits[8].edit.get<Associate>()->id, item_id(9, 0));
+    EXPECT_EQ(session.scene().associations[0].id, scene::item_id(4, 0));
+    EXPECT_EQ(session.scene().associations[1].id, scene::item_id(9, 0)) << "of edit 9 in the file";
+    auto const contents = read_session(path(), scene::core_edit_kinds()).value();
+    EXPECT_EQ(contents.edits[8].edit.get<scene::Associate>()->id, scene::item_id(9, 0));
 }
 
 TEST_F(UnknownEditsTest, UndoAndRedoGoOnAroundThem)
@@ -120,7 +120,7 @@ TEST_F(UnknownEditsTest, UndoAndRedoGoOnAroundThem)
 
 TEST_F(UnknownEditsTest, AreRepairedWithTheOthers)
 {
-    auto const salvaged = salvage_session(path(), core_edit_kinds()).value();
+    auto const salvaged = salvage_session(path(), scene::core_edit_kinds()).value();
     EXPECT_TRUE(salvaged.missing.empty());
     ASSERT_TRUE(write_repaired(salvaged, {}, path("b.tractus")));
     expect_kept("b.tractus");

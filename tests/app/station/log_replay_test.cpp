@@ -13,7 +13,7 @@ namespace {
 
 std::string refusal(drivers::Log const& log)
 {
-    auto const replay = LogReplay::create(log, { .methods = all_methods() });
+    auto const replay = LogReplay::create(log, { .methods = methods::all_methods() });
     return replay ? "" : replay.error().message;
 }
 
@@ -34,7 +34,7 @@ TEST(LogReplay, GivesTheSameInStepsAsAtOnce)
 {
     auto const log = recorded_log();
     auto const at_once = replayed(log).strokes;
-    auto replay = LogReplay::create(log, { .methods = all_methods() }).value();
+    auto replay = LogReplay::create(log, { .methods = methods::all_methods() }).value();
     auto time = replay.begin();
     while (replay.advance_to(time))
         time += std::chrono::milliseconds(17);
@@ -52,7 +52,7 @@ TEST(LogReplay, GivesTheSameInStepsAsAtOnce)
 TEST(LogReplay, FinishesOnce)
 {
     auto const log = recorded_log();
-    auto replay = LogReplay::create(log, { .methods = all_methods() }).value();
+    auto replay = LogReplay::create(log, { .methods = methods::all_methods() }).value();
     EXPECT_TRUE(replay.advance_to(replay.begin()));
     EXPECT_FALSE(replay.advance_to(replay.end()));
     EXPECT_FALSE(replay.advance_to(replay.end()));
@@ -71,7 +71,7 @@ TEST(LogReplay, WithoutToolsTheStrokesBendBranchAfterBranch)
 TEST(LogReplay, TakesAGivenHeightInPlaceOfTheSensors)
 {
     auto const log = recorded_log();
-    ReplayOptions options { .methods = all_methods() };
+    ReplayOptions options { .methods = methods::all_methods() };
     options.height = calib::parse_height_scenario("90").value();
     for (auto const& drawn : replayed(log, options).strokes)
         for (auto const& tip : drawn.stroke.tips)
@@ -81,7 +81,7 @@ TEST(LogReplay, TakesAGivenHeightInPlaceOfTheSensors)
 TEST(LogReplay, TakesAGivenRigInPlaceOfTheLogs)
 {
     auto const log = recorded_log();
-    ReplayOptions options { .methods = all_methods() };
+    ReplayOptions options { .methods = methods::all_methods() };
     options.rig = calib::parse_rig(log.rig_text, "rig").value();
     options.rig->height_model = calib::LinearHeight { .mm_per_count = 0.1, .zero_counts = 1000 };
     auto const strokes = replayed(log, options).strokes;
@@ -112,7 +112,7 @@ TEST(LogReplay, LeavesOutWhatItDoesNotKnowAndNamesIt)
 {
     auto log = recorded_log();
     log.tools[1].tool = "hammer";
-    auto replay = LogReplay::create(log, { .methods = all_methods() }).value();
+    auto replay = LogReplay::create(log, { .methods = methods::all_methods() }).value();
     ASSERT_EQ(replay.left_out().size(), 1u);
     EXPECT_NE(replay.left_out()[0].find("there is no tool \"hammer\""), std::string::npos);
     auto const [counts, scene, strokes] = replayed(log);
@@ -152,7 +152,7 @@ TEST(LogReplay, OfAnEmptyLogIsOverAtOnce)
     auto log = recorded_log();
     log.records.clear();
     log.tools.clear();
-    auto replay = LogReplay::create(log, { .methods = all_methods() }).value();
+    auto replay = LogReplay::create(log, { .methods = methods::all_methods() }).value();
     EXPECT_EQ(replay.begin(), replay.end());
     EXPECT_FALSE(replay.advance_to(replay.begin()));
     EXPECT_TRUE(replay.station().take_strokes().empty());

@@ -14,10 +14,10 @@ namespace tractus::station {
 namespace {
 
 // At a height of 100 mm that no sensor measures.
-DrawingStation low_station(std::optional<Tool> const& tool = {})
+DrawingStation low_station(std::optional<tools::Tool> const& tool = {})
 {
     StationOptions options;
-    options.tools = all_methods().tools;
+    options.tools = methods::all_methods().tools;
     options.rig.tablet_size_mm = { 200, 100 };
     options.scripted_height = calib::ScriptedHeight {
         .scenario = { .kind = calib::HeightScenario::Kind::Constant, .constant_mm = 100 },
@@ -34,7 +34,7 @@ TEST(Station, KnowsWhatThePenReaches)
     EXPECT_LT((volume.min_mm - Vec3(-100, -50, 0)).norm(), 1e-9);
     EXPECT_LT((volume.max_mm - Vec3(100, 50, 300)).norm(), 1e-9);
     StationOptions options;
-    options.tools = all_methods().tools;
+    options.tools = methods::all_methods().tools;
     options.rig = { .height_model = calib::LinearHeight { .mm_per_count = 0.1, .zero_counts = 500 },
                     .calibrated_min_counts = 700,
                     .calibrated_max_counts = 3500,
@@ -72,7 +72,7 @@ TEST(Station, ScalesAPenThatDoesNotTellItsSizeToTheMeasuredSurface)
                          "c0"),
     };
     StationOptions options;
-    options.tools = all_methods().tools;
+    options.tools = methods::all_methods().tools;
     options.rig.tablet_size_mm = { 200, 100 };
     options.rig.surface_mm = Vec2(200, 100);
     options.scripted_height = calib::ScriptedHeight {
@@ -124,7 +124,7 @@ TEST(Station, KeepsTheStrokeOfAPenThatIsUnplugged)
 TEST(Station, KeepsTheStrokeWhoseHeightSensorIsUnplugged)
 {
     StationOptions options;
-    options.tools = all_methods().tools;
+    options.tools = methods::all_methods().tools;
     options.rig.tablet_size_mm = { 200, 100 };
     auto station = DrawingStation(Station::create(simple_rig(), options).value(), small_scene());
     auto const draw = [&](std::int64_t from_ms, bool with_height) {
@@ -150,7 +150,7 @@ TEST(Station, KeepsTheStrokeWhoseHeightSensorIsUnplugged)
 TEST(Station, TakesTwoTabletsAtOnce)
 {
     StationOptions options;
-    options.tools = all_methods().tools;
+    options.tools = methods::all_methods().tools;
     options.rig.tablet_size_mm = { 200, 100 };
     options.scripted_height = calib::ScriptedHeight {
         .scenario = { .kind = calib::HeightScenario::Kind::Constant, .constant_mm = 100 },
@@ -179,21 +179,21 @@ TEST(Station, TakesTwoTabletsAtOnce)
 
 TEST(Station, GivesAStrokeTheToolInHandWhenItBegan)
 {
-    auto station = low_station(DrawInOrderTool {});
-    station.set_tool(at_ms(50), IndicateTool {}); // In the middle of the first stroke.
+    auto station = low_station(tools::DrawInOrderTool {});
+    station.set_tool(at_ms(50), indicators::IndicateTool {}); // In the middle of the first stroke.
     draw_across(station, 0);
     draw_across(station, 200);
     station.finish();
     ASSERT_EQ(station.strokes().size(), 2u);
-    EXPECT_TRUE(station.strokes()[0].tool.get<DrawInOrderTool>());
-    EXPECT_TRUE(station.strokes()[1].tool.get<IndicateTool>());
+    EXPECT_TRUE(station.strokes()[0].tool.get<tools::DrawInOrderTool>());
+    EXPECT_TRUE(station.strokes()[1].tool.get<indicators::IndicateTool>());
     EXPECT_EQ(station.scene().associations.size(), 1u);
     EXPECT_EQ(station.scene().indicators.size(), 1u);
 }
 
 TEST(Station, KeepsTheReasonWhyAStrokeChangedNothing)
 {
-    auto station = low_station(DrawTool {});
+    auto station = low_station(tools::DrawTool {});
     draw_across(station, 0);
     station.finish();
     ASSERT_EQ(station.strokes().size(), 1u);
@@ -218,7 +218,7 @@ TEST(Station, CountsBrokenReportsAndGoesOn)
 DrawingStation station_with_an_open_cable()
 {
     StationOptions options;
-    options.tools = all_methods().tools;
+    options.tools = methods::all_methods().tools;
     options.rig.tablet_size_mm = { 200, 100 };
     auto station = DrawingStation(Station::create(simple_rig(), options).value(), small_scene());
     for (int ms = 0; ms < 400; ms += 2) {
@@ -250,7 +250,7 @@ TEST(Station, SaysWhatIsWrongWithTheHeightSensor)
 TEST(Station, TellsWhenTheHeightSensorSaysNothing)
 {
     StationOptions options;
-    options.tools = all_methods().tools;
+    options.tools = methods::all_methods().tools;
     auto station = DrawingStation(Station::create(simple_rig(), options).value(), small_scene());
     draw_across(station, 0);
     draw_across(station, 500);
@@ -278,7 +278,7 @@ TEST(Station, LeavesOtherDevicesAside)
 TEST(Station, TakesHeightsFromTheSensorBetweenThePensReports)
 {
     StationOptions options;
-    options.tools = all_methods().tools;
+    options.tools = methods::all_methods().tools;
     options.rig.tablet_size_mm = { 200, 100 };
     options.rig.height_model = calib::LinearHeight { .mm_per_count = 0.1, .zero_counts = -200 };
     auto station = DrawingStation(Station::create(simple_rig(), options).value(), small_scene());
@@ -311,7 +311,7 @@ drivers::DeviceInfo mouse_with_pressure()
 DrawingStation station_with_mouse()
 {
     StationOptions options;
-    options.tools = all_methods().tools;
+    options.tools = methods::all_methods().tools;
     options.scripted_height = calib::ScriptedHeight {};
     std::vector const devices { mouse_with_pressure() };
     return DrawingStation(Station::create(devices, options).value(), small_scene());
@@ -350,7 +350,7 @@ TEST(Station, ReportsPassTheTimeOfTheData)
 TEST(Station, NeedsAPenAndAHeight)
 {
     StationOptions options;
-    options.tools = all_methods().tools;
+    options.tools = methods::all_methods().tools;
     auto const without_pen
         = Station::create(std::vector { drivers::simple_height_sensor() }, options);
     ASSERT_FALSE(without_pen);

@@ -13,7 +13,7 @@
 namespace tractus::station {
 namespace {
 
-DrawingStation station_in_hand(std::optional<Tool> const& tool = {})
+DrawingStation station_in_hand(std::optional<tools::Tool> const& tool = {})
 {
     return station_on(small_scene(), tool);
 }
@@ -36,7 +36,7 @@ Eigen::AlignedBox2d left_part()
 
 TEST(StationTools, PressesWhereATouchBeginsInAnAreaForIt)
 {
-    auto station = station_in_hand(IndicateTool {});
+    auto station = station_in_hand(indicators::IndicateTool {});
     station.set_pressing_areas({ left_part() });
     touch_along(station, 0, { 30, 50 }, { 100, 50 }); // Out of the area: still a press.
     EXPECT_FALSE(station.is_pressing());
@@ -44,7 +44,7 @@ TEST(StationTools, PressesWhereATouchBeginsInAnAreaForIt)
     station.finish();
     ASSERT_EQ(station.strokes().size(), 1u);
     EXPECT_EQ(station.counts().strokes, 1u);
-    EXPECT_TRUE(station.strokes()[0].tool.get<IndicateTool>());
+    EXPECT_TRUE(station.strokes()[0].tool.get<indicators::IndicateTool>());
     EXPECT_EQ(station.scene().indicators.size(), 1u);
 
     auto const moments = station.take_moments();
@@ -64,7 +64,7 @@ TEST(StationTools, PressesWhereReportsComeInBursts)
     options.rig = { .height_model = calib::LinearHeight { .mm_per_count = 0.1 },
                     .tablet_size_mm = { 200, 100 },
                     .sample_times = calib::SampleTimes::Evened };
-    options.tools = all_methods().tools;
+    options.tools = methods::all_methods().tools;
     auto station = Station::create(simple_rig(), options).value();
     station.set_pressing_areas({ left_part() });
     std::int64_t pen_us = 0;
@@ -92,25 +92,25 @@ TEST(StationTools, PressesWhereReportsComeInBursts)
 
 TEST(StationTools, TakesAToolThatWasChosenByPressing)
 {
-    auto station = station_in_hand(SelectTool {});
+    auto station = station_in_hand(tools::SelectTool {});
     station.set_pressing_areas({ left_part() });
     station.push(kPen, at_ms(0), pen_report(30, 50, true));
     EXPECT_TRUE(station.is_pressing());
-    station.set_tool(at_ms(3), IndicateTool {});
+    station.set_tool(at_ms(3), indicators::IndicateTool {});
     EXPECT_TRUE(station.is_pressing()) << "the press goes on";
-    EXPECT_TRUE(station.tool().get<IndicateTool>());
+    EXPECT_TRUE(station.tool().get<indicators::IndicateTool>());
     station.push(kPen, at_ms(5), pen_report(40, 50, true));
     station.push(kPen, at_ms(10), pen_report(40, 50, false));
     touch_along(station, 20, { 100, 50 }, { 150, 50 });
     station.finish();
     ASSERT_EQ(station.strokes().size(), 1u);
-    EXPECT_TRUE(station.strokes()[0].tool.get<IndicateTool>());
+    EXPECT_TRUE(station.strokes()[0].tool.get<indicators::IndicateTool>());
 
     auto const changes = station.take_tool_changes();
     ASSERT_EQ(changes.size(), 2u);
     EXPECT_EQ(changes[0].tool, pressing());
     EXPECT_EQ(changes[0].time, at_ms(0));
-    EXPECT_TRUE(changes[1].tool.get<IndicateTool>());
+    EXPECT_TRUE(changes[1].tool.get<indicators::IndicateTool>());
     EXPECT_EQ(changes[1].time, at_ms(10));
 }
 
@@ -132,14 +132,14 @@ TEST(StationTools, TakesBackAStrokeThatTurnsOutToBeAPress)
 
 TEST(StationTools, ReplaysPressesFromTheToolLinesOfARecording)
 {
-    auto live = station_in_hand(IndicateTool {});
+    auto live = station_in_hand(indicators::IndicateTool {});
     live.set_pressing_areas({ left_part() });
     touch_along(live, 0, { 30, 50 }, { 100, 50 });
     touch_along(live, 200, { 100, 50 }, { 150, 60 });
     auto const changes = live.take_tool_changes();
     ASSERT_EQ(changes.size(), 2u);
 
-    auto replayed = station_in_hand(IndicateTool {});
+    auto replayed = station_in_hand(indicators::IndicateTool {});
     replayed.set_tool(changes[0].time, changes[0].tool);
     touch_along(replayed, 0, { 30, 50 }, { 100, 50 });
     replayed.set_tool(changes[1].time, changes[1].tool);
@@ -154,13 +154,15 @@ TEST(StationTools, ReplaysPressesFromTheToolLinesOfARecording)
 
 TEST(StationTools, DoesAtOnceWhatNeedsNoStroke)
 {
-    auto station = station_in_hand(IndicateTool {});
+    auto station = station_in_hand(indicators::IndicateTool {});
     station.set_tool(
-        at_ms(0), Tool(SelectTool { .selecting = SelectTool::Selecting::Invert }).done_at_once());
+        at_ms(0),
+        tools::Tool(tools::SelectTool { .selecting = tools::SelectTool::Selecting::Invert })
+            .done_at_once());
     EXPECT_FALSE(station.scene().selection.empty());
-    EXPECT_TRUE(station.tool().get<IndicateTool>());
+    EXPECT_TRUE(station.tool().get<indicators::IndicateTool>());
     EXPECT_EQ(station.strokes().size(), 1u) << "it is kept like a stroke";
-    EXPECT_EQ(words_for(station.take_tool_changes().at(0).tool).arguments, "invert now");
+    EXPECT_EQ(tools::words_for(station.take_tool_changes().at(0).tool).arguments, "invert now");
 }
 
 // Ten samples of the pen's other end across a line, 1 mm and 5 ms apart.
@@ -193,27 +195,28 @@ DrawingStation drawn_and_erased(std::vector<Station::ToolChange> const& changes)
 
 TEST(StationTools, ErasesWithThePensOtherEndAsItDidLast)
 {
-    Tool const part = EraseTool { .erasing = EraseTool::Erasing::Part };
+    tools::Tool const part = tools::EraseTool { .erasing = tools::EraseTool::Erasing::Part };
     auto live = drawn_and_erased({ { at_ms(2000), part },
-                                   { at_ms(2050), DrawInOrderTool {} },
-                                   { at_ms(5000), EraseTool {} } });
+                                   { at_ms(2050), tools::DrawInOrderTool {} },
+                                   { at_ms(5000), tools::EraseTool {} } });
     ASSERT_EQ(live.strokes().size(), 6u);
     for (auto const& drawn : live.strokes())
         EXPECT_EQ(drawn.refusal, "");
-    EXPECT_TRUE(live.strokes()[1].edits[0].get<DeleteStroke>());
+    EXPECT_TRUE(live.strokes()[1].edits[0].get<scene::DeleteStroke>());
     EXPECT_EQ(live.strokes()[3].tool, part);
-    EXPECT_TRUE(live.strokes()[3].edits[0].get<EraseTips>());
-    EXPECT_TRUE(live.strokes()[5].edits[0].get<DeleteStroke>());
+    EXPECT_TRUE(live.strokes()[3].edits[0].get<scene::EraseTips>());
+    EXPECT_TRUE(live.strokes()[5].edits[0].get<scene::DeleteStroke>());
 
     // The tool lines of a recording give the same again, to the last bit.
     std::vector<Station::ToolChange> recorded;
     for (auto const& [time, tool] : live.take_tool_changes()) {
-        auto const words = words_for(tool);
+        auto const words = tools::words_for(tool);
         recorded.push_back(
             { time,
               words.name == pressing().kind().word
                   ? pressing()
-                  : parse_tool(all_methods().tools, words.name, words.arguments).value() });
+                  : tools::parse_tool(methods::all_methods().tools, words.name, words.arguments)
+                        .value() });
     }
     ASSERT_EQ(recorded.size(), 3u);
     auto const replayed = drawn_and_erased(recorded);
@@ -230,21 +233,23 @@ TEST(StationTools, ErasesWithThePensOtherEndAsItDidLast)
 TEST(StationTools, RemembersForHoursHowThePensOtherEndErases)
 {
     auto station = station_in_hand();
-    Tool const part = EraseTool { .erasing = EraseTool::Erasing::Part };
+    tools::Tool const part = tools::EraseTool { .erasing = tools::EraseTool::Erasing::Part };
     station.set_tool(at_ms(0), part);
     constexpr std::int64_t kHour_ms = 3'600'000;
     for (int i = 0; i < 4; ++i)
         station.set_tool(at_ms((i + 1) * kHour_ms),
-                         i % 2 == 0 ? Tool(DrawInOrderTool {}) : Tool(IndicateTool {}));
-    EXPECT_EQ(station.remembered(), std::vector<Tool> { part });
-    EXPECT_EQ(station.tools_to_go_on_with(), (std::vector<Tool> { part, IndicateTool {} }));
+                         i % 2 == 0 ? tools::Tool(tools::DrawInOrderTool {})
+                                    : tools::Tool(indicators::IndicateTool {}));
+    EXPECT_EQ(station.remembered(), std::vector<tools::Tool> { part });
+    EXPECT_EQ(station.tools_to_go_on_with(),
+              (std::vector<tools::Tool> { part, indicators::IndicateTool {} }));
     station.set_tool(at_ms(5 * kHour_ms), part);
-    EXPECT_EQ(station.tools_to_go_on_with(), std::vector<Tool> { part });
+    EXPECT_EQ(station.tools_to_go_on_with(), std::vector<tools::Tool> { part });
 }
 
 TEST(StationTools, ErasesWithThePensOtherEnd)
 {
-    auto station = station_in_hand(IndicateTool {});
+    auto station = station_in_hand(indicators::IndicateTool {});
     touch_along(station, 0, { 50, 50 }, { 150, 50 });
     ASSERT_EQ(station.strokes().size(), 1u);
     EXPECT_EQ(station.scene().indicators.size(), 1u);
@@ -254,7 +259,7 @@ TEST(StationTools, ErasesWithThePensOtherEnd)
     EXPECT_EQ(station.scene().indicators.size(), 1u);
     erase_across(station, 600, 100, 45);
     ASSERT_EQ(station.strokes().size(), 3u);
-    EXPECT_TRUE(station.strokes()[2].tool.get<EraseTool>());
+    EXPECT_TRUE(station.strokes()[2].tool.get<tools::EraseTool>());
     EXPECT_EQ(station.strokes()[2].refusal, "");
     EXPECT_TRUE(station.scene().indicators.empty());
 }

@@ -15,7 +15,7 @@ namespace {
 
 station::LogReplay small_replay(drivers::Log const& log)
 {
-    return station::LogReplay::create(log, { .methods = all_methods() }).value();
+    return station::LogReplay::create(log, { .methods = methods::all_methods() }).value();
 }
 
 drivers::Log small_log()
@@ -84,7 +84,7 @@ TEST_F(StreamSocket, NeverStopsTheDrawing)
     output.serve();
     for (int i = 0; i < 2000; ++i) {
         draw_across(station, 1000 * i);
-        ASSERT_TRUE(output.take(station, Scene()));
+        ASSERT_TRUE(output.take(station, scene::Scene()));
         output.serve();
         if (i == 10)
             gone.leave();

@@ -46,7 +46,7 @@ TEST(StreamLines, CountTimesBeforeALogsBeginning)
 
 TEST(StreamLines, HaveAStrokeWithWhatItIsFor)
 {
-    ToolStroke stroke { {}, DrawTool { variation::Propagation::Both } };
+    tools::ToolStroke stroke { {}, tools::DrawTool { variation::Propagation::Both } };
     stroke.stroke.tips.push_back(
         { .time = timestamp_ns(1'000'000), .position_mm = { 1, 2, 3 }, .pressure = 0.5 });
     stroke.stroke.tips.push_back(

@@ -112,7 +112,7 @@ std::string printed_to_a_terminal(std::string const& model)
     ::dup2(screen, STDERR_FILENO);
     std::array<char const*, 4> const arguments { "tractus", "derive", model.c_str(), "--string" };
     int const code = commands::run_command_line(static_cast<int>(arguments.size()),
-                                                arguments.data(), all_methods());
+                                                arguments.data(), methods::all_methods());
     ::dup2(standard_error, STDERR_FILENO);
     EXPECT_EQ(code, 1);
     std::array<char, 4096> text {};

@@ -6,54 +6,56 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::tools {
 namespace {
 
 TEST(ToolCards, AreOfTheKindsThatSaySo)
 {
-    EXPECT_STREQ(cards_label(SketchTool::kKind), "Rule");
-    EXPECT_STREQ(cards_label(OutlineTool::kKind), "Form");
+    EXPECT_STREQ(cards_label(sketch::SketchTool::kKind), "Rule");
+    EXPECT_STREQ(cards_label(silhouette::OutlineTool::kKind), "Form");
     EXPECT_EQ(cards_label(DrawTool::kKind), nullptr);
-    auto const cards = ready_cards(Tool(SketchTool {}));
+    auto const cards = ready_cards(Tool(sketch::SketchTool {}));
     ASSERT_EQ(cards.size(), 17u);
     EXPECT_EQ(cards[0].name, "Opposite");
-    EXPECT_EQ(cards[0].tool, Tool(SketchTool {}));
+    EXPECT_EQ(cards[0].tool, Tool(sketch::SketchTool {}));
     EXPECT_TRUE(ready_cards(Tool(DrawTool {})).empty());
 }
 
 TEST(ToolCards, LeaveWordsAsTheyAreInTheHand)
 {
-    SketchTool kept { .laterals = 5, .leaves = sketch::Leaves::Bare };
-    kept.place = SketchTool::Place::Branch;
+    sketch::SketchTool kept { .laterals = 5, .leaves = sketch::Leaves::Bare };
+    kept.place = sketch::SketchTool::Place::Branch;
     kept.lateral_width = 0.3;
-    SketchTool hand;
+    sketch::SketchTool hand;
     hand.surface = StrokeSurface::Paper;
-    auto const taken = *with_card(Tool(hand), card_of(Tool(kept))).get<SketchTool>();
+    auto const taken = *with_card(Tool(hand), card_of(Tool(kept))).get<sketch::SketchTool>();
     EXPECT_EQ(taken.laterals, 5);
     EXPECT_EQ(taken.lateral_width, 0.3);
     EXPECT_EQ(taken.leaves, sketch::Leaves::Leafy);
-    EXPECT_EQ(taken.place, SketchTool::Place::Ground);
+    EXPECT_EQ(taken.place, sketch::SketchTool::Place::Ground);
     EXPECT_EQ(taken.surface, StrokeSurface::Paper);
 }
 
 TEST(ToolCards, AreReadAsTheyWereWritten)
 {
-    auto const tools = all_methods().tools;
-    SketchTool tool { .card = SketchTool::Card::Fern, .laterals = 3, .angle_deg = 61.5 };
-    tool.place = SketchTool::Place::Branch;
+    auto const tools = methods::all_methods().tools;
+    sketch::SketchTool tool { .card = sketch::SketchTool::Card::Fern,
+                              .laterals = 3,
+                              .angle_deg = 61.5 };
+    tool.place = sketch::SketchTool::Place::Branch;
     auto const text = card_text(Tool(tool));
     EXPECT_EQ(
         text,
         "# A card of tractus: a tool and how it is set.\nsketch fern laterals=3 angle=61.5\n");
     EXPECT_EQ(parse_card(tools, text, "x").value(), card_of(Tool(tool)));
-    EXPECT_EQ(parse_card(tools, "sketch", "x").value(), Tool(SketchTool {}));
+    EXPECT_EQ(parse_card(tools, "sketch", "x").value(), Tool(sketch::SketchTool {}));
     EXPECT_EQ(parse_card(tools, "\n# a\n# b\nsketch whorls\r\nmore\n", "x").value(),
-              Tool(SketchTool { .card = SketchTool::Card::Whorls }));
+              Tool(sketch::SketchTool { .card = sketch::SketchTool::Card::Whorls }));
 }
 
 TEST(ToolCards, RefuseOtherTexts)
 {
-    auto const tools = all_methods().tools;
+    auto const tools = methods::all_methods().tools;
     auto const why = [&](char const* text) {
         auto const card = parse_card(tools, text, "my.card");
         return card ? std::string() : card.error().message;
@@ -64,4 +66,4 @@ TEST(ToolCards, RefuseOtherTexts)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::tools

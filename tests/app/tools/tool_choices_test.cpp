@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::tools {
 namespace {
 
 // The texts of the buttons, "|" before those that begin a group, "!" behind those that are done at
@@ -16,7 +16,7 @@ namespace {
 std::string buttons(Tool const& hand)
 {
     std::string texts;
-    for (auto const& meaning : meanings_of(all_methods().tools, hand))
+    for (auto const& meaning : meanings_of(methods::all_methods().tools, hand))
         texts += fmt::format("{}{}{}{}, ", meaning.begins_group ? "| " : "", meaning.text,
                              meaning.tool.is_done_at_once() ? "!" : "", meaning.is_on ? "*" : "");
     return texts;
@@ -25,7 +25,7 @@ std::string buttons(Tool const& hand)
 TEST(ToolChoices, AreOneOfEachGroup)
 {
     std::vector<Tool> const remembered { EraseTool { EraseTool::Erasing::Part } };
-    auto const choices = tool_choices(all_methods().tools, remembered);
+    auto const choices = tool_choices(methods::all_methods().tools, remembered);
     std::string texts;
     for (auto const& choice : choices)
         texts += fmt::format("{} ", choice.text);
@@ -35,7 +35,7 @@ TEST(ToolChoices, AreOneOfEachGroup)
 
 TEST(ToolChoices, LeadBackToTheMethodThatWasInHandLast)
 {
-    auto const tools = all_methods().tools;
+    auto const tools = methods::all_methods().tools;
     auto const& line = *find_tool_kind(tools, "construction_line");
     auto const two_nodes = with_number(Tool(line), 0, 2);
     std::vector<Tool> const remembered { Tool(*find_tool_kind(tools, "sketch")), two_nodes,
@@ -45,7 +45,7 @@ TEST(ToolChoices, LeadBackToTheMethodThatWasInHandLast)
 
 TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
 {
-    auto const tools = all_methods().tools;
+    auto const tools = methods::all_methods().tools;
     EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "arrange"))),
               "Along a stroke, From an outline*, From lines, A leaf, | Go on, New tree, "
               "Carry a style, Split a bump, Join bumps, Leaf, | To this tree!, Another one!, "
@@ -63,9 +63,9 @@ TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
 // A number is asked for in a panel: its button leaves the tool in hand as it is.
 TEST(ToolChoices, AskForNumbers)
 {
-    Tool const hand(*find_tool_kind(all_methods().tools, "sketch"));
+    Tool const hand(*find_tool_kind(methods::all_methods().tools, "sketch"));
     std::string asked;
-    for (auto const& meaning : meanings_of(all_methods().tools, hand))
+    for (auto const& meaning : meanings_of(methods::all_methods().tools, hand))
         if (meaning.number) {
             EXPECT_EQ(meaning.tool, hand);
             asked += fmt::format("{} {}, ", *meaning.number, meaning.text);
@@ -78,7 +78,7 @@ TEST(ToolChoices, AskForNumbers)
 // As the window had them when each was written out.
 TEST(ToolChoices, OfferAllThatTheToolInHandMayMean)
 {
-    auto const tools = all_methods().tools;
+    auto const tools = methods::all_methods().tools;
     EXPECT_EQ(buttons(Tool(*tools[0])),
               "Branch by branch*, Selected, All it bears, Both, | Redraw, Smooth!, Take away!, ");
     EXPECT_EQ(
@@ -95,7 +95,7 @@ TEST(ToolChoices, OfferAllThatTheToolInHandMayMean)
 TEST(ToolChoices, KeepTheOtherOptionsOfTheToolInHand)
 {
     auto const meanings
-        = meanings_of(all_methods().tools,
+        = meanings_of(methods::all_methods().tools,
                       DrawTool { variation::Propagation::Both, variation::StrokeFit::World });
     EXPECT_EQ(meanings[2].tool,
               Tool(DrawTool { variation::Propagation::Descendants, variation::StrokeFit::World }));
@@ -104,4 +104,4 @@ TEST(ToolChoices, KeepTheOtherOptionsOfTheToolInHand)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::tools

@@ -7,13 +7,13 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace tractus {
+namespace tractus::tools {
 namespace {
 
 TEST(ToolTable, StandsInTheManual)
 {
     auto const page = std::filesystem::path(TRACTUS_MANUAL) / "drawing.md";
-    auto const table = manual_table(all_methods().tools);
+    auto const table = manual_table(methods::all_methods().tools);
     EXPECT_NE(read_file(page).value().find(table), std::string::npos)
         << page << " has another table of tools than this:\n"
         << table;
@@ -24,7 +24,7 @@ TEST(ToolTable, GivesNoKeyAndNoWordTwice)
 {
     std::set<char> keys { 'T', 'V', 'F', 'W', 'S', 'Z', 'N', 'Q', '?' };
     std::set<std::string> words;
-    for (auto const* const kind : all_methods().tools) {
+    for (auto const* const kind : methods::all_methods().tools) {
         EXPECT_TRUE(words.insert(kind->word).second) << kind->word;
         if (kind->key != 0) {
             EXPECT_TRUE(keys.insert(kind->key).second) << kind->key;
@@ -35,9 +35,9 @@ TEST(ToolTable, GivesNoKeyAndNoWordTwice)
 
 TEST(ToolTable, SaysWhatMayStandBehindATool)
 {
-    auto const& kind = *find_tool_kind(all_methods().tools, "draw");
+    auto const& kind = *find_tool_kind(methods::all_methods().tools, "draw");
     EXPECT_EQ(describe_tool(kind).substr(0, 38), "draw [descendants|both] [chord|world]\n");
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::tools

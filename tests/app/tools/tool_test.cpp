@@ -21,7 +21,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::tools {
 namespace {
 
 using Selecting = SelectTool::Selecting;
@@ -29,10 +29,11 @@ using Erasing = EraseTool::Erasing;
 
 ToolKinds tools()
 {
-    return all_methods().tools;
+    return methods::all_methods().tools;
 }
 
-Result<std::vector<Edit>> edits_of(Tool const& tool, Stroke const& stroke, Scene const& scene)
+Result<std::vector<scene::Edit>> edits_of(Tool const& tool, Stroke const& stroke,
+                                          scene::Scene const& scene)
 {
     return tool.mean(stroke, scene);
 }
@@ -41,7 +42,7 @@ TEST(Tool, IsReadAndWrittenAsWords)
 {
     std::vector<Tool> const some {
         SelectTool {},
-        IndicateTool {},
+        indicators::IndicateTool {},
         DrawInOrderTool {},
         DrawTool {},
         DrawTool { variation::Propagation::Descendants },
@@ -74,9 +75,9 @@ TEST(Tool, NamesTheToolsThereAre)
 }
 
 // Where the selection view shows a node, as a pen would have to point there.
-Vec3 shown(Scene const& scene, Vec3 const& plant_mm)
+Vec3 shown(scene::Scene const& scene, Vec3 const& plant_mm)
 {
-    auto const view = fit_selection_view(*scene.base);
+    auto const view = scene::fit_selection_view(*scene.base);
     auto const place = view.tablet_of_plant(plant_mm);
     return { place.x(), place.y(), 40 };
 }
@@ -90,7 +91,7 @@ TEST(SelectTool, SelectsTheAxisThatThePenFollows)
     auto const edits = edits_of(SelectTool {}, stroke, scene);
     ASSERT_TRUE(edits) << edits.error().message;
     ASSERT_EQ(edits->size(), 1u);
-    EXPECT_EQ(after(*edits, scene).selection,
+    EXPECT_EQ(scene::after(*edits, scene).selection,
               variation::Selection { segments_of(scene.base->axes[0]) });
 }
 
@@ -100,21 +101,23 @@ TEST(SelectTool, ChoosesOnTheSkeletonAsBentWhereItSaysSo)
     auto scene = small_scene();
     auto const trunk = segments_of(scene.base->axes[0]);
     select(scene, { trunk });
-    scene = apply_edit(scene,
-                       Associate { .stroke = stroke_through({ { 0, 0, 0 }, { 100, 0, 10 } }),
+    scene = scene::apply_edit(
+                scene,
+                scene::Associate { .stroke = stroke_through({ { 0, 0, 0 }, { 100, 0, 10 } }),
                                    .fit = variation::StrokeFit::World })
                 .value();
     std::vector<Vec3> nodes_mm;
-    SceneShaper shaper;
+    scene::SceneShaper shaper;
     ASSERT_TRUE(shaper.set_plant(scene));
     variation::place_nodes(*scene.base, *scene.rest, shaper.shape(), nodes_mm);
     auto const stroke = stroke_through(
         { shown(scene, 0.8 * nodes_mm[0] + 0.2 * nodes_mm[1]), shown(scene, nodes_mm[5]) });
     EXPECT_FALSE(edits_of(SelectTool {}, stroke, scene)) << "at rest it stands upright";
-    auto const bent = Tool(SelectTool {}).seen_from({ .shape = SelectionAngle::Shape::AsBent });
+    auto const bent
+        = Tool(SelectTool {}).seen_from({ .shape = scene::SelectionAngle::Shape::AsBent });
     auto const edits = bent.mean(stroke, scene);
     ASSERT_TRUE(edits) << edits.error().message;
-    EXPECT_EQ(after(*edits, scene).selection[0].front(), trunk.front());
+    EXPECT_EQ(scene::after(*edits, scene).selection[0].front(), trunk.front());
     EXPECT_EQ(words_for(bent).arguments, "bent");
     EXPECT_EQ(parse_tool(tools(), "select", "bent").value(), bent);
     auto const both = parse_tool(tools(), "select", "bent view=30,0,1,0,0,254,159").value();
@@ -140,15 +143,15 @@ TEST(DrawTool, ShapesWhatIsSelected)
     select(scene, { segments_of(scene.base->axes[1]) });
     auto const edits = edits_of(DrawTool { variation::Propagation::Both }, stroke, scene);
     ASSERT_TRUE(edits);
-    EXPECT_EQ((*edits)[0].get<Associate>()->propagation, variation::Propagation::Both);
+    EXPECT_EQ((*edits)[0].get<scene::Associate>()->propagation, variation::Propagation::Both);
 }
 
 TEST(IndicateTool, TakesTheEndsOfTheStroke)
 {
     auto const stroke = stroke_through({ { 0, 0, 100 }, { 30, 50, 100 }, { 80, 0, 120 } });
-    auto const edits = edits_of(IndicateTool {}, stroke, small_scene()).value();
-    EXPECT_EQ(edits[0].get<Indicate>()->indicator.start_mm, Vec3(0, 0, 100));
-    EXPECT_EQ(edits[0].get<Indicate>()->indicator.end_mm, Vec3(80, 0, 120));
+    auto const edits = edits_of(indicators::IndicateTool {}, stroke, small_scene()).value();
+    EXPECT_EQ(edits[0].get<scene::Indicate>()->indicator.start_mm, Vec3(0, 0, 100));
+    EXPECT_EQ(edits[0].get<scene::Indicate>()->indicator.end_mm, Vec3(80, 0, 120));
 }
 
 TEST(DrawInOrderTool, ShapesTheTrunkFirstAndThenTheLongestBranch)
@@ -159,7 +162,7 @@ TEST(DrawInOrderTool, ShapesTheTrunkFirstAndThenTheLongestBranch)
     for (int turn = 0; turn < 4; ++turn) {
         auto const edits = edits_of(DrawInOrderTool {}, stroke, scene).value();
         for (auto const& edit : edits)
-            scene = apply_edit(scene, edit).value();
+            scene = scene::apply_edit(scene, edit).value();
         drawn.push_back(axis_of(*scene.base, scene.selection[0][0]));
     }
     auto const order = axes_in_drawing_order(*scene.base);
@@ -167,11 +170,12 @@ TEST(DrawInOrderTool, ShapesTheTrunkFirstAndThenTheLongestBranch)
     EXPECT_EQ(scene.base->axes[order[1]].segment_count, 4u);
 }
 
-variation::Selection selection_by(Selecting selecting, Stroke const& stroke, Scene const& scene)
+variation::Selection selection_by(Selecting selecting, Stroke const& stroke,
+                                  scene::Scene const& scene)
 {
     auto const edits = edits_of(SelectTool { selecting }, stroke, scene);
     EXPECT_TRUE(edits) << edits.error().message;
-    return edits ? after(*edits, scene).selection.vector() : variation::Selection {};
+    return edits ? scene::after(*edits, scene).selection.vector() : variation::Selection {};
 }
 
 TEST(Tool, KnowsAllItsArguments)
@@ -233,29 +237,33 @@ TEST(IndicateTool, MayActOnTheSelectedBranchOrNearTheStroke)
 {
     auto scene = small_scene();
     auto const stroke = stroke_through({ { 0, 0, 100 }, { 80, 0, 120 } });
-    Tool const below = IndicateTool { .reach = IndicateTool::Reach::Below };
+    Tool const below = indicators::IndicateTool { .reach = indicators::IndicateTool::Reach::Below };
     EXPECT_FALSE(edits_of(below, stroke, scene));
     select(scene, { segments_of(scene.base->axes[1]) });
     auto const edits = edits_of(below, stroke, scene).value();
-    EXPECT_EQ(after(edits, scene).indicators[0].what.below,
+    EXPECT_EQ(scene::after(edits, scene).indicators[0].what.below,
               std::vector<SegmentId> { scene.base->axes[1].first_segment });
     auto const near
         = edits_of(parse_tool(tools(), "indicate", "near light").value(), stroke, scene).value();
-    EXPECT_NEAR(*near[0].get<Indicate>()->indicator.reach_mm, std::hypot(80, 20), 1e-9);
-    EXPECT_EQ(near[0].get<Indicate>()->indicator.kind, variation::MotionIndicator::Kind::Light);
+    EXPECT_NEAR(*near[0].get<scene::Indicate>()->indicator.reach_mm, std::hypot(80, 20), 1e-9);
+    EXPECT_EQ(near[0].get<scene::Indicate>()->indicator.kind,
+              variation::MotionIndicator::Kind::Light);
 }
 
 TEST(IndicatorTools, MoveAndDeleteTheOneWhereTheyBegin)
 {
     auto scene = small_scene();
-    scene = after({ Indicate { { .start_mm = { 0, 0, 100 }, .end_mm = { 100, 0, 100 } } } }, scene);
+    scene = scene::after(
+        { scene::Indicate { { .start_mm = { 0, 0, 100 }, .end_mm = { 100, 0, 100 } } } }, scene);
     auto const move = stroke_through({ { 50, 5, 100 }, { 50, 5, 160 } });
-    auto const moved = edits_of(MoveIndicatorTool {}, move, scene).value();
-    scene = apply_edit(scene, moved[0]).value();
+    auto const moved = edits_of(indicators::MoveIndicatorTool {}, move, scene).value();
+    scene = scene::apply_edit(scene, moved[0]).value();
     EXPECT_EQ(scene.indicators[0].what.start_mm, Vec3(0, 0, 160));
-    EXPECT_FALSE(edits_of(DeleteIndicatorTool {}, move, scene)); // It begins beside it.
+    EXPECT_FALSE(edits_of(indicators::DeleteIndicatorTool {}, move, scene)); // It begins beside it.
     auto const there = stroke_through({ { 90, 0, 161 }, { 95, 0, 161 } });
-    scene = apply_edit(scene, edits_of(DeleteIndicatorTool {}, there, scene).value()[0]).value();
+    scene = scene::apply_edit(scene,
+                              edits_of(indicators::DeleteIndicatorTool {}, there, scene).value()[0])
+                .value();
     EXPECT_TRUE(scene.indicators.empty());
 }
 
@@ -266,33 +274,34 @@ TEST(StrokeTools, EditTheStrokesOfTheSelectedBranch)
     for (auto const& tool : { Tool(OversketchTool {}), Tool(SmoothTool {}), Tool(DeleteTool {}) })
         EXPECT_FALSE(edits_of(tool, up, scene));
     select(scene, { segments_of(scene.base->axes[0]) });
-    EXPECT_TRUE(draw(up, DrawTool {}, scene).refusal.empty());
-    EXPECT_TRUE(draw(stroke_through({ { 0, 0, 50 }, { 60, 0, 90 } }), OversketchTool {}, scene)
-                    .refusal.empty());
+    EXPECT_TRUE(document::draw(up, DrawTool {}, scene).refusal.empty());
+    EXPECT_TRUE(
+        document::draw(stroke_through({ { 0, 0, 50 }, { 60, 0, 90 } }), OversketchTool {}, scene)
+            .refusal.empty());
     EXPECT_EQ(scene.associations[0].what.stroke.tips.back().position_mm, Vec3(60, 0, 90));
-    EXPECT_TRUE(draw(up, SmoothTool {}, scene).refusal.empty());
+    EXPECT_TRUE(document::draw(up, SmoothTool {}, scene).refusal.empty());
     EXPECT_EQ(scene.associations[0].what.detail_weight, 0);
-    EXPECT_TRUE(draw(up, DeleteTool {}, scene).refusal.empty());
+    EXPECT_TRUE(document::draw(up, DeleteTool {}, scene).refusal.empty());
     EXPECT_TRUE(scene.associations.empty());
-    EXPECT_FALSE(draw(up, DeleteTool {}, scene).refusal.empty());
+    EXPECT_FALSE(document::draw(up, DeleteTool {}, scene).refusal.empty());
 }
 
-Associate association_of(Stroke stroke)
+scene::Associate association_of(Stroke stroke)
 {
     return { .stroke = std::move(stroke), .propagation = variation::Propagation::Both };
 }
 
 // Two strokes along x, the second 50 mm above the first, each on one axis, and the second on two.
-Scene scene_with_two_strokes()
+scene::Scene scene_with_two_strokes()
 {
     auto scene = small_scene();
     select(scene, { segments_of(scene.base->axes[0]) });
-    scene = apply_edit(std::move(scene),
-                       association_of(stroke_through({ { -50, 0, 20 }, { 50, 0, 20 } })))
+    scene = scene::apply_edit(std::move(scene),
+                              association_of(stroke_through({ { -50, 0, 20 }, { 50, 0, 20 } })))
                 .value();
     select(scene, { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) });
-    return apply_edit(std::move(scene),
-                      association_of(stroke_through({ { -50, 0, 70 }, { 50, 0, 70 } })))
+    return scene::apply_edit(std::move(scene),
+                             association_of(stroke_through({ { -50, 0, 70 }, { 50, 0, 70 } })))
         .value();
 }
 
@@ -303,7 +312,7 @@ TEST(EraseTool, TakesTheTopmostStrokeAsAWhole)
     auto const over = stroke_through({ { 0, -30, 100 }, { 0, -1, 100 }, { 0, 30, 100 } });
     auto const edits = edits_of(EraseTool {}, over, scene).value();
     ASSERT_EQ(edits.size(), 1u);
-    EXPECT_EQ(edits[0].get<DeleteStroke>()->strokes.ids, ids_of(scene, { 1, 2 }));
+    EXPECT_EQ(edits[0].get<scene::DeleteStroke>()->strokes.ids, scene::ids_of(scene, { 1, 2 }));
 }
 
 TEST(EraseTool, DoesNotReachWhatIsAboveTheSurface)
@@ -311,7 +320,7 @@ TEST(EraseTool, DoesNotReachWhatIsAboveTheSurface)
     auto const scene = scene_with_two_strokes();
     auto const over = stroke_through({ { 0, -1, 40 }, { 0, 1, 40 } });
     auto const edits = edits_of(EraseTool {}, over, scene).value();
-    EXPECT_EQ(edits[0].get<DeleteStroke>()->strokes.ids, ids_of(scene, { 0 }));
+    EXPECT_EQ(edits[0].get<scene::DeleteStroke>()->strokes.ids, scene::ids_of(scene, { 0 }));
     auto const below = stroke_through({ { 0, -1, 10 }, { 0, 1, 10 } });
     EXPECT_FALSE(edits_of(EraseTool {}, below, scene));
 }
@@ -320,13 +329,14 @@ TEST(EraseTool, TakesAllIndicatorsThatItRunsOver)
 {
     auto scene = small_scene();
     for (double const x : { -20.0, 0.0, 20.0 })
-        scene = apply_edit(std::move(scene),
-                           Indicate { { .start_mm = { x, -40, 10 }, .end_mm = { x, 40, 10 } } })
+        scene = scene::apply_edit(
+                    std::move(scene),
+                    scene::Indicate { { .start_mm = { x, -40, 10 }, .end_mm = { x, 40, 10 } } })
                     .value();
     auto const over = stroke_through({ { -30, 0, 10 }, { -20, 0, 10 }, { -1, 0, 10 } });
     auto const edits = edits_of(EraseTool {}, over, scene).value();
     ASSERT_EQ(edits.size(), 2u);
-    auto const left = after(edits, scene);
+    auto const left = scene::after(edits, scene);
     ASSERT_EQ(left.indicators.size(), 1u);
     EXPECT_EQ(left.indicators[0].id, scene.indicators[2].id);
 }
@@ -358,23 +368,25 @@ Stroke level_stroke(double height_mm = 20)
     return stroke;
 }
 
-Scene scene_with(Stroke const& stroke, variation::StrokeFit fit = variation::StrokeFit::Start)
+scene::Scene scene_with(Stroke const& stroke,
+                        variation::StrokeFit fit = variation::StrokeFit::Start)
 {
     auto scene = small_scene();
     select(scene, { segments_of(scene.base->axes[0]) });
-    return apply_edit(std::move(scene), Associate { .stroke = stroke, .fit = fit }).value();
+    return scene::apply_edit(std::move(scene), scene::Associate { .stroke = stroke, .fit = fit })
+        .value();
 }
 
 // The tips that are erased of the only stroke there is, by one edit.
-std::vector<TipRange> erased(Scene const& scene, std::vector<Vec3> const& way_mm)
+std::vector<TipRange> erased(scene::Scene const& scene, std::vector<Vec3> const& way_mm)
 {
     auto const edits = edits_of(kErasePart, stroke_through(way_mm), scene);
-    if (!edits || edits->size() != 1 || !edits->front().get<EraseTips>()) {
+    if (!edits || edits->size() != 1 || !edits->front().get<scene::EraseTips>()) {
         ADD_FAILURE() << "it is not one edit that erases tips";
         return {};
     }
-    EXPECT_EQ(edits->front().get<EraseTips>()->strokes.ids, ids_of(scene, { 0 }));
-    return edits->front().get<EraseTips>()->ranges;
+    EXPECT_EQ(edits->front().get<scene::EraseTips>()->strokes.ids, scene::ids_of(scene, { 0 }));
+    return edits->front().get<scene::EraseTips>()->ranges;
 }
 
 TEST(ErasePartTool, TakesWhatItTouchesOfEndMiddleAndBegin)
@@ -395,7 +407,8 @@ TEST(ErasePartTool, TakesWhatItTouchesOfEndMiddleAndBegin)
 TEST(ErasePartTool, ShapesTheBranchByWhatIsLeft)
 {
     auto scene = scene_with(level_stroke());
-    auto const drawn = draw(stroke_through({ { 0.5, 0, 30 }, { 60, 0, 30 } }), kErasePart, scene);
+    auto const drawn
+        = document::draw(stroke_through({ { 0.5, 0, 30 }, { 60, 0, 30 } }), kErasePart, scene);
     ASSERT_EQ(drawn.refusal, "");
     auto const& tips = scene.associations[0].what.stroke.tips;
     EXPECT_EQ(tips.size(), 47u);
@@ -412,7 +425,7 @@ TEST(ErasePartTool, TakesAStrokeWholeOfWhichNothingIsLeftThatShapes)
         auto const over = stroke_through({ { -60, 0, 30 }, { end_mm, 0, 30 } });
         auto const edits = edits_of(kErasePart, over, scene).value();
         ASSERT_EQ(edits.size(), 1u);
-        EXPECT_EQ(edits[0].get<DeleteStroke>()->strokes.ids, ids_of(scene, { 0 }));
+        EXPECT_EQ(edits[0].get<scene::DeleteStroke>()->strokes.ids, scene::ids_of(scene, { 0 }));
     }
     // Without its end the loop has no chord, by which it is fitted.
     Stroke loop;
@@ -426,7 +439,7 @@ TEST(ErasePartTool, TakesAStrokeWholeOfWhichNothingIsLeftThatShapes)
     auto const by_chord = scene_with(loop, variation::StrokeFit::Chord);
     auto const over = stroke_through({ { 69, -10, 30 }, { 69, 10, 30 } });
     auto const edits = edits_of(kErasePart, over, by_chord).value();
-    EXPECT_TRUE(edits.at(0).get<DeleteStroke>());
+    EXPECT_TRUE(edits.at(0).get<scene::DeleteStroke>());
     EXPECT_EQ(erased(scene_with(loop), { { 69, -10, 30 }, { 69, 10, 30 } }),
               (std::vector<TipRange> { { 73, 73 } }));
 }
@@ -434,11 +447,11 @@ TEST(ErasePartTool, TakesAStrokeWholeOfWhichNothingIsLeftThatShapes)
 TEST(ErasePartTool, TakesTheSameOfAllBranchesOfTheTopmostStroke)
 {
     auto scene = scene_with_two_strokes(); // Its strokes have a tip every 10 mm.
-    auto const drawn
-        = draw(stroke_through({ { -20, -30, 100 }, { -20, 30, 100 } }), kErasePart, scene);
+    auto const drawn = document::draw(stroke_through({ { -20, -30, 100 }, { -20, 30, 100 } }),
+                                      kErasePart, scene);
     ASSERT_EQ(drawn.edits.size(), 1u);
-    auto const& edit = *drawn.edits[0].get<EraseTips>();
-    EXPECT_EQ(edit.strokes.ids, ids_of(scene, { 1, 2 }));
+    auto const& edit = *drawn.edits[0].get<scene::EraseTips>();
+    EXPECT_EQ(edit.strokes.ids, scene::ids_of(scene, { 1, 2 }));
     EXPECT_EQ(edit.ranges, (std::vector<TipRange> { { 3, 3 } }));
     ASSERT_EQ(scene.associations.size(), 3u);
     EXPECT_EQ(scene.associations[0].what.stroke.tips.size(), 11u) << "it lies below";
@@ -465,16 +478,17 @@ TEST(ErasePartTool, DoesNotDigBelowItselfIntoAStrokeThatWasDrawnUpwards)
 TEST(ErasePartTool, TakesIndicatorsWhole)
 {
     auto scene = scene_with(level_stroke());
-    scene = apply_edit(std::move(scene),
-                       Indicate { { .start_mm = { 30, -40, 25 }, .end_mm = { 30, 40, 25 } } })
+    scene = scene::apply_edit(
+                std::move(scene),
+                scene::Indicate { { .start_mm = { 30, -40, 25 }, .end_mm = { 30, 40, 25 } } })
                 .value();
     auto const over
         = stroke_through({ { -50, 0, 30 }, { -40, 0, 30 }, { 31, 60, 30 }, { 31, -5, 30 } });
     auto const edits = edits_of(kErasePart, over, scene).value();
     ASSERT_EQ(edits.size(), 2u);
-    EXPECT_EQ(edits[0].get<EraseTips>()->ranges, (std::vector<TipRange> { { 0, 15 } }))
+    EXPECT_EQ(edits[0].get<scene::EraseTips>()->ranges, (std::vector<TipRange> { { 0, 15 } }))
         << "not below the indicator";
-    EXPECT_EQ(edits[1].get<DeleteIndicator>()->number, 0u);
+    EXPECT_EQ(edits[1].get<scene::DeleteIndicator>()->number, 0u);
     auto const beside = stroke_through({ { -50, 30, 30 }, { 0, 30, 30 } });
     EXPECT_FALSE(edits_of(kErasePart, beside, scene));
 }
@@ -491,4 +505,4 @@ TEST(EraseTool, MissesNothingOnItsWay)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::tools

@@ -9,7 +9,7 @@ namespace {
 
 InkLine line_through(std::vector<InkLine::Point> points)
 {
-    return { std::move(points), InkStyle::Look::Line };
+    return { std::move(points), tools::InkStyle::Look::Line };
 }
 
 InkLine::Point point(float x, float y, float width_mm = 1)
@@ -48,7 +48,7 @@ TEST(InkLine, OfAStraightStrokeTheEndsStay)
 TEST(InkLine, ThinnedItIsWhereItWasWithFewerPoints)
 {
     InkLine curl;
-    curl.look = InkStyle::Look::Arrow;
+    curl.look = tools::InkStyle::Look::Arrow;
     for (int i = 0; i <= 600; ++i) {
         float const turn = 0.02f * static_cast<float>(i);
         curl.points.push_back({ { 30 * std::cos(turn), 30 * std::sin(turn), 0.5f * turn },

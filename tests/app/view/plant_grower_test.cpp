@@ -9,9 +9,9 @@
 namespace tractus::view {
 namespace {
 
-std::shared_ptr<Scene const> shared_scene()
+std::shared_ptr<scene::Scene const> shared_scene()
 {
-    return std::make_shared<Scene const>(small_scene());
+    return std::make_shared<scene::Scene const>(small_scene());
 }
 
 bool same_vertices(mesh::Mesh const& one, mesh::Mesh const& other)
@@ -24,9 +24,9 @@ bool same_vertices(mesh::Mesh const& one, mesh::Mesh const& other)
     return true;
 }
 
-mesh::Mesh mesh_of(Scene const& scene, std::uint64_t seed)
+mesh::Mesh mesh_of(scene::Scene const& scene, std::uint64_t seed)
 {
-    auto const plan = plan_growth(scene).value();
+    auto const plan = scene::plan_growth(scene).value();
     return mesh::make_mesh(variation::Grower(plan).grow({ seed, 0 }));
 }
 

@@ -18,25 +18,26 @@ namespace {
 using Lines = std::vector<std::vector<Vec3f>>;
 
 // As far as the plant has been changed by edits.
-Lines lines_of(BuiltPlant const& plant)
+Lines lines_of(scene::BuiltPlant const& plant)
 {
     auto const x = static_cast<float>(plant.drawn->source_edit);
     return { { Vec3f(x, 0, 0), Vec3f(x, 1, 0) } };
 }
 
-bool is_selecting(Tool const& in_hand)
+bool is_selecting(tools::Tool const& in_hand)
 {
-    return in_hand.get<SelectTool>() != nullptr;
+    return in_hand.get<tools::SelectTool>() != nullptr;
 }
 
-constexpr Layer kStays { .label = "stays", .lines = lines_of };
-constexpr Layer kFades {
-    .label = "fades", .lines = lines_of, .seen = Layer::Seen::AWhile, .is_asked_for = is_selecting
-};
-constexpr Layer kHidden { .label = "hidden",
-                          .lines = lines_of,
-                          .seen = Layer::Seen::WhenAskedFor,
-                          .is_asked_for = is_selecting };
+constexpr tools::Layer kStays { .label = "stays", .lines = lines_of };
+constexpr tools::Layer kFades { .label = "fades",
+                                .lines = lines_of,
+                                .seen = tools::Layer::Seen::AWhile,
+                                .is_asked_for = is_selecting };
+constexpr tools::Layer kHidden { .label = "hidden",
+                                 .lines = lines_of,
+                                 .seen = tools::Layer::Seen::WhenAskedFor,
+                                 .is_asked_for = is_selecting };
 
 constexpr std::array kAll { &kStays, &kFades, &kHidden };
 
@@ -49,9 +50,9 @@ std::string seen_in(ShownLayers const& layers)
 }
 
 // The scene after another edit of its plant.
-Scene changed(Scene scene)
+scene::Scene changed(scene::Scene scene)
 {
-    auto plant = std::make_shared<PlantState>(*scene.drawn);
+    auto plant = std::make_shared<scene::PlantState>(*scene.drawn);
     ++plant->source_edit;
     scene.drawn = std::move(plant);
     return scene;
@@ -61,9 +62,9 @@ class ShownLayersTest : public ::testing::Test {
 protected:
     ShownLayersTest() { layers_.set_layers(kAll); }
 
-    Tool const drawing_ = DrawTool {};
-    Tool const selecting_ = SelectTool {};
-    Scene const scene_ = small_scene();
+    tools::Tool const drawing_ = tools::DrawTool {};
+    tools::Tool const selecting_ = tools::SelectTool {};
+    scene::Scene const scene_ = small_scene();
     ShownLayers layers_;
 };
 

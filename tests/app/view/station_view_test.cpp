@@ -21,11 +21,11 @@ namespace tractus::view {
 namespace {
 
 // A station with the tools of this test alone: the thread sanitizer need not see all methods.
-DrawingStation station_on(Scene scene, std::optional<Tool> const& tool = {})
+DrawingStation station_on(scene::Scene scene, std::optional<tools::Tool> const& tool = {})
 {
-    static constexpr std::array kTools { &DrawInOrderTool::kKind, &DrawTool::kKind,
-                                         &SelectTool::kKind, &EraseTool::kKind,
-                                         &IndicateTool::kKind };
+    static constexpr std::array kTools { &tools::DrawInOrderTool::kKind, &tools::DrawTool::kKind,
+                                         &tools::SelectTool::kKind, &tools::EraseTool::kKind,
+                                         &indicators::IndicateTool::kKind };
     return { flat_station(kTools, tool), std::move(scene) };
 }
 
@@ -43,7 +43,7 @@ void end_stroke(DrawingStation& station)
 
 TEST(StationView, LetsTheBranchFollowThePen)
 {
-    auto station = station_on(small_scene(), DrawInOrderTool {});
+    auto station = station_on(small_scene(), tools::DrawInOrderTool {});
     StationView view(station, station.document());
     view.show(station, station.document());
     EXPECT_TRUE(view.state().preview.empty());
@@ -53,7 +53,7 @@ TEST(StationView, LetsTheBranchFollowThePen)
     // The trunk, and the two branches that it carries along.
     ASSERT_EQ(view.state().preview.size(), 3u);
     auto const& trunk = view.state().preview.front();
-    EXPECT_EQ(trunk.state, SkeletonLine::State::Assigned);
+    EXPECT_EQ(trunk.state, tools::SkeletonLine::State::Assigned);
     EXPECT_EQ(trunk.points_mm.size(), 7u);
     auto const revision = view.state().preview_revision;
     auto const skeletons = view.state().skeleton_revision;
@@ -68,7 +68,7 @@ TEST(StationView, LetsTheBranchFollowThePen)
     EXPECT_EQ(view.state().skeleton_revision, skeletons + 1) << "when the stroke was done";
 }
 
-std::size_t in_state(StationView const& view, SkeletonLine::State state)
+std::size_t in_state(StationView const& view, tools::SkeletonLine::State state)
 {
     std::size_t count = 0;
     for (auto const& line : view.state().skeleton)
@@ -79,11 +79,11 @@ std::size_t in_state(StationView const& view, SkeletonLine::State state)
 // What was drawn stays where one looks: the skeleton after pen-up is what the pen showed.
 TEST(StationView, KeepsTheSkeletonAsStrokesBendIt)
 {
-    auto station = station_on(small_scene(), DrawInOrderTool {});
+    auto station = station_on(small_scene(), tools::DrawInOrderTool {});
     StationView view(station, station.document());
     view.show(station, station.document());
-    EXPECT_EQ(in_state(view, SkeletonLine::State::Next), 1u);
-    EXPECT_EQ(view.state().skeleton.front().state, SkeletonLine::State::Next) << "the trunk";
+    EXPECT_EQ(in_state(view, tools::SkeletonLine::State::Next), 1u);
+    EXPECT_EQ(view.state().skeleton.front().state, tools::SkeletonLine::State::Next) << "the trunk";
     begin_stroke(station);
     view.show(station, station.document());
     view.settle();
@@ -99,17 +99,18 @@ TEST(StationView, KeepsTheSkeletonAsStrokesBendIt)
         for (std::size_t k = 0; k < kept[i].points_mm.size(); ++k)
             EXPECT_LT((kept[i].points_mm[k] - shown[i].points_mm[k]).norm(), 0.5f);
     }
-    EXPECT_EQ(kept[0].state, SkeletonLine::State::Assigned) << "green, though it is selected, too";
-    EXPECT_EQ(in_state(view, SkeletonLine::State::Next), 1u) << "the next branch";
-    station.set_tool(at_ms(70), SelectTool {});
+    EXPECT_EQ(kept[0].state, tools::SkeletonLine::State::Assigned)
+        << "green, though it is selected, too";
+    EXPECT_EQ(in_state(view, tools::SkeletonLine::State::Next), 1u) << "the next branch";
+    station.set_tool(at_ms(70), tools::SelectTool {});
     view.show(station, station.document());
-    EXPECT_EQ(in_state(view, SkeletonLine::State::Next), 0u);
+    EXPECT_EQ(in_state(view, tools::SkeletonLine::State::Next), 0u);
 }
 
 // A stroke that changes nothing stays to be seen beside the reason, until the next one begins.
 TEST(StationView, KeepsARefusedStrokeInSight)
 {
-    auto station = station_on(small_scene(), DrawTool {}); // Nothing is selected.
+    auto station = station_on(small_scene(), tools::DrawTool {}); // Nothing is selected.
     StationView view(station, station.document());
     auto const draw = [&] {
         begin_stroke(station);
@@ -123,7 +124,7 @@ TEST(StationView, KeepsARefusedStrokeInSight)
     view.tell(drawn[0]);
     ASSERT_TRUE(view.state().refused);
     EXPECT_EQ(view.state().refused->why, drawn[0].refusal);
-    EXPECT_EQ(view.state().refused->surface, Surface::Space);
+    EXPECT_EQ(view.state().refused->surface, tools::Surface::Space);
     EXPECT_EQ(view.state().refused->ink.points.size(), drawn[0].stroke.tips.size());
     auto const revision = view.state().live_revision;
     view.show(station, station.document());
@@ -133,7 +134,7 @@ TEST(StationView, KeepsARefusedStrokeInSight)
     view.show(station, station.document());
     EXPECT_FALSE(view.state().refused);
     EXPECT_GT(view.state().live_revision, revision);
-    DrawnStroke const done { drawn[0].stroke, drawn[0].tool };
+    document::DrawnStroke const done { drawn[0].stroke, drawn[0].tool };
     view.tell(drawn[0]);
     view.tell(done);
     EXPECT_FALSE(view.state().refused) << "the last one was not";
@@ -143,19 +144,21 @@ TEST(StationView, ShowsWhatPropagationShapes)
 {
     auto scene = small_scene();
     select(scene, { segments_of(scene.base->axes[0]) });
-    scene = apply_edit(
-                scene,
-                Associate { .stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 30 }, { 40, 0, 60 } }),
-                            .propagation = variation::Propagation::Descendants })
-                .value();
-    auto station = station_on(scene, DrawTool {});
+    scene
+        = scene::apply_edit(scene,
+                            scene::Associate { .stroke = stroke_through(
+                                                   { { 0, 0, 0 }, { 0, 0, 30 }, { 40, 0, 60 } }),
+                                               .propagation = variation::Propagation::Descendants })
+              .value();
+    auto station = station_on(scene, tools::DrawTool {});
     StationView const view(station, station.document());
-    EXPECT_EQ(in_state(view, SkeletonLine::State::Assigned), 2u) << "both branches of the trunk";
+    EXPECT_EQ(in_state(view, tools::SkeletonLine::State::Assigned), 2u)
+        << "both branches of the trunk";
 }
 
 TEST(StationView, PreviewsWhatTheStrokeWillBe)
 {
-    auto station = station_on(small_scene(), DrawInOrderTool {});
+    auto station = station_on(small_scene(), tools::DrawInOrderTool {});
     StationView view(station, station.document());
     begin_stroke(station);
     view.show(station, station.document());
@@ -163,10 +166,10 @@ TEST(StationView, PreviewsWhatTheStrokeWillBe)
     auto const preview = view.state().preview.front().points_mm;
     station.finish();
     ASSERT_EQ(station.scene().associations.size(), 1u);
-    Tool const tool = DrawInOrderTool {};
+    tools::Tool const tool = tools::DrawInOrderTool {};
     auto const& ink = station.scene().associations[0].what.stroke.tips.vector();
-    auto const lines
-        = branch_previewer()->show({ std::make_shared<Scene const>(small_scene()), tool, ink, 9 });
+    auto const lines = tools::branch_previewer()->show(
+        { std::make_shared<scene::Scene const>(small_scene()), tool, ink, 9 });
     ASSERT_FALSE(lines.empty());
     for (std::size_t i = 0; i < preview.size(); ++i)
         EXPECT_TRUE(lines.front().points_mm[i].isApprox(preview[i], 1e-4f)) << i;
@@ -174,8 +177,9 @@ TEST(StationView, PreviewsWhatTheStrokeWillBe)
 
 TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
 {
-    for (auto const& tool : { Tool(SelectTool {}), Tool(IndicateTool {}),
-                              Tool(DrawTool {}) /* Nothing is selected. */ }) {
+    for (auto const& tool :
+         { tools::Tool(tools::SelectTool {}), tools::Tool(indicators::IndicateTool {}),
+           tools::Tool(tools::DrawTool {}) /* Nothing is selected. */ }) {
         auto station = station_on(small_scene(), tool);
         StationView view(station, station.document());
         begin_stroke(station);
@@ -188,7 +192,7 @@ TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
 // Also with the pen's other end, while its tip would draw.
 TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
 {
-    auto station = station_on(small_scene(), DrawInOrderTool {});
+    auto station = station_on(small_scene(), tools::DrawInOrderTool {});
     StationView view(station, station.document());
     begin_stroke(station);
     end_stroke(station);
@@ -203,8 +207,8 @@ TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
     view.show(station, station.document());
     view.settle();
     ASSERT_EQ(view.state().live_ink.size(), 1u);
-    EXPECT_EQ(view.state().live_ink[0].look, InkStyle::Look::Eraser);
-    EXPECT_EQ(view.state().live_ink[0].points[0].width_mm, 2 * EraseTool::kRadius_mm);
+    EXPECT_EQ(view.state().live_ink[0].look, tools::InkStyle::Look::Eraser);
+    EXPECT_EQ(view.state().live_ink[0].points[0].width_mm, 2 * tools::EraseTool::kRadius_mm);
     ASSERT_FALSE(view.state().preview.empty());
     for (auto const& point : view.state().preview.front().points_mm)
         EXPECT_LT(point.head<2>().norm(), 1e-3) << "the trunk is straight as the model has it";
@@ -214,28 +218,33 @@ TEST(StationView, ShowsAStrokeOfSeveralBranchesTwiceOnlyWhereTheyDiffer)
 {
     auto scene = small_scene();
     select(scene, { segments_of(scene.base->axes[1]), segments_of(scene.base->axes[2]) });
-    scene
-        = apply_edit(std::move(scene), Associate { stroke_through({ { 0, 0, 0 }, { 0, 40, 60 } }) })
-              .value();
-    auto const shown = [](Scene const& shown_scene) {
+    scene = scene::apply_edit(std::move(scene),
+                              scene::Associate { stroke_through({ { 0, 0, 0 }, { 0, 40, 60 } }) })
+                .value();
+    auto const shown = [](scene::Scene const& shown_scene) {
         auto const station = station_on(shown_scene);
         return StationView(station, station.document()).state().strokes.size();
     };
     EXPECT_EQ(shown(scene), 1u);
-    EXPECT_EQ(shown(apply_edit(scene, EraseTips { numbered({ 0, 1 }), { { 9, 10 } } }).value()),
+    EXPECT_EQ(shown(scene::apply_edit(scene,
+                                      scene::EraseTips { scene::numbered({ 0, 1 }), { { 9, 10 } } })
+                        .value()),
               1u);
-    EXPECT_EQ(shown(apply_edit(scene, EraseTips { numbered({ 1 }), { { 9, 10 } } }).value()), 2u);
+    EXPECT_EQ(
+        shown(scene::apply_edit(scene, scene::EraseTips { scene::numbered({ 1 }), { { 9, 10 } } })
+                  .value()),
+        2u);
 }
 
 // A trunk of so many segments that bear a branch each, which bears a twig of a hundred.
-Scene bushy_scene(int branches)
+scene::Scene bushy_scene(int branches)
 {
     auto model = small_model();
     model.source.text = "Lsystem: 1\nderivation length: 100\nAxiom: ";
     for (int i = 0; i < branches; ++i)
         model.source.text += "F(10)[+(60)F(8)[+(50)A]F(8)]";
     model.source.text += "F(10)\nA --> F(1)A\nendlsystem\n"; // The trunk goes on to its own end.
-    return apply_edit({}, model).value();
+    return scene::apply_edit({}, model).value();
 }
 
 TEST(StationView, LeavesTheTwigsOfLargePlantsOutOfTheSkeleton)
@@ -250,20 +259,21 @@ TEST(StationView, ListsWhatHasLostItsBranch)
 {
     auto bare = small_model();
     bare.source.text = "Lsystem: 1\nderivation length: 1\nAxiom: F(10)\nA --> A\nendlsystem\n";
-    bare.drawn = Drawn::Keep;
-    std::vector<Edit> edits { small_model(), Select { { { 0, 1, 2 } } },
-                              Associate { stroke_through({ { 0, 0, 0 }, { 10, 5, 100 } }) } };
-    auto station = station_on(fold(edits).value(), {});
+    bare.drawn = scene::Drawn::Keep;
+    std::vector<scene::Edit> edits { small_model(), scene::Select { { { 0, 1, 2 } } },
+                                     scene::Associate {
+                                         stroke_through({ { 0, 0, 0 }, { 10, 5, 100 } }) } };
+    auto station = station_on(scene::fold(edits).value(), {});
     StationView view(station, station.document());
     EXPECT_TRUE(view.state().orphans.empty());
-    station.document().make(step_of({ bare }));
+    station.document().make(document::step_of({ bare }));
     view.show(station, station.document());
     ASSERT_EQ(view.state().orphans.size(), 1u);
     EXPECT_EQ(view.state().orphans[0].name, "stroke 3") << "the third edit's";
     EXPECT_EQ(view.state().orphans[0].place, "up to segment 3 of stem 1");
     auto const edits_away = edits_without_orphans(station.scene());
     ASSERT_EQ(edits_away.size(), 1u);
-    EXPECT_TRUE(apply_edit(station.scene(), edits_away[0]).value().associations.empty());
+    EXPECT_TRUE(scene::apply_edit(station.scene(), edits_away[0]).value().associations.empty());
     EXPECT_NE(view.state().status.find("has lost 1 of the branches"), std::string::npos);
     station.document().begin_again("");
     view.show(station, station.document());

@@ -280,12 +280,13 @@ protected:
 
     controllers::LiveWindowOptions options() const
     {
-        controllers::StartPageOptions page { .kinds = all_methods().edits,
-                                             .tools = all_methods().tools };
+        controllers::StartPageOptions page { .kinds = methods::all_methods().edits,
+                                             .tools = methods::all_methods().tools };
         page.models = { files::find_resource("models").value() };
         page.sessions = folder_ / "tractus";
         page.now = [] { return std::chrono::sys_seconds(); };
-        controllers::LiveWindowOptions options { .methods = all_methods(), .folder = folder_ };
+        controllers::LiveWindowOptions options { .methods = methods::all_methods(),
+                                                 .folder = folder_ };
         options.recording = recording();
         options.start_page = std::make_unique<controllers::StartPageController>(std::move(page));
         options.start_page->open({});
@@ -309,14 +310,14 @@ protected:
     }
 
     // Returns how long it took, in seconds, and what is drawn then.
-    std::pair<double, Scene> draw_with_pen();
-    std::pair<double, Scene> draw_with_mouse();
+    std::pair<double, scene::Scene> draw_with_pen();
+    std::pair<double, scene::Scene> draw_with_mouse();
 
     fs::path const folder_
         = fs::temp_directory_path() / fmt::format("tractus_first_{}", ::getpid());
 };
 
-std::pair<double, Scene> FirstPlants::draw_with_pen()
+std::pair<double, scene::Scene> FirstPlants::draw_with_pen()
 {
     bool const has_surface = device() == Device::PenAndSurface;
     Vec2 card = Vec2::Zero();
@@ -349,7 +350,7 @@ std::pair<double, Scene> FirstPlants::draw_with_pen()
 }
 
 // By the clock, as the mouse's devices are read on threads of their own.
-std::pair<double, Scene> FirstPlants::draw_with_mouse()
+std::pair<double, scene::Scene> FirstPlants::draw_with_mouse()
 {
     auto all = options();
     all.now = clock_now;
@@ -416,10 +417,10 @@ TEST_P(FirstPlants, TakesOnePressAndIsRecorded)
                           / fmt::format("{}-{}.tractus-log", plant().method, name_of(device())),
                       fs::copy_options::overwrite_existing);
     auto const log = drivers::read_log(recording()).value();
-    station::ReplayOptions options { .methods = all_methods() };
+    station::ReplayOptions options { .methods = methods::all_methods() };
     if (device() == Device::Tablet || device() == Device::PenDisplay)
         options.height = calib::parse_height_scenario("100").value();
-    auto const again = replayed(log, options, is_shaped ? our_plant("birch") : Scene {});
+    auto const again = replayed(log, options, is_shaped ? our_plant("birch") : scene::Scene {});
     ASSERT_EQ(again.scene.plants.size(), 1u);
     EXPECT_EQ(again.strokes.size(), plant().lines.size());
     auto const& base = *scene.plants.front()->base;
@@ -437,11 +438,11 @@ TEST(FirstPlantRecordings, ReplayToAPlant)
         ++count;
         auto const name = entry.path().stem().string();
         bool const is_shaped = name.starts_with("strokes");
-        station::ReplayOptions options { .methods = all_methods() };
+        station::ReplayOptions options { .methods = methods::all_methods() };
         if (name.ends_with("tablet"))
             options.height = calib::parse_height_scenario("100").value();
         auto const log = drivers::read_log(entry.path()).value();
-        auto const drawn = replayed(log, options, is_shaped ? our_plant("birch") : Scene {});
+        auto const drawn = replayed(log, options, is_shaped ? our_plant("birch") : scene::Scene {});
         EXPECT_EQ(drawn.scene.plants.size(), 1u);
         EXPECT_EQ(drawn.scene.associations.size(), is_shaped ? 1u : 0u);
         for (auto const& stroke : drawn.strokes)

@@ -72,14 +72,14 @@ private:
 class DrawingModel : public view::WindowModel {
 public:
     DrawingModel()
-        : methods_(all_methods())
+        : methods_(methods::all_methods())
         , mesh_(render::post_with_leaves())
     {
         state_ = small_state();
         state_.plant = &mesh_;
         state_.plant_revision = 1;
         state_.tools = methods_.tools;
-        state_.hand = Tool(*state_.tools.front());
+        state_.hand = tools::Tool(*state_.tools.front());
         state_.is_live = true;
         state_.mouse_draws = true;
         state_.has_session = true;
@@ -108,10 +108,10 @@ public:
     }
 
     void name(std::string drawing) { state_.drawing_name = std::move(drawing); }
-    void add_card(ToolCard card) { state_.cards.push_back(std::move(card)); }
+    void add_card(tools::ToolCard card) { state_.cards.push_back(std::move(card)); }
 
-    std::vector<Tool> moved {};              // What tools in hand are adjusted to,
-    std::vector<Tool> released {};           // and left as.
+    std::vector<tools::Tool> moved {};       // What tools in hand are adjusted to,
+    std::vector<tools::Tool> released {};    // and left as.
     std::vector<std::string> given_names {}; // To the drawing.
     std::size_t touches = 0;
 
@@ -120,7 +120,7 @@ public:
         = nullptr; // What is shown in place of the drawing; not owned.
 
 private:
-    Methods methods_;
+    tools::Methods methods_;
     mesh::Mesh mesh_;
     view::WindowState state_;
 };

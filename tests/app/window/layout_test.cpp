@@ -8,9 +8,9 @@ using namespace layout_tests;
 
 TEST_F(LayoutTest, ShowsEveryButtonOfEachToolWhole)
 {
-    auto const methods = all_methods();
+    auto const methods = methods::all_methods();
     for (auto const& size : sizes())
-        for (auto const& choice : tool_choices(methods.tools, {})) {
+        for (auto const& choice : tools::tool_choices(methods.tools, {})) {
             SCOPED_TRACE(fmt::format("{}, {}", text_of(size), choice.text));
             show(
                 { size.width, size.height }, size.scale,

@@ -83,7 +83,8 @@ public:
         hover(x_px, y_px);
         wait(50);
         // The groups of tools, undo, redo, and what changes the view.
-        auto const choices = static_cast<int>(tool_choices(all_methods().tools, {}).size()) + 4;
+        auto const choices
+            = static_cast<int>(tools::tool_choices(methods::all_methods().tools, {}).size()) + 4;
         double const angle = choice * 2 * kPi / choices - kPi / 2;
         tap(x_px + kMiddleOfRing_px * std::cos(angle), y_px + kMiddleOfRing_px * std::sin(angle));
     }
@@ -144,7 +145,7 @@ protected:
         std::ofstream(file) << script.text();
         auto const now = std::make_shared<Timestamp>();
         controllers::LiveWindowOptions options {
-            .methods = all_methods(),
+            .methods = methods::all_methods(),
             .rig_file = folder_ / "table.rig.toml",
             .height_mm = has_sensor ? std::nullopt : std::optional(100.0),
             .scene = small_scene(),
@@ -165,14 +166,14 @@ protected:
         std::ofstream(file) << script.text();
         auto const now = std::make_shared<Timestamp>();
         controllers::LiveWindowOptions options {
-            .methods = all_methods(),
+            .methods = methods::all_methods(),
             .height_mm = 100.0,
             .folder = folder_,
             .now = [now] { return *now; },
             .counted_time = now,
             .start_page = std::make_unique<controllers::StartPageController>(
-                controllers::StartPageOptions { .kinds = all_methods().edits,
-                                                .tools = all_methods().tools,
+                controllers::StartPageOptions { .kinds = methods::all_methods().edits,
+                                                .tools = methods::all_methods().tools,
                                                 .models = {},
                                                 .sessions = folder_,
                                                 .pictures = {},
@@ -213,7 +214,7 @@ TEST_F(PenWorksWindow, ChoosesAToolInTheRingAndDrawsWithIt)
     script.draw(350, 195, 600, 195);
     auto window = window_of(script);
     run(window, script);
-    EXPECT_TRUE(window.state().hand.get<IndicateTool>());
+    EXPECT_TRUE(window.state().hand.get<indicators::IndicateTool>());
     ASSERT_EQ(window.station().counts().strokes, 1u) << "what presses draws nothing";
     ASSERT_EQ(window.scene().indicators.size(), 1u);
     auto const& indicator = window.scene().indicators[0].what;
@@ -235,7 +236,7 @@ TEST_F(PenWorksWindow, OpensTheRingForATouchThatRests)
     script.draw(450, 60, 450, 220);
     auto window = window_of(script);
     run(window, script);
-    EXPECT_TRUE(window.state().hand.get<EraseTool>());
+    EXPECT_TRUE(window.state().hand.get<tools::EraseTool>());
     ASSERT_EQ(window.station().counts().strokes, 2u);
     EXPECT_TRUE(window.scene().indicators.empty()) << "the eraser ran over it";
 }
@@ -247,7 +248,7 @@ TEST_F(PenWorksWindow, SelectsWhereTheSkeletonIsShown)
     script.draw(500, 310, 500, 120); // Over the branch on the right.
     auto window = window_of(script);
     run(window, script);
-    EXPECT_TRUE(window.state().hand.get<SelectTool>());
+    EXPECT_TRUE(window.state().hand.get<tools::SelectTool>());
     ASSERT_EQ(window.station().counts().strokes, 1u);
     EXPECT_FALSE(window.scene().selection.empty());
 }
@@ -260,7 +261,7 @@ TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
     auto window = window_of(script, true);
     run(window, script);
     auto const log = drivers::read_log(folder_ / "again.tractus-log").value();
-    station::ReplayOptions options { .methods = all_methods() };
+    station::ReplayOptions options { .methods = methods::all_methods() };
     options.height = calib::parse_height_scenario("100").value();
     auto const replay = replayed(log, options);
     auto const& again = replay.scene.indicators;
@@ -282,9 +283,9 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     script.erase(300, 150, 300, 250);
     auto window = window_of(script, true);
     run(window, script);
-    EXPECT_TRUE(window.state().hand.get<DrawInOrderTool>());
+    EXPECT_TRUE(window.state().hand.get<tools::DrawInOrderTool>());
     EXPECT_EQ(window.state().remembered,
-              std::vector<Tool> { EraseTool { EraseTool::Erasing::Part } });
+              std::vector<tools::Tool> { tools::EraseTool { tools::EraseTool::Erasing::Part } });
     ASSERT_EQ(window.station().counts().strokes, 3u);
     ASSERT_EQ(window.scene().associations.size(), 1u);
     auto const& tips = window.scene().associations[0].what.stroke.tips;
@@ -293,7 +294,7 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     EXPECT_NEAR(tips.back().position_mm.x(), 36, 0.1);
 
     auto const log = drivers::read_log(folder_ / "again.tractus-log").value();
-    station::ReplayOptions options { .methods = all_methods() };
+    station::ReplayOptions options { .methods = methods::all_methods() };
     options.height = calib::parse_height_scenario("100").value();
     auto const scene = replayed(log, options).scene;
     ASSERT_EQ(scene.associations.size(), 1u);
@@ -357,7 +358,7 @@ TEST_F(PenWorksWindow, SetsNumbersOfATool)
     script.tap(676, 42);  // "Set".
     auto window = window_of(script);
     run(window, script);
-    auto const words = words_for(window.state().hand);
+    auto const words = tools::words_for(window.state().hand);
     EXPECT_EQ(words.name, "sketch");
     EXPECT_EQ(words.arguments, "laterals=3 angle=50");
     EXPECT_EQ(window.station().counts().strokes, 0u);

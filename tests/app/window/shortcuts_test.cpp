@@ -17,7 +17,7 @@ public:
     AskedModel()
     {
         state_.is_live = true;
-        state_.tools = all_methods().tools;
+        state_.tools = methods::all_methods().tools;
     }
 
     void advance(Duration) override { }
@@ -71,9 +71,9 @@ TEST_F(Shortcuts, ToolsAreForAKeyAlone)
     EXPECT_TRUE(model.asked.empty());
     press('E');
     ASSERT_TRUE(model.was_last_asked_for<view::ChooseTool>());
-    EXPECT_TRUE(std::get<view::ChooseTool>(model.asked.back()).tool.get<EraseTool>());
+    EXPECT_TRUE(std::get<view::ChooseTool>(model.asked.back()).tool.get<tools::EraseTool>());
     press('C');
-    EXPECT_TRUE(std::get<view::ChooseTool>(model.asked.back()).tool.get<SelectTool>());
+    EXPECT_TRUE(std::get<view::ChooseTool>(model.asked.back()).tool.get<tools::SelectTool>());
 }
 
 TEST_F(Shortcuts, PressedTwiceInAFrameTheFullScreenStaysOff)

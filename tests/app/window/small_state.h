@@ -23,15 +23,15 @@ inline view::WindowState small_state()
         { .points_mm = { { 0, 0, 0 }, { 0, 0, 200 }, { 0, 0, 400 } }, .width_mm = 30 },
         { .points_mm = { { 0, 0, 200 }, { -200, 0, 400 } },
           .width_mm = 15,
-          .state = SkeletonLine::State::Selected },
+          .state = tools::SkeletonLine::State::Selected },
         { .points_mm = { { 0, 0, 200 }, { 200, 0, 400 } },
           .width_mm = 15,
-          .state = SkeletonLine::State::Assigned },
+          .state = tools::SkeletonLine::State::Assigned },
     };
     for (auto const& line : state.skeleton)
         for (auto const& point : line.points_mm)
             state.skeleton_box_mm.add(point.cast<double>());
-    state.layers = { { &kIndicatorLayer, { { { -60, 0, 24 }, { -24, 0, 48 } } } } };
+    state.layers = { { &indicators::kIndicatorLayer, { { { -60, 0, 24 }, { -24, 0, 48 } } } } };
     state.T_world_plant.linear() *= 0.4f;
     state.tool = "Draw";
     state.status = "Drawing stroke 1 of 3";

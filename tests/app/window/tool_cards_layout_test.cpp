@@ -14,7 +14,8 @@ TEST_F(LayoutTest, ShowsCardsOfToolsInTheWindow)
             show(
                 { size.width, size.height }, size.scale,
                 [&](Layout& layout, DrawingModel& model) {
-                    Tool const tool(*find_tool_kind(all_methods().tools, word));
+                    tools::Tool const tool(
+                        *tools::find_tool_kind(methods::all_methods().tools, word));
                     model.perform(view::ChooseTool { tool });
                     for (int i = 1; i <= 12; ++i)
                         model.add_card({ fmt::format("A card of a long name, {}", i), tool });
@@ -39,9 +40,9 @@ TEST_F(LayoutTest, ShowsCardsOfToolsInTheWindow)
 TEST_F(LayoutTest, TakesACardIntoTheHand)
 {
     DrawingModel model;
-    Tool const tool(*find_tool_kind(all_methods().tools, "sketch"));
+    tools::Tool const tool(*tools::find_tool_kind(methods::all_methods().tools, "sketch"));
     model.perform(view::ChooseTool { tool });
-    auto const second = ready_cards(tool)[1].tool;
+    auto const second = tools::ready_cards(tool)[1].tool;
     std::vector<Moment> moments { { { 0, 0 } }, { { 0, 0 } } };
     for (float y = 300; y < 420; y += 20) { // Wherever the second card of the first row is.
         moments.push_back({ { 230, y } });
@@ -58,7 +59,8 @@ TEST_F(LayoutTest, TakesACardIntoTheHand)
 TEST_F(LayoutTest, DragsTheHandlesOfTheRule)
 {
     DrawingModel model;
-    model.perform(view::ChooseTool { Tool(*find_tool_kind(all_methods().tools, "sketch")) });
+    model.perform(view::ChooseTool {
+        tools::Tool(*tools::find_tool_kind(methods::all_methods().tools, "sketch")) });
     std::vector<Moment> drags { { { 0, 0 } }, { { 0, 0 } } };
     for (float x = 355; x < 560; x += 16)
         for (float y = 70; y < 280; y += 16) {

@@ -59,7 +59,7 @@ TEST(PadCurves, ShowWhereTheEraserWasButNotAsInk)
             .points;
     };
     EXPECT_EQ(places()[0].color, theme::palette().ink);
-    state.live_ink[0].look = InkStyle::Look::Eraser;
+    state.live_ink[0].look = tools::InkStyle::Look::Eraser;
     EXPECT_NE(places()[0].color, theme::palette().ink);
     EXPECT_NE(places()[0].color, theme::palette().pad_background) << "it is seen";
 }
@@ -77,7 +77,7 @@ TEST(PadCurves, DashWhatWasRefused)
     auto const first = find(dashed, { 0, 50, 150 }, render::Curve::WidthUnit::Pixels);
     EXPECT_TRUE(first.points.back().position_mm.isApprox(Vec3f(4, 50, 150)));
     EXPECT_NE(first.points[0].color, theme::palette().ink);
-    state.hand = OutlineTool {}; // It draws on paper, where that stroke was not.
+    state.hand = silhouette::OutlineTool {}; // It draws on paper, where that stroke was not.
     EXPECT_EQ(pad_live_curves(state).size(), before);
 }
 
@@ -86,7 +86,7 @@ TEST(PadCurves, ShowTheBranchesThatTheInkWouldMove)
     auto state = small_state();
     state.preview = { { .points_mm = { { 0, 0, 200 }, { 0, 100, 400 } },
                         .width_mm = 15,
-                        .state = SkeletonLine::State::Assigned } };
+                        .state = tools::SkeletonLine::State::Assigned } };
     auto const curves = pad_preview_curves(state);
     auto const moved = find(curves, { 0, 0, 80 }, render::Curve::WidthUnit::Pixels);
     EXPECT_TRUE(moved.points.back().position_mm.isApprox(Vec3f(0, 40, 160)));
@@ -145,10 +145,11 @@ TEST(SkeletonCurves, DrawIndicatorsAsArrows)
 
 TEST(LayerCurves, DashAndDotByTheirPattern)
 {
-    static constexpr Layer kDashed { .label = "dashed",
-                                     .style
-                                     = { .pattern = LayerStyle::Pattern::Dashed, .width_mm = 1 },
-                                     .lines = nullptr };
+    static constexpr tools::Layer kDashed {
+        .label = "dashed",
+        .style = { .pattern = tools::LayerStyle::Pattern::Dashed, .width_mm = 1 },
+        .lines = nullptr
+    };
     auto state = small_state();
     state.strokes.clear();
     // Of 4 mm and 2.4 mm by turns, over a corner: 0 to 4, 6.4 to 10.4, 12.8 to 16.
@@ -168,7 +169,7 @@ TEST(PadCurves, LayTheSheetOnTheSurfaceForToolsThatDrawOnPaper)
 {
     auto state = small_state();
     EXPECT_TRUE(pad_of_world(state).matrix().isIdentity());
-    state.hand = OutlineTool {};
+    state.hand = silhouette::OutlineTool {};
     state.paper = { .base_mm = { 10, -60 }, .stands_mm = { 30, 5, 0 } };
     auto const T_pad_world = pad_of_world(state);
     EXPECT_TRUE((T_pad_world * Vec3f(30, 5, 0)).isApprox(Vec3f(10, -60, 150), 1e-5f))

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::scene {
 namespace {
 
 TEST(DeskPlacement, FitsAHighPlantToTheVolumesHeight)
@@ -125,4 +125,4 @@ TEST(SelectionView, LooksFromWhereOneStands)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::scene

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::scene {
 namespace {
 
 // A trunk of six internodes with a branch of two, and if wanted another one below it.
@@ -272,4 +272,4 @@ TEST(DrawnEdits, AreDescribedWhateverTheirTimes)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::scene

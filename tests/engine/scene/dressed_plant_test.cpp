@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace tractus {
+namespace tractus::scene {
 namespace {
 
 // A stem with a leaf of 50 mm, 10 of them stalk, a needle and a disc of a leaf's material.
@@ -100,4 +100,4 @@ TEST(DressPlant, IsAnEditOfOnePlantThatAnotherModelEnds)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::scene

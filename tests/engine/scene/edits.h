@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::scene {
 
 // Strokes as sessions before format 4 name them: by their numbers in the scene's list.
 inline Items numbered(std::initializer_list<std::uint64_t> numbers)
@@ -48,4 +48,4 @@ inline Scene after(std::vector<Edit> const& edits, Scene scene = {})
     return scene;
 }
 
-} // namespace tractus
+} // namespace tractus::scene

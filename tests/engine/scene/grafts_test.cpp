@@ -7,7 +7,7 @@
 #include <numeric>
 #include <rapidcheck/gtest.h>
 
-namespace tractus {
+namespace tractus::scene {
 namespace {
 
 // A trunk of four internodes with a branch of two at the end of each of its first three.
@@ -225,4 +225,4 @@ RC_GTEST_PROP(Grafts, KeepAddresses, ())
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::scene

@@ -4,7 +4,7 @@
 #include "engine/scene/scene.h"
 #include "tests/engine/scene/edits.h"
 
-namespace tractus {
+namespace tractus::scene {
 namespace {
 
 LoadModel trunk_with_branches(std::string const& below = "")
@@ -130,4 +130,4 @@ TEST(Places, ThatThePlantHasNotWait)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::scene

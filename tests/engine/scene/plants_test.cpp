@@ -4,7 +4,7 @@
 #include "engine/variation/growth.h"
 #include "tests/engine/scene/edits.h"
 
-namespace tractus {
+namespace tractus::scene {
 namespace {
 
 // A trunk of so many internodes with one branch.
@@ -203,4 +203,4 @@ TEST(SceneBuilder, SaysWhichEditBroughtAPlantThatCannotBeBuilt)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::scene

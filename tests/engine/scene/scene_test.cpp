@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::scene {
 namespace {
 
 // A trunk of six internodes with one branch of two.
@@ -152,4 +152,4 @@ TEST(Scene, KnowsTheStrokesThatStillShapeSomething)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::scene

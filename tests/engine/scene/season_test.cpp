@@ -9,7 +9,7 @@
 #include <map>
 #include <numbers>
 
-namespace tractus {
+namespace tractus::scene {
 namespace {
 
 constexpr int kLeaves = 2000;
@@ -272,4 +272,4 @@ TEST(Season, IsAnEditOfTheDocument)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::scene

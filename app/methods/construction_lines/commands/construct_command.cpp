@@ -24,14 +24,14 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::lines {
 
 namespace {
 
 namespace fs = std::filesystem;
 
 struct ConstructArguments {
-    Methods methods;
+    tools::Methods methods;
     fs::path sketch;
     fs::path output;
     lines::GivenBesides given;
@@ -83,7 +83,7 @@ Result<void> write_model_files(fs::path const& base, lines::LineModel const& mod
 }
 
 // The folder, and a sentence that says what is in it.
-Result<std::string> write_folder(ConstructArguments const& arguments, LoadModel const& load,
+Result<std::string> write_folder(ConstructArguments const& arguments, scene::LoadModel const& load,
                                  lines::LineModel const& model, Plant const& plant)
 {
     auto const name = model_name(arguments.sketch);
@@ -134,8 +134,8 @@ Result<void> make_plant(ConstructArguments const& arguments, lines::LineSketchFi
     auto model = TRY(write_model(arguments, file, stems));
     if (file.organ)
         model = lines::with_organs(std::move(model), TRY(lines::organ_surface(*file.organ)));
-    LoadModel const load { .source = model.source, .includes = model.functions };
-    auto const scene = TRY(apply_edit({}, load, make_load_options()));
+    scene::LoadModel const load { .source = model.source, .includes = model.functions };
+    auto const scene = TRY(scene::apply_edit({}, load, document::make_load_options()));
     auto written = arguments.output.string();
     if (to_file)
         TRY(batch::write_plant_file(*scene.base, name, arguments.output));
@@ -216,7 +216,7 @@ void add_options(CLI::App& command, ConstructArguments& arguments)
 
 } // namespace
 
-void add_construct_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_construct_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto arguments = std::make_shared<ConstructArguments>();
     arguments->methods = methods;
@@ -249,4 +249,4 @@ void add_construct_command(CLI::App& root, options::Action& action, Methods cons
         [arguments, &action] { action = [arguments] { return construct_plant(*arguments); }; });
 }
 
-} // namespace tractus
+} // namespace tractus::lines

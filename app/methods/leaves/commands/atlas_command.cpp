@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
@@ -185,4 +185,4 @@ void add_atlas_options(CLI::App& leaves, options::Action& action)
     });
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -2,9 +2,9 @@
 
 #include "app/options/action.h"
 
-namespace tractus {
+namespace tractus::leaf {
 
 // tractus leaves LEAF... -o DIR: pages of leaves for game engines.
 void add_atlas_options(CLI::App& leaves, options::Action& action);
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -21,7 +21,7 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
@@ -212,7 +212,7 @@ void add_growth_options(CLI::App& command, LeavesArguments& arguments)
 
 } // namespace
 
-void add_leaves_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_leaves_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto* const command
         = root.add_subcommand("leaves", "Derive leaves from grammars, and make pages of them");
@@ -259,4 +259,4 @@ void add_leaves_command(CLI::App& root, options::Action& action, Methods const& 
     add_paint_commands(*command, action);
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -3,9 +3,9 @@
 #include "app/options/action.h"
 #include "app/tools/methods.h"
 
-namespace tractus {
+namespace tractus::leaf {
 
 // tractus leaves: leaf grammars.
-void add_leaves_command(CLI::App& root, options::Action& action, Methods const& methods);
+void add_leaves_command(CLI::App& root, options::Action& action, tools::Methods const& methods);
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
@@ -318,4 +318,4 @@ void add_paint_commands(CLI::App& leaves, options::Action& action)
         ->callback([&action] { action = [] { return list_leaves(); }; });
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

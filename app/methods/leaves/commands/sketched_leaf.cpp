@@ -17,7 +17,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace tractus {
+namespace tractus::leaf {
 
 namespace {
 
@@ -27,8 +27,8 @@ struct SketchedLeaf {
     std::filesystem::path sketch;
     std::filesystem::path output;
     bool reports = false;
-    std::string height; // Of a recording without a height sensor.
-    Methods methods {}; // Methods that a recording may use.
+    std::string height;        // Of a recording without a height sensor.
+    tools::Methods methods {}; // Methods that a recording may use.
 };
 
 double to_places(double value, double parts)
@@ -121,7 +121,8 @@ Result<void> write_sketched_leaf(SketchedLeaf const& arguments)
 
 } // namespace
 
-void add_sketch_leaf_command(CLI::App& leaves, options::Action& action, Methods const& methods)
+void add_sketch_leaf_command(CLI::App& leaves, options::Action& action,
+                             tools::Methods const& methods)
 {
     auto arguments = std::make_shared<SketchedLeaf>();
     arguments->methods = methods;
@@ -148,4 +149,4 @@ void add_sketch_leaf_command(CLI::App& leaves, options::Action& action, Methods 
         [arguments, &action] { action = [arguments] { return write_sketched_leaf(*arguments); }; });
 }
 
-} // namespace tractus
+} // namespace tractus::leaf

@@ -27,7 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::silhouette {
 
 namespace {
 
@@ -48,7 +48,7 @@ struct SilhouetteArguments {
     silhouette::StyleTo style_to = silhouette::StyleTo::None; // Of branches with parts.
     bool report = false;
     bool session = false;
-    Methods methods;
+    tools::Methods methods;
     batch::PlantFileOptions file;
 };
 
@@ -72,7 +72,7 @@ Result<Plant> plant_of_style(SilhouetteArguments const& arguments)
             TRY(batch::load_session_scene(arguments.style, arguments.methods.edits)));
     auto const path = TRY(files::find_model(arguments.style));
     auto const edit = TRY(io::load_plant_edit(path));
-    auto const scene = TRY(apply_edit({}, edit));
+    auto const scene = TRY(scene::apply_edit({}, edit));
     for (auto const& warning : scene.model_warnings)
         terminal::print_warning(warning);
     return *scene.base;
@@ -318,7 +318,7 @@ void add_options(CLI::App& command, SilhouetteArguments& arguments)
 
 } // namespace
 
-void add_silhouette_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_silhouette_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto arguments = std::make_shared<SilhouetteArguments>();
     arguments->methods = methods;
@@ -345,4 +345,4 @@ void add_silhouette_command(CLI::App& root, options::Action& action, Methods con
         [arguments, &action] { action = [arguments] { return make_trees(*arguments); }; });
 }
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -3,9 +3,9 @@
 #include "app/options/action.h"
 #include "app/tools/methods.h"
 
-namespace tractus {
+namespace tractus::silhouette {
 
 // tractus silhouette FILE … -o OUTPUT: a tree from the outline of its crown.
-void add_silhouette_command(CLI::App& root, options::Action& action, Methods const& methods);
+void add_silhouette_command(CLI::App& root, options::Action& action, tools::Methods const& methods);
 
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sketch {
 
 bool names_model(std::filesystem::path const& rule)
 {
@@ -19,7 +19,7 @@ bool names_model(std::filesystem::path const& rule)
         && !std::filesystem::is_regular_file(rule, error);
 }
 
-static sketch::ModelRule rule_of_model(LoadModel edit)
+static sketch::ModelRule rule_of_model(scene::LoadModel edit)
 {
     return { .source = std::move(edit.source), .includes = std::move(edit.includes) };
 }
@@ -32,7 +32,7 @@ Result<sketch::ModelRule> load_model_rule(std::filesystem::path const& name)
     return rule_of_model(std::move(edit));
 }
 
-std::string describe_contract(std::filesystem::path const& model, LoadOptions const& options)
+std::string describe_contract(std::filesystem::path const& model, scene::LoadOptions const& options)
 {
     auto edit = io::load_model_edit(model);
     if (!edit)
@@ -46,4 +46,4 @@ std::string describe_contract(std::filesystem::path const& model, LoadOptions co
     return text;
 }
 
-} // namespace tractus
+} // namespace tractus::sketch

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sketch {
 
 // True for what is no file of a rule's numbers but a model: an L-system file, or one of ours by its
 // name alone.
@@ -19,6 +19,7 @@ bool names_model(std::filesystem::path const& rule);
 Result<sketch::ModelRule> load_model_rule(std::filesystem::path const& name);
 
 // What "tractus lsystem check" says of a model's growing along strokes, as lines.
-std::string describe_contract(std::filesystem::path const& model, LoadOptions const& options);
+std::string describe_contract(std::filesystem::path const& model,
+                              scene::LoadOptions const& options);
 
-} // namespace tractus
+} // namespace tractus::sketch

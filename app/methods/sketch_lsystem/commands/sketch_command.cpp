@@ -34,14 +34,14 @@
 #include <string>
 #include <utility>
 
-namespace tractus {
+namespace tractus::sketch {
 
 namespace {
 
 namespace fs = std::filesystem;
 
 struct SketchArguments {
-    Methods methods;
+    tools::Methods methods;
     fs::path stroke;
     fs::path rule;
     fs::path folder;
@@ -101,7 +101,8 @@ Result<SketchTool> read_card(SketchArguments const& arguments)
 {
     constexpr std::size_t kMostBytes = 4096;
     auto const text = TRY(read_text_file(arguments.rule, kMostBytes));
-    auto const card = TRY(parse_card(arguments.methods.tools, text, arguments.rule.string()));
+    auto const card
+        = TRY(tools::parse_card(arguments.methods.tools, text, arguments.rule.string()));
     if (auto const* const tool = card.get<SketchTool>())
         return *tool;
     return fail(
@@ -160,10 +161,11 @@ Result<sketch::GrowAlongStroke> drawn_edit(SketchArguments const& arguments,
 }
 
 // The plant's pictures and session, once its model is written.
-Result<void> write_plant(SketchArguments const& arguments, Edit const& load, fs::path const& base,
-                         Result<sketch::GrowAlongStroke> const& drawn, int segments)
+Result<void> write_plant(SketchArguments const& arguments, scene::Edit const& load,
+                         fs::path const& base, Result<sketch::GrowAlongStroke> const& drawn,
+                         int segments)
 {
-    auto const scene = TRY(apply_edit({}, load, make_load_options()));
+    auto const scene = TRY(scene::apply_edit({}, load, document::make_load_options()));
     auto const name = arguments.stroke.stem().string();
     for (auto const* const ending : { ".png", ".glb" })
         TRY(batch::write_plant_file(*scene.base, name, fs::path(base).concat(ending)));
@@ -195,8 +197,8 @@ Result<void> sketch_rule(SketchArguments const& arguments)
         return terminal::print_out(report);
     }
     warn_of_cut(rule, axis);
-    return write_plant(arguments, LoadModel { .source = source }, base, drawn_edit(arguments, rule),
-                       axis.segments());
+    return write_plant(arguments, scene::LoadModel { .source = source }, base,
+                       drawn_edit(arguments, rule), axis.segments());
 }
 
 // What the model includes lies beside it, but for leaves, which are grown again.
@@ -277,7 +279,7 @@ void add_options(CLI::App& command, SketchArguments& arguments)
 
 } // namespace
 
-void add_sketch_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_sketch_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto arguments = std::make_shared<SketchArguments>();
     arguments->methods = methods;
@@ -307,4 +309,4 @@ void add_sketch_command(CLI::App& root, options::Action& action, Methods const& 
         [arguments, &action] { action = [arguments] { return sketch_plant(*arguments); }; });
 }
 
-} // namespace tractus
+} // namespace tractus::sketch

@@ -3,9 +3,9 @@
 #include "app/options/action.h"
 #include "app/tools/methods.h"
 
-namespace tractus {
+namespace tractus::sketch {
 
 // tractus sketch STROKE -o DIR: a rule grows along a drawn stroke.
-void add_sketch_command(CLI::App& root, options::Action& action, Methods const& methods);
+void add_sketch_command(CLI::App& root, options::Action& action, tools::Methods const& methods);
 
-} // namespace tractus
+} // namespace tractus::sketch

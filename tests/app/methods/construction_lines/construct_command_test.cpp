@@ -10,7 +10,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::lines {
 namespace {
 
 namespace fs = std::filesystem;
@@ -530,4 +530,4 @@ TEST_F(ConstructCommand, TakesTheLargestSketch)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lines

@@ -9,12 +9,13 @@
 #include <string>
 #include <vector>
 
-namespace tractus::line_tests {
+namespace tractus::lines::line_tests {
 
-inline std::string line_of(Tool const& tool)
+inline std::string line_of(tools::Tool const& tool)
 {
-    auto const words = words_for(tool);
-    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), tool);
+    auto const words = tools::words_for(tool);
+    EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
+              tool);
     return words.name + " " + words.arguments;
 }
 
@@ -28,15 +29,15 @@ inline std::vector<Stroke> frond()
              stroke_through({ { -80, 70, 50 }, { -38, 35, 50 }, { 5, 72, 50 } }) };
 }
 
-inline Tool spiral(double nodes = 6)
+inline tools::Tool spiral(double nodes = 6)
 {
     return LineTool { .nodes = nodes, .pattern = lines::Pattern::Kind::Spiral };
 }
 
-inline void draw_frond(Document& document)
+inline void draw_frond(document::Document& document)
 {
     for (auto const& stroke : frond())
         document.draw({ stroke, spiral() });
 }
 
-} // namespace tractus::line_tests
+} // namespace tractus::lines::line_tests

@@ -13,7 +13,7 @@
 
 // Each sketch of tests/data/construction_lines against what another program has computed of it.
 
-namespace tractus {
+namespace tractus::lines {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ TEST(ConstructExpectedValues, ReportsAreWhatAnotherProgramComputed)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lines

@@ -14,13 +14,13 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace tractus {
+namespace tractus::lines {
 namespace {
 
 // A stem of 120 mm, both boundaries, and two lines across.
-Scene frond_scene()
+scene::Scene frond_scene()
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     for (auto const& stroke :
          { stroke_through({ { 0, -60, 50 }, { 0, 60, 50 } }),
            stroke_through({ { -30, -62, 50 }, { -35, 0, 50 }, { -15, 68, 50 } }),
@@ -32,23 +32,23 @@ Scene frond_scene()
     return document.newest()->scene;
 }
 
-lines::Construction measured(Scene const& scene)
+lines::Construction measured(scene::Scene const& scene)
 {
     return lines::construction_of(active_sketch(scene).value().sketch).value();
 }
 
-Glyph::Handle const& handle_that_says(Glyph const& glyph, std::string_view beginning)
+tools::Glyph::Handle const& handle_that_says(tools::Glyph const& glyph, std::string_view beginning)
 {
     return *std::find_if(
         glyph.handles.begin(), glyph.handles.end(),
-        [&](Glyph::Handle const& handle) { return handle.says.starts_with(beginning); });
+        [&](tools::Glyph::Handle const& handle) { return handle.says.starts_with(beginning); });
 }
 
-Scene dragged(Scene const& scene, std::size_t handle, Vec2 const& to)
+scene::Scene dragged(scene::Scene const& scene, std::size_t handle, Vec2 const& to)
 {
     auto const edits = kLineCurves.drag(scene, handle, to);
     EXPECT_TRUE(edits) << edits.error().message;
-    return edits ? apply_edits(scene, *edits).value() : scene;
+    return edits ? scene::apply_edits(scene, *edits).value() : scene;
 }
 
 TEST(LineCurves, HaveHandlesOnTheCurves)
@@ -102,7 +102,7 @@ TEST(LineCurves, HaveButtonsForALayersNodes)
         auto const glyph = kLineCurves.show(scene).value();
         auto const handle = std::find_if(
             glyph.handles.begin(), glyph.handles.end(),
-            [&](Glyph::Handle const& each) { return std::string_view(each.sign) == sign; });
+            [&](tools::Glyph::Handle const& each) { return std::string_view(each.sign) == sign; });
         ASSERT_TRUE(handle->is_button);
         scene = dragged(scene, handle->id, handle->place);
     };
@@ -139,11 +139,11 @@ TEST(LineCurves, ABentStemIsKept)
     auto const edits = kLineCurves.drag(scene, handle.id, Vec2(-0.05, -0.9)).value();
     ASSERT_EQ(edits.size(), 1u);
     auto const record = session::record_of(edits[0]);
-    auto const again = session::edit_of(record, all_methods().edits).value();
+    auto const again = session::edit_of(record, methods::all_methods().edits).value();
     EXPECT_EQ(session::record_of(again).fields, record.fields);
     EXPECT_EQ(again.describe().substr(0, 11), "bends stem ");
-    EXPECT_EQ(apply_edits(scene, std::vector { again }).value().base->node_position_mm,
-              apply_edits(scene, edits).value().base->node_position_mm);
+    EXPECT_EQ(scene::apply_edits(scene, std::vector { again }).value().base->node_position_mm,
+              scene::apply_edits(scene, edits).value().base->node_position_mm);
 }
 
 TEST(LineCurves, SetALayersNodesByTheWayFromOneToTheNext)
@@ -174,4 +174,4 @@ TEST(LineCurves, RefuseHandlesThatNothingHas)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lines

@@ -21,7 +21,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::lines {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,25 +45,25 @@ TEST(LineTool, SaysItsOptionsInLogs)
               "construction_line new_stem whorled nodes=12 divergence=99.5 organs=5");
     EXPECT_EQ(line_of(LineTool { .plant = LineTool::Plant::AnotherStem }),
               "construction_line another_stem height");
-    EXPECT_EQ(line_of(Tool(LinePatternTool {}).done_at_once()), "line_pattern now");
-    EXPECT_EQ(line_of(Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once()),
+    EXPECT_EQ(line_of(tools::Tool(LinePatternTool {}).done_at_once()), "line_pattern now");
+    EXPECT_EQ(line_of(tools::Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once()),
               "layer_nodes fewer now");
     EXPECT_EQ(line_of(LayerNodesTool { .nodes = 30 }), "layer_nodes count=30");
     EXPECT_EQ(line_of(LineRoleTool { Role::Left }), "line_role left");
     EXPECT_EQ(line_of(LineRoleTool { Role::Around }), "line_role around");
-    EXPECT_NE(parse_tool(all_methods().tools, "construction_line", "nodes=501")
+    EXPECT_NE(tools::parse_tool(methods::all_methods().tools, "construction_line", "nodes=501")
                   .error()
                   .message.find("from 0 to 500"),
               std::string::npos);
 }
 
-Tool another_stem()
+tools::Tool another_stem()
 {
     return LineTool { .plant = LineTool::Plant::AnotherStem, .nodes = 6 };
 }
 
 // A frond, another one beside it, and a lateral axis on the first.
-void draw_two_stems_and_a_lateral(Document& document)
+void draw_two_stems_and_a_lateral(document::Document& document)
 {
     draw_frond(document);
     document.draw(
@@ -75,7 +75,7 @@ void draw_two_stems_and_a_lateral(Document& document)
 TEST(LineTool, BeginsAPlantAndGoesOnWithIt)
 {
     auto const scene = small_scene();
-    Document document(scene, Document::Working::AtOnce);
+    document::Document document(scene, document::Document::Working::AtOnce);
     draw_frond(document);
     auto const drawn = document.take_drawn();
     ASSERT_EQ(drawn.size(), 5U);
@@ -92,7 +92,7 @@ TEST(LineTool, BeginsAPlantAndGoesOnWithIt)
 
 TEST(LineTool, DrawsSeveralStemsOfOnePlant)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_two_stems_and_a_lateral(document);
     auto const drawn = document.take_drawn();
     for (auto const& stroke : drawn)
@@ -127,7 +127,7 @@ TEST(LineTool, DrawsSeveralStemsOfOnePlant)
 // own functions.
 TEST(LineTool, GivesLinesToTheStemBesideWhichTheyAreDrawn)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_two_stems_and_a_lateral(document);
     document.draw({ stroke_through({ { 80, -58, 50 }, { 84, 0, 50 }, { 75, 45, 50 } }), spiral() });
     auto const& scene = document.newest()->scene;
@@ -175,7 +175,7 @@ protected:
 
 TEST_F(LineToolAndCommand, GiveTheSameText)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_frond(document);
     construct(frond(), { 6 });
     auto const model
@@ -198,7 +198,7 @@ std::vector<Stroke> frond_in_space()
     return strokes;
 }
 
-void draw_frond_in_space(Document& document)
+void draw_frond_in_space(document::Document& document)
 {
     for (auto const& stroke : frond_in_space())
         document.draw({ stroke, spiral() });
@@ -206,7 +206,7 @@ void draw_frond_in_space(Document& document)
 
 TEST(LineTool, DrawsBoundariesWhileTheSurfaceMoves)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_frond_in_space(document);
     auto const drawn = document.take_drawn();
     EXPECT_EQ(drawn[5].said.substr(0, 38), "This is a boundary in space, in front,");
@@ -218,10 +218,11 @@ TEST(LineTool, DrawsBoundariesWhileTheSurfaceMoves)
     EXPECT_EQ(kStemLayer.lines(after).size(), 1U);
     EXPECT_TRUE(kLinesToDrawLayer.lines(after).empty());
     // As older logs had it the stem is drawn again.
-    Document older(Scene {}, Document::Working::AtOnce);
+    document::Document older(scene::Scene {}, document::Document::Working::AtOnce);
     for (auto const& stroke : frond_in_space())
-        older.draw(
-            { stroke, parse_tool(all_methods().tools, "construction_line", "spiral").value() });
+        older.draw({ stroke,
+                     tools::parse_tool(methods::all_methods().tools, "construction_line", "spiral")
+                         .value() });
     for (auto const& line : lines::active_pen_sketch(older.newest()->scene.state)->lines)
         EXPECT_NE(line.role, Role::Around);
 }
@@ -229,7 +230,7 @@ TEST(LineTool, DrawsBoundariesWhileTheSurfaceMoves)
 // The plant is the model that the command writes of the same strokes, in space.
 TEST_F(LineToolAndCommand, GiveTheSameTextOfBoundariesInSpace)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_frond_in_space(document);
     nlohmann::json file { { "pattern", "spiral" }, { "nodes_per_layer", { 6 } } };
     for (auto const& stroke : frond_in_space()) {
@@ -329,19 +330,21 @@ TEST_F(LineToolAndCommand, GiveTheSamePlantFromALog)
 }
 
 // Draws in a session, and gives what the document amounts to at the end.
-Scene drawn_in(session::Session session, void (*draw)(Document& document) = draw_frond)
+scene::Scene drawn_in(session::Session session,
+                      void (*draw)(document::Document& document) = draw_frond)
 {
-    Document document(std::move(session), Document::Working::AtOnce);
+    document::Document document(std::move(session), document::Document::Working::AtOnce);
     draw(document);
-    document.draw({ {}, Tool(LinePatternTool {}).done_at_once() });
-    document.draw({ {}, Tool(LayerNodesTool { LayerNodesTool::What::More }).done_at_once() });
+    document.draw({ {}, tools::Tool(LinePatternTool {}).done_at_once() });
+    document.draw(
+        { {}, tools::Tool(LayerNodesTool { LayerNodesTool::What::More }).done_at_once() });
     document.draw(
         { stroke_through({ { -60, 0, 50 }, { -74, 0, 50 } }), LineRoleTool { Role::Unsure } });
     for (auto const& drawn : document.take_drawn()) {
         EXPECT_EQ(drawn.refusal, "");
         for (auto const& edit : drawn.edits) {
             auto const record = session::record_of(edit);
-            auto const again = session::edit_of(record, all_methods().edits).value();
+            auto const again = session::edit_of(record, methods::all_methods().edits).value();
             EXPECT_EQ(session::record_of(again).fields, record.fields);
             EXPECT_EQ(session::record_of(again).numbers, record.numbers);
             EXPECT_EQ(again.describe(), edit.describe());
@@ -353,11 +356,11 @@ Scene drawn_in(session::Session session, void (*draw)(Document& document) = draw
 
 TEST_F(LineToolAndCommand, ASessionKeepsTheSketch)
 {
-    auto const options
-        = session::session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; });
+    auto const options = session::session_by_the_clock(methods::all_methods().edits,
+                                                       [] { return scene::LoadOptions {}; });
     auto const before = drawn_in(
         session::Session::create(path("lines.tractus"), { .plant = "small.l", .program = "1" },
-                                 std::vector<Edit> { small_model() }, options)
+                                 std::vector<scene::Edit> { small_model() }, options)
             .value());
     auto const again = session::Session::open(path("lines.tractus"), options).value();
     EXPECT_EQ(again.unknown().count, 0U);
@@ -374,11 +377,11 @@ TEST_F(LineToolAndCommand, ASessionKeepsTheSketch)
 
 TEST_F(LineToolAndCommand, ASessionKeepsBoundariesInSpace)
 {
-    auto const options
-        = session::session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; });
+    auto const options = session::session_by_the_clock(methods::all_methods().edits,
+                                                       [] { return scene::LoadOptions {}; });
     auto const before = drawn_in(
         session::Session::create(path("space.tractus"), { .plant = "small.l", .program = "1" },
-                                 std::vector<Edit> { small_model() }, options)
+                                 std::vector<scene::Edit> { small_model() }, options)
             .value(),
         draw_frond_in_space);
     auto const again = session::Session::open(path("space.tractus"), options).value();
@@ -392,11 +395,11 @@ TEST_F(LineToolAndCommand, ASessionKeepsBoundariesInSpace)
 
 TEST_F(LineToolAndCommand, ASessionKeepsStemsAndWhatTheyStandOn)
 {
-    auto const options
-        = session::session_by_the_clock(all_methods().edits, [] { return LoadOptions {}; });
+    auto const options = session::session_by_the_clock(methods::all_methods().edits,
+                                                       [] { return scene::LoadOptions {}; });
     auto const before = drawn_in(
         session::Session::create(path("stems.tractus"), { .plant = "small.l", .program = "1" },
-                                 std::vector<Edit> { small_model() }, options)
+                                 std::vector<scene::Edit> { small_model() }, options)
             .value(),
         draw_two_stems_and_a_lateral);
     auto const again = session::Session::open(path("stems.tractus"), options).value();
@@ -410,7 +413,7 @@ TEST_F(LineToolAndCommand, ASessionKeepsStemsAndWhatTheyStandOn)
 
 TEST_F(LineToolAndCommand, GiveTheSameTextOfSeveralStems)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_two_stems_and_a_lateral(document);
     nlohmann::json file { { "pattern", "spiral" }, { "nodes_per_layer", { 6 } } };
     for (auto const& drawn : document.take_drawn()) {
@@ -452,7 +455,7 @@ TEST(LineTool, BeginsStemsInARecording)
 // Each line is a step.
 TEST(LineTool, IsUndoneAndDoneAgain)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_frond(document);
     auto const drawn = document.newest();
     auto const lines_of = [&] {
@@ -472,7 +475,7 @@ TEST(LineTool, IsUndoneAndDoneAgain)
 
 TEST(LineTool, SaysWhatTheLineWasTakenForAndWhatIsMissing)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     document.draw({ frond()[0], spiral() });
     document.draw({ stroke_through({ { 80, 0, 50 }, { 90, 10, 50 } }), spiral() });
     document.draw({ stroke_through({ { 80, 0, 50 }, { 80, 0, 50 } }), spiral() });
@@ -497,11 +500,11 @@ TEST(LineTool, ShowsThePlantThatFollows)
     auto const strokes = frond();
     auto scene = small_scene();
     for (std::size_t i = 0; i < 4; ++i)
-        scene = apply_edits(scene, spiral().mean(strokes[i], scene).value()).value();
-    auto const shared = std::make_shared<Scene const>(scene);
+        scene = scene::apply_edits(scene, spiral().mean(strokes[i], scene).value()).value();
+    auto const shared = std::make_shared<scene::Scene const>(scene);
     auto const tool = spiral(30);
     auto const shown = line_previewer()->show({ shared, tool, strokes[4].tips.vector(), 99 });
-    auto const after = apply_edits(scene, tool.mean(strokes[4], scene).value()).value();
+    auto const after = scene::apply_edits(scene, tool.mean(strokes[4], scene).value()).value();
     ASSERT_EQ(shown.size(), 1 + after.base->organs.size());
     for (std::size_t i = 0; i < after.base->organs.size(); ++i) {
         Vec3 const foot_mm
@@ -514,4 +517,4 @@ TEST(LineTool, ShowsThePlantThatFollows)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lines

@@ -23,7 +23,7 @@ Line path(char const* data)
     return lines && !lines->empty() ? lines->front() : Line();
 }
 
-nlohmann::json sketch(std::string const& content, std::string const& attributes = "")
+nlohmann::json sketch_of_svg(std::string const& content, std::string const& attributes = "")
 {
     auto const result
         = svg::svg_as_sketch("<?xml version=\"1.0\"?><svg " + attributes
@@ -98,14 +98,14 @@ TEST(SvgTransform, TheLastIsDoneFirst)
 
 TEST(SvgSketch, ReadsLinesByTheirNamesUprightAndInMillimetres)
 {
-    auto const read = sketch(R"xml(<defs><path id="stem" d="M0 0L9 9"/></defs>
+    auto const read = sketch_of_svg(R"xml(<defs><path id="stem" d="M0 0L9 9"/></defs>
         <path id="Stem-1" d="M100 200V0"/>
         <g id="boundaries" transform="translate(100 200)">
           <polyline class="left" points="-50,0 -50,-300"/>
           <g inkscape:label="right side"><line x1="30" y1="0" x2="30" y2="-300"/></g></g>
         <path class="inclinations" d="M40 100L100 160L140 120M40 40H140"/>
         <path d="M0 0L7 7"/>)xml",
-                             R"(width="200mm" viewBox="0 0 400 600")");
+                                    R"(width="200mm" viewBox="0 0 400 600")");
     EXPECT_EQ(read["stem"], nlohmann::json::parse("[[50.0,-100.0],[50.0,0.0]]"));
     EXPECT_EQ(read["left"], nlohmann::json::parse("[[25.0,-100.0],[25.0,50.0]]"));
     EXPECT_EQ(read["right"], nlohmann::json::parse("[[65.0,-100.0],[65.0,50.0]]"));
@@ -115,7 +115,7 @@ TEST(SvgSketch, ReadsLinesByTheirNamesUprightAndInMillimetres)
 
 TEST(SvgSketch, LinesWithoutNamesAreStrokes)
 {
-    auto const read = sketch(R"(<path d="M0 96V0"/><path d="M-48 0V96"/>)");
+    auto const read = sketch_of_svg(R"(<path d="M0 96V0"/><path d="M-48 0V96"/>)");
     ASSERT_EQ(read["strokes"].size(), 2U);
     EXPECT_DOUBLE_EQ(read["strokes"][0][0][1].get<double>(), -25.4); // Pixels: 96 to the inch.
 }

@@ -10,7 +10,7 @@
 
 // Tools that change a sketch by touching it, and how its lines are shown.
 
-namespace tractus {
+namespace tractus::lines {
 namespace {
 
 using namespace line_tests;
@@ -20,7 +20,7 @@ using lines::Role;
 // In front of the plant, wherever it stands and in whatever size it is shown.
 TEST(LineLayers, ShowTheLinesByWhatTheyAre)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_frond(document);
     document.draw({ stroke_through({ { 80, 0, 50 }, { 90, 10, 50 } }), spiral() });
     auto const& drawn = document.newest()->scene;
@@ -30,9 +30,9 @@ TEST(LineLayers, ShowTheLinesByWhatTheyAre)
     EXPECT_TRUE(kLinesToDrawLayer.lines(drawn).empty());
     EXPECT_TRUE(kStemLayer.lines(small_scene()).empty());
     EXPECT_TRUE(kLinesToDrawLayer.lines(small_scene()).empty());
-    std::vector<Edit> const changes { MovePlant { drawn.state.active, { 25, 10, 0 } },
-                                      SetScale { 0.04 } };
-    for (auto const& scene : { drawn, apply_edits(drawn, changes).value() }) {
+    std::vector<scene::Edit> const changes { scene::MovePlant { drawn.state.active, { 25, 10, 0 } },
+                                             scene::SetScale { 0.04 } };
+    for (auto const& scene : { drawn, scene::apply_edits(drawn, changes).value() }) {
         auto const stems = kStemLayer.lines(scene);
         ASSERT_EQ(stems.size(), 1U);
         auto const at_mm = [&](Vec3f const& point_mm) { return Vec3(point_mm.cast<double>()); };
@@ -45,35 +45,36 @@ TEST(LineLayers, ShowTheLinesByWhatTheyAre)
 
 TEST(LinePatternTool, GoesThroughThePatterns)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_frond(document);
     std::string patterns;
     for (int i = 0; i < 5; ++i) {
-        document.draw({ {}, Tool(LinePatternTool {}).done_at_once() });
+        document.draw({ {}, tools::Tool(LinePatternTool {}).done_at_once() });
         patterns += fmt::format("{} ", document.newest()->scene.base->organs.size());
     }
     // Seven nodes: alternate, whorls of three, then two, two, and a spiral again.
     EXPECT_EQ(patterns, "7 21 14 14 7 ");
     EXPECT_EQ(document.take_drawn().back().said, "The organs are spiral now");
-    Scene scene = small_scene();
-    EXPECT_NE(draw({}, LinePatternTool {}, scene).refusal.find("has no construction lines"),
-              std::string::npos);
+    scene::Scene scene = small_scene();
+    EXPECT_NE(
+        document::draw({}, LinePatternTool {}, scene).refusal.find("has no construction lines"),
+        std::string::npos);
 }
 
 TEST(LinePatternTool, LetsSizesFollowHalfEllipsesAndBack)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_frond(document);
     auto const model = [&] {
         return lines::model_of(*lines::active_pen_sketch(document.newest()->scene.state)).value();
     };
     auto const linear = model();
-    Tool const sizes(LinePatternTool { LinePatternTool::What::Sizes });
+    tools::Tool const sizes(LinePatternTool { LinePatternTool::What::Sizes });
     EXPECT_EQ(line_of(sizes.done_at_once()), "line_pattern sizes now");
     document.draw({ {}, sizes.done_at_once() });
     EXPECT_EQ(model().functions.size(), linear.functions.size() + 2);
     EXPECT_EQ(document.take_drawn().back().said, "Sizes follow half-ellipses around the stem now");
-    document.draw({ {}, Tool(LinePatternTool {}).done_at_once() });
+    document.draw({ {}, tools::Tool(LinePatternTool {}).done_at_once() });
     EXPECT_NE(model().source.text.find("azimuth[0]"), std::string::npos) << "in any pattern";
     document.undo();
     document.draw({ {}, sizes.done_at_once() });
@@ -83,7 +84,7 @@ TEST(LinePatternTool, LetsSizesFollowHalfEllipsesAndBack)
 // Drawn where it is proposed, the other boundary changes nothing.
 TEST(LineLayers, ShowWhereALineIsMissing)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     for (std::size_t i : { 0U, 1U, 3U, 4U }) // All but the right boundary.
         document.draw({ frond()[i], spiral() });
     auto const scene = document.newest()->scene;
@@ -100,28 +101,31 @@ TEST(LineLayers, ShowWhereALineIsMissing)
 
 TEST(LayerNodesTool, ChangesTheLayerThatIsTouchedOrTheTopmost)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_frond(document);
     auto const organs = [&] { return document.newest()->scene.base->organs.size(); };
     document.draw(
         { stroke_through({ { -90, -60, 50 }, { -45, 0, 50 } }), LayerNodesTool { .nodes = 20 } });
     EXPECT_EQ(organs(), 21U);
-    document.draw({ {}, Tool(LayerNodesTool { LayerNodesTool::What::More }).done_at_once() });
+    document.draw(
+        { {}, tools::Tool(LayerNodesTool { LayerNodesTool::What::More }).done_at_once() });
     EXPECT_EQ(organs(), 22U);
     for (int i = 0; i < 2; ++i)
-        document.draw({ {}, Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once() });
+        document.draw(
+            { {}, tools::Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once() });
     EXPECT_EQ(organs(), 20U);
     document.draw({ frond()[0], LayerNodesTool { .nodes = 0 } });
     EXPECT_EQ(organs(), 1U);
     document.take_drawn();
-    document.draw({ {}, Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once() });
+    document.draw(
+        { {}, tools::Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once() });
     EXPECT_EQ(document.take_drawn().back().refusal,
               "the topmost layer has 0 nodes, and cannot have fewer");
 }
 
 TEST(LineRoleTool, SaysWhatTheTouchedLineIs)
 {
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_frond(document);
     auto const touch = [](double x, double y) {
         return stroke_through({ { x - 3, y, 50 }, { x, y, 50 } });
@@ -141,4 +145,4 @@ TEST(LineRoleTool, SaysWhatTheTouchedLineIs)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::lines

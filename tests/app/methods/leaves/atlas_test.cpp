@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::leaf {
 namespace {
 
 namespace fs = std::filesystem;
@@ -198,4 +198,4 @@ TEST_F(LeafAtlas, SaysWhatItWants)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::leaf

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::leaf {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,11 +30,11 @@ std::size_t leaves_of(Plant const& plant, std::string_view grammar)
         }));
 }
 
-Scene dressed_in(Scene const& scene, std::string const& leaves)
+scene::Scene dressed_in(scene::Scene const& scene, std::string const& leaves)
 {
-    auto const edits = dressing_edits(scene, scene.state.active, { .leaves = leaves });
+    auto const edits = methods::dressing_edits(scene, scene.state.active, { .leaves = leaves });
     EXPECT_TRUE(edits) << edits.error().message;
-    return edits ? apply_edits(scene, *edits).value() : scene;
+    return edits ? scene::apply_edits(scene, *edits).value() : scene;
 }
 
 TEST(DressPlant, GivesAModelAnotherSpeciesLeaves)
@@ -45,7 +45,7 @@ TEST(DressPlant, GivesAModelAnotherSpeciesLeaves)
     EXPECT_GT(leaves_of(*scene.in_season, "maple"), 100u);
     EXPECT_EQ(leaves_of(*own.in_season, "maple"), 0u);
     EXPECT_EQ(leaves_of(*dressed_in(scene, "").in_season, "maple"), 0u) << "its own again";
-    auto const autumn = batch::with_season(scene, Season { .month = 10.5 }).value();
+    auto const autumn = batch::with_season(scene, scene::Season { .month = 10.5 }).value();
     EXPECT_GT(leaves_of(*autumn.in_season, "maple"), 10u) << "older ones";
     auto const& texture = autumn.in_season->materials.back().textures.base_color;
     EXPECT_NE(texture, scene.in_season->materials.back().textures.base_color);
@@ -60,7 +60,7 @@ TEST(DressPlant, KeepsAGrammarOfOnesOwn)
     EXPECT_GT(leaves_of(*scene.in_season, "my-own-"), 100u);
     ASSERT_EQ(scene.state.leaf_grammars.size(), 1u);
     fs::remove(file);
-    auto const autumn = batch::with_season(scene, Season { .month = 10.5 });
+    auto const autumn = batch::with_season(scene, scene::Season { .month = 10.5 });
     ASSERT_TRUE(autumn) << autumn.error().message;
     EXPECT_GT(leaves_of(*autumn->in_season, "my-own-"), 10u);
 }
@@ -68,10 +68,11 @@ TEST(DressPlant, KeepsAGrammarOfOnesOwn)
 TEST(DressPlant, SaysWhichLeavesThereAre)
 {
     auto const scene = our_plant("broadleaf");
-    auto const none = dressing_edits(scene, scene.state.active, { .leaves = "mapel" });
+    auto const none = methods::dressing_edits(scene, scene.state.active, { .leaves = "mapel" });
     ASSERT_FALSE(none);
     EXPECT_NE(none.error().message.find("maple"), std::string::npos) << none.error().message;
-    EXPECT_FALSE(dressing_edits(scene, scene.state.active, { .leaves = "/nowhere/my.leaf" }));
+    EXPECT_FALSE(
+        methods::dressing_edits(scene, scene.state.active, { .leaves = "/nowhere/my.leaf" }));
 }
 
 // From a drawing over its grammar to a tree that has the leaf.
@@ -113,4 +114,4 @@ TEST(SketchLeaf, MakesAGrammarThatPlantsWear)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::leaf

@@ -16,7 +16,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::leaf {
 namespace {
 
 namespace fs = std::filesystem;
@@ -44,14 +44,14 @@ Stroke vein(int number, double side)
     return stroke_through({ { 0, y, 120 }, { side * 12, y + 11, 120 } });
 }
 
-Scene after(Scene const& scene, Tool const& tool, Stroke const& stroke)
+scene::Scene after(scene::Scene const& scene, tools::Tool const& tool, Stroke const& stroke)
 {
     auto const edits = tool.kind().mean(tool, stroke, scene);
     EXPECT_TRUE(edits) << edits.error().message;
-    return edits ? apply_edits(scene, *edits).value() : scene;
+    return edits ? scene::apply_edits(scene, *edits).value() : scene;
 }
 
-Scene drawn_leaf(LeafLineTool const& tool = {})
+scene::Scene drawn_leaf(LeafLineTool const& tool = {})
 {
     auto scene = after(after({}, tool, leaf_outline()), LeafLineTool {}, midrib());
     for (int number = 0; number < 3; ++number)
@@ -60,7 +60,7 @@ Scene drawn_leaf(LeafLineTool const& tool = {})
     return scene;
 }
 
-leaf::LeafSketch const& sketch_in(Scene const& scene)
+leaf::LeafSketch const& sketch_in(scene::Scene const& scene)
 {
     return *leaf::active_leaf_sketch(scene.state);
 }
@@ -68,9 +68,10 @@ leaf::LeafSketch const& sketch_in(Scene const& scene)
 TEST(LeafLineTool, SaysItsNumbersInLogs)
 {
     LeafLineTool const tool { .plant = LeafLineTool::Plant::NewLeaf, .bend_deg = 20, .teeth = 8 };
-    auto const words = words_for(tool);
+    auto const words = tools::words_for(tool);
     EXPECT_EQ(words.name + " " + words.arguments, "leaf_line new_leaf bend=20 teeth=8");
-    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(tool));
+    EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
+              tools::Tool(tool));
 }
 
 TEST(LeafLineTool, DrawsALeafLineByLine)
@@ -92,8 +93,8 @@ TEST(LeafLineTool, DrawsALeafLineByLine)
 TEST(LeafLineTool, LetsTheLeafFollowItsNumbers)
 {
     auto const scene = drawn_leaf({ .teeth = 9 });
-    Tool const before = LeafLineTool {};
-    Tool const after_it = LeafLineTool { .bend_deg = 45 };
+    tools::Tool const before = LeafLineTool {};
+    tools::Tool const after_it = LeafLineTool { .bend_deg = 45 };
     auto const edits = LeafLineTool::kKind.follow(before, after_it, scene);
     ASSERT_EQ(edits.size(), 1u);
     auto const& form = edits[0].get<leaf::FormLeaf>()->form;
@@ -112,7 +113,7 @@ TEST(EraseLeafTool, TakesLinesAwayThatItTouches)
     auto const erased
         = after(scene, EraseLeafTool {}, stroke_through({ { 9, 4, 120 }, { 11, 6, 120 } }));
     EXPECT_EQ(sketch_in(erased).lines.size(), 7u);
-    Tool const tool = EraseLeafTool {};
+    tools::Tool const tool = EraseLeafTool {};
     auto const beside
         = tool.kind().mean(tool, stroke_through({ { 90, 4, 120 }, { 91, 6, 120 } }), scene);
     ASSERT_FALSE(beside);
@@ -136,16 +137,18 @@ TEST(DrawnLeaves, AreKeptAndWorn)
     auto const others = controllers::write_drawn_leaves(other.state, folder / "cache");
     EXPECT_NE(controllers::keep_leaf(others.at(0).file, folder / "own").value(), *kept);
     auto const tree = our_plant("broadleaf");
-    auto const edits = dressing_edits(tree, tree.state.active, { .leaves = kept->string() });
+    auto const edits
+        = methods::dressing_edits(tree, tree.state.active, { .leaves = kept->string() });
     ASSERT_TRUE(edits) << edits.error().message;
-    auto const dressed = apply_edits(tree, *edits).value();
+    auto const dressed = scene::apply_edits(tree, *edits).value();
     EXPECT_GT(std::ranges::count_if(dressed.in_season->organs,
                                     [&](Organ const& organ) {
                                         return dressed.in_season->organ_shapes[organ.shape].cut
                                             != nullptr;
                                     }),
               100);
-    auto const itself = dressing_edits(scene, scene.state.active, { .leaves = kept->string() });
+    auto const itself
+        = methods::dressing_edits(scene, scene.state.active, { .leaves = kept->string() });
     ASSERT_FALSE(itself);
     EXPECT_EQ(itself.error().message,
               "a drawn leaf wears no leaves itself: choose the plant that shall have them");
@@ -153,4 +156,4 @@ TEST(DrawnLeaves, AreKeptAndWorn)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::leaf

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <utility>
 
-namespace tractus {
+namespace tractus::leaf {
 namespace {
 
 // What the pen draws is there already: it would be undone in place of the leaves.
@@ -106,4 +106,4 @@ TEST(LeafPage, GoesBackToTheCards)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::leaf

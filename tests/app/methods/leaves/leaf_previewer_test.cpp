@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace tractus {
+namespace tractus::leaf {
 namespace {
 
 // Spindle-shaped, 80 mm long; the first places of it.
@@ -27,28 +27,28 @@ Stroke spindle(std::size_t places)
     return stroke_through(line);
 }
 
-Scene scene_with(Scene const& scene, Stroke const& stroke)
+scene::Scene scene_with(scene::Scene const& scene, Stroke const& stroke)
 {
-    Tool const tool = LeafLineTool {};
-    return apply_edits(scene, tool.mean(stroke, scene).value()).value();
+    tools::Tool const tool = LeafLineTool {};
+    return scene::apply_edits(scene, tool.mean(stroke, scene).value()).value();
 }
 
-std::vector<SkeletonLine> preview_of(Scene const& scene, Stroke const& stroke)
+std::vector<tools::SkeletonLine> preview_of(scene::Scene const& scene, Stroke const& stroke)
 {
-    Tool const tool = LeafLineTool {};
+    tools::Tool const tool = LeafLineTool {};
     auto const ink = stroke.tips.in_memory().value();
-    auto const shared = std::make_shared<Scene const>(scene);
+    auto const shared = std::make_shared<scene::Scene const>(scene);
     return leaf_previewer()->show({ shared, tool, ink, 9 });
 }
 
 // The paper lies elsewhere when the plant's foot has moved on it.
-Vec2 on_paper_mm(Vec3 const& plant_mm, Scene const& scene)
+Vec2 on_paper_mm(Vec3 const& plant_mm, scene::Scene const& scene)
 {
-    return paper_of(scene.state).sheet_of_world(scene.placement.world_of_plant(plant_mm));
+    return scene::paper_of(scene.state).sheet_of_world(scene.placement.world_of_plant(plant_mm));
 }
 
 // How far a place on the paper is from the nearest corner of the plant's polygons.
-double from_corners_mm(Vec2 const& sheet_mm, Scene const& scene)
+double from_corners_mm(Vec2 const& sheet_mm, scene::Scene const& scene)
 {
     double least = std::numeric_limits<double>::infinity();
     for (auto const& corner : scene.base->polygon_vertices_mm)
@@ -57,7 +57,7 @@ double from_corners_mm(Vec2 const& sheet_mm, Scene const& scene)
 }
 
 // What is seen before the pen is lifted is where the plant is afterwards.
-void expect_as_drawn(Scene const& before, Stroke const& stroke)
+void expect_as_drawn(scene::Scene const& before, Stroke const& stroke)
 {
     auto const lines = preview_of(before, stroke);
     auto const after = scene_with(before, stroke);
@@ -80,7 +80,7 @@ TEST(LeafPreviewer, ClosesAnOutlineThatComesBack)
     ASSERT_FALSE(almost.empty());
     auto const whole = preview_of({}, spindle(81));
     ASSERT_FALSE(whole.empty());
-    auto const highest = [](SkeletonLine const& line) {
+    auto const highest = [](tools::SkeletonLine const& line) {
         float most = -1e9f;
         for (auto const& point : line.points_mm)
             most = std::max(most, point.z());
@@ -90,4 +90,4 @@ TEST(LeafPreviewer, ClosesAnOutlineThatComesBack)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::leaf

@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::leaf {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +155,4 @@ TEST(LeavesCommand, AFileThatIsNotThereIsSaid)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::leaf

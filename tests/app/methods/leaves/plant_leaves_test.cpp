@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace tractus {
+namespace tractus::leaf {
 namespace {
 
 double area_of(CutLeaf const& leaf, std::array<std::uint32_t, 3> const& triangle)
@@ -74,4 +74,4 @@ TEST(PlantLeaf, IsTheSameEachTime)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::leaf

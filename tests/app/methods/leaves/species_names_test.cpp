@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::leaf {
 namespace {
 
 using Descriptor = std::vector<std::complex<double>>;
@@ -130,4 +130,4 @@ TEST(LeafSpecies, AreNamedByTheirOutlines)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::leaf

@@ -12,7 +12,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::leaf {
 namespace {
 
 namespace fs = std::filesystem;
@@ -225,4 +225,4 @@ TEST_F(PaintCommand, NamesTheLeavesThatThereAre)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::leaf

@@ -17,7 +17,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::leaf {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,14 +37,15 @@ Stroke worn_outline(double half_width_mm)
 class WornLeaf : public testing::Test {
 protected:
     WornLeaf()
-        : document_(our_plant("broadleaf"), Document::Working::AtOnce, batch::following_edits)
+        : document_(our_plant("broadleaf"), document::Document::Working::AtOnce,
+                    batch::following_edits)
         , tree_(scene().state.active)
     {
         draw(worn_outline(20));
         leaf_ = scene().state.active;
     }
 
-    Scene const& scene()
+    scene::Scene const& scene()
     {
         snapshot_ = document_.newest();
         return snapshot_->scene;
@@ -62,16 +63,17 @@ protected:
         draw(stroke_through({ { 0, -5, 120 }, { side * 12, 8, 120 } }));
     }
 
-    void make(std::vector<Edit> edits)
+    void make(std::vector<scene::Edit> edits)
     {
-        document_.make({ [edits = std::move(edits)](Scene const&) -> Result<WantedStep::Change> {
-            return WantedStep::Change { edits, "made" };
+        document_.make({ [edits = std::move(edits)](
+                             scene::Scene const&) -> Result<document::WantedStep::Change> {
+            return document::WantedStep::Change { edits, "made" };
         } });
     }
 
-    void put_on(Dressing const& dressing)
+    void put_on(methods::Dressing const& dressing)
     {
-        auto edits = dressing_edits(scene(), tree_, dressing);
+        auto edits = methods::dressing_edits(scene(), tree_, dressing);
         ASSERT_TRUE(edits) << edits.error().message;
         make(*std::move(edits));
     }
@@ -88,10 +90,10 @@ protected:
         return bytes.value();
     }
 
-    std::shared_ptr<Snapshot const> snapshot_;
-    Document document_;
-    ItemId tree_ = 0;
-    ItemId leaf_ = 0;
+    std::shared_ptr<document::Snapshot const> snapshot_;
+    document::Document document_;
+    scene::ItemId tree_ = 0;
+    scene::ItemId leaf_ = 0;
 };
 
 TEST_F(WornLeaf, FollowsItsDrawingAsIfItWerePutOnAfterwards)
@@ -106,13 +108,13 @@ TEST_F(WornLeaf, FollowsItsDrawingAsIfItWerePutOnAfterwards)
     document_.redo();
     EXPECT_EQ(tree(), followed);
 
-    Document other(our_plant("broadleaf"), Document::Working::AtOnce);
+    document::Document other(our_plant("broadleaf"), document::Document::Working::AtOnce);
     other.draw({ worn_outline(20), LeafLineTool {} });
     other.draw({ stroke_through({ { 0, -5, 120 }, { 12, 8, 120 } }), LeafLineTool {} });
     auto const drawn = other.newest()->scene;
-    auto const edits = dressing_edits(drawn, tree_, { .drawn = leaf_ });
+    auto const edits = methods::dressing_edits(drawn, tree_, { .drawn = leaf_ });
     ASSERT_TRUE(edits) << edits.error().message;
-    auto const afterwards = apply_edits(drawn, *edits).value();
+    auto const afterwards = scene::apply_edits(drawn, *edits).value();
     auto const& name = afterwards.state.plants[0]->leaves;
     ASSERT_EQ(scene().state.plants[0]->leaves, name);
     EXPECT_EQ(lsystem::print_leaf_sheet(*scene().state.leaf_sheets.at(name)),
@@ -126,7 +128,7 @@ TEST_F(WornLeaf, FollowsItsNumbersAndKeepsHowItIsWorn)
     auto const before = tree();
     make({ leaf::FormLeaf { leaf_, { .teeth = 9 } } });
     EXPECT_NE(tree(), before);
-    auto const worn = worn_leaves(scene().state, tree_);
+    auto const worn = methods::worn_leaves(scene().state, tree_);
     ASSERT_TRUE(worn);
     EXPECT_EQ(worn->drawn, leaf_);
     EXPECT_EQ(worn->age, 0.6);
@@ -137,14 +139,14 @@ TEST_F(WornLeaf, StaysWhenItsDrawingIsRemoved)
 {
     put_on({ .drawn = leaf_ });
     auto const before = tree();
-    make({ RemovePlant { leaf_ } });
+    make({ scene::RemovePlant { leaf_ } });
     EXPECT_EQ(tree(), before);
-    auto const worn = worn_leaves(scene().state, tree_);
+    auto const worn = methods::worn_leaves(scene().state, tree_);
     ASSERT_TRUE(worn);
     EXPECT_EQ(worn->drawn, 0u);
-    EXPECT_TRUE(grammar_of(scene().state, *worn)) << "its text is kept";
+    EXPECT_TRUE(methods::grammar_of(scene().state, *worn)) << "its text is kept";
     document_.undo();
-    make({ ActivatePlant { leaf_ } });
+    make({ scene::ActivatePlant { leaf_ } });
     draw_vein();
     EXPECT_NE(tree(), before) << "it follows again";
 }
@@ -152,12 +154,12 @@ TEST_F(WornLeaf, StaysWhenItsDrawingIsRemoved)
 TEST_F(WornLeaf, FollowsInTheSeason)
 {
     put_on({ .drawn = leaf_ });
-    make(batch::season_edits(scene(), Season { .month = 10.5 }).value());
+    make(batch::season_edits(scene(), scene::Season { .month = 10.5 }).value());
     auto const before = tree();
     draw_vein();
     EXPECT_NE(tree(), before);
-    auto const missing = missing_leaves(*scene().plants[0]->dressed, *scene().state.season,
-                                        scene().state.leaf_sheets);
+    auto const missing = scene::missing_leaves(*scene().plants[0]->dressed, *scene().state.season,
+                                               scene().state.leaf_sheets);
     EXPECT_TRUE(missing.empty());
     EXPECT_EQ(scene().state.leaf_sheets.size(), 2u) << "grown-up and old ones, of this drawing";
 }
@@ -166,7 +168,7 @@ TEST_F(WornLeaf, FollowsInTheSeason)
 TEST_F(WornLeaf, StaysAsItIsWhereItIsWornFromAFile)
 {
     auto const file = fs::temp_directory_path() / fmt::format("drawn-leaf{}.leaf", ::getpid());
-    ASSERT_TRUE(write_file(file, drawn_leaves(scene().state).at(0).text));
+    ASSERT_TRUE(write_file(file, methods::drawn_leaves(scene().state).at(0).text));
     put_on({ .leaves = file.string() });
     fs::remove(file);
     auto const before = tree();
@@ -176,7 +178,7 @@ TEST_F(WornLeaf, StaysAsItIsWhereItIsWornFromAFile)
 
 TEST_F(WornLeaf, WearsNoLeavesItself)
 {
-    auto const edits = dressing_edits(scene(), leaf_, { .drawn = leaf_ });
+    auto const edits = methods::dressing_edits(scene(), leaf_, { .drawn = leaf_ });
     ASSERT_FALSE(edits);
     EXPECT_EQ(edits.error().message,
               "a drawn leaf wears no leaves itself: choose the plant that shall have them");
@@ -221,4 +223,4 @@ TEST(LeafStudy, ShowsALeafWithItsDamage)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::leaf

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-namespace tractus {
+namespace tractus::methods {
 
 inline session::SessionOptions options_for_all_methods()
 {
@@ -20,7 +20,7 @@ inline session::SessionOptions options_for_all_methods()
 }
 
 // All that is shown of a document, as a .glb.
-inline std::string exported(Scene const& scene)
+inline std::string exported(scene::Scene const& scene)
 {
     auto const mesh = mesh::make_mesh(batch::shown_plants(scene).value());
     std::ostringstream out;
@@ -30,4 +30,4 @@ inline std::string exported(Scene const& scene)
     return out.str();
 }
 
-} // namespace tractus
+} // namespace tractus::methods

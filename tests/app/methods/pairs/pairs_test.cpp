@@ -13,31 +13,31 @@
 #include <array>
 #include <cmath>
 
-namespace tractus {
+namespace tractus::methods {
 namespace {
 
 // Edits that are applied one after the other, so that later ones can name what earlier ones made.
 class Steps {
 public:
-    explicit Steps(Scene scene)
+    explicit Steps(scene::Scene scene)
         : scene_(std::move(scene))
     {
     }
 
-    void add(Edit const& edit)
+    void add(scene::Edit const& edit)
     {
-        auto next = apply_edit(scene_, edit);
+        auto next = scene::apply_edit(scene_, edit);
         ASSERT_TRUE(next) << next.error().message;
         scene_ = *std::move(next);
         edits_.push_back(edit);
     }
 
-    ItemId active() const { return scene_.state.active; }
-    std::vector<Edit> const& edits() const { return edits_; }
+    scene::ItemId active() const { return scene_.state.active; }
+    std::vector<scene::Edit> const& edits() const { return edits_; }
 
 private:
-    Scene scene_;
-    std::vector<Edit> edits_;
+    scene::Scene scene_;
+    std::vector<scene::Edit> edits_;
 };
 
 Stroke paper_stroke(std::vector<Vec2> const& corners)
@@ -51,17 +51,17 @@ Stroke paper_stroke(std::vector<Vec2> const& corners)
 void load_model(Steps& steps, double x_mm)
 {
     auto model = small_model();
-    model.drawn = Drawn::Beside;
+    model.drawn = scene::Drawn::Beside;
     model.stands_at_mm = { x_mm, 0, 0 };
     steps.add(model);
 }
 
 // The model has the same rules with longer internodes.
-Edit change_model(ItemId)
+scene::Edit change_model(scene::ItemId)
 {
     auto model = small_model();
     model.source.text.replace(model.source.text.find("F(10)"), 5, "F(13)");
-    model.drawn = Drawn::Keep;
+    model.drawn = scene::Drawn::Keep;
     return model;
 }
 
@@ -72,7 +72,7 @@ void grow_along_stroke(Steps& steps, double x_mm)
     steps.add(edit);
 }
 
-Edit change_rule(ItemId plant)
+scene::Edit change_rule(scene::ItemId plant)
 {
     return sketch::ChangeSketch { plant, 0, { .laterals = 3, .shortest_mm = 8 } };
 }
@@ -93,7 +93,7 @@ void draw_tree(Steps& steps, double x_mm)
         .part = DrawTree::Part::Outline, .stroke = paper_stroke(crown), .plant = steps.active() });
 }
 
-Edit change_form(ItemId plant)
+scene::Edit change_form(scene::ItemId plant)
 {
     silhouette::TreeForm form;
     form.leaves = 3;
@@ -118,7 +118,7 @@ void draw_lines(Steps& steps, double x_mm)
     }
 }
 
-Edit change_pattern(ItemId plant)
+scene::Edit change_pattern(scene::ItemId plant)
 {
     return lines::SetLinePattern { plant, { .kind = lines::Pattern::Kind::Decussate } };
 }
@@ -136,7 +136,7 @@ void draw_leaf(Steps& steps, double x_mm)
                                   .stroke = paper_stroke({ { x_mm, -60 }, { x_mm, 39 } }) });
 }
 
-Edit change_leaf(ItemId plant)
+scene::Edit change_leaf(scene::ItemId plant)
 {
     return leaf::FormLeaf { plant, { .bend_deg = 40 } };
 }
@@ -144,7 +144,7 @@ Edit change_leaf(ItemId plant)
 struct MethodOfPair {
     char const* name;
     void (*make)(Steps& steps, double x_mm);
-    Edit (*change)(ItemId plant);
+    scene::Edit (*change)(scene::ItemId plant);
 };
 
 constexpr std::array<MethodOfPair, 5> kMethods { {
@@ -155,7 +155,7 @@ constexpr std::array<MethodOfPair, 5> kMethods { {
     { "a leaf", draw_leaf, change_leaf },
 } };
 
-std::vector<Edit> made(MethodOfPair const& method, Scene const& before, double x_mm)
+std::vector<scene::Edit> made(MethodOfPair const& method, scene::Scene const& before, double x_mm)
 {
     Steps steps(before);
     method.make(steps, x_mm);
@@ -163,7 +163,7 @@ std::vector<Edit> made(MethodOfPair const& method, Scene const& before, double x
 }
 
 // The part's segments, in the plant that bears it.
-std::size_t segments_of_part(Scene const& scene, ItemId part)
+std::size_t segments_of_part(scene::Scene const& scene, scene::ItemId part)
 {
     std::size_t count = 0;
     for (SegmentId segment = 0; segment < scene.base->segment_count(); ++segment)
@@ -176,8 +176,8 @@ protected:
     // A session with both plants, the guest on the host, and a stroke on the guest.
     Result<session::Session> begin(MethodOfPair const& host, MethodOfPair const& guest)
     {
-        std::vector<Edit> first { SetScale { 0.1 } };
-        auto const scene = apply_edits({}, first).value();
+        std::vector<scene::Edit> first { scene::SetScale { 0.1 } };
+        auto const scene = scene::apply_edits({}, first).value();
         for (auto& edit : made(host, scene, 0))
             first.push_back(edit);
         auto session = TRY(session::Session::create(path(), { .plant = "pair", .program = "1" },
@@ -187,24 +187,25 @@ protected:
         guest_ = session.scene().state.active;
         auto const& plant = *session.scene().plants.at(0);
         SegmentId const middle = plant.base->axes.at(0).segment_count / 2;
-        auto const place = TRY(branch_at(session.scene(), BentPlant(plant).end_of(middle),
-                                         Vec3::UnitZ(), Grafting::Beside, guest_));
+        auto const place
+            = TRY(tools::branch_at(session.scene(), tools::BentPlant(plant).end_of(middle),
+                                   Vec3::UnitZ(), tools::Grafting::Beside, guest_));
         auto const before = session.scene().plants.at(1)->base->segment_count();
-        TRY(session.append(graft_edits(session.scene(), place, guest_)));
+        TRY(session.append(tools::graft_edits(session.scene(), place, guest_)));
         auto const& scene_now = session.scene();
         EXPECT_EQ(scene_now.plants.size(), 1u);
         EXPECT_EQ(segments_of_part(scene_now, guest_), before);
         auto const stem = in_part(part_prefix(guest_), { 0, 0 });
         auto const segment = scene_now.rest->addresses.find_segment(*scene_now.base, stem).value();
         auto const axis = scene_now.base->axes[axis_of(*scene_now.base, segment)];
-        TRY(session.append(std::vector<Edit> {
-            select_paths(scene_now, { segments_of(axis) }),
-            Associate { stroke_through({ { 0, 0, 0 }, { 10, 0, 30 }, { 60, 0, 60 } }) } }));
+        TRY(session.append(std::vector<scene::Edit> {
+            scene::select_paths(scene_now, { segments_of(axis) }),
+            scene::Associate { stroke_through({ { 0, 0, 0 }, { 10, 0, 30 }, { 60, 0, 60 } }) } }));
         return session;
     }
 
-    ItemId host_ = 0;
-    ItemId guest_ = 0;
+    scene::ItemId host_ = 0;
+    scene::ItemId guest_ = 0;
 };
 
 TEST_F(Pairs, AreOnePlantWhateverMadeTheTwo)
@@ -221,7 +222,7 @@ TEST_F(Pairs, AreOnePlantWhateverMadeTheTwo)
             EXPECT_FALSE(drawn.associations[0].what.is_orphaned);
             check_plant(*drawn.base);
             // The first is changed: the second stands on it still, with what was drawn on it.
-            ASSERT_TRUE(session.append(std::vector<Edit> { host.change(host_) }));
+            ASSERT_TRUE(session.append(std::vector<scene::Edit> { host.change(host_) }));
             auto const file = exported(drawn);
             EXPECT_TRUE(exported(session.scene()) != file);
             EXPECT_EQ(segments_of_part(session.scene(), guest_), segments_of_part(drawn, guest_));
@@ -251,22 +252,25 @@ TEST_F(Pairs, TheSecondIsChangedAsAPartOrByItself)
         auto const scene = opened->scene();
         bool const is_sketch = guest.make == grow_along_stroke;
         sketch::ChangeSketch const in_place { host_, guest_, { .laterals = 3, .shortest_mm = 8 } };
-        EXPECT_EQ(apply_edit(scene, in_place).has_value(), is_sketch);
+        EXPECT_EQ(scene::apply_edit(scene, in_place).has_value(), is_sketch);
         if (guest.make != load_model) { // A model is loaded for the plant that is active.
-            EXPECT_FALSE(apply_edit(scene, guest.change(guest_)));
+            EXPECT_FALSE(scene::apply_edit(scene, guest.change(guest_)));
         }
-        auto const off = apply_edit(scene, TakeOffGraft { host_, guest_, { 120, 0, 0 } }).value();
+        auto const off
+            = scene::apply_edit(scene, scene::TakeOffGraft { host_, guest_, { 120, 0, 0 } })
+                  .value();
         ASSERT_EQ(off.plants.size(), 2u);
         EXPECT_EQ(off.associations.size(), 1u);
-        auto const changed = apply_edit(off, guest.change(off.state.active)).value();
+        auto const changed = scene::apply_edit(off, guest.change(off.state.active)).value();
         EXPECT_TRUE(exported(changed) != exported(off));
         auto const at = changed.plants[0]->rest->addresses.address_of(*changed.plants[0]->base, 2);
         auto const again
-            = apply_edit(changed, GraftPlant { changed.state.active, host_, at }).value();
+            = scene::apply_edit(changed, scene::GraftPlant { changed.state.active, host_, at })
+                  .value();
         EXPECT_EQ(again.plants.size(), 1u);
         EXPECT_EQ(segments_of_part(again, changed.state.active), changed.base->segment_count());
     }
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::methods

@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <fmt/core.h>
 
-namespace tractus {
+namespace tractus::methods {
 namespace {
 
 using RandomEdits = session::SessionFolder;
 
 // Draws until there are so many steps that count; some are undone and done again on the way.
-void draw_at_random(Document& document, RandomHand& hand, std::size_t steps)
+void draw_at_random(document::Document& document, RandomHand& hand, std::size_t steps)
 {
     while (document.session().step() < steps) {
         if (hand.happens(0.1))
@@ -23,10 +23,12 @@ void draw_at_random(Document& document, RandomHand& hand, std::size_t steps)
         else if (hand.happens(0.05))
             document.redo();
         else if (hand.happens(0.05))
-            document.make({ [&](Scene const& scene) -> Result<WantedStep::Change> {
+            document.make({ [&](scene::Scene const& scene) -> Result<document::WantedStep::Change> {
                 if (!scene.state.picture)
-                    return WantedStep::Change { { LayPicture { "small.png", small_png() } }, "" };
-                return WantedStep::Change { { hand.growth(scene.growth) }, "" };
+                    return document::WantedStep::Change {
+                        { scene::LayPicture { "small.png", pictures::small_png() } }, ""
+                    };
+                return document::WantedStep::Change { { hand.growth(scene.growth) }, "" };
             } });
         else
             document.draw(hand.stroke(document.newest()->scene));
@@ -37,7 +39,7 @@ void draw_at_random(Document& document, RandomHand& hand, std::size_t steps)
 }
 
 // Undone, all of it is the empty sheet, and done again the same file.
-std::string exported_again(Document& document, std::size_t steps)
+std::string exported_again(document::Document& document, std::size_t steps)
 {
     auto const file = exported(document.newest()->scene);
     for (std::size_t i = 0; i < steps; ++i)
@@ -55,7 +57,7 @@ TEST_F(RandomEdits, OfAllMethodsAreUndoneAndDoneAgain)
 {
     constexpr std::size_t kSteps = 1000;
     constexpr std::ptrdiff_t kMostRefused = 2; // What a hand like this hardly ever hits.
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     RandomHand hand(4);
     draw_at_random(document, hand, kSteps);
     std::string never;
@@ -72,11 +74,12 @@ TEST_F(RandomEdits, OfAllMethodsAreInTheSessionsFile)
     constexpr std::size_t kSteps = 150; // Each waits for the disk.
     std::string file;
     {
-        Document document(session::Session::create(path(), { .plant = "empty", .program = "1" },
-                                                   std::vector<Edit> { session::BeginEmpty {} },
-                                                   options_for_all_methods())
-                              .value(),
-                          Document::Working::AtOnce);
+        document::Document document(
+            session::Session::create(path(), { .plant = "empty", .program = "1" },
+                                     std::vector<scene::Edit> { session::BeginEmpty {} },
+                                     options_for_all_methods())
+                .value(),
+            document::Document::Working::AtOnce);
         RandomHand hand(5);
         draw_at_random(document, hand, kSteps);
         file = exported_again(document, kSteps);
@@ -87,4 +90,4 @@ TEST_F(RandomEdits, OfAllMethodsAreInTheSessionsFile)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::methods

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::methods {
 
 // Somebody who takes any tool with any options and draws anywhere, on plants more often than not.
 class RandomHand {
@@ -29,10 +29,10 @@ public:
 
     // Somebody who has not succeeded with a tool yet tries it more often, and where it was drawn
     // before.
-    void has_done(Tool const& tool) { ++done_[tool.kind().word]; }
-    std::size_t times_done(ToolKind const& kind) { return done_[kind.word]; }
+    void has_done(tools::Tool const& tool) { ++done_[tool.kind().word]; }
+    std::size_t times_done(tools::ToolKind const& kind) { return done_[kind.word]; }
 
-    ToolStroke stroke(Scene const& scene)
+    tools::ToolStroke stroke(scene::Scene const& scene)
     {
         auto tool = any_tool(scene);
         if (tool.can_be_done_at_once() && (tool.kind().at_once || happens(0.5)))
@@ -40,7 +40,7 @@ public:
         return { path(tool, scene), tool };
     }
 
-    SetGrowth growth(SetGrowth growth)
+    scene::SetGrowth growth(scene::SetGrowth growth)
     {
         growth.seed = static_cast<std::uint64_t>(below(5)) + 1;
         growth.age = random_.uniform(0.5, 1);
@@ -55,7 +55,7 @@ private:
     }
 
     // Where there are many plants already, more of them go than come.
-    Tool any_tool(Scene const& scene)
+    tools::Tool any_tool(scene::Scene const& scene)
     {
         constexpr std::size_t kMany = 5;
         auto const tools = all_methods().tools;
@@ -63,20 +63,21 @@ private:
         for (std::size_t tries = 0; tries < 4 && times_done(*kind) > 0; ++tries)
             kind = tools[below(tools.size())];
         if (scene.plants.size() > kMany && happens(0.3))
-            kind = find_tool_kind(tools, "remove_plant");
-        Tool tool(*kind);
-        auto const words = chosen_words(tool);
+            kind = tools::find_tool_kind(tools, "remove_plant");
+        tools::Tool tool(*kind);
+        auto const words = tools::chosen_words(tool);
         for (std::size_t i = 0; i < words.size(); ++i)
             if (happens(0.4))
-                tool = with_word(tool, i, static_cast<int>(below(words[i].option.words.size())));
-        auto const numbers = chosen_numbers(tool);
+                tool = tools::with_word(tool, i,
+                                        static_cast<int>(below(words[i].option.words.size())));
+        auto const numbers = tools::chosen_numbers(tool);
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             auto const& [option, value] = numbers[i];
             if (happens(
                     0.4)) // Not far, or nearly all plants would be the largest that there may be.
-                tool = with_number(tool, i,
-                                   std::clamp(std::round(value * random_.uniform(0.7, 1.2)),
-                                              option.least, option.greatest));
+                tool = tools::with_number(tool, i,
+                                          std::clamp(std::round(value * random_.uniform(0.7, 1.2)),
+                                                     option.least, option.greatest));
         }
         return tool;
     }
@@ -86,7 +87,7 @@ private:
         return { random_.uniform(-90, 90), random_.uniform(-60, 60), random_.uniform(0, 200) };
     }
 
-    Vec3 on_plant(Scene const& scene)
+    Vec3 on_plant(scene::Scene const& scene)
     {
         if (scene.plants.empty())
             return anywhere();
@@ -94,10 +95,10 @@ private:
         if (plant.base->segment_count() == 0)
             return anywhere();
         auto const segment = static_cast<SegmentId>(below(plant.base->segment_count()));
-        return plant.placement.world_of_plant(BentPlant(plant).end_of(segment));
+        return plant.placement.world_of_plant(tools::BentPlant(plant).end_of(segment));
     }
 
-    Stroke path(Tool const& tool, Scene const& scene)
+    Stroke path(tools::Tool const& tool, scene::Scene const& scene)
     {
         if (!drawn_.empty() && happens(0.3))
             return drawn_[drawn_.size() - 1 - below(std::min<std::size_t>(drawn_.size(), 6))];
@@ -107,9 +108,9 @@ private:
             places.push_back(happens(0.3) ? place() : Vec3(places.back() + 0.3 * anywhere()));
         if (happens(0.2)) // An outline comes back.
             places.push_back(places.front());
-        if (tool.kind().surface != Surface::Space)
+        if (tool.kind().surface != tools::Surface::Space)
             for (auto& at : places) {
-                auto const sheet_mm = paper_of(scene.state).sheet_of_world(at);
+                auto const sheet_mm = scene::paper_of(scene.state).sheet_of_world(at);
                 at = Vec3(sheet_mm.x(), sheet_mm.y(), 100);
             }
         drawn_.push_back(stroke_through(places));
@@ -121,4 +122,4 @@ private:
     std::vector<Stroke> drawn_;
 };
 
-} // namespace tractus
+} // namespace tractus::methods

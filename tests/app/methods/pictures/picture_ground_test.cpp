@@ -9,7 +9,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::pictures {
 namespace {
 
 // What a camera 1.6 m above level ground sees, that looks level and has a view of 53 degrees: where
@@ -24,19 +24,19 @@ Vec2 seen_mm(double right_m, double ahead_m, double up_m)
     return kMiddle_mm + kWidth_mm * Vec2(right_m, up_m - kCamera_m) / ahead_m;
 }
 
-BackPicture picture(PictureGround const& ground)
+scene::BackPicture picture(scene::PictureGround const& ground)
 {
     return { .place = { .x_mm = kMiddle_mm.x(), .y_mm = kMiddle_mm.y(), .width_mm = kWidth_mm },
              .ground = ground };
 }
 
-PictureGround known_at(double right_m, double ahead_m, double height_m)
+scene::PictureGround known_at(double right_m, double ahead_m, double height_m)
 {
     auto const place = picture({}).place;
     return { .horizon = 0,
-             .measured = PictureGround::Measured {
-                 .foot = on_picture(place, seen_mm(right_m, ahead_m, 0)),
-                 .top = on_picture(place, seen_mm(right_m, ahead_m, height_m)),
+             .measured = scene::PictureGround::Measured {
+                 .foot = scene::on_picture(place, seen_mm(right_m, ahead_m, 0)),
+                 .top = scene::on_picture(place, seen_mm(right_m, ahead_m, height_m)),
                  .height_m = height_m } };
 }
 
@@ -45,7 +45,8 @@ TEST(PictureGround, GivesPlacesAndSizesAsACameraSeesThem)
     auto const shown = picture(known_at(-2, 12, 1.8));
     for (double const right_m : { -8.0, 0.0, 5.0 })
         for (double const ahead_m : { 6.0, 12.0, 40.0 }) {
-            auto const place = place_on_ground(shown, seen_mm(right_m, ahead_m, 0)).value().value();
+            auto const place
+                = scene::place_on_ground(shown, seen_mm(right_m, ahead_m, 0)).value().value();
             EXPECT_NEAR(place.right_m, right_m, 1e-9);
             EXPECT_NEAR(place.behind_m, ahead_m - 12, 1e-9);
             double const tall_mm
@@ -58,27 +59,28 @@ TEST(PictureGround, WithoutAHorizonIsAllOfOneDistance)
 {
     auto ground = known_at(-2, 12, 1.8);
     ground.horizon.reset();
-    auto const place = place_on_ground(picture(ground), seen_mm(3, 30, 0)).value().value();
+    auto const place = scene::place_on_ground(picture(ground), seen_mm(3, 30, 0)).value().value();
     EXPECT_EQ(place.behind_m, 0);
     EXPECT_NEAR(place.m_per_mm, 12 / kWidth_mm, 1e-9);
-    EXPECT_FALSE(place_on_ground(picture({}), Vec2(0, 0)).value());
-    EXPECT_FALSE(place_on_ground(picture({ .horizon = 0.1 }), Vec2(0, 0)).value());
+    EXPECT_FALSE(scene::place_on_ground(picture({}), Vec2(0, 0)).value());
+    EXPECT_FALSE(scene::place_on_ground(picture({ .horizon = 0.1 }), Vec2(0, 0)).value());
 }
 
 TEST(PictureGround, RefusesWhatIsNotOnTheGround)
 {
-    EXPECT_FALSE(place_on_ground(picture(known_at(0, 12, 1.8)), kMiddle_mm + Vec2(5, 3)));
-    EXPECT_FALSE(check_ground(known_at(0, 12, -1)));
-    EXPECT_FALSE(check_ground(known_at(0, 12, 500)));
+    EXPECT_FALSE(scene::place_on_ground(picture(known_at(0, 12, 1.8)), kMiddle_mm + Vec2(5, 3)));
+    EXPECT_FALSE(scene::check_ground(known_at(0, 12, -1)));
+    EXPECT_FALSE(scene::check_ground(known_at(0, 12, 500)));
     auto above = known_at(0, 12, 1.8);
     above.horizon = -0.4;
-    EXPECT_FALSE(check_ground(above));
+    EXPECT_FALSE(scene::check_ground(above));
 }
 
-Scene with_view()
+scene::Scene with_view()
 {
     auto const place = picture({}).place;
-    return apply_edit(small_scene(), LayPicture { "oak.png", small_png(), place }).value();
+    return scene::apply_edit(small_scene(), scene::LayPicture { "oak.png", small_png(), place })
+        .value();
 }
 
 Stroke line_mm(Vec2 const& from, Vec2 const& to)
@@ -86,12 +88,12 @@ Stroke line_mm(Vec2 const& from, Vec2 const& to)
     return stroke_through({ { from.x(), from.y(), 80 }, { to.x(), to.y(), 80 } });
 }
 
-Scene ground_after(Scene const& scene, Stroke const& stroke, double height_m = 1.8)
+scene::Scene ground_after(scene::Scene const& scene, Stroke const& stroke, double height_m = 1.8)
 {
     PictureTool const tool { .does = PictureTool::Does::Ground, .height_m = height_m };
-    auto const edits = Tool(tool).mean(stroke, scene);
+    auto const edits = tools::Tool(tool).mean(stroke, scene);
     EXPECT_TRUE(edits) << edits.error().message;
-    return edits ? apply_edits(scene, *edits).value() : scene;
+    return edits ? scene::apply_edits(scene, *edits).value() : scene;
 }
 
 TEST(PictureTool, TakesTheHorizonAndAKnownHeight)
@@ -105,22 +107,24 @@ TEST(PictureTool, TakesTheHorizonAndAKnownHeight)
     auto const up = ground_after(scene, line_mm(foot, top));
     auto const down = ground_after(scene, line_mm(top, foot));
     EXPECT_EQ(up.state.picture->ground, down.state.picture->ground);
-    EXPECT_NEAR(place_on_ground(*up.state.picture, seen_mm(4, 24, 0)).value().value().behind_m, 12,
-                1e-6);
+    EXPECT_NEAR(
+        scene::place_on_ground(*up.state.picture, seen_mm(4, 24, 0)).value().value().behind_m, 12,
+        1e-6);
     // It goes with the picture.
     auto moved = up.state.picture->place;
     moved.x_mm += 30;
     moved.width_mm *= 2;
-    auto const other = apply_edit(up, PlacePicture { moved }).value();
+    auto const other = scene::apply_edit(up, scene::PlacePicture { moved }).value();
     Vec2 const there = Vec2(moved.x_mm, moved.y_mm) + 2 * (seen_mm(4, 24, 0) - kMiddle_mm);
-    EXPECT_NEAR(place_on_ground(*other.state.picture, there).value().value().right_m, 4, 1e-6);
+    EXPECT_NEAR(scene::place_on_ground(*other.state.picture, there).value().value().right_m, 4,
+                1e-6);
     EXPECT_EQ(PictureTool::kKind.said(PictureTool { .does = PictureTool::Does::Ground }, up),
               "A tree's foot says where it stands now, and its outline how tall it is");
 }
 
 TEST(PictureTool, RefusesADotAndAHeightAboveTheHorizon)
 {
-    auto const tool = Tool(PictureTool { .does = PictureTool::Does::Ground });
+    auto const tool = tools::Tool(PictureTool { .does = PictureTool::Does::Ground });
     EXPECT_FALSE(tool.mean(line_mm({ 0, 0 }, { 1, 1 }), with_view()));
     auto const scene = ground_after(with_view(), line_mm({ -60, 20 }, { 90, 20 }));
     auto const refused = tool.mean(line_mm({ 0, 30 }, { 0, 60 }), scene);
@@ -131,13 +135,15 @@ TEST(PictureTool, RefusesADotAndAHeightAboveTheHorizon)
 
 TEST(PictureTool, KeepsTheGroundInItsRecord)
 {
-    SetPictureGround const edit { known_at(-2, 12, 1.8) };
-    auto const again = session::edit_of(session::record_of(edit), all_methods().edits).value();
-    EXPECT_EQ(again.get<SetPictureGround>()->ground, edit.ground);
-    auto const none
-        = session::edit_of(session::record_of(SetPictureGround {}), all_methods().edits).value();
-    EXPECT_EQ(none.get<SetPictureGround>()->ground, PictureGround {});
+    scene::SetPictureGround const edit { known_at(-2, 12, 1.8) };
+    auto const again
+        = session::edit_of(session::record_of(edit), methods::all_methods().edits).value();
+    EXPECT_EQ(again.get<scene::SetPictureGround>()->ground, edit.ground);
+    auto const none = session::edit_of(session::record_of(scene::SetPictureGround {}),
+                                       methods::all_methods().edits)
+                          .value();
+    EXPECT_EQ(none.get<scene::SetPictureGround>()->ground, scene::PictureGround {});
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::pictures

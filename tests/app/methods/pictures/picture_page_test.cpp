@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::pictures {
 namespace {
 
 namespace fs = std::filesystem;
@@ -130,7 +130,8 @@ TEST_F(Pictures, AreKeptInTheSession)
     {
         auto options = controllers::live_options();
         auto const kinds = session::session_by_the_clock(options.methods.edits, {});
-        session::Session::create(session, {}, std::vector<Edit> { small_model() }, kinds).value();
+        session::Session::create(session, {}, std::vector<scene::Edit> { small_model() }, kinds)
+            .value();
     }
     auto const oak = put("oak.png", small_png(50, 70));
     {
@@ -172,11 +173,12 @@ TEST_F(Pictures, AreStepsOfARecording)
     auto const recorded = drivers::read_log(log).value();
     std::size_t laid = 0;
     for (auto const& line : recorded.tools) {
-        auto const step = parse_step(line.tool, line.arguments, all_methods().edits);
+        auto const step
+            = document::parse_step(line.tool, line.arguments, methods::all_methods().edits);
         if (!step || !*step)
             continue;
         for (auto const& edit : (**step).edits)
-            if (auto const* const picture = edit.get<LayPicture>()) {
+            if (auto const* const picture = edit.get<scene::LayPicture>()) {
                 ++laid;
                 EXPECT_EQ(picture->file, png);
             }
@@ -185,4 +187,4 @@ TEST_F(Pictures, AreStepsOfARecording)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::pictures

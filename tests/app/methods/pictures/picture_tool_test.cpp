@@ -14,20 +14,21 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace tractus {
+namespace tractus::pictures {
 namespace {
 
 using Does = PictureTool::Does;
 
-Scene with_picture(PicturePlace const& place = {})
+scene::Scene with_picture(scene::PicturePlace const& place = {})
 {
-    return apply_edit(small_scene(), LayPicture { "oak.png", small_png(), place }).value();
+    return scene::apply_edit(small_scene(), scene::LayPicture { "oak.png", small_png(), place })
+        .value();
 }
 
-Result<PicturePlace> place_after(Does does, Stroke const& stroke, Scene const& scene)
+Result<scene::PicturePlace> place_after(Does does, Stroke const& stroke, scene::Scene const& scene)
 {
-    auto const edits = TRY(Tool(PictureTool { does }).mean(stroke, scene));
-    return apply_edits(scene, edits).value().state.picture->place;
+    auto const edits = TRY(tools::Tool(PictureTool { does }).mean(stroke, scene));
+    return scene::apply_edits(scene, edits).value().state.picture->place;
 }
 
 TEST(PictureTool, MovesThePictureAlongWithTheStroke)
@@ -36,7 +37,7 @@ TEST(PictureTool, MovesThePictureAlongWithTheStroke)
     auto const place
         = place_after(Does::Move, stroke_through({ { 10, 10, 80 }, { 40, -10, 90 } }), scene);
     ASSERT_TRUE(place);
-    EXPECT_EQ(*place, (PicturePlace { .x_mm = 35, .y_mm = -22 }));
+    EXPECT_EQ(*place, (scene::PicturePlace { .x_mm = 35, .y_mm = -22 }));
 }
 
 TEST(PictureTool, SizesAndTurnsItAboutItsMiddle)
@@ -58,7 +59,8 @@ TEST(PictureTool, LeavesALockedPictureWhereItLies)
 {
     auto const scene = with_picture();
     auto const locked
-        = apply_edits(scene, Tool(PictureTool { Does::Lock }).mean({}, scene).value()).value();
+        = scene::apply_edits(scene, tools::Tool(PictureTool { Does::Lock }).mean({}, scene).value())
+              .value();
     ASSERT_TRUE(locked.state.picture->place.is_locked);
     auto const moved
         = place_after(Does::Move, stroke_through({ { 0, 0, 0 }, { 9, 9, 0 } }), locked);
@@ -70,10 +72,10 @@ TEST(PictureTool, LeavesALockedPictureWhereItLies)
 TEST(PictureTool, RefusesWhereThereIsNoPicture)
 {
     for (auto const does : { Does::Move, Does::Lock, Does::Remove })
-        EXPECT_FALSE(Tool(PictureTool { does })
+        EXPECT_FALSE(tools::Tool(PictureTool { does })
                          .mean(stroke_through({ { 0, 0, 0 }, { 9, 9, 0 } }), small_scene()));
-    auto const edits = Tool(PictureTool { Does::Remove }).mean({}, with_picture()).value();
-    EXPECT_EQ(apply_edits(with_picture(), edits).value().state.picture, nullptr);
+    auto const edits = tools::Tool(PictureTool { Does::Remove }).mean({}, with_picture()).value();
+    EXPECT_EQ(scene::apply_edits(with_picture(), edits).value().state.picture, nullptr);
 }
 
 TEST(PictureTool, SetsItsStrengthWhereItLies)
@@ -82,8 +84,8 @@ TEST(PictureTool, SetsItsStrengthWhereItLies)
     auto const scene = with_picture({ .is_locked = true });
     auto const edits = follow(PictureTool {}, PictureTool { .strength_percent = 80 }, scene);
     ASSERT_EQ(edits.size(), 1u);
-    auto const place = apply_edits(scene, edits).value().state.picture->place;
-    EXPECT_EQ(place, (PicturePlace { .strength = 0.8, .is_locked = true }));
+    auto const place = scene::apply_edits(scene, edits).value().state.picture->place;
+    EXPECT_EQ(place, (scene::PicturePlace { .strength = 0.8, .is_locked = true }));
     EXPECT_TRUE(follow(PictureTool {}, PictureTool {}, scene).empty()) << "it has that strength";
     EXPECT_TRUE(follow(PictureTool {}, PictureTool { .strength_percent = 80 }, {}).empty());
 }
@@ -91,18 +93,20 @@ TEST(PictureTool, SetsItsStrengthWhereItLies)
 TEST(PictureEdits, RefuseWhatCannotBe)
 {
     auto const nan = std::numeric_limits<double>::quiet_NaN();
-    for (auto const& place : { PicturePlace { .width_mm = 0 }, PicturePlace { .width_mm = nan },
-                               PicturePlace { .x_mm = 1e9 }, PicturePlace { .turn_deg = nan },
-                               PicturePlace { .strength = 0 }, PicturePlace { .strength = nan } }) {
-        EXPECT_FALSE(apply_edit(with_picture(), PlacePicture { place }));
-        EXPECT_FALSE(apply_edit({}, LayPicture { "oak.png", small_png(), place }));
+    for (auto const& place :
+         { scene::PicturePlace { .width_mm = 0 }, scene::PicturePlace { .width_mm = nan },
+           scene::PicturePlace { .x_mm = 1e9 }, scene::PicturePlace { .turn_deg = nan },
+           scene::PicturePlace { .strength = 0 }, scene::PicturePlace { .strength = nan } }) {
+        EXPECT_FALSE(scene::apply_edit(with_picture(), scene::PlacePicture { place }));
+        EXPECT_FALSE(scene::apply_edit({}, scene::LayPicture { "oak.png", small_png(), place }));
     }
-    auto const text = apply_edit({}, LayPicture { "oak.txt", "an oak" });
+    auto const text = scene::apply_edit({}, scene::LayPicture { "oak.txt", "an oak" });
     ASSERT_FALSE(text);
     EXPECT_EQ(text.error().message, "oak.txt is neither a PNG nor a JPEG picture");
-    EXPECT_FALSE(apply_edit({}, PlacePicture {}));
-    EXPECT_FALSE(apply_edit({}, RemovePicture {}));
-    EXPECT_TRUE(apply_edit({}, LayPicture { "oak.png", small_png() }).value().plants.empty())
+    EXPECT_FALSE(scene::apply_edit({}, scene::PlacePicture {}));
+    EXPECT_FALSE(scene::apply_edit({}, scene::RemovePicture {}));
+    EXPECT_TRUE(
+        scene::apply_edit({}, scene::LayPicture { "oak.png", small_png() }).value().plants.empty())
         << "before there is a plant";
 }
 
@@ -110,11 +114,11 @@ TEST(PictureEdits, RefuseWhatCannotBe)
 TEST(PictureEdits, KeepTheFileAsItIs)
 {
     auto const png = small_png();
-    auto const record = session::record_of(LayPicture { "oak.png", png });
+    auto const record = session::record_of(scene::LayPicture { "oak.png", png });
     EXPECT_EQ(record.numbers, png);
     EXPECT_LT(record.fields.size(), 200u);
-    auto const edit = session::edit_of(record, core_edit_kinds()).value();
-    EXPECT_EQ(edit.get<LayPicture>()->file, png);
+    auto const edit = session::edit_of(record, scene::core_edit_kinds()).value();
+    EXPECT_EQ(edit.get<scene::LayPicture>()->file, png);
 }
 
 // A stroke under way shows where the picture would come to lie; one that is refused gives it back.
@@ -156,4 +160,4 @@ TEST(PictureTool, GivesALockedPictureBack)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::pictures

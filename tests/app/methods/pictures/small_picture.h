@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-namespace tractus {
+namespace tractus::pictures {
 
 // A PNG of that size.
 inline std::string small_png(int width = 40, int height = 30)
@@ -16,4 +16,4 @@ inline std::string small_png(int width = 40, int height = 30)
     return out.str();
 }
 
-} // namespace tractus
+} // namespace tractus::pictures

@@ -10,7 +10,7 @@
 #include <memory>
 #include <tuple>
 
-namespace tractus {
+namespace tractus::silhouette {
 namespace {
 
 using namespace drawn_trees;
@@ -22,12 +22,12 @@ Stroke tap(double x, double y)
     return stroke_through({ { x, y, 150 }, { x + 0.3, y + 0.1, 150 }, { x, y + 0.1, 150 } });
 }
 
-Tool with_what(OutlineTool::What what)
+tools::Tool with_what(OutlineTool::What what)
 {
     return OutlineTool { .what = what };
 }
 
-std::size_t bumps_of_crown(Scene const& scene)
+std::size_t bumps_of_crown(scene::Scene const& scene)
 {
     return silhouette::skeleton_of(*silhouette::outlined_tree(*scene.drawn))
         .value()
@@ -40,7 +40,7 @@ std::size_t bumps_of_crown(Scene const& scene)
 TEST(OutlineTool, SplitsAndJoinsBumps)
 {
     using What = OutlineTool::What;
-    Document document({}, Document::Working::AtOnce);
+    document::Document document({}, document::Document::Working::AtOnce);
     for (auto const& stroke : { trunk_at(0), crown_around(0, 10) })
         document.draw({ stroke, OutlineTool {} });
     auto const scene = [&] { return document.newest()->scene; };
@@ -50,8 +50,8 @@ TEST(OutlineTool, SplitsAndJoinsBumps)
          { std::tuple(What::Split, 1, Vec2(22, 32), "split of_any siblings"),
            std::tuple(What::Join, -1, Vec2(30, 10), "join of_any siblings") }) {
         auto const tool = with_what(what);
-        EXPECT_EQ(words_for(tool).arguments, words);
-        EXPECT_EQ(parse_tool(all_methods().tools, "outline", words).value(), tool);
+        EXPECT_EQ(tools::words_for(tool).arguments, words);
+        EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, "outline", words).value(), tool);
         document.draw({ tap(place.x(), place.y()), tool });
         EXPECT_EQ(static_cast<int>(bumps_of_crown(scene())) - static_cast<int>(before), more);
         auto const touched = scene().base->node_position_mm;
@@ -69,11 +69,12 @@ TEST(OutlineTool, SplitsAndJoinsBumps)
         EXPECT_TRUE(silhouette::outlined_tree(*scene().drawn)->touches.empty());
         EXPECT_EQ(bumps_of_crown(scene()), before);
     }
-    auto const shared = std::make_shared<Scene const>(scene());
-    Tool const split = with_what(What::Split);
+    auto const shared = std::make_shared<scene::Scene const>(scene());
+    tools::Tool const split = with_what(What::Split);
     EXPECT_GT(outline_previewer()->show({ shared, split, tap(22, 32).tips.vector(), 99 }).size(),
               outline_previewer()->show({ shared, split, tap(900, 0).tips.vector(), 99 }).size());
-    auto const beside = apply_edit(scene(), meant(tap(900, 0), scene(), { .what = What::Split }));
+    auto const beside
+        = scene::apply_edit(scene(), meant(tap(900, 0), scene(), { .what = What::Split }));
     ASSERT_FALSE(beside);
     EXPECT_NE(beside.error().message.find("on no bump"), std::string::npos);
     EXPECT_FALSE(split.mean(tap(0, 0), small_scene())) << "no tree with an outline";
@@ -83,13 +84,15 @@ TEST(OutlineTool, WritesTouchesInSessions)
 {
     auto const tree = crowned();
     auto const edit = meant(tap(22, 32), tree, { .what = OutlineTool::What::Split });
-    auto const again = session::edit_of(session::record_of(edit), all_methods().edits).value();
+    auto const again
+        = session::edit_of(session::record_of(edit), methods::all_methods().edits).value();
     EXPECT_EQ(again.get<DrawTree>()->part, DrawTree::Part::Split);
-    EXPECT_EQ(apply_edit(tree, again)->base->node_position_mm,
-              apply_edit(tree, edit)->base->node_position_mm);
+    EXPECT_EQ(scene::apply_edit(tree, again)->base->node_position_mm,
+              scene::apply_edit(tree, edit)->base->node_position_mm);
     silhouette::DeclareLeaf const leaf { tree.state.active, 0, true };
     EXPECT_EQ(session::record_of(leaf).fields.find("outline"), std::string::npos) << "the crown's";
-    auto const declared = session::edit_of(session::record_of(leaf), all_methods().edits).value();
+    auto const declared
+        = session::edit_of(session::record_of(leaf), methods::all_methods().edits).value();
     EXPECT_TRUE(declared.get<silhouette::DeclareLeaf>()->is_leaf);
     auto const usual = session::record_of(meant(lobe_of_crown(), tree));
     EXPECT_EQ(usual.fields.find("is_leaf"), std::string::npos) << "as before there were leaves";
@@ -98,9 +101,9 @@ TEST(OutlineTool, WritesTouchesInSessions)
 // Drawn as one, taken back by a touch, declared again, undone.
 TEST(OutlineTool, DeclaresOutlinesLeaves)
 {
-    Tool const leaf = with_what(OutlineTool::What::Leaf);
-    EXPECT_EQ(words_for(leaf).arguments, "leaf of_any siblings");
-    Document document({}, Document::Working::AtOnce);
+    tools::Tool const leaf = with_what(OutlineTool::What::Leaf);
+    EXPECT_EQ(tools::words_for(leaf).arguments, "leaf of_any siblings");
+    document::Document document({}, document::Document::Working::AtOnce);
     for (auto const& stroke : { trunk_at(0), crown_around(0, 10) })
         document.draw({ stroke, OutlineTool {} });
     auto const scene = [&] { return document.newest()->scene; };
@@ -141,4 +144,4 @@ TEST(OutlineTool, BeginsATreeThatIsALeaf)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::silhouette

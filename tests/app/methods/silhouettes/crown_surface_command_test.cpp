@@ -14,7 +14,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::silhouette {
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,9 +157,9 @@ TEST_F(CrownSurfaceCommand, WritesASessionOfItsLines)
         auto const outcome = commands::run(
             { "silhouette", file, "-o", path("out"), "--session", "--levels", "1" });
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-        auto const scene
-            = batch::load_session_scene(path("out/" + name + ".tractus"), all_methods().edits)
-                  .value();
+        auto const scene = batch::load_session_scene(path("out/" + name + ".tractus"),
+                                                     methods::all_methods().edits)
+                               .value();
         ASSERT_TRUE(batch::write_plant_file(*scene.base, name, path("again.glb")));
         EXPECT_TRUE(file_bytes(path("out/" + name + ".glb")) == file_bytes(path("again.glb")));
     }
@@ -185,4 +185,4 @@ TEST_F(CrownSurfaceCommand, SaysWhatIsWrong)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -17,7 +17,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::silhouette {
 namespace {
 
 using namespace drawn_trees;
@@ -48,28 +48,29 @@ Stroke climb_on_cone()
     return stroke_through(places);
 }
 
-Result<std::vector<Edit>> meant_by(Stroke const& stroke, Scene const& scene,
-                                   Tool const& tool = CrownTool {})
+Result<std::vector<scene::Edit>> meant_by(Stroke const& stroke, scene::Scene const& scene,
+                                          tools::Tool const& tool = CrownTool {})
 {
     return tool.mean(stroke, scene);
 }
 
-Scene drawn_after(Scene const& scene, Stroke const& stroke, Tool const& tool = CrownTool {})
+scene::Scene drawn_after(scene::Scene const& scene, Stroke const& stroke,
+                         tools::Tool const& tool = CrownTool {})
 {
     auto const edits = meant_by(stroke, scene, tool);
     EXPECT_TRUE(edits) << edits.error().message;
-    auto after = edits ? apply_edits(scene, *edits) : Result<Scene>(scene);
+    auto after = edits ? scene::apply_edits(scene, *edits) : Result<scene::Scene>(scene);
     EXPECT_TRUE(after) << after.error().message;
-    return after.value_or(Scene {});
+    return after.value_or(scene::Scene {});
 }
 
-silhouette::OutlinedTree const& tree_of(Scene const& scene)
+silhouette::OutlinedTree const& tree_of(scene::Scene const& scene)
 {
     return *silhouette::outlined_tree(*scene.drawn);
 }
 
 // How far the plant reaches along an axis of the world.
-double reach(Scene const& scene, int axis)
+double reach(scene::Scene const& scene, int axis)
 {
     auto const box = bounds(*scene.base);
     return scene.placement.scale * (box.max_mm[axis] - box.min_mm[axis]);
@@ -77,17 +78,17 @@ double reach(Scene const& scene, int axis)
 
 TEST(CrownTool, SaysItsWordsInLogs)
 {
-    EXPECT_EQ(words_for(CrownTool {}).arguments, "");
-    auto const words = words_for(CrownTool { CrownTool::What::New });
+    EXPECT_EQ(tools::words_for(CrownTool {}).arguments, "");
+    auto const words = tools::words_for(CrownTool { CrownTool::What::New });
     EXPECT_EQ(words.name + " " + words.arguments, "crown_line new");
-    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(),
-              Tool(CrownTool { CrownTool::What::New }));
+    EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
+              tools::Tool(CrownTool { CrownTool::What::New }));
 }
 
 // Rings alone make a tree, which stands on the desk under them and is as wide and as deep.
 TEST(CrownTool, RingsMakeATreeUnderThem)
 {
-    Scene scene;
+    scene::Scene scene;
     for (double const height : { 60.0, 90.0, 120.0 })
         scene = drawn_after(scene, ring_at({ 20, 15, height }, 45, 18));
     ASSERT_EQ(scene.plants.size(), 1U);
@@ -119,7 +120,7 @@ TEST(CrownTool, AClimbingLineIsACrownAndAnotherTakesItsPlace)
 TEST(CrownTool, RingsAroundATreeSayHowDeepItIs)
 {
     auto const flat = crowned();
-    auto const paper = paper_of(flat.state);
+    auto const paper = scene::paper_of(flat.state);
     double const middle = paper.world_of_sheet({ 0, 10 }).z();
     auto deep = flat;
     for (double const up : { -20.0, 0.0, 20.0 })
@@ -147,10 +148,10 @@ TEST(CrownTool, RefusesALineThatSaysNothing)
 
 TEST(CrownTool, ErasesWhatTheEraserComesNear)
 {
-    Scene scene;
+    scene::Scene scene;
     for (double const height : { 60.0, 90.0, 120.0 })
         scene = drawn_after(scene, ring_at({ 0, 0, height }, 40, 30));
-    Tool const eraser = EraseCrownTool {};
+    tools::Tool const eraser = EraseCrownTool {};
     auto const after = drawn_after(scene, stroke_through({ { 36, 0, 91 }, { 44, 2, 93 } }), eraser);
     ASSERT_EQ(tree_of(after).crown_lines.size(), 2U);
     EXPECT_FALSE(meant_by(stroke_through({ { 0, 0, 75 }, { 1, 2, 75 } }), after, eraser));
@@ -158,7 +159,7 @@ TEST(CrownTool, ErasesWhatTheEraserComesNear)
     auto one = drawn_after(after, stroke_through({ { 40, 0, 60 }, { 41, 0, 60 } }), eraser);
     auto const edits = meant_by(stroke_through({ { 40, 0, 120 }, { 41, 0, 120 } }), one, eraser);
     ASSERT_TRUE(edits);
-    EXPECT_FALSE(apply_edits(one, *edits));
+    EXPECT_FALSE(scene::apply_edits(one, *edits));
 }
 
 // Its lines are shown where they were drawn.
@@ -177,15 +178,16 @@ TEST(CrownTool, PreviewsTheTreeThatComesOut)
 {
     auto const stroke = ring_at({ 0, 0, 60 }, 45, 18);
     auto const previewer = crown_previewer();
-    Tool const tool = CrownTool {};
+    tools::Tool const tool = CrownTool {};
     std::vector<TipSample> const ink(stroke.tips.begin(), stroke.tips.end());
-    auto const shown = previewer->show({ std::make_shared<Scene const>(), tool, ink });
+    auto const shown = previewer->show({ std::make_shared<scene::Scene const>(), tool, ink });
     auto const scene = drawn_after({}, stroke);
     auto const on_trunk = std::count_if(scene.base->axes.begin(), scene.base->axes.end(),
                                         [](Axis const& axis) { return axis.order <= 1; });
     EXPECT_EQ(shown.size(), static_cast<std::size_t>(on_trunk));
-    EXPECT_TRUE(previewer->show({ std::make_shared<Scene const>(), tool, std::span(ink).first(20) })
-                    .empty());
+    EXPECT_TRUE(
+        previewer->show({ std::make_shared<scene::Scene const>(), tool, std::span(ink).first(20) })
+            .empty());
 }
 
 // Recorded, replayed and drawn alone, lines are one tree, and a session keeps it.
@@ -206,9 +208,9 @@ TEST(CrownTool, ReplaysToTheSameTree)
         tool.tool = "crown_line";
         tool.arguments = "";
     }
-    auto const replay = replayed(log, {}, Scene {});
+    auto const replay = replayed(log, {}, scene::Scene {});
     ASSERT_EQ(replay.strokes.size(), 3U);
-    Scene alone;
+    scene::Scene alone;
     for (auto const& drawn : replay.strokes) {
         EXPECT_EQ(drawn.refusal, "");
         alone = drawn_after(alone, drawn.stroke);
@@ -217,11 +219,11 @@ TEST(CrownTool, ReplaysToTheSameTree)
     EXPECT_EQ(alone.base->node_position_mm, replay.scene.base->node_position_mm);
     // As a session's record has it.
     auto const edits = meant_by(replay.strokes[0].stroke, {}).value();
-    auto const again = session::edit_of(session::record_of(edits[0]), all_methods().edits);
+    auto const again = session::edit_of(session::record_of(edits[0]), methods::all_methods().edits);
     ASSERT_TRUE(again) << again.error().message;
-    EXPECT_EQ(apply_edit(Scene {}, *again).value().base->node_position_mm,
-              apply_edit(Scene {}, edits[0]).value().base->node_position_mm);
+    EXPECT_EQ(scene::apply_edit(scene::Scene {}, *again).value().base->node_position_mm,
+              scene::apply_edit(scene::Scene {}, edits[0]).value().base->node_position_mm);
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -8,7 +8,7 @@
 #include <vector>
 
 // Strokes of a tree that is drawn by its outline, and the documents after them.
-namespace tractus::drawn_trees {
+namespace tractus::silhouette::drawn_trees {
 
 using silhouette::DrawTree;
 
@@ -41,21 +41,22 @@ inline Stroke lobe_of_crown(double size = 1)
     return stroke_through(places);
 }
 
-inline DrawTree meant(Stroke const& stroke, Scene const& scene, OutlineTool const& tool = {})
+inline DrawTree meant(Stroke const& stroke, scene::Scene const& scene, OutlineTool const& tool = {})
 {
     auto const edit = drawn_tree(tool, stroke, scene);
     EXPECT_TRUE(edit) << edit.error().message;
     return edit.value_or(DrawTree {});
 }
 
-inline Scene after(Scene const& scene, Stroke const& stroke, OutlineTool const& tool = {})
+inline scene::Scene after(scene::Scene const& scene, Stroke const& stroke,
+                          OutlineTool const& tool = {})
 {
-    return apply_edit(scene, meant(stroke, scene, tool)).value();
+    return scene::apply_edit(scene, meant(stroke, scene, tool)).value();
 }
 
-inline Scene crowned()
+inline scene::Scene crowned()
 {
     return after(after({}, trunk_at(0)), crown_around(0, 10));
 }
 
-} // namespace tractus::drawn_trees
+} // namespace tractus::silhouette::drawn_trees

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::silhouette {
 namespace {
 
 using namespace drawn_trees;
@@ -24,9 +24,10 @@ using silhouette::DrawTree;
 TEST(OutlineTool, SaysItsNumbersInLogs)
 {
     OutlineTool const tool { .levels = 1, .leaves = 8, .what = OutlineTool::What::New };
-    auto const words = words_for(tool);
+    auto const words = tools::words_for(tool);
     EXPECT_EQ(words.name + " " + words.arguments, "outline levels=1 leaves=8 new of_any siblings");
-    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(tool));
+    EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
+              tools::Tool(tool));
 }
 
 // From the middle of the branch that ends in the lobe at the right above.
@@ -53,12 +54,13 @@ OutlineTool tool_of_old_logs()
 
 TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
 {
-    auto const tools = all_methods().tools;
-    EXPECT_EQ(parse_tool(tools, "outline", "").value(), Tool(tool_of_old_logs()));
-    EXPECT_EQ(words_for(tool_of_old_logs()).arguments, "");
+    auto const tools = methods::all_methods().tools;
+    EXPECT_EQ(tools::parse_tool(tools, "outline", "").value(), tools::Tool(tool_of_old_logs()));
+    EXPECT_EQ(tools::words_for(tool_of_old_logs()).arguments, "");
     // Lines were of the trunk's branches then, and of none of theirs.
-    auto const of_branches = parse_tool(tools, "outline", "of_nearest siblings").value();
-    EXPECT_EQ(of_branches, Tool(OutlineTool { .branches = OutlineTool::Branches::OfNearest }));
+    auto const of_branches = tools::parse_tool(tools, "outline", "of_nearest siblings").value();
+    EXPECT_EQ(of_branches,
+              tools::Tool(OutlineTool { .branches = OutlineTool::Branches::OfNearest }));
     auto const tree = crowned();
     auto const line = line_from_branch(*silhouette::outlined_tree(*tree.drawn));
     EXPECT_EQ(meant(line, tree, *of_branches.get<OutlineTool>()).search,
@@ -66,17 +68,18 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     // Of other kinds construction lines alone begin with more than what their logs mean without
     // arguments: with depths.
     for (auto const* const kind : tools) {
-        auto const begun = kind == &OutlineTool::kKind ? Tool(tool_of_old_logs())
-            : kind == &LineTool::kKind ? Tool(LineTool { .depth_by = lines::DepthBy::StemsHeight })
-                                       : Tool(*kind);
-        EXPECT_EQ(parse_tool(tools, kind->word, "").value(), begun) << kind->word;
+        auto const begun = kind == &OutlineTool::kKind ? tools::Tool(tool_of_old_logs())
+            : kind == &lines::LineTool::kKind
+            ? tools::Tool(lines::LineTool { .depth_by = lines::DepthBy::StemsHeight })
+            : tools::Tool(*kind);
+        EXPECT_EQ(tools::parse_tool(tools, kind->word, "").value(), begun) << kind->word;
     }
 }
 
 // The words of the tool are the names of the forms.
 TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
 {
-    auto const tools = all_methods().tools;
+    auto const tools = methods::all_methods().tools;
     auto const outlined = after(after({}, trunk_at(0)), crown_around(0, 10));
     silhouette::FormTree styled { .plant = outlined.state.active, .form = {} };
     styled.form.styles[0] = { .children = 12,
@@ -84,22 +87,22 @@ TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
                               .spacing = 0.05,
                               .first_angle_deg = 50,
                               .last_angle_deg = 40 };
-    auto const scene = apply_edit(outlined, styled).value(); // A ready form ends the style.
+    auto const scene = scene::apply_edit(outlined, styled).value(); // A ready form ends the style.
     for (auto const& ready : silhouette::ready_forms()) {
-        Tool tool = OutlineTool {};
-        auto const words = chosen_words(tool)[0].option.words;
+        tools::Tool tool = OutlineTool {};
+        auto const words = tools::chosen_words(tool)[0].option.words;
         for (std::size_t i = 0; i < words.size(); ++i)
             if (words[i].word == ready.name)
-                tool = with_word(tool, 0, static_cast<int>(i));
-        ASSERT_FALSE(tool == Tool(OutlineTool {})) << ready.name;
-        auto const said = words_for(tool);
-        EXPECT_EQ(parse_tool(tools, said.name, said.arguments).value(), tool);
+                tool = tools::with_word(tool, 0, static_cast<int>(i));
+        ASSERT_FALSE(tool == tools::Tool(OutlineTool {})) << ready.name;
+        auto const said = tools::words_for(tool);
+        EXPECT_EQ(tools::parse_tool(tools, said.name, said.arguments).value(), tool);
         EXPECT_EQ(meant(trunk_at(0), {}, *tool.get<OutlineTool>()).form, ready.form) << ready.name;
         auto given = *tool.get<OutlineTool>();
         given.what = OutlineTool::What::Form;
-        auto const edits = Tool(given).mean({}, scene).value();
+        auto const edits = tools::Tool(given).mean({}, scene).value();
         EXPECT_EQ(edits[0].get<silhouette::FormTree>()->form, ready.form) << ready.name;
-        EXPECT_TRUE(apply_edits(scene, edits)) << ready.name;
+        EXPECT_TRUE(scene::apply_edits(scene, edits)) << ready.name;
     }
 }
 
@@ -108,7 +111,7 @@ TEST(OutlineTool, LeavesTheFormOfATreeToWhoGivesNumbersAlone)
 {
     auto const pine = after({}, trunk_at(0), { .form = OutlineTool::Form::Pine });
     OutlineTool const more { .leaves = 60, .what = OutlineTool::What::Form };
-    auto const edits = Tool(more).mean({}, pine).value();
+    auto const edits = tools::Tool(more).mean({}, pine).value();
     auto const& form = edits[0].get<silhouette::FormTree>()->form;
     EXPECT_EQ(form.leaves, 60);
     EXPECT_EQ(form.leaf_width, 0.05);
@@ -170,7 +173,7 @@ TEST(OutlineTool, TellsABranchOnABranchByWhereItBegins)
 // Drawn, undone, drawn again, erased: the same plants at each step.
 TEST(OutlineTool, DrawsABranchOnABranch)
 {
-    Document document({}, Document::Working::AtOnce);
+    document::Document document({}, document::Document::Working::AtOnce);
     for (auto const& stroke : { trunk_at(0), crown_around(0, 10) })
         document.draw({ stroke, OutlineTool {} });
     auto const tree = [&] { return *silhouette::outlined_tree(*document.newest()->scene.drawn); };
@@ -200,13 +203,14 @@ TEST(OutlineTool, DrawsABranchOnABranch)
 // edit is written and read as it is.
 TEST(OutlineTool, CarriesAStyle)
 {
-    Document document({}, Document::Working::AtOnce);
+    document::Document document({}, document::Document::Working::AtOnce);
     for (auto const& stroke : { trunk_at(0), crown_around(0, 10), lobe_of_crown() })
         document.draw({ stroke, OutlineTool { .style = silhouette::StyleTo::None } });
     OutlineTool const carrying { .what = OutlineTool::What::Carry };
-    auto const words = words_for(carrying);
+    auto const words = tools::words_for(carrying);
     EXPECT_EQ(words.arguments, "carry of_any siblings");
-    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(carrying));
+    EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
+              tools::Tool(carrying));
     auto const tree = [&] { return *silhouette::outlined_tree(*document.newest()->scene.drawn); };
     auto const nodes = [&] { return document.newest()->scene.base->node_position_mm; };
     auto const before = nodes();
@@ -214,15 +218,16 @@ TEST(OutlineTool, CarriesAStyle)
     auto const skeleton = silhouette::skeleton_of(tree()).value();
     Vec2 const from = skeleton.systems[0].branches[skeleton.at(source)->branch].path.curve.at(0.8);
     auto const line = stroke_through({ { from.x(), from.y(), 0 }, { -19, 29, 0 } });
-    auto const edits = Tool(carrying).mean(line, document.newest()->scene).value();
+    auto const edits = tools::Tool(carrying).mean(line, document.newest()->scene).value();
     ASSERT_EQ(edits.size(), 1u);
     auto const& styles = edits[0].get<silhouette::ChooseStyles>()->styles;
     ASSERT_GE(styles.size(), 1u);
     EXPECT_EQ(styles.begin()->second, source);
-    auto const again = session::edit_of(session::record_of(edits[0]), all_methods().edits).value();
+    auto const again
+        = session::edit_of(session::record_of(edits[0]), methods::all_methods().edits).value();
     EXPECT_EQ(again.get<silhouette::ChooseStyles>()->styles, styles);
-    auto const scene = std::make_shared<Scene const>(document.newest()->scene);
-    Tool const tool = carrying;
+    auto const scene = std::make_shared<scene::Scene const>(document.newest()->scene);
+    tools::Tool const tool = carrying;
     EXPECT_EQ(outline_previewer()->show({ scene, tool, line.tips.vector(), 99 }).size(),
               styles.size() + 1)
         << "the source and its targets";
@@ -236,7 +241,8 @@ TEST(OutlineTool, CarriesAStyle)
     EXPECT_EQ(nodes(), before);
     document.redo();
     EXPECT_EQ(nodes(), carried);
-    EXPECT_FALSE(Tool(carrying).mean(trunk_at(0), small_scene())) << "no tree with an outline";
+    EXPECT_FALSE(tools::Tool(carrying).mean(trunk_at(0), small_scene()))
+        << "no tree with an outline";
 }
 
 // On a branch that was drawn on a branch: a log says so, and old ones do not look for it.
@@ -255,13 +261,14 @@ TEST(OutlineTool, DrawsOnBranchesOfBranches)
     auto const own = meant(twig, tree, alone);
     EXPECT_EQ(own.part, DrawTree::Part::OwnBranch);
     EXPECT_EQ(own.search, silhouette::Search::AnyLevel);
-    auto const again = session::edit_of(session::record_of(own), all_methods().edits).value();
+    auto const again
+        = session::edit_of(session::record_of(own), methods::all_methods().edits).value();
     EXPECT_EQ(again.get<DrawTree>()->search, silhouette::Search::AnyLevel);
-    auto const deeper = apply_edit(tree, own).value();
+    auto const deeper = scene::apply_edit(tree, own).value();
     auto const& drawn = silhouette::outlined_tree(*deeper.drawn)->own_branches;
     ASSERT_EQ(drawn.size(), 2u);
     EXPECT_TRUE(drawn[1].branch.starts_with(parent + "/")) << drawn[1].branch;
-    auto const said = OutlineTool::kKind.said(Tool(alone), deeper);
+    auto const said = OutlineTool::kKind.said(tools::Tool(alone), deeper);
     EXPECT_EQ(said, "The branch bears 1 branch that you drew");
     OutlineTool const of_trunks { .branches = OutlineTool::Branches::OfNearest };
     EXPECT_EQ(meant(twig, tree, of_trunks).search, silhouette::Search::OnTrunk);
@@ -286,7 +293,7 @@ TEST(OutlineTool, SaysWhatWaitsForItsBranch)
 
 TEST(OutlineTool, RefinesABranchStepByStep)
 {
-    Document document({}, Document::Working::AtOnce);
+    document::Document document({}, document::Document::Working::AtOnce);
     for (auto const& stroke : { trunk_at(0), crown_around(0, 10) })
         document.draw({ stroke, OutlineTool {} });
     auto const before = document.newest()->scene.base->node_position_mm;
@@ -320,7 +327,7 @@ TEST(OutlineTool, RefinesABranchStepByStep)
 TEST(OutlineTool, SaysWhatTheTreeStillWants)
 {
     auto const said
-        = [](Scene const& scene) { return OutlineTool::kKind.said(OutlineTool {}, scene); };
+        = [](scene::Scene const& scene) { return OutlineTool::kKind.said(OutlineTool {}, scene); };
     auto const stem = after({}, trunk_at(10));
     EXPECT_NE(said(stem).find("draw the outline of its crown"), std::string::npos);
     auto const tree = after(stem, crown_around(10, 10));
@@ -350,7 +357,7 @@ TEST(OutlineTool, RefusesADot)
 
 TEST(OutlineTool, GivesItsNumbersToTheTreeAtOnce)
 {
-    Document document({}, Document::Working::AtOnce);
+    document::Document document({}, document::Document::Working::AtOnce);
     document.draw({ trunk_at(0), OutlineTool {} });
     document.draw({ crown_around(0, 10), OutlineTool {} });
     auto const before = document.newest();
@@ -369,7 +376,7 @@ TEST(OutlineTool, GivesItsNumbersToTheTreeAtOnce)
     document.undo();
     EXPECT_EQ(document.newest()->scene.base->node_position_mm,
               before->scene.base->node_position_mm);
-    auto const refused = Tool(ArrangeTool {}).mean({}, small_scene());
+    auto const refused = tools::Tool(ArrangeTool {}).mean({}, small_scene());
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("no outline"), std::string::npos);
 }
@@ -377,7 +384,7 @@ TEST(OutlineTool, GivesItsNumbersToTheTreeAtOnce)
 // A branch goes before the trunk that it stands on, the outline last; what is left is a bare stem.
 TEST(EraseOutlineTool, TakesLinesOfTheDrawingAway)
 {
-    Document document({}, Document::Working::AtOnce);
+    document::Document document({}, document::Document::Working::AtOnce);
     for (auto const& stroke : { trunk_at(0), crown_around(0, 10),
                                 stroke_through({ { 1, -10, 0 }, { 12, 0, 0 }, { 26, 4, 0 } }) })
         document.draw({ stroke, OutlineTool {} });
@@ -397,16 +404,17 @@ TEST(EraseOutlineTool, TakesLinesOfTheDrawingAway)
     EXPECT_EQ(document.newest()->scene.base->axes.size(), 1u);
     document.draw({ across, EraseOutlineTool {} });
     EXPECT_TRUE(tree().branches.empty());
-    auto const last = Tool(EraseOutlineTool {}).mean(trunk_at(0), document.newest()->scene).value();
-    auto const refused = apply_edits(document.newest()->scene, last);
+    auto const last
+        = tools::Tool(EraseOutlineTool {}).mean(trunk_at(0), document.newest()->scene).value();
+    auto const refused = scene::apply_edits(document.newest()->scene, last);
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("remove the plant"), std::string::npos);
 }
 
 TEST(OutlineTool, ShowsBranchesBeforeTheCrownIsClosed)
 {
-    auto const stem = std::make_shared<Scene const>(after({}, trunk_at(0)));
-    Tool const tool = OutlineTool {};
+    auto const stem = std::make_shared<scene::Scene const>(after({}, trunk_at(0)));
+    tools::Tool const tool = OutlineTool {};
     auto const lines = [&](double share) {
         auto const stroke = crown_around(0, 10, share);
         return outline_previewer()->show({ stem, tool, stroke.tips.vector(), 99 }).size();
@@ -420,8 +428,8 @@ TEST(OutlineTool, ShowsBranchesBeforeTheCrownIsClosed)
 TEST(OutlineTool, ShowsBranchesInABranchsOwnOutline)
 {
     auto const tree
-        = std::make_shared<Scene const>(after(after({}, trunk_at(0)), crown_around(0, 10)));
-    Tool const tool = OutlineTool {};
+        = std::make_shared<scene::Scene const>(after(after({}, trunk_at(0)), crown_around(0, 10)));
+    tools::Tool const tool = OutlineTool {};
     auto const lines = [&](Stroke const& stroke) {
         return outline_previewer()->show({ tree, tool, stroke.tips.vector(), 99 }).size();
     };
@@ -475,9 +483,9 @@ TEST(OutlineLayer, ShowsWhatWasSeenInTheOutline)
     EXPECT_TRUE(kSeenLayer.is_asked_for(OutlineTool { .seen = Seen::Always }));
     EXPECT_FALSE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::Always }));
     EXPECT_TRUE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::WithTriangles }));
-    EXPECT_EQ(words_for(OutlineTool { .seen = Seen::Always }).arguments,
+    EXPECT_EQ(tools::words_for(OutlineTool { .seen = Seen::Always }).arguments,
               "of_any siblings seen_stays");
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::silhouette

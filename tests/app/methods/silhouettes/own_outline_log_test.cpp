@@ -15,7 +15,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::silhouette {
 namespace {
 
 using nlohmann::json;
@@ -59,7 +59,7 @@ json points_of(Stroke const& stroke)
 }
 
 // What the command infers from a file of the strokes.
-json reported(std::vector<DrawnStroke> const& strokes)
+json reported(std::vector<document::DrawnStroke> const& strokes)
 {
     auto const file = std::filesystem::temp_directory_path()
         / fmt::format("tractus_own_outline_{}.json", ::getpid());
@@ -95,14 +95,15 @@ std::string touch_at(double x_mm, double y_mm)
 }
 
 // The scene after the same lines without a log.
-Scene drawn_alone(std::vector<DrawnStroke> const& strokes, std::vector<OutlineTool> const& tools)
+scene::Scene drawn_alone(std::vector<document::DrawnStroke> const& strokes,
+                         std::vector<OutlineTool> const& tools)
 {
-    Scene scene;
+    scene::Scene scene;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
-        auto const edits = Tool(tools[i]).mean(strokes[i].stroke, scene);
+        auto const edits = tools::Tool(tools[i]).mean(strokes[i].stroke, scene);
         EXPECT_TRUE(edits) << edits.error().message;
         if (edits)
-            scene = apply_edits(scene, *edits).value();
+            scene = scene::apply_edits(scene, *edits).value();
     }
     return scene;
 }
@@ -113,7 +114,7 @@ TEST(OwnOutlineLog, GivesTheTreeOfItsTouches)
     auto const log = recorded_lines(touch_at(22, 32) + touch_at(-30, 10)
                                         + gesture_around({ 20, -10 }, 11, 5) + touch_at(20, -10),
                                     { "", "", "split", "join", "leaf siblings", "leaf" });
-    auto const replay = replayed(log, {}, Scene {});
+    auto const replay = replayed(log, {}, scene::Scene {});
     ASSERT_EQ(replay.strokes.size(), 6U);
     for (auto const& drawn : replay.strokes)
         EXPECT_EQ(drawn.refusal, "");
@@ -133,7 +134,7 @@ TEST(OwnOutlineLog, GivesTheTreeOfItsTouches)
                       { tool(What::GoOn), tool(What::GoOn), tool(What::Split), tool(What::Join),
                         tool(What::Leaf, silhouette::StyleTo::Siblings), tool(What::Leaf) });
     EXPECT_EQ(alone.base->node_position_mm, replay.scene.base->node_position_mm);
-    EXPECT_EQ(replayed(log, {}, Scene {}).scene.base->node_position_mm,
+    EXPECT_EQ(replayed(log, {}, scene::Scene {}).scene.base->node_position_mm,
               replay.scene.base->node_position_mm);
 }
 
@@ -141,7 +142,7 @@ TEST(OwnOutlineLog, GivesTheTreeOfItsTouches)
 TEST(OwnOutlineLog, GivesTheTreeOfItsLines)
 {
     auto const log = recorded_tree();
-    auto const replay = replayed(log, {}, Scene {});
+    auto const replay = replayed(log, {}, scene::Scene {});
     ASSERT_EQ(replay.strokes.size(), 3U);
     for (auto const& drawn : replay.strokes)
         EXPECT_EQ(drawn.refusal, "");
@@ -164,9 +165,9 @@ TEST(OwnOutlineLog, GivesTheTreeOfItsLines)
         EXPECT_GE(skeleton.branches_on({ 0, i }), 5U);
     }
     EXPECT_EQ(outlined, 1);
-    EXPECT_EQ(replayed(log, {}, Scene {}).scene.base->node_position_mm,
+    EXPECT_EQ(replayed(log, {}, scene::Scene {}).scene.base->node_position_mm,
               replay.scene.base->node_position_mm);
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -15,7 +15,7 @@
 #include <sstream>
 #include <vector>
 
-namespace tractus {
+namespace tractus::silhouette {
 namespace {
 
 using silhouette::DrawTree;
@@ -82,12 +82,12 @@ Vec2 pixel_of(Vec2 const& sheet_mm)
     return sheet_mm * (kWidth / kSheet_mm) + Vec2(kWidth, kHeight) / 2;
 }
 
-Scene with_photo(std::vector<PaintedTree> const& trees, PicturePlace place = {})
+scene::Scene with_photo(std::vector<PaintedTree> const& trees, scene::PicturePlace place = {})
 {
     place.width_mm = kSheet_mm;
     std::ostringstream file;
     EXPECT_TRUE(render::write_png(file, painted(trees)));
-    return apply_edit({}, LayPicture { "photo.png", file.str(), place }).value();
+    return scene::apply_edit({}, scene::LayPicture { "photo.png", file.str(), place }).value();
 }
 
 Stroke touch_at(Vec2 const& sheet_mm)
@@ -165,16 +165,16 @@ TEST(TouchedCrown, RefusesSkyGroundAndWhatIsBeside)
     EXPECT_NE(beside.error().message.find("beside the picture"), std::string::npos);
 }
 
-Result<DrawTree> drawn(Stroke const& stroke, Scene const& scene)
+Result<DrawTree> drawn(Stroke const& stroke, scene::Scene const& scene)
 {
     return drawn_tree(OutlineTool {}, stroke, scene);
 }
 
-Scene after(Scene const& scene, Stroke const& stroke)
+scene::Scene after(scene::Scene const& scene, Stroke const& stroke)
 {
     auto const edit = drawn(stroke, scene);
     EXPECT_TRUE(edit) << edit.error().message;
-    return edit ? apply_edit(scene, *edit).value() : scene;
+    return edit ? scene::apply_edit(scene, *edit).value() : scene;
 }
 
 Stroke trunk_of(PaintedTree const& tree)
@@ -193,14 +193,15 @@ TEST(OutlineTool, TakesTheCrownThatATouchLiesIn)
     auto const edit = drawn(touch, stem).value();
     EXPECT_EQ(edit.part, DrawTree::Part::Outline);
     EXPECT_EQ(edit.plant, stem.state.active);
-    auto const tree = apply_edit(stem, edit).value();
+    auto const tree = scene::apply_edit(stem, edit).value();
     EXPECT_GT(tree.base->axes.size(), 20U);
     EXPECT_FALSE(drawn(stroke_through({ { 0, 0, 80 } }), small_scene())) << "there is no picture";
     // Shown before the pen leaves the paper.
-    Tool const tool = OutlineTool {};
+    tools::Tool const tool = OutlineTool {};
     std::vector<TipSample> const ink(touch.tips.begin(), touch.tips.end());
-    EXPECT_GT(outline_previewer()->show({ std::make_shared<Scene const>(stem), tool, ink }).size(),
-              10U);
+    EXPECT_GT(
+        outline_previewer()->show({ std::make_shared<scene::Scene const>(stem), tool, ink }).size(),
+        10U);
 }
 
 // Both are 9 m tall, the far one at twice the distance: horizon in the picture's middle.
@@ -208,12 +209,13 @@ TEST(OutlineTool, StandsTreesOnThePicturesGround)
 {
     auto scene = with_photo({ kNear, kFar });
     auto const place = scene.state.picture->place;
-    PictureGround const ground { .horizon = 0,
-                                 .measured = PictureGround::Measured {
-                                     .foot = on_picture(place, sheet_of(kNear.foot)),
-                                     .top = on_picture(place, sheet_of(kNear.foot) + Vec2(0, 105)),
-                                     .height_m = 9 } };
-    scene = apply_edit(scene, SetPictureGround { ground }).value();
+    scene::PictureGround const ground { .horizon = 0,
+                                        .measured = scene::PictureGround::Measured {
+                                            .foot = scene::on_picture(place, sheet_of(kNear.foot)),
+                                            .top = scene::on_picture(
+                                                place, sheet_of(kNear.foot) + Vec2(0, 105)),
+                                            .height_m = 9 } };
+    scene = scene::apply_edit(scene, scene::SetPictureGround { ground }).value();
     scene = after(scene, trunk_of(kNear));
     scene = after(scene, touch_at(sheet_of(kNear.middle())));
     auto const near_mm = bounds(*scene.base);
@@ -233,7 +235,7 @@ TEST(OutlineTool, StandsTreesOnThePicturesGround)
     EXPECT_NEAR(apart_m.x(), camera_m * ((350 - 240) / 50.0 - (130 - 240) / 100.0), 0.05);
     EXPECT_NEAR(apart_m.y(), camera_m * kWidth * (1 / 50.0 - 1 / 100.0), 0.1);
     // What is drawn from now on lies on the far tree as it was drawn, not as large as it is.
-    auto const paper = paper_of(scene.state);
+    auto const paper = scene::paper_of(scene.state);
     EXPECT_NEAR(paper.unit, 2, 1e-6);
     Vec2 const top_mm = sheet_of(kFar.foot + Vec2(0, kFar.height));
     EXPECT_NEAR(paper.world_of_sheet(top_mm).z() / scale / 1000, 9, 0.01);
@@ -243,10 +245,11 @@ TEST(OutlineTool, StandsTreesOnThePicturesGround)
 TEST(OutlineTool, RefusesATreeAboveTheHorizon)
 {
     auto scene = with_photo({ kNear });
-    scene = apply_edit(scene,
-                       SetPictureGround {
-                           { .horizon = 0,
-                             .measured = PictureGround::Measured { { 0, -0.2 }, { 0, 0.1 }, 5 } } })
+    scene = scene::apply_edit(
+                scene,
+                scene::SetPictureGround {
+                    { .horizon = 0,
+                      .measured = scene::PictureGround::Measured { { 0, -0.2 }, { 0, 0.1 }, 5 } } })
                 .value();
     auto const edit = drawn(stroke_through({ { 0, 20, 80 }, { 1, 40, 80 }, { 0, 60, 80 } }), scene);
     ASSERT_FALSE(edit);
@@ -254,4 +257,4 @@ TEST(OutlineTool, RefusesATreeAboveTheHorizon)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::silhouette

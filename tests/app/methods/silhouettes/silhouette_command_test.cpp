@@ -17,7 +17,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::silhouette {
 namespace {
 
 namespace fs = std::filesystem;
@@ -175,7 +175,8 @@ TEST_F(SilhouetteCommand, TakesTheStyleOfAFile)
         EXPECT_EQ(style["measured"].size(), 2U);
         // The session's tree is in the style, too.
         auto const scene
-            = batch::load_session_scene(path(again + "/oak.tractus"), all_methods().edits).value();
+            = batch::load_session_scene(path(again + "/oak.tractus"), methods::all_methods().edits)
+                  .value();
         ASSERT_TRUE(batch::write_plant_file(*scene.base, "oak", path("again.glb")));
         EXPECT_TRUE(file_bytes(path(again + "/oak.glb")) == file_bytes(path("again.glb"))) << name;
     }
@@ -190,7 +191,7 @@ TEST_F(SilhouetteCommand, AFormWithoutStylesIsWrittenWithoutThem)
               R"({"plant":7,"levels":2,"trunk_pattern":"even","branch_pattern":"even",)"
               R"("twig_pattern":"even","density":1.0,"leaves":24,"leaf_width":0.4,"seed":1})");
     edit.form.styles[1] = { .children = 4, .unbranched = 0.25, .first_angle_deg = 50 };
-    auto const again = session::edit_of(session::record_of(edit), all_methods().edits);
+    auto const again = session::edit_of(session::record_of(edit), methods::all_methods().edits);
     ASSERT_TRUE(again) << again.error().message;
     ASSERT_TRUE(again->get<FormTree>());
     EXPECT_EQ(again->get<FormTree>()->form, edit.form);
@@ -246,7 +247,7 @@ TEST_F(SilhouetteCommand, WritesASessionOfItsLines)
                           "--arrangement", "spiral,whorls", "--leaves", "9", "--height", "3" });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const scene
-        = batch::load_session_scene(path("out/oak.tractus"), all_methods().edits).value();
+        = batch::load_session_scene(path("out/oak.tractus"), methods::all_methods().edits).value();
     EXPECT_NEAR(bounds(*scene.base).max_mm.z(), 3000, 400);
     ASSERT_TRUE(batch::write_plant_file(*scene.base, "oak", path("again.glb")));
     EXPECT_TRUE(file_bytes(path("out/oak.glb")) == file_bytes(path("again.glb")));
@@ -315,7 +316,7 @@ TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
                                          "--session", "--style-to", "siblings" });
     ASSERT_EQ(written.exit_code, 0) << written.err;
     auto const scene
-        = batch::load_session_scene(path("out/twig.tractus"), all_methods().edits).value();
+        = batch::load_session_scene(path("out/twig.tractus"), methods::all_methods().edits).value();
     ASSERT_TRUE(batch::write_plant_file(*scene.base, "twig", path("again.glb")));
     EXPECT_TRUE(file_bytes(path("out/twig.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
@@ -343,7 +344,7 @@ TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
     ASSERT_EQ(refined["bearing"]["drawn"].size(), 1u);
     EXPECT_NEAR(refined["bearing"]["drawn"][0]["end"][0].get<double>(), 56, 1e-9);
     auto const scene
-        = batch::load_session_scene(path("out/deep.tractus"), all_methods().edits).value();
+        = batch::load_session_scene(path("out/deep.tractus"), methods::all_methods().edits).value();
     ASSERT_TRUE(batch::write_plant_file(*scene.base, "deep", path("again.glb")));
     EXPECT_TRUE(file_bytes(path("out/deep.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
@@ -383,7 +384,8 @@ TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
     EXPECT_GE(styled, 1u);
     EXPECT_LT(styled, report["branch"].size() - 1);
     auto const scene
-        = batch::load_session_scene(path("out/styled.tractus"), all_methods().edits).value();
+        = batch::load_session_scene(path("out/styled.tractus"), methods::all_methods().edits)
+              .value();
     ASSERT_TRUE(batch::write_plant_file(*scene.base, "styled", path("again.glb")));
     EXPECT_TRUE(file_bytes(path("out/styled.glb")) == file_bytes(path("again.glb")))
         << "as by a pen";
@@ -418,7 +420,8 @@ TEST_F(SilhouetteCommand, SplitsAndJoinsBumps)
     auto const all = reported(drawing, { "-o", path("out"), "--session" });
     EXPECT_EQ(all["bumps"], bumps - 1) << "both splits are in the part";
     auto const scene
-        = batch::load_session_scene(path("out/touched.tractus"), all_methods().edits).value();
+        = batch::load_session_scene(path("out/touched.tractus"), methods::all_methods().edits)
+              .value();
     ASSERT_TRUE(batch::write_plant_file(*scene.base, "touched", path("again.glb")));
     EXPECT_TRUE(file_bytes(path("out/touched.glb")) == file_bytes(path("again.glb")))
         << "as by a pen";
@@ -441,7 +444,8 @@ TEST_F(SilhouetteCommand, DrawsLeaves)
         EXPECT_EQ(branch["leaf"], true);
     EXPECT_EQ(report["leaves"], report["branches"]);
     auto const scene
-        = batch::load_session_scene(path("out/leafy.tractus"), all_methods().edits).value();
+        = batch::load_session_scene(path("out/leafy.tractus"), methods::all_methods().edits)
+              .value();
     ASSERT_TRUE(batch::write_plant_file(*scene.base, "leafy", path("again.glb")));
     EXPECT_TRUE(file_bytes(path("out/leafy.glb")) == file_bytes(path("again.glb")))
         << "as by a pen";
@@ -457,7 +461,7 @@ TEST_F(SilhouetteCommand, DrawsLeaves)
     EXPECT_EQ(one["leaves"], 1);
     EXPECT_EQ(one["bumps"], 0);
     auto const again
-        = batch::load_session_scene(path("out/leaf.tractus"), all_methods().edits).value();
+        = batch::load_session_scene(path("out/leaf.tractus"), methods::all_methods().edits).value();
     EXPECT_EQ(again.base->organs.size(), 1u);
 }
 
@@ -558,4 +562,4 @@ TEST(SilhouetteCommandCorpus, ReportsTheBumpsOfThePublishedOutlines)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::silhouette

@@ -10,32 +10,32 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace tractus {
+namespace tractus::sketch {
 namespace {
 
-Glyph::Handle const& handle_of(Glyph const& glyph, std::string_view sign)
+tools::Glyph::Handle const& handle_of(tools::Glyph const& glyph, std::string_view sign)
 {
     return *std::find_if(glyph.handles.begin(), glyph.handles.end(),
-                         [&](Glyph::Handle const& handle) { return handle.sign == sign; });
+                         [&](tools::Glyph::Handle const& handle) { return handle.sign == sign; });
 }
 
 SketchTool dragged(SketchTool const& tool, std::string_view sign, Vec2 const& to)
 {
-    auto const& hand = Tool(tool);
+    auto const& hand = tools::Tool(tool);
     auto const glyph = hand.glyph();
     return *hand.dragged(handle_of(glyph, sign).id, to).get<SketchTool>();
 }
 
 Vec2 place_of_handle(SketchTool const& tool, std::string_view sign)
 {
-    auto const glyph = Tool(tool).glyph();
+    auto const glyph = tools::Tool(tool).glyph();
     return handle_of(glyph, sign).place;
 }
 
 // Where the parent ends: the glyph's first line.
 Vec2 node_of(SketchTool const& tool)
 {
-    return Tool(tool).glyph().lines.front().points.back();
+    return tools::Tool(tool).glyph().lines.front().points.back();
 }
 
 class AnyRule {
@@ -78,7 +78,7 @@ TEST(RuleGlyph, ShowsHowFarPlantsDiffer)
     Vec2 const node = node_of(tool);
     double const reach = (place_of_handle(tool, "A") - node).norm();
     bool is_shown = false;
-    for (auto const& line : Tool(tool).glyph().lines) {
+    for (auto const& line : tools::Tool(tool).glyph().lines) {
         auto const angle_deg = [&](Vec2 const& point) {
             return degrees(std::atan2(point.x() - node.x(), point.y() - node.y()));
         };
@@ -135,17 +135,17 @@ TEST(RuleGlyph, ComesToRestInWholeSteps)
 TEST(RuleGlyph, StaysWithinTheRangesOfRules)
 {
     AnyRule any(4711);
-    auto const tools = all_methods().tools;
+    auto const tools = methods::all_methods().tools;
     for (int i = 0; i < 1000; ++i) {
         auto const tool = any.tool();
-        SCOPED_TRACE(words_for(Tool(tool)).arguments);
-        for (auto const& handle : Tool(tool).glyph().handles) {
+        SCOPED_TRACE(tools::words_for(tools::Tool(tool)).arguments);
+        for (auto const& handle : tools::Tool(tool).glyph().handles) {
             auto const after
-                = Tool(tool).dragged(handle.id, { any.number(-3, 3), any.number(-3, 3) });
+                = tools::Tool(tool).dragged(handle.id, { any.number(-3, 3), any.number(-3, 3) });
             auto const rule = rule_of(*after.get<SketchTool>());
             EXPECT_TRUE(sketch::check_rule(rule)) << handle.sign;
-            auto const words = words_for(after);
-            EXPECT_EQ(parse_tool(tools, words.name, words.arguments).value(), after);
+            auto const words = tools::words_for(after);
+            EXPECT_EQ(tools::parse_tool(tools, words.name, words.arguments).value(), after);
         }
     }
 }
@@ -155,10 +155,10 @@ TEST(RuleGlyph, LeavesAHandleWhereItWasPut)
     AnyRule any(12);
     for (int i = 0; i < 300; ++i) {
         auto const tool = any.tool();
-        for (auto const& handle : Tool(tool).glyph().handles) {
+        for (auto const& handle : tools::Tool(tool).glyph().handles) {
             if (handle.is_button)
                 continue;
-            auto const once = Tool(tool).dragged(handle.id, handle.place);
+            auto const once = tools::Tool(tool).dragged(handle.id, handle.place);
             for (auto const& moved : once.glyph().handles)
                 if (moved.id == handle.id) {
                     EXPECT_LT((moved.place - handle.place).norm(), 0.03) << handle.sign;
@@ -177,22 +177,23 @@ TEST(RuleGlyph, TakesARuleIntoTheHand)
         auto const rule = rule_of(any.tool());
         auto const taken = saying_rule(any.tool(), rule);
         EXPECT_TRUE(says_rule(taken, rule));
-        EXPECT_EQ(words_for(Tool(taken)).name, "sketch");
+        EXPECT_EQ(tools::words_for(tools::Tool(taken)).name, "sketch");
     }
 }
 
-Scene two_plants_and_another(SketchTool const& tool)
+scene::Scene two_plants_and_another(SketchTool const& tool)
 {
-    auto scene
-        = apply_edits(
-              Scene {},
-              Tool(tool).mean(stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } }), Scene {}).value())
-              .value();
+    auto scene = scene::apply_edits(
+                     scene::Scene {},
+                     tools::Tool(tool)
+                         .mean(stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } }), scene::Scene {})
+                         .value())
+                     .value();
     auto other = tool;
     other.angle_deg = 70;
     for (auto const& next : { tool, other }) {
         auto const stroke = stroke_through({ { 50, 0, 0 }, { 50, 10, 100 } });
-        scene = apply_edits(scene, Tool(next).mean(stroke, scene).value()).value();
+        scene = scene::apply_edits(scene, tools::Tool(next).mean(stroke, scene).value()).value();
     }
     return scene;
 }
@@ -204,33 +205,34 @@ TEST(RuleGlyph, LetsAllThatGrewByTheRuleFollow)
     after.lateral_twist_deg = 15;
     after.lateral_width = 0.4;
     auto const scene = two_plants_and_another(before);
-    auto const edits = SketchTool::kKind.follow(Tool(before), Tool(after), scene);
+    auto const edits = SketchTool::kKind.follow(tools::Tool(before), tools::Tool(after), scene);
     ASSERT_EQ(edits.size(), 2u);
-    auto const changed = apply_edits(scene, edits).value();
+    auto const changed = scene::apply_edits(scene, edits).value();
     for (std::size_t i = 0; i < 3; ++i) {
         auto const rule = sketch::newest_grown(*changed.plants[i]->drawn)->sketch->rule;
         EXPECT_EQ(says_rule(after, rule), i < 2) << i;
         EXPECT_EQ(rule.first_width_mm, 4.5);
     }
     after.drawn = SketchTool::Drawn::Stays;
-    EXPECT_TRUE(SketchTool::kKind.follow(Tool(before), Tool(after), scene).empty());
+    EXPECT_TRUE(SketchTool::kKind.follow(tools::Tool(before), tools::Tool(after), scene).empty());
 }
 
 TEST(RuleGlyph, TakesWhatThePlantWasDrawnWith)
 {
     SketchTool drawn { .laterals = 5, .leaves = sketch::Leaves::Bare };
     drawn.axis_twist_deg = 20;
-    auto const scene
-        = apply_edits(
-              Scene {},
-              Tool(drawn).mean(stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } }), Scene {}).value())
-              .value();
-    auto const taken = SketchTool::kKind.like_drawn(Tool(SketchTool {}), scene);
+    auto const scene = scene::apply_edits(scene::Scene {},
+                                          tools::Tool(drawn)
+                                              .mean(stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } }),
+                                                    scene::Scene {})
+                                              .value())
+                           .value();
+    auto const taken = SketchTool::kKind.like_drawn(tools::Tool(SketchTool {}), scene);
     ASSERT_TRUE(taken);
     EXPECT_TRUE(says_rule(*taken->get<SketchTool>(), rule_of(drawn)));
     EXPECT_EQ(taken->get<SketchTool>()->leaves, sketch::Leaves::Bare);
-    EXPECT_FALSE(SketchTool::kKind.like_drawn(Tool(SketchTool {}), small_scene()));
+    EXPECT_FALSE(SketchTool::kKind.like_drawn(tools::Tool(SketchTool {}), small_scene()));
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::sketch

@@ -15,7 +15,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::sketch {
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,13 +143,13 @@ TEST_F(SketchedModel, BeginsASessionThatHoldsItsText)
                                          "--seed", "7", "--session", "-o", path("out") });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     auto const session
-        = session::read_session(path("out/bow.tractus"), all_methods().edits).value();
+        = session::read_session(path("out/bow.tractus"), methods::all_methods().edits).value();
     ASSERT_EQ(session.edits.size(), 1u);
     auto const* const edit = session.edits.front().edit.get<sketch::GrowAlongStroke>();
     ASSERT_NE(edit, nullptr);
     EXPECT_EQ(edit->model.source.text, text);
     EXPECT_EQ(edit->model.seed, 7u);
-    auto const scene = apply_edit(Scene {}, *edit).value();
+    auto const scene = scene::apply_edit(scene::Scene {}, *edit).value();
     EXPECT_EQ(scene.base->organs.size(), sketch::drawn_nodes_mm(*edit).value().size() - 1);
 }
 
@@ -192,4 +192,4 @@ TEST_F(SketchedModel, CanBeEachOfOursThatTheHelpNames)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::sketch

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace tractus {
+namespace tractus::sketch {
 namespace {
 
 using Json = nlohmann::json;
@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 // What other programs are told while a pen draws to the right in steps of 2 mm, 5 ms apart, and is
 // lifted.
 std::vector<Json> told_along_a_line(SketchTool const& tool, double length_mm,
-                                    Scene const& scene = {})
+                                    scene::Scene const& scene = {})
 {
     auto station = flat_station(tool);
     std::vector<Json> lines;
@@ -157,7 +157,7 @@ TEST(SketchSteps, AreNoneWhereNumbersAreChanged)
 TEST(SketchSteps, AreWhenThePreviewChanges)
 {
     auto station = flat_station(in_space());
-    Document document(Scene {}, Document::Working::AtOnce);
+    document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     view::StationView view(station, document);
     auto draw_to = [&, i = 0](double x_mm) mutable {
         for (; 2 * i <= x_mm; ++i)
@@ -176,4 +176,4 @@ TEST(SketchSteps, AreWhenThePreviewChanges)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::sketch

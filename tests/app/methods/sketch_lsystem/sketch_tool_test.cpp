@@ -18,7 +18,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tractus {
+namespace tractus::sketch {
 namespace {
 
 Stroke rising_stroke()
@@ -29,54 +29,58 @@ Stroke rising_stroke()
 TEST(SketchTool, SaysItsRuleInLogs)
 {
     SketchTool tool { .laterals = 3, .angle_deg = 60, .leaves = sketch::Leaves::Bare };
-    auto const words = words_for(tool);
+    auto const words = tools::words_for(tool);
     EXPECT_EQ(words.name + " " + words.arguments, "sketch laterals=3 angle=60 bare");
-    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(tool));
+    EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
+              tools::Tool(tool));
 }
 
 // Logs have all that a card stands for, so that they mean the same if it is ever another.
 TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
 {
-    auto const tools = all_methods().tools;
+    auto const tools = methods::all_methods().tools;
     std::size_t plants = 0;
-    std::vector<Tool> chosen;
-    for (auto const& card : ready_cards(Tool(SketchTool {})))
+    std::vector<tools::Tool> chosen;
+    for (auto const& card : tools::ready_cards(tools::Tool(SketchTool {})))
         chosen.push_back(card.tool);
     ASSERT_EQ(chosen.size(), 17u);
     chosen.resize(9); // The others are models, and the plant.
-    EXPECT_EQ(words_for(chosen[1]).arguments, "whorls laterals=4 angle=75 first=28 ratio=0.88");
-    EXPECT_EQ(words_for(chosen[5]).arguments, "fern angle=55 first=13 ratio=0.96 lateral=0.7");
-    EXPECT_EQ(words_for(chosen[8]).arguments,
+    EXPECT_EQ(tools::words_for(chosen[1]).arguments,
+              "whorls laterals=4 angle=75 first=28 ratio=0.88");
+    EXPECT_EQ(tools::words_for(chosen[5]).arguments,
+              "fern angle=55 first=13 ratio=0.96 lateral=0.7");
+    EXPECT_EQ(tools::words_for(chosen[8]).arguments,
               "compound_leaf first=60 ratio=0.5 lateral=0.5 as_axis width=0.6");
     std::vector<double> const twists_deg { 90, 45, 36, 90, 30, 0, 137.5, 180.0 / 7, 0 };
     for (auto const& tool : chosen) {
-        auto const words = words_for(tool);
-        EXPECT_EQ(parse_tool(tools, words.name, words.arguments).value(), tool);
-        auto const edits = tool.mean(rising_stroke(), Scene {}).value();
+        auto const words = tools::words_for(tool);
+        EXPECT_EQ(tools::parse_tool(tools, words.name, words.arguments).value(), tool);
+        auto const edits = tool.mean(rising_stroke(), scene::Scene {}).value();
         auto const& rule = edits.front().get<sketch::GrowAlongStroke>()->rule;
         EXPECT_EQ(rule.axis_twist_deg, twists_deg[plants]);
-        plants += apply_edits(Scene {}, edits).value().plants.size();
+        plants += scene::apply_edits(scene::Scene {}, edits).value().plants.size();
     }
     EXPECT_EQ(plants, 9u);
 }
 
 // What a card of a model stands for.
-sketch::GrowAlongStroke drawn_with(SketchTool::Card card, Scene const& scene = {})
+sketch::GrowAlongStroke drawn_with(SketchTool::Card card, scene::Scene const& scene = {})
 {
-    auto const edits = Tool(SketchTool { .card = card }).mean(rising_stroke(), scene).value();
+    auto const edits
+        = tools::Tool(SketchTool { .card = card }).mean(rising_stroke(), scene).value();
     return *edits.front().get<sketch::GrowAlongStroke>();
 }
 
 TEST(SketchTool, GrowsAModelInARulesPlace)
 {
-    auto const tools = all_methods().tools;
+    auto const tools = methods::all_methods().tools;
     for (int card = 9; card < 16; ++card) {
-        Tool const tool = SketchTool { .card = static_cast<SketchTool::Card>(card) };
-        auto const words = words_for(tool);
-        EXPECT_EQ(parse_tool(tools, words.name, words.arguments).value(), tool);
+        tools::Tool const tool = SketchTool { .card = static_cast<SketchTool::Card>(card) };
+        auto const words = tools::words_for(tool);
+        EXPECT_EQ(tools::parse_tool(tools, words.name, words.arguments).value(), tool);
         auto const grown = drawn_with(static_cast<SketchTool::Card>(card));
         EXPECT_EQ(grown.model.source.name, words.arguments + ".l");
-        auto const scene = apply_edit(Scene {}, grown).value();
+        auto const scene = scene::apply_edit(scene::Scene {}, grown).value();
         auto const nodes_mm = sketch::drawn_nodes_mm(grown).value();
         auto const axis_mm = scene.base->positions(scene.base->axes.front());
         ASSERT_GE(axis_mm.size(), nodes_mm.size()) << words.arguments;
@@ -85,17 +89,17 @@ TEST(SketchTool, GrowsAModelInARulesPlace)
         EXPECT_FALSE(tool.glyph().lines.empty());
         EXPECT_TRUE(tool.glyph().handles.empty());
     }
-    auto const one = apply_edit(Scene {}, drawn_with(SketchTool::Card::Vine)).value();
+    auto const one = scene::apply_edit(scene::Scene {}, drawn_with(SketchTool::Card::Vine)).value();
     EXPECT_EQ(drawn_with(SketchTool::Card::Vine, one).model.seed, 2u) << "another one";
 }
 
 TEST(SketchTool, ShowsAModelUnderThePen)
 {
-    Tool const tool = SketchTool { .card = SketchTool::Card::Palm };
-    auto const scene = std::make_shared<Scene const>(small_scene());
+    tools::Tool const tool = SketchTool { .card = SketchTool::Card::Palm };
+    auto const scene = std::make_shared<scene::Scene const>(small_scene());
     auto const stroke = rising_stroke();
     auto const lines = sketch_previewer()->show({ scene, tool, stroke.tips.vector(), 99 });
-    auto const after = apply_edits(*scene, tool.mean(stroke, *scene).value()).value();
+    auto const after = scene::apply_edits(*scene, tool.mean(stroke, *scene).value()).value();
     EXPECT_EQ(lines.size(), after.base->axes.size());
 }
 
@@ -104,17 +108,19 @@ TEST(SketchTool, ChangesRulesIntoModels)
 {
     SketchTool const rule;
     SketchTool const vine { .card = SketchTool::Card::Vine };
-    auto const grown = apply_edits(Scene {}, Tool(rule).mean(rising_stroke(), {}).value()).value();
-    auto const to_vine = SketchTool::kKind.follow(Tool(rule), Tool(vine), grown);
+    auto const grown
+        = scene::apply_edits(scene::Scene {}, tools::Tool(rule).mean(rising_stroke(), {}).value())
+              .value();
+    auto const to_vine = SketchTool::kKind.follow(tools::Tool(rule), tools::Tool(vine), grown);
     ASSERT_EQ(to_vine.size(), 1u);
-    auto const changed = apply_edits(grown, to_vine).value();
+    auto const changed = scene::apply_edits(grown, to_vine).value();
     EXPECT_EQ(sketch::newest_grown(*changed.drawn)->sketch->model.source.name, "vine.l");
-    EXPECT_EQ(SketchTool::kKind.like_drawn(Tool(rule), changed)->get<SketchTool>()->card,
+    EXPECT_EQ(SketchTool::kKind.like_drawn(tools::Tool(rule), changed)->get<SketchTool>()->card,
               SketchTool::Card::Vine);
-    auto const to_rule = SketchTool::kKind.follow(Tool(vine), Tool(rule), changed);
-    auto const back = apply_edits(changed, to_rule).value();
+    auto const to_rule = SketchTool::kKind.follow(tools::Tool(vine), tools::Tool(rule), changed);
+    auto const back = scene::apply_edits(changed, to_rule).value();
     EXPECT_EQ(back.base->node_position_mm, grown.base->node_position_mm);
-    EXPECT_TRUE(SketchTool::kKind.follow(Tool(rule), Tool(rule), grown).empty());
+    EXPECT_TRUE(SketchTool::kKind.follow(tools::Tool(rule), tools::Tool(rule), grown).empty());
 }
 
 // The compound leaf of The Algorithmic Beauty of Plants (Ijiri 2006 figure 2): A --> I[+A][-A]A
@@ -123,9 +129,9 @@ TEST(SketchTool, ChangesRulesIntoModels)
 // that are left.
 TEST(SketchTool, HasTheCompoundLeafAsACard)
 {
-    auto const card = ready_cards(Tool(SketchTool {}))[8].tool;
+    auto const card = tools::ready_cards(tools::Tool(SketchTool {}))[8].tool;
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 113 } }); // 60 + 30 + 15 + 7.5 mm.
-    auto const scene = apply_edits(Scene {}, card.mean(stroke, {}).value()).value();
+    auto const scene = scene::apply_edits(scene::Scene {}, card.mean(stroke, {}).value()).value();
     auto const& plant = *scene.base;
     EXPECT_EQ(plant.segment_count(), 40u);
     auto const main_mm = plant.positions(plant.axes.front());
@@ -135,19 +141,21 @@ TEST(SketchTool, HasTheCompoundLeafAsACard)
                     1e-3);
     for (auto const& node_mm : plant.node_position_mm)
         EXPECT_NEAR(node_mm.y(), 0, 1e-3) << "all in one plane";
-    EXPECT_EQ(SketchTool::kKind.like_drawn(Tool(SketchTool {}), scene)->get<SketchTool>()->go_on_by,
+    EXPECT_EQ(SketchTool::kKind.like_drawn(tools::Tool(SketchTool {}), scene)
+                  ->get<SketchTool>()
+                  ->go_on_by,
               SketchTool::Laterals::AsAxis);
 }
 
 // A model of a person's own comes into the hand from the plant that it is.
 TEST(SketchTool, GrowsTheModelOfThePlant)
 {
-    LoadModel own { .source = ready_model("birch").source };
+    scene::LoadModel own { .source = ready_model("birch").source };
     own.source.name = "own.l";
-    auto const scene = apply_edit(Scene {}, own).value();
+    auto const scene = scene::apply_edit(scene::Scene {}, own).value();
     auto const grown = drawn_with(SketchTool::Card::Plant, scene);
     EXPECT_EQ(grown.model.source, own.source);
-    auto const both = apply_edit(scene, grown).value();
+    auto const both = scene::apply_edit(scene, grown).value();
     ASSERT_EQ(both.plants.size(), 2u);
     auto const nodes_mm = sketch::drawn_nodes_mm(grown).value();
     EXPECT_NEAR((both.placement.world_of_plant(both.base->positions(both.base->axes.front())[1])
@@ -156,7 +164,7 @@ TEST(SketchTool, GrowsTheModelOfThePlant)
                 0, 0.01);
     EXPECT_EQ(drawn_with(SketchTool::Card::Plant, both).model.source, own.source) << "and so on";
     SketchTool const any;
-    EXPECT_EQ(SketchTool::kKind.like_drawn(Tool(any), both)->get<SketchTool>()->card,
+    EXPECT_EQ(SketchTool::kKind.like_drawn(tools::Tool(any), both)->get<SketchTool>()->card,
               SketchTool::Card::Plant);
 }
 
@@ -167,41 +175,42 @@ TEST(SketchTool, GrowsTheRuleOfThePlant)
     first.rule.lateral_rules = { { .laterals = 1, .laterals_by = 1 } };
     first.stroke = rising_stroke();
     first.surface = StrokeSurface::Space;
-    auto const scene = apply_edit(Scene {}, first).value();
+    auto const scene = scene::apply_edit(scene::Scene {}, first).value();
     EXPECT_EQ(drawn_with(SketchTool::Card::Plant, scene).rule, first.rule);
-    Tool const plain = SketchTool {};
-    Tool const of_plant = SketchTool { .card = SketchTool::Card::Plant };
+    tools::Tool const plain = SketchTool {};
+    tools::Tool const of_plant = SketchTool { .card = SketchTool::Card::Plant };
     EXPECT_TRUE(SketchTool::kKind.follow(plain, of_plant, scene).empty())
         << "nothing is changed by it";
     EXPECT_TRUE(SketchTool::kKind.follow(of_plant, plain, scene).empty());
-    Tool const change
+    tools::Tool const change
         = SketchTool { .card = SketchTool::Card::Plant, .place = SketchTool::Place::Change };
     EXPECT_FALSE(change.mean({}, scene));
 }
 
 TEST(SketchTool, RefusesAPlantThatCannotGrowAnew)
 {
-    Tool const of_plant = SketchTool { .card = SketchTool::Card::Plant };
-    auto const refused = of_plant.mean(rising_stroke(), Scene {});
+    tools::Tool const of_plant = SketchTool { .card = SketchTool::Card::Plant };
+    auto const refused = of_plant.mean(rising_stroke(), scene::Scene {});
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("neither from a rule nor from a model"),
               std::string::npos);
-    EXPECT_TRUE(
-        sketch_previewer()
-            ->show({ std::make_shared<Scene const>(), of_plant, rising_stroke().tips.vector(), 9 })
-            .empty());
+    EXPECT_TRUE(sketch_previewer()
+                    ->show({ std::make_shared<scene::Scene const>(), of_plant,
+                             rising_stroke().tips.vector(), 9 })
+                    .empty());
 }
 
 // Sessions of rules stay as they were, byte for byte.
 TEST(SketchTool, KeepsNothingOfModelsWithRules)
 {
-    auto const fields_of = [](Edit const& edit) { return session::record_of(edit).fields; };
+    auto const fields_of = [](scene::Edit const& edit) { return session::record_of(edit).fields; };
     for (auto const& fields :
          { fields_of(sketch::GrowAlongStroke {}), fields_of(sketch::ChangeSketch {}) })
         for (auto const* const name : { "model", "view", "includes", "seed" })
             EXPECT_EQ(fields.find(name), std::string::npos) << fields;
     auto const grown = drawn_with(SketchTool::Card::Vine);
-    auto const read = session::edit_of(session::record_of(grown), all_methods().edits).value();
+    auto const read
+        = session::edit_of(session::record_of(grown), methods::all_methods().edits).value();
     EXPECT_EQ(read.get<sketch::GrowAlongStroke>()->model, grown.model);
 }
 
@@ -234,39 +243,46 @@ speed_mm_s = 120
 TEST(SketchTool, KeepsNumbersThatArePutBackBesideACard)
 {
     SketchTool const tool { .card = SketchTool::Card::Whorls, .laterals = 2 };
-    auto const words = words_for(tool);
+    auto const words = tools::words_for(tool);
     EXPECT_EQ(words.arguments, "whorls");
-    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), Tool(tool));
+    EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
+              tools::Tool(tool));
 }
 
 TEST(SketchTool, DrawsAStrokeAgain)
 {
     SketchTool tool { .laterals = 3 };
     auto const scene
-        = apply_edits(Scene {}, Tool(tool).mean(rising_stroke(), Scene {}).value()).value();
+        = scene::apply_edits(scene::Scene {},
+                             tools::Tool(tool).mean(rising_stroke(), scene::Scene {}).value())
+              .value();
     tool.place = SketchTool::Place::Again;
     tool.laterals = 5; // The rule stays the plant's.
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 150 }, { 60, 0, 200 } });
-    auto const edits = Tool(tool).mean(stroke, scene).value();
+    auto const edits = tools::Tool(tool).mean(stroke, scene).value();
     ASSERT_EQ(edits.size(), 1u);
-    auto const again = apply_edits(scene, edits).value();
+    auto const again = scene::apply_edits(scene, edits).value();
     ASSERT_EQ(again.plants.size(), 1u);
     auto const* const grown = sketch::newest_grown(*again.drawn)->sketch;
     EXPECT_EQ(grown->rule.laterals, 3);
     EXPECT_EQ(grown->stroke.tips.vector().size(), stroke.tips.vector().size());
-    EXPECT_FALSE(Tool(tool).mean(stroke, small_scene())) << "nothing has grown along a stroke";
+    EXPECT_FALSE(tools::Tool(tool).mean(stroke, small_scene()))
+        << "nothing has grown along a stroke";
     auto const preview = sketch_previewer();
     auto const ink = stroke.tips.vector();
     EXPECT_FALSE(
-        preview->show({ std::make_shared<Scene const>(scene), Tool(tool), ink, 9 }).empty());
-    EXPECT_TRUE(preview->show({ std::make_shared<Scene const>(small_scene()), Tool(tool), ink, 9 })
+        preview->show({ std::make_shared<scene::Scene const>(scene), tools::Tool(tool), ink, 9 })
+            .empty());
+    EXPECT_TRUE(preview
+                    ->show({ std::make_shared<scene::Scene const>(small_scene()), tools::Tool(tool),
+                             ink, 9 })
                     .empty());
 }
 
 TEST(SketchTool, AddsAPlantInTheDocumentsScale)
 {
-    Tool const tool = SketchTool {};
-    auto const alone = tool.mean(rising_stroke(), Scene {}).value();
+    tools::Tool const tool = SketchTool {};
+    auto const alone = tool.mean(rising_stroke(), scene::Scene {}).value();
     auto const* const first = alone.front().get<sketch::GrowAlongStroke>();
     ASSERT_NE(first, nullptr);
     EXPECT_EQ(first->scale, 0.1);
@@ -274,7 +290,7 @@ TEST(SketchTool, AddsAPlantInTheDocumentsScale)
     auto const scene = small_scene();
     auto const beside = tool.mean(rising_stroke(), scene).value();
     EXPECT_EQ(beside.front().get<sketch::GrowAlongStroke>()->scale, scene.placement.scale);
-    auto const both = apply_edits(scene, beside).value();
+    auto const both = scene::apply_edits(scene, beside).value();
     ASSERT_EQ(both.plants.size(), 2u);
     EXPECT_EQ(both.plants[0], scene.plants[0]) << "it stays as it was";
 }
@@ -282,11 +298,11 @@ TEST(SketchTool, AddsAPlantInTheDocumentsScale)
 // The plant that grows under the pen is the one that stands there afterwards.
 TEST(SketchTool, ShowsThePlantThatItWillGrow)
 {
-    Tool const tool = SketchTool { .leaves = sketch::Leaves::Bare };
-    auto const scene = std::make_shared<Scene const>(small_scene());
+    tools::Tool const tool = SketchTool { .leaves = sketch::Leaves::Bare };
+    auto const scene = std::make_shared<scene::Scene const>(small_scene());
     auto const stroke = rising_stroke();
     auto const lines = sketch_previewer()->show({ scene, tool, stroke.tips.vector(), 99 });
-    auto const after = apply_edits(*scene, tool.mean(stroke, *scene).value()).value();
+    auto const after = scene::apply_edits(*scene, tool.mean(stroke, *scene).value()).value();
     ASSERT_EQ(lines.size(), after.base->axes.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
         auto const nodes_mm = after.base->positions(after.base->axes[i]);
@@ -304,7 +320,7 @@ TEST(SketchTool, ShowsThePlantThatItWillGrow)
 // As long as it is whole nothing is said.
 TEST(SketchTool, SaysWhatAPreviewLeavesOut)
 {
-    auto const scene = std::make_shared<Scene const>(small_scene());
+    auto const scene = std::make_shared<scene::Scene const>(small_scene());
     auto const previewer = sketch_previewer();
     auto const note = [&](SketchTool const& tool, Vec3 const& end_mm) {
         auto const stroke = stroke_through({ { 0, 0, 0 }, end_mm });
@@ -328,11 +344,12 @@ TEST(SketchTool, SaysWhatAPreviewLeavesOut)
 // Lines of the plant that the previewer shows, against the plant of the finished stroke. The first
 // axes of a plant with a part are those of what bears it. The part's stem begins on its branch,
 // which the pen need not have met.
-void expect_shown(Scene const& scene, Tool const& tool, Stroke const& stroke, std::size_t first)
+void expect_shown(scene::Scene const& scene, tools::Tool const& tool, Stroke const& stroke,
+                  std::size_t first)
 {
-    auto const shared = std::make_shared<Scene const>(scene);
+    auto const shared = std::make_shared<scene::Scene const>(scene);
     auto const lines = sketch_previewer()->show({ shared, tool, stroke.tips.vector(), 99 });
-    auto const after = apply_edits(scene, tool.mean(stroke, scene).value()).value();
+    auto const after = scene::apply_edits(scene, tool.mean(stroke, scene).value()).value();
     ASSERT_EQ(lines.size(), after.base->axes.size() - first);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         auto const nodes_mm = after.base->positions(after.base->axes[first + i]);
@@ -356,18 +373,18 @@ TEST(SketchTool, GrowsOnTheBranchWhereTheStrokeBegins)
     auto const scene = small_scene();
     auto const node = nodes_of(*scene.base, 7).tip;
     Vec3 const end_mm = scene.placement.world_of_plant(scene.base->node_position_mm[node]);
-    Tool const tool
+    tools::Tool const tool
         = SketchTool { .leaves = sketch::Leaves::Bare, .place = SketchTool::Place::Branch };
     for (auto const& off_mm : { Vec3(2, -1, 3), Vec3(1, 1, 25) }) {
         auto const stroke = from(end_mm + off_mm);
-        auto const after = apply_edits(scene, tool.mean(stroke, scene).value()).value();
+        auto const after = scene::apply_edits(scene, tool.mean(stroke, scene).value()).value();
         ASSERT_EQ(after.plants.size(), 1u);
         EXPECT_EQ(after.base->axes[3].parent_segment, 7u);
         EXPECT_EQ(after.placement.scale, scene.placement.scale);
         expect_shown(scene, tool, stroke, 3);
     }
     auto const flat = stroke_through({ end_mm, end_mm + Vec3(90, 60, 0) });
-    auto const level = apply_edits(scene, tool.mean(flat, scene).value()).value();
+    auto const level = scene::apply_edits(scene, tool.mean(flat, scene).value()).value();
     EXPECT_EQ(level.base->axes[3].parent_segment, 7u) << "in space, as the pad shows the branch";
     auto const& radii_mm = level.base->node_radius_mm;
     double const first_mm = 2 * scene.placement.scale * radii_mm[level.base->axes[3].first_node];
@@ -375,7 +392,7 @@ TEST(SketchTool, GrowsOnTheBranchWhereTheStrokeBegins)
     EXPECT_LE(first_mm, std::max(parent_mm, 0.0201 * 30)) << "as thin as a rule can be";
     EXPECT_FALSE(tool.mean(from({ 0, 300, 0 }), scene)) << "no branch there";
     EXPECT_FALSE(tool.mean(from(end_mm + Vec3(0, 0, 60)), scene)) << "far below";
-    EXPECT_FALSE(tool.mean(from({ 0, 0, 0 }), Scene {})) << "no plant at all";
+    EXPECT_FALSE(tool.mean(from({ 0, 0, 0 }), scene::Scene {})) << "no plant at all";
 }
 
 // A stroke on a branch that another one has bent: the new branch is where it was drawn.
@@ -383,25 +400,26 @@ TEST(SketchTool, GrowsOnWhatStrokesHaveBent)
 {
     auto scene = small_scene();
     select(scene, { { 0, 1, 2, 3, 4, 5 } });
-    scene = apply_edit(scene,
-                       Associate { stroke_through({ { 0, 0, 0 }, { 90, 0, 60 } }),
-                                   variation::Propagation::Selected, variation::StrokeFit::World })
+    scene = scene::apply_edit(scene,
+                              scene::Associate { stroke_through({ { 0, 0, 0 }, { 90, 0, 60 } }),
+                                                 variation::Propagation::Selected,
+                                                 variation::StrokeFit::World })
                 .value();
-    Tool const tool
+    tools::Tool const tool
         = SketchTool { .leaves = sketch::Leaves::Bare, .place = SketchTool::Place::Branch };
     double const height_mm = 6 * 100 * scene.placement.scale;
     Vec3 const end_mm = Vec3(90, 0, 60).normalized() * height_mm;
     auto const stroke = from(end_mm);
-    auto const after = apply_edits(scene, tool.mean(stroke, scene).value()).value();
-    SceneShaper shaper;
+    auto const after = scene::apply_edits(scene, tool.mean(stroke, scene).value()).value();
+    scene::SceneShaper shaper;
     ASSERT_TRUE(shaper.set_plant(after));
     std::vector<Vec3> nodes_mm;
     variation::place_nodes(*after.base, *after.rest, shaper.shape(), nodes_mm);
-    auto const alone
-        = apply_edits(
-              scene,
-              Tool(SketchTool { .leaves = sketch::Leaves::Bare }).mean(stroke, scene).value())
-              .value();
+    auto const alone = scene::apply_edits(scene,
+                                          tools::Tool(SketchTool { .leaves = sketch::Leaves::Bare })
+                                              .mean(stroke, scene)
+                                              .value())
+                           .value();
     auto const& drawn = alone.base->axes[0];
     auto const& grown = after.base->axes[3];
     ASSERT_EQ(grown.parent_segment, 5u);
@@ -418,8 +436,8 @@ TEST(SketchTool, GrowsInThePlaceOfABranch)
     auto const scene = small_scene();
     auto const node = nodes_of(*scene.base, 7).tip;
     Vec3 const end_mm = scene.placement.world_of_plant(scene.base->node_position_mm[node]);
-    Tool const tool = SketchTool { .laterals = 0, .place = SketchTool::Place::InPlace };
-    auto const after = apply_edits(scene, tool.mean(from(end_mm), scene).value()).value();
+    tools::Tool const tool = SketchTool { .laterals = 0, .place = SketchTool::Place::InPlace };
+    auto const after = scene::apply_edits(scene, tool.mean(from(end_mm), scene).value()).value();
     ASSERT_EQ(after.plants.size(), 1u);
     ASSERT_EQ(after.base->axes.size(), 3u) << "the trunk, the other branch and what was drawn";
     EXPECT_EQ(after.base->axes[2].parent_segment, scene.base->axes[1].parent_segment);
@@ -428,17 +446,19 @@ TEST(SketchTool, GrowsInThePlaceOfABranch)
 
 TEST(SketchTool, ChangesWhatHasGrownAtOnce)
 {
-    Tool const draws = SketchTool { .leaves = sketch::Leaves::Bare };
+    tools::Tool const draws = SketchTool { .leaves = sketch::Leaves::Bare };
     auto const scene
-        = apply_edits(small_scene(), draws.mean(rising_stroke(), small_scene()).value()).value();
-    Tool const changes = SketchTool { .laterals = 4,
-                                      .leaves = sketch::Leaves::Bare,
-                                      .place = SketchTool::Place::Change };
+        = scene::apply_edits(small_scene(), draws.mean(rising_stroke(), small_scene()).value())
+              .value();
+    tools::Tool const changes = SketchTool { .laterals = 4,
+                                             .leaves = sketch::Leaves::Bare,
+                                             .place = SketchTool::Place::Change };
     EXPECT_TRUE(changes.can_be_done_at_once());
-    auto const after = apply_edits(scene, changes.mean({}, scene).value()).value();
-    Tool const four = SketchTool { .laterals = 4, .leaves = sketch::Leaves::Bare };
+    auto const after = scene::apply_edits(scene, changes.mean({}, scene).value()).value();
+    tools::Tool const four = SketchTool { .laterals = 4, .leaves = sketch::Leaves::Bare };
     auto const drawn
-        = apply_edits(small_scene(), four.mean(rising_stroke(), small_scene()).value()).value();
+        = scene::apply_edits(small_scene(), four.mean(rising_stroke(), small_scene()).value())
+              .value();
     EXPECT_EQ(after.base->node_position_mm, drawn.base->node_position_mm);
     EXPECT_FALSE(changes.mean({}, small_scene())) << "that one has not grown along a stroke";
 }
@@ -447,13 +467,16 @@ TEST(SketchTool, LetsLateralsGoOnByARuleOfTheirOwn)
 {
     SketchTool options { .leaves = sketch::Leaves::Bare };
     options.go_on_by = SketchTool::Laterals::Fern;
-    Tool const tool = options;
-    auto const words = words_for(tool);
+    tools::Tool const tool = options;
+    auto const words = tools::words_for(tool);
     EXPECT_EQ(words.name + " " + words.arguments, "sketch by_fern bare");
-    EXPECT_EQ(parse_tool(all_methods().tools, words.name, words.arguments).value(), tool);
-    auto const forks = apply_edits(
-        {}, Tool(SketchTool { .leaves = sketch::Leaves::Bare }).mean(rising_stroke(), {}).value());
-    auto const goes_on = apply_edits({}, tool.mean(rising_stroke(), {}).value()).value();
+    EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
+              tool);
+    auto const forks = scene::apply_edits({},
+                                          tools::Tool(SketchTool { .leaves = sketch::Leaves::Bare })
+                                              .mean(rising_stroke(), {})
+                                              .value());
+    auto const goes_on = scene::apply_edits({}, tool.mean(rising_stroke(), {}).value()).value();
     // The drawn axis is the same; its laterals have several internodes.
     auto const& axes = goes_on.base->axes;
     EXPECT_EQ(axes[0].segment_count, forks->base->axes[0].segment_count);
@@ -465,8 +488,9 @@ TEST(SketchTool, LetsLateralsGoOnByARuleOfTheirOwn)
     auto faster = options;
     faster.angle_deg = 60;
     auto const followed
-        = apply_edits(goes_on, SketchTool::kKind.follow(tool, Tool(faster), goes_on)).value();
-    auto const taken = SketchTool::kKind.like_drawn(Tool(SketchTool {}), followed);
+        = scene::apply_edits(goes_on, SketchTool::kKind.follow(tool, tools::Tool(faster), goes_on))
+              .value();
+    auto const taken = SketchTool::kKind.like_drawn(tools::Tool(SketchTool {}), followed);
     ASSERT_TRUE(taken);
     EXPECT_EQ(taken->get<SketchTool>()->go_on_by, SketchTool::Laterals::Fern);
     EXPECT_EQ(taken->get<SketchTool>()->angle_deg, 60);
@@ -474,19 +498,19 @@ TEST(SketchTool, LetsLateralsGoOnByARuleOfTheirOwn)
 
 TEST(ShortenSketchTool, TakesTheEndAwayWhereItRunsOverTheAxis)
 {
-    Tool const draws = SketchTool { .leaves = sketch::Leaves::Bare };
+    tools::Tool const draws = SketchTool { .leaves = sketch::Leaves::Bare };
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 100, 40, 60 } });
-    auto const scene = apply_edits({}, draws.mean(stroke, {}).value()).value();
+    auto const scene = scene::apply_edits({}, draws.mean(stroke, {}).value()).value();
     auto const whole = scene.base->axes[0].segment_count;
     ASSERT_GE(whole, 3u);
-    auto const middle_mm = BentPlant(scene).begin_of(1);
-    auto const end_mm = BentPlant(scene).end_of(1);
+    auto const middle_mm = tools::BentPlant(scene).begin_of(1);
+    auto const end_mm = tools::BentPlant(scene).end_of(1);
     Vec3 const at_mm = (middle_mm + end_mm) / 2;
-    Tool const tool = ShortenSketchTool {};
+    tools::Tool const tool = ShortenSketchTool {};
     auto const across = [](Vec3 const& place_mm) {
         return stroke_through({ place_mm - Vec3(3, -6, 0), place_mm + Vec3(3, -6, 0) });
     };
-    auto const after = apply_edits(scene, tool.mean(across(at_mm), scene).value()).value();
+    auto const after = scene::apply_edits(scene, tool.mean(across(at_mm), scene).value()).value();
     EXPECT_EQ(after.base->axes[0].segment_count, 1u);
     EXPECT_FALSE(tool.mean(across({ 0, 0, 0 }), scene)) << "nothing would be left";
     EXPECT_FALSE(tool.mean(across({ 0, 300, 0 }), scene));
@@ -496,7 +520,7 @@ TEST(ShortenSketchTool, TakesTheEndAwayWhereItRunsOverTheAxis)
 // Undo, redo and a replay of what was drawn go through the document as for any other tool.
 TEST(SketchTool, IsUndoneAndDoneAgain)
 {
-    Document document(small_scene(), Document::Working::AtOnce);
+    document::Document document(small_scene(), document::Document::Working::AtOnce);
     document.draw({ rising_stroke(), SketchTool {} });
     auto const drawn = document.newest();
     ASSERT_EQ(drawn->scene.plants.size(), 2u);
@@ -509,4 +533,4 @@ TEST(SketchTool, IsUndoneAndDoneAgain)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::sketch

@@ -8,22 +8,23 @@
 #include <fmt/core.h>
 #include <vector>
 
-namespace tractus {
+namespace tractus::methods {
 
 namespace {
 
-void list(Fields& fields, BlowGust& edit)
+void list(scene::Fields& fields, BlowGust& edit)
 {
     fields.field("strength", &edit.strength);
     fields.numbers(edit.stroke);
 }
 
-Result<DocumentState> applied(DocumentState state, BlowGust const& edit, SceneBuilder&)
+Result<scene::DocumentState> applied(scene::DocumentState state, BlowGust const& edit,
+                                     scene::SceneBuilder&)
 {
     auto indicator = TRY(variation::motion_indicator(edit.stroke));
     indicator.end_mm = indicator.start_mm + edit.strength * (indicator.end_mm - indicator.start_mm);
-    auto const id = take_id(state, 0);
-    change_active(state, [&](PlantState& plant) {
+    auto const id = scene::take_id(state, 0);
+    scene::change_active(state, [&](scene::PlantState& plant) {
         plant.indicators.push_back({ id, indicator, {} });
     });
     return state;
@@ -34,28 +35,29 @@ std::string described(BlowGust const& edit)
     return fmt::format("blows a gust of {:g}", edit.strength);
 }
 
-constexpr std::array<OptionWord, 2> kTowardsWords { {
+constexpr std::array<tools::OptionWord, 2> kTowardsWords { {
     { "towards_end", "Along" },
     { "towards_start", "Against" },
 } };
 
-void visit(OptionVisitor& visitor, GustTool& tool)
+void visit(tools::OptionVisitor& visitor, GustTool& tool)
 {
     visitor.choice({ kTowardsWords }, tool.towards);
     visitor.number({ "strength", "", 0.1, 5, 0.5 }, tool.strength);
 }
 
-Result<std::vector<Edit>> blow(Tool const& tool, Stroke const& stroke, Scene const&)
+Result<std::vector<scene::Edit>> blow(tools::Tool const& tool, Stroke const& stroke,
+                                      scene::Scene const&)
 {
     auto const& options = *tool.get<GustTool>();
     auto tips = TRY(stroke.tips.in_memory()).vector();
     if (options.towards == GustTool::Towards::Start)
         std::reverse(tips.begin(), tips.end());
-    return std::vector<Edit> { BlowGust { { std::move(tips) }, options.strength } };
+    return std::vector<scene::Edit> { BlowGust { { std::move(tips) }, options.strength } };
 }
 
 // To the ground below each gust's end.
-std::vector<std::vector<Vec3f>> reaches(BuiltPlant const& plant)
+std::vector<std::vector<Vec3f>> reaches(scene::BuiltPlant const& plant)
 {
     std::vector<std::vector<Vec3f>> lines;
     for (auto const& indicator : plant.indicators) {
@@ -67,10 +69,10 @@ std::vector<std::vector<Vec3f>> reaches(BuiltPlant const& plant)
 
 } // namespace
 
-constexpr EditKind BlowGust::kKind
-    = make_edit_kind<BlowGust, list, applied, described>("blow_gust");
+constexpr scene::EditKind BlowGust::kKind
+    = scene::make_edit_kind<BlowGust, list, applied, described>("blow_gust");
 
-constexpr ToolKind GustTool::kKind {
+constexpr tools::ToolKind GustTool::kKind {
     .word = "gust",
     .label = "Gust",
     .title = "A gust of wind",
@@ -78,36 +80,36 @@ constexpr ToolKind GustTool::kKind {
     .help = "leans the plant along the stroke",
     .group = "Gust",
     .key = 'G',
-    .options = options_type<GustTool, visit>(),
+    .options = tools::options_type<GustTool, visit>(),
     .mean = blow,
 };
 
-constexpr Layer kGustLayer { .label = "gusts",
-                             .style = { .color = LayerStyle::Color::Blue,
-                                        .pattern = LayerStyle::Pattern::Dotted },
-                             .lines = reaches };
+constexpr tools::Layer kGustLayer { .label = "gusts",
+                                    .style = { .color = tools::LayerStyle::Color::Blue,
+                                               .pattern = tools::LayerStyle::Pattern::Dotted },
+                                    .lines = reaches };
 
-Methods methods_with_gust()
+tools::Methods methods_with_gust()
 {
     static auto const edits = [] {
         auto const core = all_methods().edits;
-        std::vector<EditKind const*> all(core.begin(), core.end());
+        std::vector<scene::EditKind const*> all(core.begin(), core.end());
         all.push_back(&BlowGust::kKind);
         return all;
     }();
     static auto const tools = [] {
         auto const core = all_methods().tools;
-        std::vector<ToolKind const*> all(core.begin(), core.end());
+        std::vector<tools::ToolKind const*> all(core.begin(), core.end());
         all.push_back(&GustTool::kKind);
         return all;
     }();
     static auto const layers = [] {
         auto const core = all_methods().layers;
-        std::vector<Layer const*> all(core.begin(), core.end());
+        std::vector<tools::Layer const*> all(core.begin(), core.end());
         all.push_back(&kGustLayer);
         return all;
     }();
     return { .edits = edits, .tools = tools, .layers = layers };
 }
 
-} // namespace tractus
+} // namespace tractus::methods

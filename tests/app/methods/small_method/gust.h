@@ -4,14 +4,14 @@
 #include "app/tools/tool.h"
 #include "engine/stroke/stroke.h"
 
-namespace tractus {
+namespace tractus::methods {
 
 // A method as small as one can be that has a bit of everything: a gust of wind along a stroke. Only
 // here, to show what the seam takes without a change of the program.
 
 // The edit: leans the plant along a stroke, so many times as far as that goes.
 struct BlowGust {
-    static EditKind const kKind;
+    static scene::EditKind const kKind;
 
     Stroke stroke;
     double strength = 1;
@@ -19,7 +19,7 @@ struct BlowGust {
 
 // The tool that draws it.
 struct GustTool {
-    static ToolKind const kKind;
+    static tools::ToolKind const kKind;
 
     enum class Towards { End, Start };
     Towards towards = Towards::End;
@@ -27,9 +27,9 @@ struct GustTool {
 };
 
 // The layer that shows how far the gusts reach.
-extern Layer const kGustLayer;
+extern tools::Layer const kGustLayer;
 
 // The program's methods and this one.
-Methods methods_with_gust();
+tools::Methods methods_with_gust();
 
-} // namespace tractus
+} // namespace tractus::methods

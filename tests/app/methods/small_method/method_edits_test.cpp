@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace tractus {
+namespace tractus::methods {
 namespace {
 
 // Gives fields random values of the kinds that edits of methods have.
-class RandomFields final : public Fields {
+class RandomFields final : public scene::Fields {
 public:
-    void field(char const*, FieldRef value) override
+    void field(char const*, scene::FieldRef value) override
     {
         std::visit([](auto* field) { set(*field); }, value);
     }
@@ -38,7 +38,7 @@ RC_GTEST_PROP(MethodEdits, ComeBackFromTheirRecords, ())
 {
     for (auto const* const kind : all_methods().edits) {
         RandomFields random;
-        auto const edit = Edit(*kind, kind->make()).changed_by(random);
+        auto const edit = scene::Edit(*kind, kind->make()).changed_by(random);
         auto const record = session::record_of(edit);
         auto const read = session::edit_of(record, all_methods().edits);
         RC_ASSERT(read.has_value());
@@ -50,4 +50,4 @@ RC_GTEST_PROP(MethodEdits, ComeBackFromTheirRecords, ())
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::methods

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace tractus {
+namespace tractus::methods {
 namespace {
 
 namespace fs = std::filesystem;
@@ -183,4 +183,4 @@ TEST(MethodWords, MethodsAreIncludedByTheListAlone)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::methods

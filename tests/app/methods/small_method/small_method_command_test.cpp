@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 #include <memory>
 
-namespace tractus {
+namespace tractus::methods {
 namespace {
 
-void add_gust_command(CLI::App& root, options::Action& action, Methods const& methods)
+void add_gust_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto strength = std::make_shared<double>(1);
     auto* const command = root.add_subcommand("gust", "Blow");
@@ -25,7 +25,7 @@ void add_gust_command(CLI::App& root, options::Action& action, Methods const& me
 
 TEST(SmallMethod, HasACommandWithAnOption)
 {
-    constexpr std::array<AddCommand, 1> kCommands { add_gust_command };
+    constexpr std::array<tools::AddCommand, 1> kCommands { add_gust_command };
     auto methods = methods_with_gust();
     methods.commands = kCommands;
     std::array const arguments { "tractus", "gust", "--strength", "2.5" };
@@ -48,4 +48,4 @@ TEST(SmallMethod, IsListedByTheProgramsOwnCommands)
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::methods

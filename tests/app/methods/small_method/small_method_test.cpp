@@ -13,42 +13,43 @@
 #include <string>
 #include <unistd.h>
 
-namespace tractus {
+namespace tractus::methods {
 namespace {
 
 namespace fs = std::filesystem;
 
-Tool strong_gust()
+tools::Tool strong_gust()
 {
     return GustTool { GustTool::Towards::Start, 2.5 };
 }
 
 TEST(SmallMethod, HasALineInLogs)
 {
-    auto const words = words_for(strong_gust());
+    auto const words = tools::words_for(strong_gust());
     EXPECT_EQ(words.name + " " + words.arguments, "gust towards_start strength=2.5");
     auto const tools = methods_with_gust().tools;
-    EXPECT_EQ(parse_tool(tools, words.name, words.arguments).value(), strong_gust());
-    EXPECT_EQ(parse_tool(tools, "gust", "").value(), Tool(GustTool {}));
-    EXPECT_NE(parse_tool(tools, "gust", "strength=9").error().message.find("from 0.1 to 5"),
+    EXPECT_EQ(tools::parse_tool(tools, words.name, words.arguments).value(), strong_gust());
+    EXPECT_EQ(tools::parse_tool(tools, "gust", "").value(), tools::Tool(GustTool {}));
+    EXPECT_NE(tools::parse_tool(tools, "gust", "strength=9").error().message.find("from 0.1 to 5"),
               std::string::npos);
-    EXPECT_FALSE(parse_tool(all_methods().tools, "gust", ""));
+    EXPECT_FALSE(tools::parse_tool(all_methods().tools, "gust", ""));
 }
 
 TEST(SmallMethod, HasButtonsAKeyAndALineInTheManual)
 {
     auto const tools = methods_with_gust().tools;
-    auto const choices = tool_choices(tools, {});
-    ASSERT_EQ(choices.size(), tool_choices(all_methods().tools, {}).size() + 1);
+    auto const choices = tools::tool_choices(tools, {});
+    ASSERT_EQ(choices.size(), tools::tool_choices(all_methods().tools, {}).size() + 1);
     EXPECT_EQ(std::string(choices.back().text), "Gust");
-    auto const meanings = meanings_of(tools, strong_gust());
+    auto const meanings = tools::meanings_of(tools, strong_gust());
     ASSERT_EQ(meanings.size(), 3u);
     EXPECT_TRUE(meanings[1].is_on);
-    EXPECT_EQ(meanings[0].tool, Tool(GustTool { GustTool::Towards::End, 2.5 }));
+    EXPECT_EQ(meanings[0].tool, tools::Tool(GustTool { GustTool::Towards::End, 2.5 }));
     EXPECT_EQ(meanings[2].text, "strength 2.5##strength");
     EXPECT_EQ(meanings[2].number, 0u);
-    EXPECT_NE(manual_table(tools).find("| `gust` | `towards_start`; `strength=0.1..5` | **G** | "),
-              std::string::npos);
+    EXPECT_NE(
+        tools::manual_table(tools).find("| `gust` | `towards_start`; `strength=0.1..5` | **G** | "),
+        std::string::npos);
 }
 
 class SmallMethodSession : public testing::Test {
@@ -61,12 +62,12 @@ protected:
     session::SessionOptions options() const
     {
         return session::session_by_the_clock(methods_with_gust().edits,
-                                             [] { return LoadOptions {}; });
+                                             [] { return scene::LoadOptions {}; });
     }
     fs::path path() const { return folder_ / "gust.tractus"; }
     session::Session session() const
     {
-        std::vector<Edit> const beginning { small_model() };
+        std::vector<scene::Edit> const beginning { small_model() };
         return session::Session::create(path(), { .plant = "small.l", .program = "1" }, beginning,
                                         options())
             .value();
@@ -85,7 +86,7 @@ protected:
         return rig;
     }
     // Strokes of the simple pen with the tool go to a document on the session.
-    void draw(Document& document) const
+    void draw(document::Document& document) const
     {
         auto station
             = station::Station::create(std::vector { drivers::simple_pen() }, rig()).value();
@@ -103,7 +104,7 @@ TEST_F(SmallMethodSession, KeepsWhatIsDrawnAndUndone)
 {
     variation::MotionIndicator drawn;
     {
-        Document document(session(), Document::Working::AtOnce);
+        document::Document document(session(), document::Document::Working::AtOnce);
         draw(document);
         auto const done = document.take_drawn();
         ASSERT_EQ(done.size(), 1u);
@@ -125,7 +126,7 @@ TEST_F(SmallMethodSession, KeepsWhatIsDrawnAndUndone)
 TEST_F(SmallMethodSession, HasALayerInTheViews)
 {
     auto station = station::Station::create(std::vector { drivers::simple_pen() }, rig()).value();
-    Document document(session(), Document::Working::AtOnce);
+    document::Document document(session(), document::Document::Working::AtOnce);
     view::StationView view(station, document);
     EXPECT_TRUE(view.state().layers.empty()) << "no layer has lines";
     draw(document);
@@ -141,12 +142,12 @@ TEST_F(SmallMethodSession, HasALayerInTheViews)
 TEST_F(SmallMethodSession, StaysInASessionThatDoesNotKnowIt)
 {
     {
-        Document document(session(), Document::Working::AtOnce);
+        document::Document document(session(), document::Document::Working::AtOnce);
         draw(document);
     }
     auto const contents = session::read_session(path(), all_methods().edits).value();
     ASSERT_EQ(contents.edits.size(), 2u);
-    auto const* const unknown = contents.edits[1].edit.get<UnknownEdit>();
+    auto const* const unknown = contents.edits[1].edit.get<scene::UnknownEdit>();
     ASSERT_TRUE(unknown);
     EXPECT_EQ(unknown->word, "blow_gust");
     EXPECT_TRUE(session::read_session(path(), methods_with_gust().edits)
@@ -157,17 +158,18 @@ TEST_F(SmallMethodSession, StaysInASessionThatDoesNotKnowIt)
 
 TEST_F(SmallMethodSession, HasItsEditsInLogs)
 {
-    DoneStep const step { .status = std::string(),
-                          .edits = { BlowGust { Stroke { std::vector<TipSample>(2) }, 3 } } };
-    auto const words = words_for(step, 4);
-    auto const known = parse_step(words.name, words.arguments, methods_with_gust().edits);
+    document::DoneStep const step { .status = std::string(),
+                                    .edits
+                                    = { BlowGust { Stroke { std::vector<TipSample>(2) }, 3 } } };
+    auto const words = document::words_for(step, 4);
+    auto const known = document::parse_step(words.name, words.arguments, methods_with_gust().edits);
     ASSERT_TRUE(known && *known);
     ASSERT_TRUE((*known)->edits[0].get<BlowGust>());
     EXPECT_EQ((*known)->edits[0].get<BlowGust>()->strength, 3);
-    auto const unknown = parse_step(words.name, words.arguments, all_methods().edits);
+    auto const unknown = document::parse_step(words.name, words.arguments, all_methods().edits);
     ASSERT_TRUE(unknown && *unknown);
-    EXPECT_TRUE((*unknown)->edits[0].get<UnknownEdit>());
+    EXPECT_TRUE((*unknown)->edits[0].get<scene::UnknownEdit>());
 }
 
 } // namespace
-} // namespace tractus
+} // namespace tractus::methods

@@ -62,9 +62,9 @@ inline Stroke odd_stroke()
 // A document to which edits are applied as a session does it, each with an id.
 class Drawing {
 public:
-    void apply(Edit const& edit)
+    void apply(scene::Edit const& edit)
     {
-        auto next = apply_edit(scene_, with_id(edit, ++count_));
+        auto next = scene::apply_edit(scene_, scene::with_id(edit, ++count_));
         ASSERT_TRUE(next) << next.error().message;
         scene_ = *std::move(next);
     }
@@ -76,20 +76,20 @@ public:
                         .pattern = { .kind = Pattern::Kind::Spiral },
                         .stands_at_mm = Vec3(stroke.tips.front().position_mm.x(), 0, 0) });
     }
-    std::string refusal(Edit const& edit) const
+    std::string refusal(scene::Edit const& edit) const
     {
-        auto const next = apply_edit(scene_, edit);
+        auto const next = scene::apply_edit(scene_, edit);
         return next ? "it is done" : next.error().message;
     }
 
-    Scene const& scene() const { return scene_; }
-    ItemId plant() const { return scene_.state.active; }
+    scene::Scene const& scene() const { return scene_; }
+    scene::ItemId plant() const { return scene_.state.active; }
     PenSketch const& sketch() const { return *active_pen_sketch(scene_.state); }
     std::size_t organs() const { return scene_.base->organs.size(); }
     Role newest_role() const { return sketch().lines.back().role; }
 
 private:
-    Scene scene_;
+    scene::Scene scene_;
     std::uint64_t count_ = 0;
 };
 

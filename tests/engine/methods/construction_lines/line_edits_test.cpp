@@ -122,8 +122,8 @@ TEST(AddLine, GoesOnWhereThePlantIsShownNow)
     for (auto const& corner : corners)
         seen.push_back(to_tablet(corner));
     drawing.draw(pen_stroke(corners));
-    moved.apply(MovePlant { moved.plant(), { 70, 20, 0 } });
-    moved.apply(SetScale { 0.05 });
+    moved.apply(scene::MovePlant { moved.plant(), { 70, 20, 0 } });
+    moved.apply(scene::SetScale { 0.05 });
     moved.draw(pen_stroke(seen));
     auto const expected = measured(line_sketch(drawing.sketch()).value());
     auto const found = measured(line_sketch(moved.sketch()).value());
@@ -142,8 +142,8 @@ TEST(AddLine, ChangesThePlantsSourceAlone)
     drawing.apply(AddLine { .stroke = pen_stroke({ { 80, -60, 0 }, { 80, 60, 0 } }) });
     ASSERT_EQ(drawing.scene().plants.size(), 2U);
     auto const first = drawing.scene().plants[0];
-    drawing.apply(select_paths(drawing.scene(), { { 0, 1 } }));
-    drawing.apply(Associate { .stroke = stem() });
+    drawing.apply(scene::select_paths(drawing.scene(), { { 0, 1 } }));
+    drawing.apply(scene::Associate { .stroke = stem() });
     ASSERT_EQ(drawing.scene().associations.size(), 1U);
     drawing.draw(pen_stroke({ { 50, -60, 0 }, { 50, 60, 0 } }));
     EXPECT_EQ(drawing.newest_role(), Role::Left);
@@ -168,12 +168,13 @@ TEST(AddLine, RefusesWhatGivesNoPlant)
               "1 organs cannot stand around a node: give 2 to 24");
     EXPECT_EQ(drawing.refusal(AddLine { .stroke = stem(), .scale = 0 }).substr(0, 26),
               "a plant cannot be shown 0 ");
-    auto const model = LoadModel { .source = { .name = "other.l",
-                                               .text = "Lsystem: 1\nderivation length: 1\n"
-                                                       "Axiom: F(10)\nA --> A\nendlsystem\n" } };
-    auto const other = apply_edit({}, model).value();
-    auto const on_other
-        = apply_edit(other, AddLine { .plant = other.state.active, .stroke = left_boundary() });
+    auto const model
+        = scene::LoadModel { .source = { .name = "other.l",
+                                         .text = "Lsystem: 1\nderivation length: 1\n"
+                                                 "Axiom: F(10)\nA --> A\nendlsystem\n" } };
+    auto const other = scene::apply_edit({}, model).value();
+    auto const on_other = scene::apply_edit(
+        other, AddLine { .plant = other.state.active, .stroke = left_boundary() });
     EXPECT_NE(on_other.error().message.find("is not drawn with construction lines"),
               std::string::npos);
 }
@@ -228,7 +229,7 @@ TEST(SetLineRole, SaysWhatALineIs)
     auto const lines = drawing.sketch().lines;
     auto const left = lines[1].id;
     auto const low = lines[3].id;
-    EXPECT_EQ(line_at(drawing.sketch(), { -28, 0 }), std::optional<ItemId>(left));
+    EXPECT_EQ(line_at(drawing.sketch(), { -28, 0 }), std::optional<scene::ItemId>(left));
     EXPECT_EQ(line_at(drawing.sketch(), { 120, 0 }), std::nullopt);
     drawing.apply(SetLineRole { drawing.plant(), low, Role::Unsure });
     EXPECT_EQ(line_sketch(drawing.sketch())->inclinations.size(), 1U);
@@ -333,7 +334,7 @@ TEST(VariedSketch, DependsOnTheVariationAlone)
     for (auto const& stroke : { stem(), left_boundary(), low_line(), high_line() })
         drawing.draw(stroke);
     auto const& sketch = *active_pen_sketch(drawing.scene().state);
-    SourceVariation const one { .seed = 3, .plant = 1 };
+    scene::SourceVariation const one { .seed = 3, .plant = 1 };
     EXPECT_EQ(functions_of(varied_sketch(sketch, one)), functions_of(varied_sketch(sketch, one)));
     EXPECT_NE(functions_of(varied_sketch(sketch, one)),
               functions_of(varied_sketch(sketch, { .seed = 3, .plant = 2 })));

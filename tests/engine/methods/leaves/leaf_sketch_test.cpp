@@ -224,8 +224,8 @@ TEST(LeafSketch, IsChangedByNumbers)
 TEST(LeafSketch, VariesAsLeavesOfATreeDo)
 {
     auto const sketch = sketch_of(hand("beech", 5).drawn.drawing);
-    PlantSource const source(LeafSketch::kKind, sketch);
-    auto const build = [](PlantSource const& of) { return of.build({}).value().plant; };
+    scene::PlantSource const source(LeafSketch::kKind, sketch);
+    auto const build = [](scene::PlantSource const& of) { return of.build({}).value().plant; };
     auto const drawn = build(source);
     auto const same = build(source.varied({ .seed = 4, .plant = 2, .spread = 0 }));
     EXPECT_EQ(same.polygon_vertices_mm, drawn.polygon_vertices_mm);
@@ -239,12 +239,12 @@ TEST(LeafSketch, VariesAsLeavesOfATreeDo)
 TEST(LeafSketchEdits, StandUnderTheirInk)
 {
     AddLeafLine const outline { .stroke = stroke_of(circle_of(40)), .stands_at_mm = { 5, 7, 0 } };
-    auto scene = apply_edit({}, outline);
+    auto scene = scene::apply_edit({}, outline);
     ASSERT_TRUE(scene) << scene.error().message;
     auto const plant = scene->state.active;
     auto const& state = *scene->state.plants.at(0);
     EXPECT_NEAR(state.paper_mm.value().y(), -40, 0.1);
-    scene = apply_edit(
+    scene = scene::apply_edit(
         *scene,
         AddLeafLine { .plant = plant, .stroke = stroke_of({ { 3, -60, 100 }, { 0, 39, 100 } }) });
     ASSERT_TRUE(scene) << scene.error().message;
@@ -252,11 +252,11 @@ TEST(LeafSketchEdits, StandUnderTheirInk)
     EXPECT_NEAR(moved.paper_mm.value().y(), -60, 0.1);
     EXPECT_NEAR(moved.stands_at_mm.x(), 8, 0.1);
     auto const erased
-        = apply_edit(*scene, EraseLeafLine { plant, leaf_sketch(moved)->lines.back().id });
+        = scene::apply_edit(*scene, EraseLeafLine { plant, leaf_sketch(moved)->lines.back().id });
     ASSERT_TRUE(erased) << erased.error().message;
     EXPECT_EQ(active_leaf_sketch(erased->state)->lines.size(), 1u);
-    EXPECT_FALSE(apply_edit(*erased, FormLeaf { plant, { .bend_deg = 1e9 } }));
-    EXPECT_FALSE(apply_edit(*erased, FormLeaf { 4711, {} }));
+    EXPECT_FALSE(scene::apply_edit(*erased, FormLeaf { plant, { .bend_deg = 1e9 } }));
+    EXPECT_FALSE(scene::apply_edit(*erased, FormLeaf { 4711, {} }));
 }
 
 } // namespace

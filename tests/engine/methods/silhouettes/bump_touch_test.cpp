@@ -208,15 +208,19 @@ std::vector<Vec2> redrawn(std::vector<Vec2> outline, double most, std::uint32_t 
 
 class BumpTouchEdits : public ::testing::Test {
 protected:
-    static Scene touch(Scene const& before, Part part, Vec2 const& place)
+    static scene::Scene touch(scene::Scene const& before, Part part, Vec2 const& place)
     {
         return draw_on(before,
                        { .part = part,
                          .stroke = stroke_of({ place, place + Vec2(0.2, 0.1) }),
                          .search = Search::AnyLevel });
     }
-    static OutlinedTree const& drawing(Scene const& scene) { return *outlined_tree(*scene.drawn); }
-    static std::set<std::string> names_in(Scene const& scene, Vec2 const& middle, double radius)
+    static OutlinedTree const& drawing(scene::Scene const& scene)
+    {
+        return *outlined_tree(*scene.drawn);
+    }
+    static std::set<std::string> names_in(scene::Scene const& scene, Vec2 const& middle,
+                                          double radius)
     {
         std::set<std::string> names;
         auto const skeleton = skeleton_of(drawing(scene)).value();
@@ -259,7 +263,7 @@ TEST_F(BumpTouchEdits, WaitForTheirBumps)
         narrow, { .part = Part::Outline, .stroke = stroke_of(lobed_crown(5).outline[0]) });
     EXPECT_EQ(count_waiting(drawing(again)).value(), 0u);
     auto const bare
-        = apply_edit(split, EraseTreePart { split.state.active, Part::Outline }).value();
+        = scene::apply_edit(split, EraseTreePart { split.state.active, Part::Outline }).value();
     EXPECT_EQ(count_waiting(drawing(bare)).value(), 1u);
 }
 
@@ -269,9 +273,9 @@ TEST_F(BumpTouchEdits, AreErasedOrTakenBack)
     auto const split = touch(before, Part::Split, lobe(1));
     EXPECT_NE(split.base->node_position_mm, before.base->node_position_mm);
     ASSERT_EQ(drawing(split).touches.size(), 1u);
-    auto const erased = apply_edit(split,
-                                   EraseTreePart { split.state.active, Part::Split,
-                                                   drawing(split).touches[0].id })
+    auto const erased = scene::apply_edit(split,
+                                          EraseTreePart { split.state.active, Part::Split,
+                                                          drawing(split).touches[0].id })
                             .value();
     EXPECT_EQ(erased.base->axes.size(), before.base->axes.size());
     auto const joined = touch(before, Part::Join, notch_after(0));

@@ -222,14 +222,17 @@ class ChosenStyleEdits : public ::testing::Test {
 protected:
     using Part = DrawTree::Part;
 
-    static Scene draw(Scene const& before, Part part, std::vector<Vec2> const& points)
+    static scene::Scene draw(scene::Scene const& before, Part part, std::vector<Vec2> const& points)
     {
         return draw_on(before, { .part = part, .stroke = stroke_of(points) });
     }
 
-    static OutlinedTree const& tree(Scene const& scene) { return *outlined_tree(*scene.drawn); }
+    static OutlinedTree const& tree(scene::Scene const& scene)
+    {
+        return *outlined_tree(*scene.drawn);
+    }
 
-    static Scene with_outlined_limb()
+    static scene::Scene with_outlined_limb()
     {
         auto const lines = lobed_crown(7);
         return draw(draw(draw({}, Part::Trunk, lines.trunk), Part::Outline, lines.outline[0]),
@@ -245,7 +248,7 @@ TEST_F(ChosenStyleEdits, MakeTheTreeOfTheirChoice)
         = find_branch(skeleton, [](Branch const& branch) { return !branch.is_refined(); });
     auto const source = tree(before).own_outlines[0].branch;
     ChooseStyles const edit { before.state.active, { { target, source } } };
-    auto const after = apply_edit(before, edit).value();
+    auto const after = scene::apply_edit(before, edit).value();
     auto drawing = with_limb();
     drawing.styles[target] = source;
     auto const made = skeleton_of_lines(drawing);
@@ -253,8 +256,9 @@ TEST_F(ChosenStyleEdits, MakeTheTreeOfTheirChoice)
               make_tree(made, tree_options({}, drawn_height(made) / 0.1)).plant.node_position_mm);
     EXPECT_NE(after.base->node_position_mm, before.base->node_position_mm);
     ChooseStyles const back { before.state.active, { { target, "" } } };
-    EXPECT_EQ(apply_edit(after, back)->base->node_position_mm, before.base->node_position_mm);
-    EXPECT_FALSE(apply_edit(before, back)) << "it has none";
+    EXPECT_EQ(scene::apply_edit(after, back)->base->node_position_mm,
+              before.base->node_position_mm);
+    EXPECT_FALSE(scene::apply_edit(before, back)) << "it has none";
 }
 
 // A crown that changes a little keeps them; one without the branch lets them wait.
@@ -268,7 +272,8 @@ TEST_F(ChosenStyleEdits, StayWithTheirBranches)
     });
     auto const source = tree(before).own_outlines[0].branch;
     auto const chosen
-        = apply_edit(before, ChooseStyles { before.state.active, { { target, source } } }).value();
+        = scene::apply_edit(before, ChooseStyles { before.state.active, { { target, source } } })
+              .value();
     Similarity const larger { .turn = Vec2(1.02, 0.01) };
     auto const redrawn = draw(chosen, Part::Outline, larger.points(lines.outline[0]));
     EXPECT_EQ(tree(redrawn).styles, tree(chosen).styles);
@@ -280,7 +285,7 @@ TEST_F(ChosenStyleEdits, StayWithTheirBranches)
     EXPECT_EQ(tree(narrow).styles.size(), 1u);
     EXPECT_EQ(count_waiting(tree(narrow)).value(), 2u) << "the outline and the style";
     auto const erased
-        = apply_edit(chosen, EraseTreePart { chosen.state.active, Part::Outline }).value();
+        = scene::apply_edit(chosen, EraseTreePart { chosen.state.active, Part::Outline }).value();
     auto const again = draw(erased, Part::Outline, lines.outline[0]);
     EXPECT_EQ(count_waiting(tree(again)).value(), 0u);
     EXPECT_EQ(again.base->node_position_mm, chosen.base->node_position_mm);

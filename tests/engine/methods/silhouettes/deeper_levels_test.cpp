@@ -242,16 +242,19 @@ class DeeperEdits : public ::testing::Test {
 protected:
     using Part = DrawTree::Part;
 
-    static Scene draw(Scene const& before, Part part, std::vector<Vec2> const& points)
+    static scene::Scene draw(scene::Scene const& before, Part part, std::vector<Vec2> const& points)
     {
         return draw_on(before,
                        { .part = part, .stroke = stroke_of(points), .search = Search::AnyLevel });
     }
 
-    static OutlinedTree const& tree(Scene const& scene) { return *outlined_tree(*scene.drawn); }
+    static OutlinedTree const& tree(scene::Scene const& scene)
+    {
+        return *outlined_tree(*scene.drawn);
+    }
 
     // A limb with an outline, a twig on one of its branches, and one on that.
-    static Scene three_levels()
+    static scene::Scene three_levels()
     {
         auto const lines = lobed_crown(7);
         auto scene = draw(draw(draw({}, Part::Trunk, lines.trunk), Part::Outline, lines.outline[0]),
@@ -287,10 +290,10 @@ TEST_F(DeeperEdits, StayWithTheirParents)
     }
     auto form = tree(before).form;
     form.levels = 1;
-    auto const flat = apply_edit(before, FormTree { before.state.active, form }).value();
+    auto const flat = scene::apply_edit(before, FormTree { before.state.active, form }).value();
     EXPECT_EQ(count_waiting(tree(flat)).value(), 0u);
     form.levels = 2;
-    EXPECT_EQ(apply_edit(flat, FormTree { flat.state.active, form })->base->node_position_mm,
+    EXPECT_EQ(scene::apply_edit(flat, FormTree { flat.state.active, form })->base->node_position_mm,
               before.base->node_position_mm);
 }
 
@@ -304,14 +307,14 @@ TEST_F(DeeperEdits, WaitForTheirParents)
     EXPECT_EQ(count_waiting(tree(narrow)).value(), 3u);
     auto const again = draw(narrow, Part::Outline, lines.outline[0]);
     EXPECT_EQ(count_waiting(tree(again)).value(), 0u);
-    auto const erased = apply_edit(before,
-                                   EraseTreePart { before.state.active, Part::OwnBranch,
-                                                   tree(before).own_branches[0].id })
+    auto const erased = scene::apply_edit(before,
+                                          EraseTreePart { before.state.active, Part::OwnBranch,
+                                                          tree(before).own_branches[0].id })
                             .value();
     EXPECT_EQ(tree(erased).own_branches.size(), 1u);
     EXPECT_EQ(count_waiting(tree(erased)).value(), 1u);
     auto const without
-        = apply_edit(before, EraseTreePart { before.state.active, Part::Outline }).value();
+        = scene::apply_edit(before, EraseTreePart { before.state.active, Part::Outline }).value();
     auto const crown = draw(without, Part::Outline, lines.outline[0]);
     EXPECT_EQ(count_waiting(tree(crown)).value(), 0u);
     EXPECT_EQ(crown.base->node_position_mm, before.base->node_position_mm);

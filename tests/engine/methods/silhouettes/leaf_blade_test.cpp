@@ -217,7 +217,7 @@ TEST(LeafBlade, WearsGrownLeaves)
     auto const plant = tree_of(crown_with_leaf(StyleTo::Siblings)).plant;
     auto const grown = std::make_shared<CutLeaf const>(
         CutLeaf { .corners = { { -0.3, 0 }, { 0.3, 0 }, { 0, 1 } }, .triangles = { { 0, 1, 2 } } });
-    auto const worn = dressed(plant, { .leaves = { grown } });
+    auto const worn = scene::dressed(plant, { .leaves = { grown } });
     for (std::size_t i = 0; i < plant.organs.size(); ++i) {
         auto const& shape = worn.organ_shapes[worn.organs[i].shape];
         ASSERT_TRUE(shape.cut);
@@ -229,14 +229,17 @@ TEST(LeafBlade, WearsGrownLeaves)
 
 class LeafEdits : public ::testing::Test {
 protected:
-    static Scene declare(Scene const& before, ItemId outline, bool is_leaf)
+    static scene::Scene declare(scene::Scene const& before, scene::ItemId outline, bool is_leaf)
     {
         auto const after
-            = apply_edit(before, DeclareLeaf { before.state.active, outline, is_leaf });
+            = scene::apply_edit(before, DeclareLeaf { before.state.active, outline, is_leaf });
         EXPECT_TRUE(after) << after.error().message;
-        return after.value_or(Scene {});
+        return after.value_or(scene::Scene {});
     }
-    static OutlinedTree const& drawing(Scene const& scene) { return *outlined_tree(*scene.drawn); }
+    static OutlinedTree const& drawing(scene::Scene const& scene)
+    {
+        return *outlined_tree(*scene.drawn);
+    }
 };
 
 TEST_F(LeafEdits, DeclareAnOutlineALeafAndTakeItBack)
@@ -253,7 +256,7 @@ TEST_F(LeafEdits, DeclareAnOutlineALeafAndTakeItBack)
     EXPECT_EQ(whole.base->organs.size(), 1u);
     EXPECT_EQ(count_waiting(drawing(whole)).value(), 1u) << "the limb's outline";
     EXPECT_EQ(declare(whole, 0, false).base->node_position_mm, outlined.base->node_position_mm);
-    auto const none = apply_edit(outlined, DeclareLeaf { outlined.state.active, 77, true });
+    auto const none = scene::apply_edit(outlined, DeclareLeaf { outlined.state.active, 77, true });
     ASSERT_FALSE(none);
     EXPECT_NE(none.error().message.find("no such outline"), std::string::npos);
 }

@@ -221,7 +221,7 @@ Plant grown(std::string const& name)
                                         .text = text(name + ".l"),
                                         .view_name = name + ".v",
                                         .view_text = text(name + ".v") };
-    auto const scene = apply_edit({}, LoadModel { .source = source });
+    auto const scene = scene::apply_edit({}, scene::LoadModel { .source = source });
     EXPECT_TRUE(scene) << scene.error().message;
     return scene ? *scene->base : Plant();
 }

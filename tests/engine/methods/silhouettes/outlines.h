@@ -34,12 +34,12 @@ inline Stroke stroke_of(std::vector<Vec2> const& points)
 }
 
 // The document after an edit that draws on its active plant, or a new plant where there is none.
-inline Scene draw_on(Scene const& before, DrawTree edit)
+inline scene::Scene draw_on(scene::Scene const& before, DrawTree edit)
 {
     edit.plant = before.state.active;
-    auto after = apply_edit(before, edit);
+    auto after = scene::apply_edit(before, edit);
     EXPECT_TRUE(after) << after.error().message;
-    return after.value_or(Scene {});
+    return after.value_or(scene::Scene {});
 }
 
 inline std::vector<Vec2> upright(double low, double high)
@@ -102,7 +102,7 @@ inline Drawing lobed_crown(int lobes, double first_deg = -25, double last_deg = 
 }
 
 // A document with a tree of such a crown with five lobes.
-inline Scene lobed_tree()
+inline scene::Scene lobed_tree()
 {
     auto const drawing = lobed_crown(5);
     auto const stem

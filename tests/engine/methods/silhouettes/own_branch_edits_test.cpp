@@ -12,20 +12,23 @@ class OwnBranchEdits : public ::testing::Test {
 protected:
     using Part = DrawTree::Part;
 
-    static Scene draw(Scene const& before, Part part, std::vector<Vec2> const& points,
-                      StyleTo style_to = StyleTo::None)
+    static scene::Scene draw(scene::Scene const& before, Part part, std::vector<Vec2> const& points,
+                             StyleTo style_to = StyleTo::None)
     {
         return draw_on(before, { .part = part, .stroke = stroke_of(points), .style_to = style_to });
     }
 
-    static Scene tree(Drawing const& lines)
+    static scene::Scene tree(Drawing const& lines)
     {
         return draw(draw({}, Part::Trunk, lines.trunk), Part::Outline, lines.outline[0]);
     }
 
-    static OutlinedTree const& drawing(Scene const& scene) { return *outlined_tree(*scene.drawn); }
+    static OutlinedTree const& drawing(scene::Scene const& scene)
+    {
+        return *outlined_tree(*scene.drawn);
+    }
 
-    static BranchingSystem on_trunk(Scene const& scene)
+    static BranchingSystem on_trunk(scene::Scene const& scene)
     {
         return skeleton_of(drawing(scene)).value().systems[0];
     }
@@ -55,7 +58,7 @@ protected:
     }
 
     // With a line on each branch that ends in a bump.
-    static Scene twigs_on(Scene scene)
+    static scene::Scene twigs_on(scene::Scene scene)
     {
         auto const system = on_trunk(scene);
         for (auto const& branch : system.branches)
@@ -79,8 +82,9 @@ TEST_F(OwnBranchEdits, MakeTheTreeOfTheirLines)
     ASSERT_EQ(drawing(scene).own_branches.size(), 1U);
     EraseTreePart const erase { scene.state.active, Part::OwnBranch,
                                 drawing(scene).own_branches[0].id };
-    EXPECT_EQ(apply_edit(scene, erase)->base->node_position_mm, before.base->node_position_mm);
-    EXPECT_FALSE(apply_edit(before, erase)) << "there is none";
+    EXPECT_EQ(scene::apply_edit(scene, erase)->base->node_position_mm,
+              before.base->node_position_mm);
+    EXPECT_FALSE(scene::apply_edit(before, erase)) << "there is none";
 }
 
 // Of a crown that is drawn anew, by so little: whose they are is told by where those end.
@@ -127,7 +131,7 @@ TEST_F(OwnBranchEdits, WaitForTheirParents)
     EXPECT_EQ(count_waiting(drawing(again)).value(), 0U);
     auto form = drawing(before).form;
     form.patterns[0] = Pattern::Spiral;
-    auto const formed = apply_edit(before, FormTree { before.state.active, form }).value();
+    auto const formed = scene::apply_edit(before, FormTree { before.state.active, form }).value();
     for (std::size_t i = 0; i < count; ++i)
         EXPECT_EQ(drawing(formed).own_branches[i].branch, drawing(before).own_branches[i].branch);
 }

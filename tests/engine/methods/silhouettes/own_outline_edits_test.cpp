@@ -28,15 +28,18 @@ protected:
     static std::vector<Vec2> right_lobe() { return disc({ 52, -20 }, 30); }
     static std::vector<Vec2> left_lobe() { return disc({ -52, -20 }, 30); }
 
-    static Scene draw(Scene const& before, Part part, std::vector<Vec2> const& points)
+    static scene::Scene draw(scene::Scene const& before, Part part, std::vector<Vec2> const& points)
     {
         return draw_on(before, { .part = part, .stroke = stroke_of(points) });
     }
 
-    static OutlinedTree const& drawing(Scene const& scene) { return *outlined_tree(*scene.drawn); }
+    static OutlinedTree const& drawing(scene::Scene const& scene)
+    {
+        return *outlined_tree(*scene.drawn);
+    }
 
     // What the branches are called that have outlines of their own.
-    static std::vector<std::string> outlined(Scene const& scene)
+    static std::vector<std::string> outlined(scene::Scene const& scene)
     {
         std::vector<std::string> names;
         auto const skeleton = skeleton_of(drawing(scene));
@@ -71,11 +74,12 @@ TEST_F(OwnOutlineEdits, AreTakenAwayAgain)
     ASSERT_EQ(own.size(), 2U);
     EXPECT_NE(own[0].id, own[1].id);
     EraseTreePart erase { both.state.active, Part::OwnOutline, own[0].id };
-    auto const one = apply_edit(both, erase).value();
+    auto const one = scene::apply_edit(both, erase).value();
     EXPECT_EQ(outlined(one), std::vector { own[1].branch });
     erase.branch = own[1].id;
-    EXPECT_EQ(apply_edit(one, erase)->base->node_position_mm, before.base->node_position_mm);
-    auto const again = apply_edit(one, EraseTreePart { both.state.active, Part::OwnOutline, 77 });
+    EXPECT_EQ(scene::apply_edit(one, erase)->base->node_position_mm, before.base->node_position_mm);
+    auto const again
+        = scene::apply_edit(one, EraseTreePart { both.state.active, Part::OwnOutline, 77 });
     ASSERT_FALSE(again);
     EXPECT_NE(again.error().message.find("no such part"), std::string::npos);
 }
@@ -95,7 +99,7 @@ TEST_F(OwnOutlineEdits, StayWithTheirBranchWhereTheCrownIsDrawnAnew)
     auto form = drawing(before).form;
     form.patterns[0] = Pattern::Spiral;
     form.levels = 1;
-    auto const formed = apply_edit(before, FormTree { before.state.active, form }).value();
+    auto const formed = scene::apply_edit(before, FormTree { before.state.active, form }).value();
     EXPECT_EQ(outlined(formed), std::vector { name });
 }
 
@@ -109,7 +113,7 @@ TEST_F(OwnOutlineEdits, WaitForTheirBranch)
     auto const again = draw(narrow, Part::Outline, lobed_crown(5).outline[0]);
     EXPECT_EQ(outlined(again).size(), 1U);
     auto const bare
-        = apply_edit(before, EraseTreePart { before.state.active, Part::Outline }).value();
+        = scene::apply_edit(before, EraseTreePart { before.state.active, Part::Outline }).value();
     EXPECT_EQ(outlined(draw(bare, Part::Outline, lobed_crown(5).outline[0])).size(), 1U);
 }
 
@@ -142,8 +146,9 @@ TEST_F(OwnOutlineEdits, LeaveTheNamesOfOtherBranches)
 TEST_F(OwnOutlineEdits, AreRefusedWhereNoBranchIs)
 {
     auto const scene = lobed_tree();
-    auto const refusal = [](Scene const& before, std::vector<Vec2> const& points, ItemId plant) {
-        auto const after = apply_edit(
+    auto const refusal = [](scene::Scene const& before, std::vector<Vec2> const& points,
+                            scene::ItemId plant) {
+        auto const after = scene::apply_edit(
             before,
             DrawTree { .part = Part::OwnOutline, .stroke = stroke_of(points), .plant = plant });
         return after ? std::string() : after.error().message;

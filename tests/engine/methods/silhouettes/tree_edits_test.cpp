@@ -28,36 +28,36 @@ DrawTree trunk()
              .stands_at_mm = { 30, 0, 0 } };
 }
 
-DrawTree outline(ItemId plant = 0)
+DrawTree outline(scene::ItemId plant = 0)
 {
     return { .part = DrawTree::Part::Outline,
              .stroke = stroke_of(crown().outline[0]),
              .plant = plant };
 }
 
-DrawTree branch(ItemId plant)
+DrawTree branch(scene::ItemId plant)
 {
     return { .part = DrawTree::Part::Branch,
              .stroke = stroke_of({ { 0, -10 }, { 25, 5 }, { 45, 10 }, { 60, 12 } }),
              .plant = plant };
 }
 
-Scene drawn(Edit const& edit, Scene const& before = {})
+scene::Scene drawn(scene::Edit const& edit, scene::Scene const& before = {})
 {
-    auto scene = apply_edit(before, edit);
+    auto scene = scene::apply_edit(before, edit);
     EXPECT_TRUE(scene) << scene.error().message;
-    return scene.value_or(Scene {});
+    return scene.value_or(scene::Scene {});
 }
 
-Scene drawn_tree()
+scene::Scene drawn_tree()
 {
     auto const stem = drawn(trunk());
     return drawn(outline(stem.state.active), stem);
 }
 
-std::string refusal(Edit const& edit, Scene const& before = {})
+std::string refusal(scene::Edit const& edit, scene::Scene const& before = {})
 {
-    auto const scene = apply_edit(before, edit);
+    auto const scene = scene::apply_edit(before, edit);
     return scene ? std::string() : scene.error().message;
 }
 
@@ -77,7 +77,7 @@ TEST(DrawTree, StandsUnderItsInk)
     auto const stem = drawn(trunk());
     auto const whole = drawn_tree();
     for (auto const* const scene : { &stem, &whole }) {
-        auto const paper = paper_of(scene->state);
+        auto const paper = scene::paper_of(scene->state);
         EXPECT_EQ(paper.base_mm, Vec2(0, -90));
         EXPECT_EQ(scene->placement.origin_mm, Vec3(30, 0, 0));
         auto const& axis = scene->base->axes[0];
@@ -109,8 +109,8 @@ TEST(DrawTree, MovesThePlantWithItsFoot)
     moved.stroke = stroke_of({ { 12, -80 }, { 10, 40 } });
     scene = drawn(moved, scene);
     EXPECT_EQ(scene.placement.origin_mm, Vec3(42, 0, 0));
-    EXPECT_EQ(paper_of(scene.state).base_mm, Vec2(12, -80));
-    scene = drawn(MovePlant { plant, { -50, 20, 0 } }, scene);
+    EXPECT_EQ(scene::paper_of(scene.state).base_mm, Vec2(12, -80));
+    scene = drawn(scene::MovePlant { plant, { -50, 20, 0 } }, scene);
     scene = drawn(outline(plant), scene);
     EXPECT_EQ(scene.placement.origin_mm, Vec3(-50, 20, 0));
 }
@@ -119,7 +119,7 @@ TEST(DrawTree, LetsADrawnBranchTakeTheBumpsPlace)
 {
     auto const before = drawn_tree();
     auto const after = drawn(branch(before.state.active), before);
-    auto const branches = [](Scene const& scene) {
+    auto const branches = [](scene::Scene const& scene) {
         auto const skeleton = skeleton_of(*outlined_tree(*scene.drawn)).value();
         std::map<std::string, Branch::Origin> result;
         for (auto const& one : skeleton.systems[0].branches)
@@ -194,9 +194,9 @@ std::vector<Vec2> wavered(std::vector<Vec2> const& outline, std::uint32_t number
 }
 
 // The tips of the branches that strokes shape, by the strokes' ids.
-std::map<ItemId, Vec3> shaped_tips_mm(Scene const& scene)
+std::map<scene::ItemId, Vec3> shaped_tips_mm(scene::Scene const& scene)
 {
-    std::map<ItemId, Vec3> tips_mm;
+    std::map<scene::ItemId, Vec3> tips_mm;
     auto const& plant = *scene.base;
     for (auto const& [id, association, at] : scene.associations)
         if (!association.is_orphaned)
@@ -206,7 +206,7 @@ std::map<ItemId, Vec3> shaped_tips_mm(Scene const& scene)
 
 // Twenty strokes on branches of the tree: on those that end in bumps of the outline, or on any.
 enum class On { Bumps, All };
-Scene with_strokes(Scene scene, On on, std::uint32_t number)
+scene::Scene with_strokes(scene::Scene scene, On on, std::uint32_t number)
 {
     auto const skeleton = skeleton_of(*outlined_tree(*scene.drawn)).value();
     auto const tree = make_tree(skeleton, tree_options({}, drawn_height(skeleton) / 0.1));
@@ -218,15 +218,15 @@ Scene with_strokes(Scene scene, On on, std::uint32_t number)
             choice.push_back(axis);
     }
     Random random({ 31, 8, number });
-    std::vector<Edit> strokes;
+    std::vector<scene::Edit> strokes;
     for (int i = 0; i < 20; ++i) {
         auto const& axis = scene.base->axes[choice[random.next_u32() % choice.size()]];
         std::vector<SegmentId> path(axis.segment_count);
         std::iota(path.begin(), path.end(), axis.first_segment);
-        strokes.push_back(select_paths(scene, { path }));
-        strokes.push_back(Associate { stroke_of({ { 0, 0 }, { 10, 5 }, { 20, 20 } }) });
+        strokes.push_back(scene::select_paths(scene, { path }));
+        strokes.push_back(scene::Associate { stroke_of({ { 0, 0 }, { 10, 5 }, { 20, 20 } }) });
     }
-    return apply_edits(scene, strokes).value();
+    return scene::apply_edits(scene, strokes).value();
 }
 
 struct Kept {
@@ -237,7 +237,7 @@ struct Kept {
 
 // Heights and distances from the trunk are compared: around it all branches are arranged anew.
 bool is_nearer_to_another(Vec3 const& now_mm, Vec3 const& own_mm,
-                          std::map<ItemId, Vec3> const& before)
+                          std::map<scene::ItemId, Vec3> const& before)
 {
     auto const far_mm = [&](Vec3 const& tip_mm) {
         return (Vec2(now_mm.head<2>().norm(), now_mm.z())
@@ -355,18 +355,18 @@ TEST(DrawTree, LeavesToChanceWhatWasNotDrawn)
 {
     auto const first = drawn(trunk());
     auto const tree = drawn(outline(first.state.active), first);
-    ASSERT_TRUE(has_sources_that_vary(tree));
-    auto const one = varied(tree, { .seed = 5, .plant = 1 }).value();
-    auto const again = varied(tree, { .seed = 5, .plant = 1 }).value();
-    auto const other = varied(tree, { .seed = 5, .plant = 2 }).value();
+    ASSERT_TRUE(scene::has_sources_that_vary(tree));
+    auto const one = scene::varied(tree, { .seed = 5, .plant = 1 }).value();
+    auto const again = scene::varied(tree, { .seed = 5, .plant = 1 }).value();
+    auto const other = scene::varied(tree, { .seed = 5, .plant = 2 }).value();
     EXPECT_EQ(one.base->node_position_mm, again.base->node_position_mm);
     EXPECT_NE(one.base->node_position_mm, other.base->node_position_mm);
-    auto const trunk_of = [](Scene const& scene) {
+    auto const trunk_of = [](scene::Scene const& scene) {
         auto const nodes = scene.base->positions(scene.base->axes[0]);
         return std::vector<Vec3>(nodes.begin(), nodes.end());
     };
     EXPECT_EQ(trunk_of(one).back(), trunk_of(tree).back());
-    auto const box_of_plant = [](Scene const& scene) { return bounds(*scene.base); };
+    auto const box_of_plant = [](scene::Scene const& scene) { return bounds(*scene.base); };
     auto const whole = box_of_plant(tree);
     EXPECT_NEAR(box_of_plant(one).max_mm.z(), whole.max_mm.z(), 0.05 * whole.max_mm.z());
 }

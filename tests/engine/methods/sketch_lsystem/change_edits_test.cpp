@@ -26,24 +26,25 @@ Rule const kOther { .first_length_mm = 25, .laterals = 3, .angle_deg = 70, .shor
 // Changed afterwards equals drawn again.
 TEST(ChangeSketch, IsThePlantOfTheOtherRule)
 {
-    auto const scene = after({ drawn(kFirst) });
+    auto const scene = scene::after({ drawn(kFirst) });
     auto const changed
-        = after({ ChangeSketch { scene.state.active, 0, kOther, Leaves::Bare } }, scene);
-    auto const again = after({ drawn(kOther) });
+        = scene::after({ ChangeSketch { scene.state.active, 0, kOther, Leaves::Bare } }, scene);
+    auto const again = scene::after({ drawn(kOther) });
     EXPECT_EQ(changed.base->node_position_mm, again.base->node_position_mm);
     EXPECT_EQ(changed.placement.origin_mm, again.placement.origin_mm);
 }
 
 TEST(ChangeSketch, KeepsWhatWasDrawnOnBranches)
 {
-    auto scene = after({ drawn(kFirst) });
+    auto scene = scene::after({ drawn(kFirst) });
     auto const path = segments_of(scene.base->axes[1]);
-    scene = after({ select_paths(scene, { path }), Associate { stroke_towards({ 40, 0, 0 }) } },
-                  scene);
+    scene = scene::after({ scene::select_paths(scene, { path }),
+                           scene::Associate { scene::stroke_towards({ 40, 0, 0 }) } },
+                         scene);
     auto steeper = kFirst;
     steeper.angle_deg = 20;
     auto const changed
-        = after({ ChangeSketch { scene.state.active, 0, steeper, Leaves::Leafy } }, scene);
+        = scene::after({ ChangeSketch { scene.state.active, 0, steeper, Leaves::Leafy } }, scene);
     ASSERT_EQ(changed.associations.size(), 1u);
     EXPECT_FALSE(changed.associations[0].what.is_orphaned);
     EXPECT_EQ(changed.associations[0].what.path.vector(), path);
@@ -52,27 +53,30 @@ TEST(ChangeSketch, KeepsWhatWasDrawnOnBranches)
 
 TEST(ChangeSketch, RefusesRulesThatGrowNothing)
 {
-    auto const scene = after({ drawn(kFirst) });
+    auto const scene = scene::after({ drawn(kFirst) });
     auto rule = kFirst;
     rule.laterals = 99;
-    EXPECT_FALSE(apply_edit(scene, ChangeSketch { scene.state.active, 0, rule, Leaves::Bare }));
-    EXPECT_FALSE(apply_edit(scene, ChangeSketch { scene.state.active, 77, kOther, Leaves::Bare }));
-    EXPECT_FALSE(apply_edit(scene, ShortenSketch { scene.state.active, 0, 3 })) << "no internode";
+    EXPECT_FALSE(
+        scene::apply_edit(scene, ChangeSketch { scene.state.active, 0, rule, Leaves::Bare }));
+    EXPECT_FALSE(
+        scene::apply_edit(scene, ChangeSketch { scene.state.active, 77, kOther, Leaves::Bare }));
+    EXPECT_FALSE(scene::apply_edit(scene, ShortenSketch { scene.state.active, 0, 3 }))
+        << "no internode";
 }
 
 // The prefix law: a shorter stroke's plant is the one that stood there when the pen was there.
 TEST(ShortenSketch, IsThePlantOfTheShorterStroke)
 {
-    auto const scene = after({ drawn(kFirst) });
+    auto const scene = scene::after({ drawn(kFirst) });
     auto const whole = newest_grown(*scene.drawn);
     ASSERT_TRUE(whole);
     auto const tips = count_tips(*whole->sketch, 3);
     ASSERT_TRUE(tips && *tips);
-    auto const shortened = after({ ShortenSketch { scene.state.active, 0, **tips } }, scene);
+    auto const shortened = scene::after({ ShortenSketch { scene.state.active, 0, **tips } }, scene);
     EXPECT_EQ(shortened.base->axes[0].segment_count, 3u);
     auto begun = drawn(kFirst);
     begun.stroke.tips.own().resize(**tips);
-    EXPECT_EQ(shortened.base->node_position_mm, after({ begun }).base->node_position_mm);
+    EXPECT_EQ(shortened.base->node_position_mm, scene::after({ begun }).base->node_position_mm);
     for (NodeId node = 0; node <= 3; ++node)
         EXPECT_EQ(shortened.base->node_position_mm[node], scene.base->node_position_mm[node]);
     EXPECT_EQ(count_tips(*whole->sketch, 1000).value(), std::nullopt);
@@ -81,51 +85,52 @@ TEST(ShortenSketch, IsThePlantOfTheShorterStroke)
 // A plant whose stroke is drawn again is the one that the stroke alone would have made.
 TEST(RedrawSketch, IsThePlantOfTheOtherStroke)
 {
-    auto const scene = after({ drawn(kFirst) });
+    auto const scene = scene::after({ drawn(kFirst) });
     auto other = drawn(kFirst);
     for (auto& tip : other.stroke.tips.own())
         tip.position_mm += Vec3(30, 0.2 * tip.position_mm.z(), 0);
-    auto const again
-        = after({ RedrawSketch { scene.state.active, 0, other.surface, other.stroke } }, scene);
-    auto const alone = after({ other });
+    auto const again = scene::after(
+        { RedrawSketch { scene.state.active, 0, other.surface, other.stroke } }, scene);
+    auto const alone = scene::after({ other });
     ASSERT_EQ(again.plants.size(), 1u);
     EXPECT_EQ(again.base->node_position_mm, alone.base->node_position_mm);
     EXPECT_NE(again.base->node_position_mm, scene.base->node_position_mm);
     EXPECT_EQ(again.placement.origin_mm, alone.placement.origin_mm);
     Stroke dot;
     dot.tips.own().resize(2);
-    EXPECT_FALSE(
-        apply_edit(scene, RedrawSketch { scene.state.active, 0, StrokeSurface::Space, dot }));
+    EXPECT_FALSE(scene::apply_edit(
+        scene, RedrawSketch { scene.state.active, 0, StrokeSurface::Space, dot }));
 }
 
 TEST(ChangeSketch, ReachesWhatWasPutOnAnotherPlant)
 {
     auto first = drawn(kFirst);
-    auto scene = after({ first, drawn(kFirst) });
+    auto scene = scene::after({ first, drawn(kFirst) });
     auto const host = scene.plants[0]->drawn->id;
     auto const guest = scene.plants[1]->drawn->id;
     auto const& parent = *scene.plants[0];
     auto const at = parent.rest->addresses.address_of(*parent.base, 4);
-    scene = after({ GraftPlant { guest, host, at } }, scene);
+    scene = scene::after({ scene::GraftPlant { guest, host, at } }, scene);
     auto const grown = newest_grown(*scene.drawn);
     ASSERT_TRUE(grown);
     EXPECT_EQ(grown->part, guest);
-    auto const axis_of_part = [&](Scene const& wanted) {
+    auto const axis_of_part = [&](scene::Scene const& wanted) {
         auto const stem = in_part(part_prefix(guest), { 0, 0 });
         auto const segment = wanted.rest->addresses.find_segment(*wanted.base, stem);
         return wanted.base->axes[axis_of(*wanted.base, segment.value())];
     };
-    auto const changed = after({ ChangeSketch { host, guest, kOther, Leaves::Bare } }, scene);
+    auto const changed
+        = scene::after({ ChangeSketch { host, guest, kOther, Leaves::Bare } }, scene);
     EXPECT_NE(axis_of_part(changed).segment_count, axis_of_part(scene).segment_count);
     auto const tips = count_tips(*grown->sketch, 2).value().value();
-    auto const shortened = after({ ShortenSketch { host, guest, tips } }, scene);
+    auto const shortened = scene::after({ ShortenSketch { host, guest, tips } }, scene);
     EXPECT_EQ(axis_of_part(shortened).segment_count, 2u);
     EXPECT_EQ(shortened.base->axes[0].segment_count, scene.base->axes[0].segment_count);
     auto longer = drawn(kFirst).stroke;
     for (auto& tip : longer.tips.own())
         tip.position_mm *= 1.5;
     auto const redrawn
-        = after({ RedrawSketch { host, guest, StrokeSurface::Space, longer } }, scene);
+        = scene::after({ RedrawSketch { host, guest, StrokeSurface::Space, longer } }, scene);
     EXPECT_GT(axis_of_part(redrawn).segment_count, axis_of_part(scene).segment_count);
     EXPECT_EQ(redrawn.plants[0]->placement.origin_mm, scene.plants[0]->placement.origin_mm);
 }
@@ -133,17 +138,18 @@ TEST(ChangeSketch, ReachesWhatWasPutOnAnotherPlant)
 // Laterals differ, the drawn axis does not, and what was drawn on branches stays.
 TEST(GrowAlongStroke, VariesItsLaterals)
 {
-    auto scene = after({ drawn(kFirst) });
+    auto scene = scene::after({ drawn(kFirst) });
     auto const path = segments_of(scene.base->axes[1]);
-    scene = after({ select_paths(scene, { path }), Associate { stroke_towards({ 40, 0, 0 }) } },
-                  scene);
-    ASSERT_TRUE(has_sources_that_vary(scene));
-    auto const one = varied(scene, { .seed = 7, .plant = 1 }).value();
-    auto const again = varied(scene, { .seed = 7, .plant = 1 }).value();
-    auto const other = varied(scene, { .seed = 7, .plant = 2 }).value();
+    scene = scene::after({ scene::select_paths(scene, { path }),
+                           scene::Associate { scene::stroke_towards({ 40, 0, 0 }) } },
+                         scene);
+    ASSERT_TRUE(scene::has_sources_that_vary(scene));
+    auto const one = scene::varied(scene, { .seed = 7, .plant = 1 }).value();
+    auto const again = scene::varied(scene, { .seed = 7, .plant = 1 }).value();
+    auto const other = scene::varied(scene, { .seed = 7, .plant = 2 }).value();
     EXPECT_EQ(one.base->node_position_mm, again.base->node_position_mm);
     EXPECT_NE(one.base->node_position_mm, other.base->node_position_mm);
-    auto const drawn_axis = [](Scene const& grown) {
+    auto const drawn_axis = [](scene::Scene const& grown) {
         auto const nodes = grown.base->positions(grown.base->axes[0]);
         return std::vector<Vec3>(nodes.begin(), nodes.end());
     };
@@ -151,7 +157,7 @@ TEST(GrowAlongStroke, VariesItsLaterals)
     EXPECT_EQ(drawn_axis(other), drawn_axis(scene));
     ASSERT_EQ(one.associations.size(), 1u);
     EXPECT_FALSE(one.associations[0].what.is_orphaned);
-    auto const not_at_all = varied(scene, { .seed = 7, .plant = 1, .spread = 0 }).value();
+    auto const not_at_all = scene::varied(scene, { .seed = 7, .plant = 1, .spread = 0 }).value();
     EXPECT_EQ(not_at_all.base, scene.base);
 }
 

@@ -28,11 +28,11 @@ GrowAlongStroke grown(std::vector<Vec3> const& places_mm)
              .leaves = Leaves::Bare };
 }
 
-Scene scene_of(GrowAlongStroke const& edit, Scene const& before = {})
+scene::Scene scene_of(GrowAlongStroke const& edit, scene::Scene const& before = {})
 {
-    auto scene = apply_edit(before, edit);
+    auto scene = scene::apply_edit(before, edit);
     EXPECT_TRUE(scene) << scene.error().message;
-    return scene.value_or(Scene {});
+    return scene.value_or(scene::Scene {});
 }
 
 // The command writes the same from that stroke and rule.
@@ -85,9 +85,10 @@ TEST(GrowAlongStroke, AddsAPlantThatTakesWhatIsDrawn)
     ASSERT_EQ(both.plants.size(), 2u);
     EXPECT_EQ(both.plants[0], first.plants[0]) << "the first is not grown again";
     EXPECT_EQ(both.state.active, both.plants[1]->drawn->id);
-    auto const shaped = apply_edits(
-        both,
-        std::vector<Edit> { select_paths(both, { { 0, 1 } }), Associate { stroke_of(bow()) } });
+    auto const shaped
+        = scene::apply_edits(both,
+                             std::vector<scene::Edit> { scene::select_paths(both, { { 0, 1 } }),
+                                                        scene::Associate { stroke_of(bow()) } });
     ASSERT_TRUE(shaped) << shaped.error().message;
     EXPECT_EQ(shaped->associations.size(), 1u);
     EXPECT_TRUE(shaped->plants[0]->associations.empty());
@@ -96,7 +97,7 @@ TEST(GrowAlongStroke, AddsAPlantThatTakesWhatIsDrawn)
 TEST(GrowAlongStroke, RefusesWhatGrowsNothing)
 {
     auto const message = [](GrowAlongStroke const& edit) {
-        auto const scene = apply_edit(Scene {}, edit);
+        auto const scene = scene::apply_edit(scene::Scene {}, edit);
         return scene ? std::string() : scene.error().message;
     };
     EXPECT_NE(message(grown(straight_stroke(20))).find("never gets 30 mm away"), std::string::npos);

@@ -198,29 +198,30 @@ TEST(ModelRule, IsVariedByItsChanceAlone)
     EXPECT_EQ(one, source.varied({ .seed = 5, .plant = 1 }));
     EXPECT_NE(one, source.varied({ .seed = 5, .plant = 2 }));
     EXPECT_EQ(source, source.varied({ .seed = 5, .plant = 1, .spread = 0 }));
-    auto const text = [](PlantSource const& of) { return of.model().value()->source.text; };
+    auto const text = [](scene::PlantSource const& of) { return of.model().value()->source.text; };
     EXPECT_EQ(text(one), text(source));
 }
 
 TEST(ModelRule, TakesTheRulesPlaceAndGivesItBack)
 {
-    auto const rule_plant = apply_edit(Scene {}, grown({}, bow())).value();
+    auto const rule_plant = scene::apply_edit(scene::Scene {}, grown({}, bow())).value();
     auto const id = rule_plant.drawn->id;
     auto const changed
-        = apply_edit(rule_plant, ChangeSketch { .plant = id, .model = model_named("vine") })
+        = scene::apply_edit(rule_plant, ChangeSketch { .plant = id, .model = model_named("vine") })
               .value();
     EXPECT_GT(changed.base->organs.size(), 0u);
     EXPECT_EQ(newest_grown(*changed.drawn)->sketch->model, model_named("vine"));
-    auto const back = apply_edit(changed, ChangeSketch { .plant = id }).value();
+    auto const back = scene::apply_edit(changed, ChangeSketch { .plant = id }).value();
     EXPECT_EQ(back.base->node_position_mm, rule_plant.base->node_position_mm);
-    auto const shorter = apply_edit(changed, ShortenSketch { .plant = id, .tips = 60 }).value();
+    auto const shorter
+        = scene::apply_edit(changed, ShortenSketch { .plant = id, .tips = 60 }).value();
     EXPECT_LT(shorter.base->segment_count(), changed.base->segment_count());
 }
 
 TEST(ModelRule, RefusesInASentence)
 {
     auto const message = [](GrowAlongStroke const& edit) {
-        auto const scene = apply_edit(Scene {}, edit);
+        auto const scene = scene::apply_edit(scene::Scene {}, edit);
         return scene ? std::string() : scene.error().message;
     };
     EXPECT_EQ(message(grown(model_named("vine"), straight_stroke(2))),
