@@ -1,6 +1,7 @@
-# Who may include whom, besides itself; and is every header compiled alone: as the first that a source
-# of its name includes, or in a header set? Run: cmake -DROOT=<repository> -P layering_test.cmake
+# Who may include whom, besides itself? Is every header compiled alone: as the first that a source of its
+# name includes, or in a header set? Has every layer above the vocabulary a namespace inside tractus? Run: cmake -DROOT=<repository> -P layering_test.cmake
 cmake_minimum_required(VERSION 3.23)
+set(vocabulary engine/base engine/stroke engine/plant)
 set(drivers_rooms drivers/reports drivers/links drivers/usb drivers/gpio drivers/pens drivers/sensors
                   drivers/tablets drivers/logs)
 
@@ -133,6 +134,10 @@ foreach(layer IN LISTS layers)
         message(SEND_ERROR "${layer}: no sources; has it moved?")
     endif()
     foreach(source IN LISTS sources)
+        file(STRINGS ${ROOT}/${source} bare REGEX "^namespace tractus {")
+        if(bare AND NOT layer IN_LIST vocabulary)
+            message(SEND_ERROR "${source}: ${layer} has a namespace of its own inside tractus")
+        endif()
         file(STRINGS ${ROOT}/${source} includes REGEX "^#include \"")
         string(REGEX REPLACE "cpp$" "h" own ${source})
         if(source MATCHES "cpp$" AND EXISTS ${ROOT}/${own})
