@@ -39,26 +39,25 @@ struct LineSketchFile {
 //   divergence       of "spiral" and "alternate"; without it 137.5 and 180
 //   stem             [[u, v], …] or [[u, v, w], …]: right, up, and towards the viewer; base first
 //   sizes            how they change around the stem: "linear" or "half-ellipses"; without it
-//   linear left, right      [[u, v], …]: the boundaries; one of them may be missing. With [u, v, w]
-//   of
+//                    linear
+//   left, right      [[u, v], …]: the boundaries; one of them may be missing. With [u, v, w] of
 //                    which some w is by over a twentieth of the stem's length not that of the
 //                    stem's base, one of
 //   boundaries       [[[u, v, w], …], …]: more of them, each in space at its azimuth around the
-//   stem inclinations     [[[u, v], …], …]; may be missing strokes          [[[u, v], …], …]: all
-//   of these lines, the stem first, without saying which is
+//                    stem
+//   inclinations     [[[u, v], …], …]; may be missing
+//   strokes          [[[u, v], …], …]: all of these lines, the stem first, without saying which is
 //                    which. One that begins another stem is an object {"stem": [[u, v], …]}
 //   nodes_per_layer  [N, …]: one number for each layer between neighbouring inclination lines
 //   stems            [{…}, …]: more stems of the plant, each an object of stem, left, right,
 //                    boundaries, inclinations and nodes_per_layer, of which only the stem has to be
 //                    there
-//
 //   organs           ["leaf.json", null, …] or "leaf.json": what the organs of each layer are, from
 //                    below: plants of another sketch, the file's name from where this one is, or
 //                    leaves; what is said last counts for all layers above, too
-//
-//   organ            {"left": [[u, v], …], "right": …, "midrib": …, "section": …}: the leaves'
-//   shape in
-//                    three views (organ_surface.h), the last two of which may be missing
+//   organ            {"left": [[u, v], …], "right": …, "midrib": …, "section": …}: the shape of
+//                    the leaves in three views (organ_surface.h), the last two of which may be
+//                    missing
 //
 // What is given besides a file counts in place of what the file says.
 //
