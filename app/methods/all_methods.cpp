@@ -46,72 +46,80 @@
 
 namespace tractus::methods {
 
+namespace {
+
+// In the order of their buttons; the first is in hand at first.
+constexpr std::array kTools {
+    &tools::DrawInOrderTool::kKind,
+    &tools::DrawTool::kKind,
+    &tools::OversketchTool::kKind,
+    &tools::SmoothTool::kKind,
+    &tools::DeleteTool::kKind,
+    &tools::SelectTool::kKind,
+    &indicators::IndicateTool::kKind,
+    &indicators::MoveIndicatorTool::kKind,
+    &indicators::DeleteIndicatorTool::kKind,
+    &tools::EraseTool::kKind,
+    &sketch::SketchTool::kKind,
+    &sketch::ShortenSketchTool::kKind,
+    &silhouette::OutlineTool::kKind,
+    &silhouette::CrownTool::kKind,
+    &silhouette::EraseCrownTool::kKind,
+    &silhouette::ArrangeTool::kKind,
+    &silhouette::EraseOutlineTool::kKind,
+    &lines::LineTool::kKind,
+    &lines::LinePatternTool::kKind,
+    &lines::LayerNodesTool::kKind,
+    &lines::LineRoleTool::kKind,
+    &leaf::LeafLineTool::kKind,
+    &leaf::EraseLeafTool::kKind,
+    &plants::ChoosePlantTool::kKind,
+    &plants::MovePlantTool::kKind,
+    &plants::CopyPlantTool::kKind,
+    &plants::HidePlantTool::kKind,
+    &plants::RemovePlantTool::kKind,
+    &plants::GraftPlantTool::kKind,
+    &plants::TakeOffTool::kKind,
+    &plants::HideBranchTool::kKind,
+    &pictures::PictureTool::kKind,
+};
+
+constexpr std::array kLayers { &silhouette::kTrianglesLayer, &silhouette::kSeenLayer,
+                               &silhouette::kOutlineLayer,   &silhouette::kTrunkLayer,
+                               &lines::kStemLayer,           &lines::kBoundaryLayer,
+                               &lines::kInclinationLayer,    &lines::kOtherStemLayer,
+                               &lines::kOtherBoundaryLayer,  &lines::kOtherInclinationLayer,
+                               &lines::kUnsureLayer,         &lines::kLinesToDrawLayer,
+                               &leaf::kLeafOutlineLayer,     &leaf::kLeafVeinLayer,
+                               &leaf::kLeafOtherLayer,       &indicators::kIndicatorLayer };
+
+std::vector<scene::EditKind const*> edit_kinds()
+{
+    auto const core = scene::core_edit_kinds();
+    std::vector<scene::EditKind const*> all(core.begin(), core.end());
+    all.push_back(&session::BeginEmpty::kKind);
+    all.insert(all.end(),
+               { &sketch::GrowAlongStroke::kKind, &sketch::ChangeSketch::kKind,
+                 &sketch::ShortenSketch::kKind, &sketch::RedrawSketch::kKind });
+    all.push_back(&silhouette::DrawTree::kKind);
+    all.push_back(&silhouette::EraseTreePart::kKind);
+    all.push_back(&silhouette::DeclareLeaf::kKind);
+    all.push_back(&silhouette::ChooseStyles::kKind);
+    all.push_back(&silhouette::FormTree::kKind);
+    all.insert(all.end(),
+               { &lines::AddLine::kKind, &lines::SetLayerNodes::kKind,
+                 &lines::SetLinePattern::kKind, &lines::SetLineRole::kKind,
+                 &lines::RedrawLine::kKind, &lines::BendStem::kKind });
+    all.insert(all.end(),
+               { &leaf::AddLeafLine::kKind, &leaf::EraseLeafLine::kKind, &leaf::FormLeaf::kKind });
+    return all;
+}
+
+} // namespace
+
 tools::Methods all_methods()
 {
-    // Tools in the order of their buttons; the first is in hand at first.
-    static constexpr std::array kTools {
-        &tools::DrawInOrderTool::kKind,
-        &tools::DrawTool::kKind,
-        &tools::OversketchTool::kKind,
-        &tools::SmoothTool::kKind,
-        &tools::DeleteTool::kKind,
-        &tools::SelectTool::kKind,
-        &indicators::IndicateTool::kKind,
-        &indicators::MoveIndicatorTool::kKind,
-        &indicators::DeleteIndicatorTool::kKind,
-        &tools::EraseTool::kKind,
-        &sketch::SketchTool::kKind,
-        &sketch::ShortenSketchTool::kKind,
-        &silhouette::OutlineTool::kKind,
-        &silhouette::CrownTool::kKind,
-        &silhouette::EraseCrownTool::kKind,
-        &silhouette::ArrangeTool::kKind,
-        &silhouette::EraseOutlineTool::kKind,
-        &lines::LineTool::kKind,
-        &lines::LinePatternTool::kKind,
-        &lines::LayerNodesTool::kKind,
-        &lines::LineRoleTool::kKind,
-        &leaf::LeafLineTool::kKind,
-        &leaf::EraseLeafTool::kKind,
-        &plants::ChoosePlantTool::kKind,
-        &plants::MovePlantTool::kKind,
-        &plants::CopyPlantTool::kKind,
-        &plants::HidePlantTool::kKind,
-        &plants::RemovePlantTool::kKind,
-        &plants::GraftPlantTool::kKind,
-        &plants::TakeOffTool::kKind,
-        &plants::HideBranchTool::kKind,
-        &pictures::PictureTool::kKind,
-    };
-    static constexpr std::array kLayers {
-        &silhouette::kTrianglesLayer,   &silhouette::kSeenLayer, &silhouette::kOutlineLayer,
-        &silhouette::kTrunkLayer,       &lines::kStemLayer,      &lines::kBoundaryLayer,
-        &lines::kInclinationLayer,      &lines::kOtherStemLayer, &lines::kOtherBoundaryLayer,
-        &lines::kOtherInclinationLayer, &lines::kUnsureLayer,    &lines::kLinesToDrawLayer,
-        &leaf::kLeafOutlineLayer,       &leaf::kLeafVeinLayer,   &leaf::kLeafOtherLayer,
-        &indicators::kIndicatorLayer
-    };
-    static auto const edits = [] {
-        auto const core = scene::core_edit_kinds();
-        std::vector<scene::EditKind const*> all(core.begin(), core.end());
-        all.push_back(&session::BeginEmpty::kKind);
-        all.insert(all.end(),
-                   { &sketch::GrowAlongStroke::kKind, &sketch::ChangeSketch::kKind,
-                     &sketch::ShortenSketch::kKind, &sketch::RedrawSketch::kKind });
-        all.push_back(&silhouette::DrawTree::kKind);
-        all.push_back(&silhouette::EraseTreePart::kKind);
-        all.push_back(&silhouette::DeclareLeaf::kKind);
-        all.push_back(&silhouette::ChooseStyles::kKind);
-        all.push_back(&silhouette::FormTree::kKind);
-        all.insert(all.end(),
-                   { &lines::AddLine::kKind, &lines::SetLayerNodes::kKind,
-                     &lines::SetLinePattern::kKind, &lines::SetLineRole::kKind,
-                     &lines::RedrawLine::kKind, &lines::BendStem::kKind });
-        all.insert(
-            all.end(),
-            { &leaf::AddLeafLine::kKind, &leaf::EraseLeafLine::kKind, &leaf::FormLeaf::kKind });
-        return all;
-    }();
+    static auto const edits = edit_kinds();
     return { .edits = edits, .tools = kTools, .layers = kLayers };
 }
 
