@@ -48,7 +48,7 @@ void infer_thousand_branches(benchmark::State& state)
     auto const drawing = crown();
     std::size_t branches = 0;
     for (auto _ : state) {
-        auto const skeleton = infer_skeleton(drawing);
+        auto const skeleton = infer_skeleton(drawing, { .levels = 3 });
         branches = skeleton->branch_count();
     }
     report(state, { .items = static_cast<double>(branches), .item = "branches" });
@@ -67,8 +67,8 @@ void change_outline(benchmark::State& state)
     std::size_t branches = 0;
     for (auto _ : state) {
         auto drawing = after;
-        SkeletonOptions options;
-        options.names = *kept_names({ before, {} }, drawing, {}, "n");
+        SkeletonOptions options { .levels = 3 };
+        options.names = *kept_names({ before, options }, drawing, options, "n");
         auto const skeleton = infer_skeleton(drawing, options);
         branches = skeleton->branch_count();
     }

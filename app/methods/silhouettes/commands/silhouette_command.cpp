@@ -217,6 +217,20 @@ Result<void> make_trees(SilhouetteArguments arguments)
 }
 
 // How branches stand, how many there are, and their leaves.
+void add_leaf_options(CLI::App& command, SilhouetteArguments& arguments)
+{
+    command.add_option("--leaves", arguments.form.leaves, "Leaves on each twig")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(options::whole_number(1, 500));
+    command
+        .add_option("--leaf-width", arguments.form.leaf_width,
+                    "Of a leaf, as a share of its length")
+        ->type_name("SHARE")
+        ->capture_default_str()
+        ->check(options::number(0.01, 2));
+}
+
 void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
 {
     // Before its numbers, which change it.
@@ -272,16 +286,6 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
         ->type_name("TIMES")
         ->capture_default_str()
         ->check(options::number(0, 10));
-    command.add_option("--leaves", arguments.form.leaves, "Leaves on each twig")
-        ->type_name("N")
-        ->capture_default_str()
-        ->check(options::whole_number(1, 500));
-    command
-        .add_option("--leaf-width", arguments.form.leaf_width,
-                    "Of a leaf, as a share of its length")
-        ->type_name("SHARE")
-        ->capture_default_str()
-        ->check(options::number(0.01, 2));
 }
 
 void add_options(CLI::App& command, SilhouetteArguments& arguments)
@@ -296,6 +300,7 @@ void add_options(CLI::App& command, SilhouetteArguments& arguments)
                     "as the file's ending says: .glb, .obj, .mtg or .png")
         ->type_name("OUTPUT");
     add_form_options(command, arguments);
+    add_leaf_options(command, arguments);
     command.add_option("--height", arguments.height_m, "Of the whole tree, metres")
         ->type_name("METRES")
         ->capture_default_str()
