@@ -288,6 +288,8 @@ void Station::finish()
 std::vector<std::vector<TipSample>> Station::inks() const
 {
     std::vector<std::vector<TipSample>> inks;
+    if (is_pressing())
+        return inks;
     for (auto const& pen : pens_)
         if (auto ink = pen.builder.ink(); !ink.empty())
             inks.push_back(std::move(ink));

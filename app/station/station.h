@@ -127,8 +127,8 @@ public:
     // How the pens' ink looks.
     Nib nib() const { return nib_; }
 
-    // For the screen: the ink of each pen's stroke under way, none of it empty; the newest tip of
-    // all pens, and what it means.
+    // For the screen: the ink of each pen's stroke under way, none of it empty, and none where a
+    // pen presses a button; the newest tip of all pens, and what it means. Inks are copies.
     std::vector<std::vector<TipSample>> inks() const;
     std::optional<TipSample> const& newest_tip() const { return newest_tip_; }
     // What the pen reaches: the first tablet's area, and the heights of its calibration. World

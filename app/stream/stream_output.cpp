@@ -46,8 +46,7 @@ Result<void> StreamOutput::tell(std::span<station::PenMoment const> moments,
         TRY(tell_steps(stroke, tool, scene));
         TRY(put(stroke_line(++stroke_count_, { stroke, tool }), LineServer::Importance::Keep));
     }
-    auto const inks
-        = station.is_pressing() ? std::vector<std::vector<TipSample>>() : station.inks();
+    auto const inks = station.inks();
     std::erase_if(growing_, [&](Growing const& growing) {
         return std::none_of(inks.begin(), inks.end(),
                             [&](auto const& ink) { return ink.front().time == growing.began; });

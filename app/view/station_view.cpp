@@ -136,7 +136,7 @@ void StationView::show_surface(station::Station const& station)
 }
 
 // Under way, and finished but not yet in the scene.
-void StationView::show_ink(station::Station const& station,
+void StationView::show_ink(station::Station const& station, Inks inks,
                            std::vector<tools::ToolStroke> const& waiting)
 {
     state_.live_ink.clear();
@@ -146,11 +146,9 @@ void StationView::show_ink(station::Station const& station,
     auto const count = state_.live_ink.size();
     if (std::exchange(shown_waiting_, count) != count)
         ++state_.live_revision;
-    if (station.is_pressing())
-        return;
-    if (!station.inks().empty())
+    if (!inks.empty())
         state_.refused.reset();
-    for (auto const& ink : station.inks())
+    for (auto const& ink : inks)
         state_.live_ink.push_back(ink_line(ink, station.meaning_of(ink), nib_));
 }
 
@@ -172,17 +170,16 @@ void StationView::show_live(station::Station const& station, document::Document 
         show_skeleton();
     auto const fault = station.height_monitor().present();
     state_.trouble = fault ? calib::describe_fault(*fault) : "";
-    show_ink(station, document.waiting());
-    show_selecting(station);
+    auto const inks = station.inks();
+    show_ink(station, inks, document.waiting());
+    show_selecting(station, inks);
     show_surface(station);
-    show_preview(station);
+    show_preview(station, inks);
 }
 
 // The branches follow the ink as fast as they can.
-void StationView::show_preview(station::Station const& station)
+void StationView::show_preview(station::Station const& station, Inks inks)
 {
-    auto const inks
-        = station.is_pressing() ? std::vector<std::vector<TipSample>>() : station.inks();
     if (inks.empty())
         set_preview({});
     else if (std::exchange(previewed_live_, state_.live_revision) != state_.live_revision)
@@ -191,12 +188,12 @@ void StationView::show_preview(station::Station const& station)
     is_drawing_ = !inks.empty();
     take_preview();
     if (is_drawing_)
-        propose_outcome(station);
+        propose_outcome(station, inks.front());
 }
 
-void StationView::propose_outcome(station::Station const& station)
+void StationView::propose_outcome(station::Station const& station,
+                                  std::vector<TipSample> const& ink)
 {
-    auto const ink = station.inks().front();
     auto const tool = station.meaning_of(ink);
     if (!tool.kind().shows_outcome
         || std::exchange(proposed_live_, state_.live_revision) == state_.live_revision)
@@ -225,13 +222,11 @@ void StationView::set_preview(Preview preview)
 }
 
 // While a pen selects, its path so far, and what is undetermined, are seen in their own colours.
-void StationView::show_selecting(station::Station const& station)
+void StationView::show_selecting(station::Station const& station, Inks inks)
 {
     auto const& tool = station.tool();
     auto* const marks = tool.kind().marks_branches;
     bool const marks_branches = marks && marks(tool);
-    auto const inks
-        = station.is_pressing() ? std::vector<std::vector<TipSample>>() : station.inks();
     bool const was_selecting = std::exchange(is_selecting_, marks_branches && !inks.empty());
     if (!is_selecting_) {
         if (was_selecting)

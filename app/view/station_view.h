@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace tractus::view {
@@ -102,26 +103,30 @@ private:
     };
     static ReadPicture read(std::shared_ptr<std::string const> const& file);
 
+    // Station::inks(), which are copied once for a frame.
+    using Inks = std::span<std::vector<TipSample> const>;
+
     void show_grown();
     void show_picture(scene::Scene const& scene);
     void show_drawn_glyph();
     void take_picture();
-    void propose_outcome(station::Station const& station);
+    void propose_outcome(station::Station const& station, std::vector<TipSample> const& ink);
     void take_proposal();
     void show_in_place(std::shared_ptr<scene::Scene const> const& scene);
     void show_live(station::Station const& station, document::Document const& document);
-    void show_ink(station::Station const& station, std::vector<tools::ToolStroke> const& waiting);
+    void show_ink(station::Station const& station, Inks inks,
+                  std::vector<tools::ToolStroke> const& waiting);
     void show_surface(station::Station const& station);
     void show_scene(std::shared_ptr<document::Snapshot const> const& snapshot);
     void show_strokes(scene::Scene const& scene);
     void show_layers(scene::Scene const& scene);
     void see_layers();
     void show_variations();
-    void show_preview(station::Station const& station);
+    void show_preview(station::Station const& station, Inks inks);
     void take_preview();
     void set_preview(Preview preview);
     void list_orphans(scene::Scene const& scene);
-    void show_selecting(station::Station const& station);
+    void show_selecting(station::Station const& station, Inks inks);
     void show_skeleton(tools::ShownSkeleton::Touched const& touched = {});
     void grow_plant(std::shared_ptr<document::Snapshot const> const& snapshot);
 
