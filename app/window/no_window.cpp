@@ -2,7 +2,7 @@
 
 namespace tractus::window {
 
-Result<void> run_window(WindowModel&, WindowOptions const&)
+Result<void> run_window(view::WindowModel&, WindowOptions const&)
 {
     return fail(Fault::User,
                 "this build of tractus has no window (it was configured with TRACTUS_WINDOW=OFF); "
