@@ -10,8 +10,8 @@
 #include "engine/base/file.h"
 
 // Scenarios draw on models that no method makes anything for.
-tractus::Result<std::optional<std::string>> tractus::make_input(std::filesystem::path const&,
-                                                                std::string const&)
+tractus::Result<std::optional<std::string>>
+tractus::methods::make_input(std::filesystem::path const&, std::string const&)
 {
     return std::nullopt;
 }
