@@ -14,8 +14,8 @@
 namespace tractus::batch {
 
 struct PlantFileOptions {
-    std::optional<render::Camera>
-        camera {}; // Camera of a picture; without it, all of the plant is seen.
+    // Camera of a picture; without it, all of the plant is seen.
+    std::optional<render::Camera> camera {};
     exports::GlbOptions glb {};
 };
 

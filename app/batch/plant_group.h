@@ -26,8 +26,8 @@ public:
 
 private:
     struct Member {
-        std::unique_ptr<variation::GrowthPlan const>
-            plan; // Stays where it is: the grower has a reference.
+        // Stays where it is: the grower has a reference.
+        std::unique_ptr<variation::GrowthPlan const> plan;
         variation::Grower grower;
         scene::SetGrowth growth;
         Vec3 moved_mm = Vec3::Zero(); // From its own frame to the first one's.

@@ -34,18 +34,13 @@ Result<void> run(DeriveArguments const& arguments)
     auto const model = TRY(io::load_model(path, arguments.companions));
     for (auto const& warning : model.warnings)
         terminal::print_warning(warning);
-    lsystem::DeriveOptions options;
-    options.steps = arguments.model.steps;
-    options.seed = arguments.model.seed.value_or(1);
-    auto const run = document::load_options(arguments.cost);
-    options.limits = run.limits;
-    options.print = run.print;
+    auto const options = options::derive_options(arguments.model, arguments.cost);
     auto string = TRY(lsystem::derive(model, options));
     if (arguments.homomorphism) {
         lsystem::HomomorphismOptions how;
-        how.limit = { run.limits.max_modules, run.limits.max_memory_bytes };
-        how.time = run.limits.time;
-        how.print = run.print;
+        how.limit = { options.limits.max_modules, options.limits.max_memory_bytes };
+        how.time = options.limits.time;
+        how.print = options.print;
         string = TRY(lsystem::apply_homomorphism(model, string, how));
     }
     if (arguments.counts)

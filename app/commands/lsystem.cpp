@@ -38,14 +38,14 @@ std::string features_text(lsystem::Model const& model)
 
 // Draws the string, since what the turtle leaves out is known only then.
 Result<std::string> drawing_text(lsystem::Model const& model, lsystem::ModuleString const& string,
-                                 scene::LoadOptions const& run)
+                                 lsystem::DeriveOptions const& options)
 {
-    auto const drawn
-        = TRY(lsystem::interpret_with_warnings(model, string,
-                                               { .max_modules = run.limits.max_modules,
-                                                 .max_memory_bytes = run.limits.max_memory_bytes,
-                                                 .time = run.limits.time,
-                                                 .print = run.print }));
+    auto const drawn = TRY(
+        lsystem::interpret_with_warnings(model, string,
+                                         { .max_modules = options.limits.max_modules,
+                                           .max_memory_bytes = options.limits.max_memory_bytes,
+                                           .time = options.limits.time,
+                                           .print = options.print }));
     auto const& plant = drawn.plant;
     std::string text = fmt::format("\nDraws {} segments on {} axes, {} organs, {} polygons\n",
                                    plant.segment_count(), plant.axes.size(), plant.organs.size(),
@@ -64,12 +64,7 @@ Result<void> check(LsystemArguments const& arguments)
     io::warn_of_unused_companions(path, arguments.companions);
     auto const model = TRY(io::load_model(path, arguments.companions));
     TRY(terminal::print_out(features_text(model) + "\nStep      modules   parameters\n"));
-    lsystem::DeriveOptions options;
-    options.steps = arguments.model.steps;
-    options.seed = arguments.model.seed.value_or(1);
-    auto const run = document::load_options(arguments.cost);
-    options.limits = run.limits;
-    options.print = run.print;
+    auto options = options::derive_options(arguments.model, arguments.cost);
     Result<void> printed;
     options.on_step = [&](int step, lsystem::ModuleString const& string) {
         if (printed)
@@ -78,7 +73,7 @@ Result<void> check(LsystemArguments const& arguments)
     };
     auto const string = TRY(lsystem::derive(model, options));
     TRY(std::move(printed));
-    auto const drawing = TRY(drawing_text(model, string, run));
+    auto const drawing = TRY(drawing_text(model, string, options));
     return terminal::print_out(
         drawing + methods::describe_uses(path, document::load_options(arguments.cost)));
 }

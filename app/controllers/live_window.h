@@ -32,8 +32,8 @@ namespace tractus::controllers {
 
 struct LiveWindowOptions {
     tools::Methods methods {}; // Methods that can be used.
-    std::optional<calib::Rig>
-        rig {}; // No value: that of a log among the devices, else see create().
+    // No value: that of a log among the devices, else see create().
+    std::optional<calib::Rig> rig {};
     // Where calibrating keeps the rig; empty: nowhere, and there is no calibrating.
     std::filesystem::path rig_file {};
     // The surface's height in place of a height sensor, above the controller.

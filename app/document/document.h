@@ -137,8 +137,8 @@ private:
     // A step that is part of the scene already.
     struct Step {
         std::vector<scene::Edit> edits;
-        std::optional<session::Session::Prepared>
-            prepared {}; // No value where earlier ones are unkept.
+        // No value where earlier ones are unkept.
+        std::optional<session::Session::Prepared> prepared {};
     };
 
     void begin_working(Working working);

@@ -67,4 +67,15 @@ void add_cost_options(CLI::App& command, document::ModelCost& cost)
         ->capture_default_str();
 }
 
+lsystem::DeriveOptions derive_options(ModelOptions const& model, document::ModelCost const& cost)
+{
+    lsystem::DeriveOptions options;
+    options.steps = model.steps;
+    options.seed = model.seed.value_or(1);
+    auto const run = document::load_options(cost);
+    options.limits = run.limits;
+    options.print = run.print;
+    return options;
+}
+
 } // namespace tractus::options

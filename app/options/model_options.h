@@ -2,6 +2,7 @@
 
 #include "app/document/model_cost.h"
 #include "app/io/model_file.h"
+#include "engine/lsystem/derivation/derive.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -28,5 +29,8 @@ void add_model_options(CLI::App& command, ModelOptions& options);
 // --max-modules, --max-memory and --max-seconds: what a model may cost, alike in every command that
 // runs one.
 void add_cost_options(CLI::App& command, document::ModelCost& cost);
+
+// How to derive the string of a model: its steps and its seed, and what it may cost from now on.
+lsystem::DeriveOptions derive_options(ModelOptions const& model, document::ModelCost const& cost);
 
 } // namespace tractus::options

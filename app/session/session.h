@@ -99,8 +99,8 @@ private:
     Result<void> go_to(std::size_t step);
 
     std::optional<SessionStore> store_;
-    std::vector<std::vector<scene::Edit>>
-        steps_ {}; // Steps after the beginning, if there is no store.
+    // Steps after the beginning, if there is no store.
+    std::vector<std::vector<scene::Edit>> steps_ {};
     SessionOptions options_;
     SessionHistory history_;
     scene::SceneBuilder builder_;

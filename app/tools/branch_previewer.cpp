@@ -37,8 +37,8 @@ private:
 
     Reads reads_;
     std::shared_ptr<scene::Scene const> scene_; // That is laid; shared as UnfinishedStroke's.
-    std::optional<scene::Scene>
-        readable_; // The same with the tips of strokes that shape in memory.
+    // Scene whose shaping strokes have their tips in memory.
+    std::optional<scene::Scene> readable_;
     scene::SceneShaper shaper_;
     std::vector<Vec3> before_mm_;
     std::vector<Vec3> after_mm_; // Kept for its memory.

@@ -46,8 +46,8 @@ private:
     std::vector<AxisId> shown_axes_;
     scene::SceneShaper shaper_;
     std::vector<Vec3> nodes_mm_; // Of the plant as bent.
-    std::vector<tools::SkeletonLine::State>
-        states_; // Of each segment; between calls all unselected.
+    // Of each segment; between calls all unselected.
+    std::vector<tools::SkeletonLine::State> states_;
     std::vector<SegmentId> marked_;
     std::vector<std::shared_ptr<scene::BuiltPlant const>> other_plants_; // Shared with the scene.
     scene::DeskPlacement seen_from_; // Of the plant in whose frame their lines are.

@@ -34,8 +34,8 @@ struct StartCards {
 struct StartStudy {
     struct Picture {
         std::string title {}; // A word or two.
-        std::shared_ptr<render::Image const>
-            picture {}; // A square, as of StartCard; null: not there yet.
+        // A square, as of StartCard; null: not there yet.
+        std::shared_ptr<render::Image const> picture {};
     };
     struct Slider {
         std::string text {}; // What it says at its value.

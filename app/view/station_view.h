@@ -158,8 +158,8 @@ private:
     std::unique_ptr<NewestJob<WantedProposal, std::shared_ptr<scene::Scene const>>> proposal_;
     std::unique_ptr<NewestJob<std::shared_ptr<std::string const>, ReadPicture>> reading_;
     std::shared_ptr<scene::BackPicture const> picture_; // Picture that is shown, or being read.
-    std::shared_ptr<scene::Scene const>
-        shown_in_place_; // Scene of plant and skeleton as they are shown.
+    // Scene of plant and skeleton as they are shown.
+    std::shared_ptr<scene::Scene const> shown_in_place_;
     std::shared_ptr<scene::Scene const> glyph_scene_;   // That the drawn glyph shows,
     tools::DrawnGlyphKind const* glyph_kind_ = nullptr; // and how.
     std::uint64_t proposed_live_ = 0;                   // As previewed_live_.

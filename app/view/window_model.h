@@ -46,8 +46,8 @@ struct OrphanView {
     enum class Kind { Stroke, Indicator } kind = Kind::Stroke;
     scene::ItemId id = 0;
     std::string name; // "stroke 3".
-    std::string
-        place; // Where its branch was: "up to segment 6 of branch 2 at segment 4 of stem 1".
+    // Where its branch was: "up to segment 6 of branch 2 at segment 4 of stem 1".
+    std::string place;
 };
 
 // A stroke that changed nothing.
@@ -68,8 +68,8 @@ struct ShownLayer {
 
 // The picture behind what is drawn.
 struct ShownPicture {
-    std::shared_ptr<render::Image const>
-        image; // Never null, and not large. Shared; nobody changes it.
+    // Never null, and not large. Shared; nobody changes it.
+    std::shared_ptr<render::Image const> image;
     scene::PicturePlace place {};
 };
 
@@ -96,8 +96,8 @@ struct GrowthView {
 // Another plant that the scene may become. Others may show it, too.
 struct VariationView {
     std::uint64_t seed = 0;
-    std::shared_ptr<mesh::Mesh const>
-        mesh; // Coarse. Shared by the copies of this; nobody changes it.
+    // Coarse. Shared by the copies of this; nobody changes it.
+    std::shared_ptr<mesh::Mesh const> mesh;
 };
 
 // The log into which what the devices send is written.

@@ -49,8 +49,8 @@ private:
     float scale_ = 1;
     float row_px_ = 0; // As wide as the panel is inside.
     DevicesPanel devices_;
-    std::optional<scene::Season>
-        wanted_season_; // Of month 0: none. No value: the one that is shown.
+    // Of month 0: none. No value: the one that is shown.
+    std::optional<scene::Season> wanted_season_;
     exports::GlbOptions::Organs organs_ = exports::GlbOptions::Organs::Merged; // Of the next .glb.
 };
 

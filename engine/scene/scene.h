@@ -40,8 +40,8 @@ struct BuiltPlant {
     SharedVector<std::vector<SegmentId>> selection;
     // In order: a later one overrides an earlier one. Each is at one path.
     SharedList<Anchored<variation::Association>> associations;
-    std::vector<Anchored<variation::MotionIndicator>>
-        indicators; // Each at the segments that it acts below.
+    // Each at the segments that it acts below.
+    std::vector<Anchored<variation::MotionIndicator>> indicators;
     SetGrowth growth;
 };
 

@@ -18,7 +18,7 @@ bool has_value(nlohmann::json const& object, char const* key);
 // user's fault, with the name, the number of the point from 1, and what to write.
 Result<std::vector<Vec3>> read_line(nlohmann::json const& value, std::string const& name);
 
-// The same without its w.
+// A line of a sheet: [[u, v]…], of which a w is left out.
 Result<std::vector<Vec2>> read_flat_line(nlohmann::json const& value, std::string const& name);
 
 } // namespace tractus::lines

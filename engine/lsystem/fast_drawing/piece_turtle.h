@@ -23,8 +23,8 @@ struct Piece {
     std::size_t parameter = 0; // Where the first module's parameters begin.
     std::int64_t depth = 0;    // Depth of the first module, counted from the string's beginning.
     Turtle::Start start;
-    TurtleDrawing::Target
-        target; // Place where the first axis and segment of a planned piece come to lie.
+    // Place where the first axis and segment of a planned piece come to lie.
+    TurtleDrawing::Target target;
     DrawnPiece drawn;
     std::vector<Piece> branches; // Left out, in the order of the string.
     bool is_complete = true;     // Ends as if it had been drawn by itself.

@@ -170,8 +170,8 @@ std::vector<double> of_each(std::vector<ModelStem> const& stems, Read const& rea
 struct Lines {
     std::vector<double> azimuths; // Where sizes follow half-ellipses.
     std::vector<double> at;
-    std::vector<double>
-        nodes; // As many; of a stem's topmost line, above which there is no layer, 1.
+    // As many; of a stem's topmost line, above which there is no layer, 1.
+    std::vector<double> nodes;
 };
 
 Lines write_lines(std::vector<ModelStem>& stems)

@@ -71,8 +71,8 @@ struct LeafFit {
     };
     DrawnLeaf leaf;
     std::vector<Vein> veins {}; // In the drawing's order.
-    FlatLine
-        outline {}; // As drawn, its midrib straight, in the blade's lengths; counter-clockwise.
+    // As drawn, its midrib straight, in the blade's lengths; counter-clockwise.
+    FlatLine outline {};
     double asymmetry = 0; // Area that one half lacks of the other, as a share of both together.
     double tremor_mm = 0; // What the fit took out of the veins, as a standard deviation.
     double sweep_deg = 0; // How far the midrib turns sideways: the grammar's is straight.

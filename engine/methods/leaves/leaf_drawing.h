@@ -40,8 +40,8 @@ struct RecognisedLeaf {
         std::size_t parent = 0; // Main vein on which it begins; a main vein's own number.
         std::vector<Vec3> line; // Away from where it begins.
     };
-    std::vector<Vein>
-        mains {}; // The midrib first; it begins at the stalk's end, outside the blade.
+    // The midrib first; it begins at the stalk's end, outside the blade.
+    std::vector<Vein> mains {};
     std::vector<Vein> sides {};
     std::vector<Vec3> stalk {}; // Drawn by itself; empty otherwise.
 };
