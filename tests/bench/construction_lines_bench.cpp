@@ -95,9 +95,11 @@ std::shared_ptr<Plant const> plant_of(LineModel const& model)
 void compose_sketches(benchmark::State& state)
 {
     auto const nodes = static_cast<int>(state.range(0)) / 2;
-    ComposedSketch const sketch { .construction = sprig(nodes - 1),
-                                  .organs = { { .construction = sprig(nodes - 1) } },
-                                  .organ_of_layer = { 1 } };
+    auto const leaf = std::make_shared<ComposedSketch const>(
+        ComposedSketch { .stems = { { .construction = sprig(nodes - 1) } } });
+    ComposedSketch sketch { .stems = { { .construction = sprig(nodes - 1) } },
+                            .organs = { { .sketch = leaf } } };
+    sketch.stems.front().construction.organs_per_layer = { { .organ = 1 } };
     std::size_t organs = 0;
     for (auto _ : state) {
         auto const model = write_composed_model(sketch, "composed").value();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
+#include <memory>
 #include <utility>
 
 namespace tractus::lines {
@@ -96,8 +97,10 @@ Result<LineDrawing> recognise_strokes(LineSketchFile const& file, Smoothing smoo
             drawing.notes.push_back(note_of(known.line, number));
     }
     drawing.stems = recogniser.stems();
-    for (std::size_t i = 0; i < drawing.stems.size(); ++i)
+    for (std::size_t i = 0; i < drawing.stems.size(); ++i) {
         drawing.stems[i].sketch.nodes_per_layer = nodes_of_stems[i];
+        drawing.stems[i].sketch.organs_per_layer = file.layers;
+    }
     return drawing;
 }
 
@@ -140,6 +143,9 @@ Result<ComposedSketch> Composer::load_organ(fs::path const& path)
     auto const stems = measure_stems(drawing->stems);
     if (!stems)
         return about(stems.error());
+    if (stems->size() > 1)
+        return about(
+            { Fault::User, "a sketch that is an organ has one stem: leave the others out" });
     for (auto const& found : { drawing->notes, notes_of(*stems) })
         for (auto const& note : found)
             notes_.push_back(fmt::format("{}: {}", path.string(), note));
@@ -149,23 +155,15 @@ Result<ComposedSketch> Composer::load_organ(fs::path const& path)
 Result<ComposedSketch> Composer::compose(fs::path const& path, LineSketchFile const& file,
                                          std::vector<MeasuredStem> const& stems)
 {
-    if (stems.size() > 1)
-        return fail(Fault::User,
-                    fmt::format("{}: a sketch with organs that are sketches, or that is one, has "
-                                "one stem: leave the others out",
-                                path.string()));
     chain_.push_back(path);
-    ComposedSketch sketch { .construction = stems.front().construction, .pattern = file.pattern };
-    std::vector<std::string> names; // Of the organs that are there.
-    for (auto const& name : file.organs) {
-        auto known = std::find(names.begin(), names.end(), name);
-        if (known == names.end() && !name.empty()) {
-            auto const organ = (path.parent_path() / name).lexically_normal();
-            sketch.organs.push_back(TRY(load_organ(organ)));
-            known = names.insert(names.end(), name);
+    ComposedSketch sketch { .stems = stems, .pattern = file.pattern, .leaf = file.organ };
+    for (auto const& organ : file.organs) {
+        LineOrgan loaded { .surface = organ.surface };
+        if (!organ.sketch.empty()) {
+            auto const other = (path.parent_path() / organ.sketch).lexically_normal();
+            loaded.sketch = std::make_shared<ComposedSketch const>(TRY(load_organ(other)));
         }
-        sketch.organ_of_layer.push_back(
-            name.empty() ? 0 : static_cast<std::size_t>(known - names.begin()) + 1);
+        sketch.organs.push_back(std::move(loaded));
     }
     chain_.pop_back();
     return sketch;
@@ -190,6 +188,8 @@ Result<LineDrawing> prepare_drawing(LineSketchFile const& file, Smoothing smooth
     };
     add(file.sketch);
     std::for_each(file.more_stems.begin(), file.more_stems.end(), add);
+    for (auto& stem : drawing.stems)
+        stem.sketch.organs_per_layer = file.layers;
     return drawing;
 }
 

@@ -21,8 +21,8 @@ using nlohmann::json;
 
 constexpr std::array kStemKeys { "stem",       "left",         "right",
                                  "boundaries", "inclinations", "nodes_per_layer" };
-constexpr std::array kOtherKeys { "pattern", "divergence", "sizes", "organs",
-                                  "organ",   "strokes",    "stems" };
+constexpr std::array kOtherKeys { "pattern", "divergence", "face",    "sizes",
+                                  "organs",  "organ",      "strokes", "stems" };
 constexpr std::size_t kMostStrokes = 100; // And stems.
 
 // After the stem: one whose depth is another one than the stem's is in space.
@@ -220,7 +220,9 @@ Result<LineSketchFile> read_sketch(json const& file)
     TRY(read_strokes(file, result));
     TRY(std::move(nodes));
     TRY(read_stems(file, result));
-    result.organs = TRY(read_organs(file));
+    auto organs = TRY(read_organs(file, result.pattern));
+    result.layers = std::move(organs.layers);
+    result.organs = std::move(organs.organs);
     result.organ = TRY(read_organ(file));
     return result;
 }

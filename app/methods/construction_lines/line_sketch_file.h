@@ -1,7 +1,9 @@
 #pragma once
 
+#include "app/methods/construction_lines/organ_source.h"
 #include "engine/base/result.h"
 #include "engine/methods/construction_lines/construction.h"
+#include "engine/methods/construction_lines/layer_organs.h"
 #include "engine/methods/construction_lines/organ_surface.h"
 #include "engine/methods/construction_lines/pattern.h"
 
@@ -26,10 +28,9 @@ struct LineSketchFile {
     // that one have.
     std::map<std::size_t, std::vector<int>> stem_strokes {};
     Pattern pattern;
-    // What the organs of each layer are, from below: the name of another sketch's file, or empty:
-    // leaves. The last one counts for all layers above, too.
-    std::vector<std::string> organs {};
-    std::optional<OrganViews> organ {};    // What its leaves look like.
+    std::vector<LayerOrgans> layers {};    // Of all stems: LineSketch::organs_per_layer.
+    std::vector<OrganSource> organs {};    // In the order of their numbers.
+    OrganSurface organ {};                 // What its leaves look like; no patches: plain blades.
     std::vector<std::string> unknown_keys; // What else the file says.
 };
 
@@ -52,12 +53,16 @@ struct LineSketchFile {
 //   stems            [{…}, …]: more stems of the plant, each an object of stem, left, right,
 //                    boundaries, inclinations and nodes_per_layer, of which only the stem has to be
 //                    there
-//   organs           ["leaf.json", null, …] or "leaf.json": what the organs of each layer are, from
-//                    below: plants of another sketch, the file's name from where this one is, or
-//                    leaves; what is said last counts for all layers above, too
-//   organ            {"left": [[u, v], …], "right": …, "midrib": …, "section": …}: the shape of
-//                    the leaves in three views (organ_surface.h), the last two of which may be
-//                    missing
+//   face             how organs are turned about their length: "flat", "up" or "down"; without it
+//                    distichous ones are flat and others up
+//   organs           ["leaf.json", null, {…}, …] or "leaf.json": what the organs of each layer are,
+//                    from below: plants of another sketch, the file's name from where this one is,
+//                    leaves, or an object as "organ" is; or an object of "pattern", "divergence",
+//                    "face" and "organ", each of which may be missing. What is said last counts for
+//                    all layers above, too
+//   organ            {"left": [[u, v], …], "right": …, "midrib": …, "section": …, "color": …}: the
+//                    shape of the leaves in three views (organ_surface.h), of which one side, the
+//                    midrib and the section may be missing, and their colour, "#rrggbb"
 //
 // What is given besides a file counts in place of what the file says.
 //

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace tractus::lines {
@@ -16,7 +18,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array kOrganKeys { "left", "right", "midrib", "section" };
+constexpr std::array kViewKeys { "left", "right", "midrib", "section" };
+constexpr std::array kLayerKeys { "pattern", "divergence", "face", "organ" };
 
 // "whorled(N)" or "whorled", of three.
 std::optional<int> whorl_of(std::string_view word)
@@ -70,64 +73,165 @@ Result<Pattern::Sizes> read_sizes(json const& file)
                 "\"half-ellipses\"");
 }
 
-} // namespace
-
-Result<Pattern> read_pattern(json const& file)
+Result<Pattern::Face> read_face(json const& face)
 {
-    auto pattern = TRY(read_pattern_word(file));
-    pattern.sizes = TRY(read_sizes(file));
-    if (pattern.kind == Pattern::Kind::Alternate)
-        pattern.divergence_deg = 180;
-    if (!has_value(file, "divergence"))
-        return pattern;
-    auto const& value = file["divergence"];
+    constexpr std::array kFaces { "flat", "up", "down" };
+    auto const found = std::find(kFaces.begin(), kFaces.end(), face);
+    if (found == kFaces.end())
+        return fail(Fault::User,
+                    "face is no way to turn organs: give \"flat\", \"up\" or \"down\"");
+    return static_cast<Pattern::Face>(1 + (found - kFaces.begin()));
+}
+
+// After its kind. Those that have no divergence pass over it.
+Result<void> read_turns(json const& object, Pattern& pattern)
+{
+    if (has_value(object, "face"))
+        pattern.face = TRY(read_face(object["face"]));
+    if (!has_value(object, "divergence"))
+        return {};
+    auto const& value = object["divergence"];
     double const divergence_deg = value.is_number() ? value.get<double>() : std::nan("");
     if (!(std::fabs(divergence_deg) <= 360))
         return fail(Fault::User, "divergence is no angle: give degrees from -360 to 360");
     if (pattern.kind == Pattern::Kind::Spiral || pattern.kind == Pattern::Kind::Alternate)
         pattern.divergence_deg = divergence_deg;
+    return {};
+}
+
+Result<Pattern> read_kind(json const& object)
+{
+    auto pattern = TRY(read_pattern_word(object));
+    if (pattern.kind == Pattern::Kind::Alternate)
+        pattern.divergence_deg = 180;
     return pattern;
 }
 
-Result<std::vector<std::string>> read_organs(json const& file)
+template<typename Keys>
+Result<void> check_keys(json const& object, Keys const& known, std::string_view what)
 {
-    std::vector<std::string> organs;
-    if (!has_value(file, "organs"))
-        return organs;
-    auto const list = file["organs"].is_array() ? file["organs"] : json::array({ file["organs"] });
-    for (auto const& organ : list) {
-        if (!organ.is_null() && !organ.is_string())
+    for (auto const& [key, value] : object.items())
+        if (std::find(known.begin(), known.end(), key) == known.end())
             return fail(Fault::User,
-                        "organs are no sketches: write [\"leaf.json\", null], for each layer from "
-                        "below the file of a sketch, or null for leaves");
-        organs.push_back(organ.is_null() ? "" : organ.get<std::string>());
-    }
-    return organs;
+                        fmt::format("{} has no \"{}\": give {}", what, key.substr(0, 40),
+                                    fmt::join(known, ", ")));
+    return {};
 }
 
-Result<std::optional<OrganViews>> read_organ(json const& file)
+// "#rrggbb".
+Result<Vec3> read_color(json const& value)
+{
+    auto const text = value.is_string() ? value.get<std::string>() : "";
+    unsigned int number = 0;
+    auto const* const end = text.data() + text.size();
+    bool const is_color = text.size() == 7 && text.front() == '#'
+        && std::from_chars(text.data() + 1, end, number, 16).ptr == end;
+    if (!is_color)
+        return fail(Fault::User,
+                    "color of the organ is no colour: give \"#rrggbb\", such as \"#c05080\"");
+    auto const part = [&](int shift) { return ((number >> shift) & 0xff) / 255.0; };
+    return Vec3(part(16), part(8), part(0));
+}
+
+Result<OrganSurface> read_surface(json const& organ)
+{
+    std::vector<std::string_view> keys(kViewKeys.begin(), kViewKeys.end());
+    keys.emplace_back("color");
+    TRY(check_keys(organ, keys, "organ"));
+    OrganViews views;
+    std::array const lines { &views.left, &views.right, &views.midrib, &views.section };
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (has_value(organ, kViewKeys[i]))
+            *lines[i] = TRY(
+                read_flat_line(organ[kViewKeys[i]], fmt::format("{} of the organ", kViewKeys[i])));
+    OrganSurface surface { .patches = TRY(organ_surface(views)) };
+    if (has_value(organ, "color"))
+        surface.color = TRY(read_color(organ["color"]));
+    return surface;
+}
+
+// An organ of a layer: null, a sketch's file, or views.
+Result<void> read_layer_organ(json const& organ, LayerOrgans& layer,
+                              std::vector<OrganSource>& organs)
+{
+    if (organ.is_null())
+        return {};
+    if (!organ.is_string() && !organ.is_object())
+        return fail(Fault::User,
+                    "organs are no sketches: write [\"leaf.json\", null], for each layer from "
+                    "below the file of a sketch, a leaf's views, or null for leaves");
+    auto const file = organ.is_string() ? organ.get<std::string>() : "";
+    auto const known = std::find_if(organs.begin(), organs.end(), [&](OrganSource const& other) {
+        return !file.empty() && other.sketch == file;
+    });
+    layer.organ = static_cast<std::size_t>(known - organs.begin()) + 1;
+    if (known != organs.end())
+        return {};
+    organs.push_back({ .sketch = file });
+    if (file.empty())
+        organs.back().surface = TRY(read_surface(organ));
+    return {};
+}
+
+bool is_layer(json const& entry)
+{
+    auto const has = [&](char const* key) { return entry.contains(key); };
+    return entry.is_object() && std::any_of(kLayerKeys.begin(), kLayerKeys.end(), has);
+}
+
+Result<LayerOrgans> read_layer(json const& entry, Pattern const& of_sketch,
+                               std::vector<OrganSource>& organs)
+{
+    LayerOrgans layer;
+    if (!is_layer(entry)) {
+        TRY(read_layer_organ(entry, layer, organs));
+        return layer;
+    }
+    TRY(check_keys(entry, kLayerKeys, "a layer of organs"));
+    auto pattern = of_sketch;
+    if (has_value(entry, "pattern")) {
+        pattern = TRY(read_kind(entry));
+        pattern.face = of_sketch.face;
+    }
+    TRY(read_turns(entry, pattern));
+    if (pattern != of_sketch)
+        layer.pattern = pattern;
+    if (has_value(entry, "organ"))
+        TRY(read_layer_organ(entry["organ"], layer, organs));
+    return layer;
+}
+
+} // namespace
+
+Result<Pattern> read_pattern(json const& file)
+{
+    auto pattern = TRY(read_kind(file));
+    pattern.sizes = TRY(read_sizes(file));
+    TRY(read_turns(file, pattern));
+    return pattern;
+}
+
+Result<LayersRead> read_organs(json const& file, Pattern const& pattern)
+{
+    LayersRead result;
+    if (!has_value(file, "organs"))
+        return result;
+    auto const list = file["organs"].is_array() ? file["organs"] : json::array({ file["organs"] });
+    for (auto const& entry : list)
+        result.layers.push_back(TRY(read_layer(entry, pattern, result.organs)));
+    return result;
+}
+
+Result<OrganSurface> read_organ(json const& file)
 {
     if (!has_value(file, "organ"))
-        return std::nullopt;
+        return OrganSurface();
     auto const& organ = file["organ"];
     if (!organ.is_object())
         return fail(Fault::User,
                     "organ is no leaf's shape: write {\"left\": [[u, v], [u, v]], \"right\": …, "
                     "\"midrib\": …, \"section\": …}");
-    for (auto const& [key, value] : organ.items())
-        if (std::find(kOrganKeys.begin(), kOrganKeys.end(), key) == kOrganKeys.end())
-            return fail(
-                Fault::User,
-                fmt::format("organ has no line \"{}\": give left, right, midrib and section",
-                            key.substr(0, 40)));
-    OrganViews views;
-    std::array const lines { &views.left, &views.right, &views.midrib, &views.section };
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        if (has_value(organ, kOrganKeys[i]))
-            *lines[i] = TRY(read_flat_line(organ[kOrganKeys[i]],
-                                           fmt::format("{} of the organ", kOrganKeys[i])));
-    TRY(organ_surface(views)); // Fails where there is none.
-    return views;
+    return read_surface(organ);
 }
 
 } // namespace tractus::lines

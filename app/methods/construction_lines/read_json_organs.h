@@ -1,12 +1,12 @@
 #pragma once
 
+#include "app/methods/construction_lines/organ_source.h"
 #include "engine/base/result.h"
+#include "engine/methods/construction_lines/layer_organs.h"
 #include "engine/methods/construction_lines/organ_surface.h"
 #include "engine/methods/construction_lines/pattern.h"
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace tractus::lines {
@@ -14,13 +14,19 @@ namespace tractus::lines {
 // What a sketch's file, an object, says of its organs by the keys of line_sketch_file.h: how they
 // stand and what they are. Each fails, as the user's fault, with the key and what to write.
 
-// From "pattern", "divergence" and "sizes", of which the first has to be there.
+// From "pattern", "divergence", "face" and "sizes", of which the first has to be there.
 Result<Pattern> read_pattern(nlohmann::json const& file);
 
-// From "organs": names of files, or empty ones; none if it says nothing.
-Result<std::vector<std::string>> read_organs(nlohmann::json const& file);
+// What layers bear.
+struct LayersRead {
+    std::vector<LayerOrgans> layers {}; // As LineSketch::organs_per_layer has them.
+    std::vector<OrganSource> organs {}; // In the order of their numbers.
+};
 
-// From "organ": no value if it says nothing. Fails for views that give no surface, too.
-Result<std::optional<OrganViews>> read_organ(nlohmann::json const& file);
+// From "organs", of a sketch with this pattern; nothing if it says nothing.
+Result<LayersRead> read_organs(nlohmann::json const& file, Pattern const& pattern);
+
+// From "organ"; no patches if it says nothing. Fails for views that give no surface, too.
+Result<OrganSurface> read_organ(nlohmann::json const& file);
 
 } // namespace tractus::lines

@@ -1,8 +1,11 @@
 #include "engine/methods/construction_lines/composed_model.h"
 
+#include "engine/base/check.h"
 #include "engine/methods/construction_lines/function_curves.h"
+#include "engine/methods/construction_lines/layer_organs.h"
 #include "engine/methods/construction_lines/line_rules.h"
 #include "engine/methods/construction_lines/model_text.h"
+#include "engine/methods/construction_lines/organ_text.h"
 
 #include <algorithm>
 #include <array>
@@ -19,27 +22,73 @@ namespace {
 struct SubModel {
     Construction construction; // With its sizes around.
     Pattern pattern {};
-    std::vector<std::size_t> called {}; // The model's numbers of its organs, from 1.
-    std::vector<std::size_t> organ_of_layer {};
+    std::vector<LineOrgan> organs {};
+    std::vector<std::size_t> called {}; // Of each organ that is a sketch its number in the model.
+    std::vector<LayerOrgans> layers {}; // From below, all of them.
+    OrganSurface leaf {};
+    std::size_t first_surface
+        = 0;                // So many organs of layers that are surfaces come before its own.
     std::size_t offset = 0; // So many functions come before its own.
     std::size_t steps = 0;  // Until it and its organs are there.
     double leaves = 0;      // Of its plant.
+
+    LayerTables tables() const
+    {
+        LayerTables tables(pattern);
+        for (auto const& layer : layers)
+            tables.add(layer);
+        return tables;
+    }
 };
 
-std::size_t organ_of(ComposedSketch const& sketch, std::size_t layer)
+// What all layers bear, also where they do not differ.
+std::vector<LayerOrgans> all_layers(Construction const& construction)
 {
-    auto const& list = sketch.organ_of_layer;
-    return list.empty() ? 0 : list[std::min(layer, list.size() - 1)];
+    auto layers = construction.organs_per_layer;
+    layers.resize(construction.nodes_per_layer.size());
+    return layers;
 }
 
 // How many organs each layer has; the topmost line's are those of the last one.
-std::vector<double> organs_of_layers(Construction const& construction, Pattern const& pattern)
+std::vector<double> organs_of_layers(SubModel const& model)
 {
     std::vector<double> organs;
-    for (auto const nodes : construction.nodes_per_layer)
-        organs.push_back(nodes * organs_at_node(pattern));
-    organs.back() += organs_at_node(pattern);
+    auto const at_node = [&](LayerOrgans const& layer) {
+        return organs_at_node(layer.pattern.value_or(model.pattern));
+    };
+    for (std::size_t layer = 0; layer < model.layers.size(); ++layer)
+        organs.push_back(model.construction.nodes_per_layer[layer] * at_node(model.layers[layer]));
+    organs.back() += at_node(model.layers.back());
     return organs;
+}
+
+Result<std::size_t> add_sub_model(std::vector<SubModel>& models, ComposedSketch const& sketch);
+
+// What it calls, and how large its plant is with it.
+Result<void> add_called(std::vector<SubModel>& models, std::size_t number)
+{
+    std::vector<std::size_t> called;
+    auto const organs = models[number].organs;
+    for (auto const& organ : organs)
+        called.push_back(organ.sketch ? TRY(add_sub_model(models, *organ.sketch)) : 0);
+    auto& model = models[number];
+    auto const counts = organs_of_layers(model);
+    std::size_t behind = 0; // Steps.
+    for (std::size_t layer = 0; layer < counts.size(); ++layer) {
+        auto const organ = model.layers[layer].organ;
+        if (organ > called.size())
+            return fail(Fault::User,
+                        fmt::format("layer {} is to bear organ {}, but there are {}", layer + 1,
+                                    organ, called.size()));
+        auto const* const plant
+            = organ > 0 && organs[organ - 1].sketch ? &models[called[organ - 1]] : nullptr;
+        model.leaves += counts[layer] * (plant ? plant->leaves : 1);
+        behind = std::max(behind, plant ? plant->steps : 0);
+    }
+    constexpr std::size_t kOrganSteps = 4; // From a node to its organ's call.
+    model.steps = count_steps(model.construction) + kOrganSteps + behind;
+    model.called = std::move(called);
+    return {};
 }
 
 // Adds the sketch and what it calls, and gives its number, from 0.
@@ -49,29 +98,16 @@ Result<std::size_t> add_sub_model(std::vector<SubModel>& models, ComposedSketch 
         return fail(Fault::User,
                     fmt::format("the plant is composed of more than {} sketches: leave some out",
                                 kMostSketches));
+    if (sketch.stems.size() > 1)
+        return fail(Fault::User, "a sketch that is an organ has one stem: leave the others out");
     auto const number = models.size();
-    models.push_back({ .construction = with_sizes_around(sketch.construction, sketch.pattern),
-                       .pattern = sketch.pattern });
-    std::vector<std::size_t> called;
-    for (auto const& organ : sketch.organs)
-        called.push_back(TRY(add_sub_model(models, organ)));
-    auto& model = models[number];
-    auto const organs = organs_of_layers(model.construction, model.pattern);
-    std::size_t behind = 0; // Steps.
-    for (std::size_t layer = 0; layer < organs.size(); ++layer) {
-        auto const organ = organ_of(sketch, layer);
-        if (organ > called.size())
-            return fail(Fault::User,
-                        fmt::format("layer {} is to bear organ {}, but there are {}", layer + 1,
-                                    organ, called.size()));
-        model.organ_of_layer.push_back(organ);
-        model.leaves += organs[layer] * (organ == 0 ? 1 : models[called[organ - 1]].leaves);
-        if (organ > 0)
-            behind = std::max(behind, models[called[organ - 1]].steps);
-    }
-    constexpr std::size_t kOrganSteps = 4; // From a node to its organ's call.
-    model.steps = count_steps(model.construction) + kOrganSteps + behind;
-    model.called = std::move(called);
+    auto const& construction = sketch.stems.front().construction;
+    models.push_back({ .construction = with_sizes_around(construction, sketch.pattern),
+                       .pattern = sketch.pattern,
+                       .organs = sketch.organs,
+                       .layers = all_layers(construction),
+                       .leaf = sketch.leaf });
+    TRY(add_called(models, number));
     return number;
 }
 
@@ -109,12 +145,6 @@ std::string with_own_names(std::string_view text, std::size_t number)
     return result;
 }
 
-void replace_all(std::string& text, std::string_view word, std::string_view with)
-{
-    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + with.size()))
-        text.replace(at, word.size(), with);
-}
-
 char letter_of(std::size_t number)
 {
     constexpr std::string_view kLetters = "lmnopqrstuvw";
@@ -128,6 +158,8 @@ std::string calls_text(std::vector<SubModel> const& models, std::size_t number)
     std::string text;
     auto const& model = models[number];
     for (std::size_t i = 0; i < model.called.size(); ++i) {
+        if (!model.organs[i].sketch)
+            continue;
         auto const called = model.called[i];
         auto const offset = models[called].offset;
         text
@@ -148,7 +180,8 @@ std::string definitions_of(SubModel const& model, std::size_t number)
                            .width = "(LEN / 60)",
                            .layers = std::to_string(model.construction.nodes_per_layer.size()),
                            .longest_piece = longest_piece(model.construction.stem),
-                           .sides = sides == 0 ? "" : std::to_string(sides) },
+                           .sides = sides == 0 ? "" : std::to_string(sides),
+                           .rolls_by_layer = !model.tables().rolls_deg().empty() },
                          model.pattern),
         number);
 }
@@ -158,15 +191,18 @@ std::string system_text(std::vector<SubModel> const& models, std::size_t number)
     auto const& model = models[number];
     auto const sizes
         = model.construction.around.empty() ? Pattern::Sizes::Linear : Pattern::Sizes::HalfEllipses;
-    auto rules = with_own_names(stem_rules(model.pattern, Stems::Composed, sizes), number);
+    auto const tables = model.tables();
+    auto rules = stem_rules(model.pattern, Stems::Composed, sizes, &tables);
+    replace_all(rules, "<leaves>", surface_rules(model.organs, model.first_surface, "z"));
+    rules = with_own_names(rules, number);
     if (model.offset == 0)
         replace_all(rules, "<offset> + ", "");
     replace_all(rules, "<offset>", std::to_string(model.offset));
     replace_all(rules, "<calls>", calls_text(models, number));
     replace_all(rules, "~l(", fmt::format("~{}(", letter_of(number)));
     auto arrays = arrays_of(model.construction);
-    arrays.push_back(
-        array_text("organ", { model.organ_of_layer.begin(), model.organ_of_layer.end() }));
+    auto const of_layers = arrays_of(tables);
+    arrays.insert(arrays.end(), of_layers.begin(), of_layers.end());
     return fmt::format("Lsystem: {}\n"
                        "derivation length: {}\n"
                        "define: {{ {}; }}\n"
@@ -178,7 +214,57 @@ std::string system_text(std::vector<SubModel> const& models, std::size_t number)
 
 } // namespace
 
-Result<LineModel> write_composed_model(ComposedSketch const& sketch, std::string const& name)
+// Of several stems, whose layers bear leaves and surfaces.
+static Result<LineModel> write_several(ComposedSketch const& sketch, std::string const& name)
+{
+    for (auto const& organ : sketch.organs)
+        if (organ.sketch)
+            return fail(Fault::User,
+                        "a sketch with organs that are sketches has one stem: leave the others "
+                        "out");
+    for (auto const& stem : sketch.stems)
+        for (auto const& layer : stem.construction.organs_per_layer)
+            CHECK(layer.organ <= sketch.organs.size());
+    auto model = write_model(sketch.stems, sketch.pattern, name);
+    replace_all(model.source.text, "<leaves>", surface_rules(sketch.organs, 0, "s, z"));
+    TRY(add_surfaces(model, sketch.organs, 0));
+    return model;
+}
+
+static std::string heading_text(std::size_t count)
+{
+    auto const of_organs = count == 1
+        ? std::string("/* A plant of construction lines whose layers bear different organs. ")
+        : fmt::format("/* A plant of {} sketches of construction lines: organs of one are plants "
+                      "of another, which is an\n   L-system that it calls. ",
+                      count);
+    return of_organs
+        + "The functions of the place x on a stem, 0 to 1, are files that the view\n"
+          "   names, for each sketch: its stem's heading and depth, the organs' angles on the left "
+          "and the\n"
+          "   right, their sizes there, and, for other models, the way to the next node. A step "
+          "makes a node. */\n";
+}
+
+static bool is_plain(ComposedSketch const& sketch)
+{
+    return std::all_of(sketch.stems.begin(), sketch.stems.end(), [](MeasuredStem const& stem) {
+        return stem.construction.organs_per_layer.empty();
+    });
+}
+
+// Surfaces in place of leaves and of organs, with numbers over all sketches.
+static Result<void> add_all_surfaces(LineModel& model, std::vector<SubModel> const& models)
+{
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        TRY(add_surfaces(model, models[i].organs, models[i].first_surface));
+        if (!models[i].leaf.patches.empty())
+            put_leaf(model, models[i].leaf, letter_of(i));
+    }
+    return {};
+}
+
+static Result<LineModel> write_single(ComposedSketch const& sketch, std::string const& name)
 {
     std::vector<SubModel> models;
     TRY(add_sub_model(models, sketch));
@@ -190,33 +276,38 @@ Result<LineModel> write_composed_model(ComposedSketch const& sketch, std::string
     std::vector<std::pair<std::string, std::string>> functions;
     std::string definitions;
     std::string leaves;
+    std::size_t surfaces = 0;
     for (std::size_t i = 0; i < models.size(); ++i) {
         models[i].offset = functions.size();
+        models[i].first_surface = surfaces;
+        surfaces += count_surfaces(models[i].organs);
         for (auto const& curve : function_curves(models[i].construction))
-            functions.emplace_back(fmt::format("{}_{}_{}.func", name, i + 1, curve.name),
+            functions.emplace_back(models.size() == 1
+                                       ? fmt::format("{}_{}.func", name, curve.name)
+                                       : fmt::format("{}_{}_{}.func", name, i + 1, curve.name),
                                    function_file(curve));
         definitions += definitions_of(models[i], i);
         if (i > 0)
             leaves += leaf_text(letter_of(i), models[i].pattern);
     }
-    auto text = fmt::format(
-        "/* A plant of {} sketches of construction lines: organs of one are plants of another, "
-        "which "
-        "is an\n"
-        "   L-system that it calls. The functions of the place x on a stem, 0 to 1, are files that "
-        "the view\n"
-        "   names, for each sketch: its stem's heading and depth, the organs' angles on the left "
-        "and "
-        "the\n"
-        "   right, their sizes there, and, for other models, the way to the next node. A step "
-        "makes a "
-        "node. */\n"
-        "{}",
-        models.size(), definitions);
+    auto text = heading_text(models.size()) + definitions;
     for (std::size_t i = 0; i < models.size(); ++i)
         text.append("\n").append(system_text(models, i));
     auto model = model_with(std::move(text), functions, sketch.pattern, name);
     model.source.view_text += leaves;
+    TRY(add_all_surfaces(model, models));
+    return model;
+}
+
+Result<LineModel> write_composed_model(ComposedSketch const& sketch, std::string const& name)
+{
+    CHECK(!sketch.stems.empty());
+    if (!is_plain(sketch) && sketch.stems.size() == 1)
+        return write_single(sketch, name);
+    auto model = is_plain(sketch) ? write_model(sketch.stems, sketch.pattern, name)
+                                  : TRY(write_several(sketch, name));
+    if (!sketch.leaf.patches.empty())
+        put_leaf(model, sketch.leaf, letter_of(0));
     return model;
 }
 

@@ -251,6 +251,24 @@ std::vector<int> nodes_of_layers(LineSketch const& sketch, std::vector<Inclinati
     return nodes;
 }
 
+// From below; empty where nothing differs.
+std::vector<LayerOrgans> organs_of_layers(LineSketch const& sketch,
+                                          std::vector<Inclination> const& lines)
+{
+    auto const& below = sketch.organs_per_layer;
+    auto const& above = sketch.organs_above;
+    std::vector<LayerOrgans> organs(lines.size() - 1);
+    for (std::size_t layer = 0; layer < organs.size(); ++layer)
+        if (!above.empty())
+            organs[layer] = above.at(lines[layer].drawn);
+        else if (!below.empty())
+            organs[layer] = below[std::min(layer, below.size() - 1)];
+    bool const differ = std::any_of(organs.begin(), organs.end(), [](LayerOrgans const& layer) {
+        return layer != LayerOrgans();
+    });
+    return differ ? organs : std::vector<LayerOrgans>();
+}
+
 Result<void> check_nodes(std::vector<int> const& nodes, std::size_t layers)
 {
     if (nodes.size() != layers)
@@ -368,6 +386,7 @@ Result<Construction> measure_sketch(LineSketch const& sketch, Missing missing)
     result.inclinations
         = TRY(measure_inclinations(sketch, result.stem, boundaries, missing, result.notes));
     result.nodes_per_layer = nodes_of_layers(sketch, result.inclinations);
+    result.organs_per_layer = organs_of_layers(sketch, result.inclinations);
     TRY(check_nodes(result.nodes_per_layer, result.inclinations.size() - 1));
     if (boundaries.around.empty())
         TRY(measure_sides(result, boundaries));

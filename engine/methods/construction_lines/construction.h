@@ -3,6 +3,7 @@
 #include "engine/base/result.h"
 #include "engine/base/vectors.h"
 #include "engine/methods/construction_lines/drawn_stem.h"
+#include "engine/methods/construction_lines/layer_organs.h"
 
 #include <cstddef>
 #include <string>
@@ -32,6 +33,11 @@ struct LineSketch {
     // right one are at 0 and 180. Lines there that are all of the boundaries count as the left and
     // right one on the sheet.
     std::vector<std::vector<Vec3>> around {};
+    // What each layer bears, from below; what is said last counts for all layers above, too. Empty:
+    // what the plant bears.
+    std::vector<LayerOrgans> organs_per_layer {};
+    // In place of it, if not empty: what is borne between lines as nodes_above has them.
+    std::vector<LayerOrgans> organs_above {};
 };
 
 constexpr double kSameAzimuth_deg = 5;
@@ -79,6 +85,8 @@ struct Construction {
     // At the boundaries, the azimuths rising, if they are in space; between them sizes follow
     // size_between(). Else there is none: between left and right sizes are linear, as in the paper.
     std::vector<AzimuthSizes> around {};
+    // What each layer bears, from below; empty where all of them bear what the plant bears.
+    std::vector<LayerOrgans> organs_per_layer {};
 
     // The shares of the stem below the lowest line and above the topmost one.
     double below() const { return inclinations.front().x; }

@@ -31,6 +31,9 @@ void list(scene::Fields& fields, Pattern& pattern)
     int half_ellipses = pattern.sizes == Pattern::Sizes::HalfEllipses ? 1 : 0;
     fields.sparse_field("half_ellipses", &half_ellipses);
     pattern.sizes = half_ellipses != 0 ? Pattern::Sizes::HalfEllipses : Pattern::Sizes::Linear;
+    int face = static_cast<int>(pattern.face);
+    fields.sparse_field("face", &face);
+    pattern.face = static_cast<Pattern::Face>(std::clamp(face, 0, 3));
 }
 
 Result<void> check_pattern(Pattern const& pattern)

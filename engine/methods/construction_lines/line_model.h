@@ -36,6 +36,9 @@ LineModel write_model(Construction const& measured, Pattern const& pattern,
 // Stems that stand on another come with its nodes: where a stem is to bear one, it takes a step for
 // it. A stem is no thicker than what bears it. Where one of them has boundaries in space the sizes
 // of all of them follow half-ellipses. With a single stem it is the text of that one.
+//
+// Where layers of several stems bear different organs the rules have <leaves> where those of organs
+// that are surfaces are to stand in (composed_model.h); of a single stem layers do not count.
 LineModel write_model(std::span<MeasuredStem const> measured, Pattern const& pattern,
                       std::string const& name);
 

@@ -1,8 +1,13 @@
 #include "engine/methods/construction_lines/line_rules.h"
 
+#include "engine/methods/construction_lines/model_text.h"
+
 #include <array>
+#include <cstddef>
 #include <fmt/format.h>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace tractus::lines {
 
@@ -16,7 +21,7 @@ struct RuleWord {
     std::string_view several;  // of several ones,
     std::string_view composed; // and of one whose organs are models.
 };
-constexpr std::array<RuleWord, 14> kRuleWords { {
+constexpr std::array<RuleWord, 9> kRuleWords { {
     { "<s>", "", "s, ", "" },         // The stem's number, the first parameter of modules.
     { "<t>", "", ", t", "" },         // The number of the next stem that it bears.
     { "<low>", "", "low[s] + ", "" }, // Where its lines begin in at[] and nodes[].
@@ -26,23 +31,31 @@ constexpr std::array<RuleWord, 14> kRuleWords { {
     { "<sides>", "SIDES", "sides[s]", "SIDES" },       // How many there are.
     { "<ofs>", "", " of stem s", "" },
     { "<taper>", "0.7", "taper[s]", "0.7" }, // How much of its diameter a stem loses up to its top.
-    { "<layer>", "", "", ", k" },            // The layer of organs at a node,
-    { "<toplayer>", "", "", ", LAYERS - 1" },
-    { "<z>", "", "", ", z" }, // and as a parameter of theirs.
-    { "<leaf>", "~l(LEN * ", "~l(LEN * ", "Q(z, " },
-    { "<leaf h>", "~l(h)", "~l(h)", "Q(z, h / LEN)" },
 } };
 
-std::string filled_in(std::string_view text, Stems stems)
+// What they say otherwise where layers bear different organs.
+struct LayerWord {
+    std::string_view word;
+    std::string_view alike;
+    std::string_view of_one;     // Where they differ, of a single stem,
+    std::string_view of_several; // and of several ones.
+};
+constexpr std::array<LayerWord, 5> kLayerWords { {
+    { "<layer>", "", ", k", ", low[s] + k" }, // The layer of organs at a node,
+    { "<toplayer>", "", ", LAYERS - 1", ", low[s] + LAYERS - 1" },
+    { "<z>", "", ", z", ", z" }, // and as a parameter of theirs.
+    { "<leaf>", "~l(LEN * ", "Q(z, ", "Q(s, z, " },
+    { "<leaf h>", "~l(h)", "Q(z, h / LEN)", "Q(s, z, h / LEN)" },
+} };
+
+std::string filled_in(std::string text, Stems stems, bool by_layer)
 {
-    std::string result(text);
-    for (auto const& [word, one, several, composed] : kRuleWords)
-        for (auto at = result.find(word); at != std::string::npos; at = result.find(word, at))
-            result.replace(at, word.size(),
-                           stems == Stems::One           ? one
-                               : stems == Stems::Several ? several
-                                                         : composed);
-    return result;
+    bool const several = stems == Stems::Several;
+    for (auto const& [word, alike, of_one, of_several] : kLayerWords)
+        replace_all(text, word, !by_layer ? alike : several ? of_several : of_one);
+    for (auto const& [word, one, of_several, composed] : kRuleWords)
+        replace_all(text, word, several ? of_several : stems == Stems::One ? one : composed);
+    return text;
 }
 
 // The apex and, in homomorphism, the stem: the pieces' turns add up to the heading function's, so
@@ -84,7 +97,7 @@ constexpr std::string_view kTop
 // What stands between the topmost line and the top comes after it.
 constexpr std::string_view kTopOfSeveral = R"(A(s, x, k, j, i, t) : k == LAYERS
     { y = at[low[s] + k]; }
-    --> S(s, x, y)B(s, y, i)A(s, y, k + 1, 0, i + 1, t)
+    --> S(s, x, y)B(s, y, i<toplayer>)A(s, y, k + 1, 0, i + 1, t)
 A(s, x, k, j, i, t) : * --> S(s, x, 1)
 )";
 
@@ -102,14 +115,14 @@ S(<s>x, y) : * --> *
 )";
 
 constexpr std::string_view kDistichous = R"(/* An organ on the left and one on the right. */
-B(<s>x, i<z>) --> [+(func(<organs>3, x))/(ROLL)<leaf>func(<organs>5, x))][-(func(<organs>4, x))/(0 - ROLL)<leaf>func(<organs>6, x))]
+B(<s>x, i<z>)<if> --> [+(func(<organs>3, x))/(ROLL)<leaf>func(<organs>5, x))][-(func(<organs>4, x))/(0 - ROLL)<leaf>func(<organs>6, x))]
 )";
 
 constexpr std::string_view kDecussate
     = R"(/* Pairs of organs: left and right, then behind and in front. */
-B(<s>x, i<z>) : floor(i / 2) * 2 == i
+B(<s>x, i<z>) : <and>floor(i / 2) * 2 == i
     --> [+(func(<organs>3, x))/(ROLL)<leaf>func(<organs>5, x))][/(180)+(func(<organs>4, x))/(ROLL)<leaf>func(<organs>6, x))]
-B(<s>x, i<z>) : *
+B(<s>x, i<z>) : <any>
     { a = (func(<organs>3, x) + func(<organs>4, x)) / 2; h = LEN * (func(<organs>5, x) + func(<organs>6, x)) / 2; }
     --> [/(90)+(a)/(ROLL)<leaf h>][/(270)+(a)/(ROLL)<leaf h>]
 )";
@@ -117,7 +130,7 @@ B(<s>x, i<z>) : *
 // The remainder is written out: cpfg's % takes integers.
 constexpr std::string_view kSpiral
     = R"(/* An organ t degrees around the stem from its left: a of the left's, b of the right's. */
-B(<s>x, i<z>) : *
+B(<s>x, i<z>) : <any>
     { t = i * DIVERGENCE - 360 * floor(i * DIVERGENCE / 360); b = 1 - fabs(t / 180 - 1); a = 1 - b; }
     --> [/(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)<leaf>(a * func(<organs>5, x) + b * func(<organs>6, x)))]
 )";
@@ -125,29 +138,29 @@ B(<s>x, i<z>) : *
 constexpr std::string_view kWhorled
     = R"(/* Organ j of a whorl, t degrees around the stem from its left: a of the left's, b of the
    right's. Every other whorl is turned by half the way from organ to organ. */
-W(<s>x, i, j<z>) : *
+W(<s>x, i, j<z>) : <any>
     { t = (360 * j + 180 * (i - 2 * floor(i / 2))) / WHORL; b = 1 - fabs(t / 180 - 1); a = 1 - b; }
     --> /(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)<leaf>(a * func(<organs>5, x) + b * func(<organs>6, x)))
 )";
 
-// Of layers whose organs are no models.
-constexpr char const* kLeaves = "Q(z, h) : organ[z] == 0 --> ~l(LEN * h)\n";
+// Of layers that bear leaves.
+constexpr std::string_view kLeaves = "Q(<s>z, h) : organ[z] == 0 --> ~l(LEN * h)\n<leaves>";
 
 // Each organ where sizes follow half-ellipses.
 constexpr std::string_view kDecussateAround
     = R"(/* Pairs of organs: left and right, then behind and in front. */
-B(<s>x, i<z>) : floor(i / 2) * 2 == i
+B(<s>x, i<z>) : <and>floor(i / 2) * 2 == i
     --> [+(func(<organs>3, x))/(ROLL)<leaf>func(<organs>5, x))][/(180)+(func(<organs>4, x))/(ROLL)<leaf>func(<organs>6, x))]
-B(<s>x, i<z>) : * --> [O(<s>x, 90<z>)][O(<s>x, 270<z>)]
+B(<s>x, i<z>) : <any> --> [O(<s>x, 90<z>)][O(<s>x, 270<z>)]
 )";
 
 constexpr std::string_view kSpiralAround = R"(/* An organ i times the divergence around the stem. */
-B(<s>x, i<z>) : * --> [O(<s>x, i * DIVERGENCE - 360 * floor(i * DIVERGENCE / 360)<z>)]
+B(<s>x, i<z>) : <any> --> [O(<s>x, i * DIVERGENCE - 360 * floor(i * DIVERGENCE / 360)<z>)]
 )";
 
 constexpr std::string_view kWhorledAround
     = R"(/* Organ j of a whorl. Every other whorl is turned by half the way from organ to organ. */
-W(<s>x, i, j<z>) : *
+W(<s>x, i, j<z>) : <any>
     { t = (360 * j + 180 * (i - 2 * floor(i / 2))) / WHORL; }
     --> O(<s>x, t<z>)
 )";
@@ -222,18 +235,19 @@ O(<s>x, t<z>) : *
 )";
 
 constexpr std::string_view kBare = R"(/* Nothing stands on the stem. */
-B(<s>x, i<z>) : * --> *
+B(<s>x, i<z>) : <any> --> *
 )";
 
 std::string whorl_rules(Pattern const& pattern, std::string_view of_each)
 {
-    std::string text = "B(<s>x, i<z>) -->";
+    std::string text = "B(<s>x, i<z>)<if> -->";
     for (int j = 0; j < pattern.whorl; ++j)
         text += fmt::format(" [W(<s>x, i, {}<z>)]", j);
     return text + "\n" + std::string(of_each);
 }
 
-std::string organ_rules(Pattern const& pattern, Pattern::Sizes sizes)
+// Of one pattern, whose conditions are still to be filled in.
+std::string pattern_rules(Pattern const& pattern, Pattern::Sizes sizes)
 {
     bool const is_linear = sizes == Pattern::Sizes::Linear;
     switch (pattern.kind) {
@@ -252,9 +266,37 @@ std::string organ_rules(Pattern const& pattern, Pattern::Sizes sizes)
     return std::string(kBare);
 }
 
+void set_condition(std::string& rules, std::string const& condition)
+{
+    replace_all(rules, "<if>", condition.empty() ? "" : " : " + condition);
+    replace_all(rules, "<and>", condition.empty() ? "" : condition + " && ");
+    replace_all(rules, "<any>", condition.empty() ? "*" : condition);
+}
+
+// Of all patterns that layers have; what they read of the first one has names.
+std::string organ_rules(std::vector<Pattern> const& patterns, Pattern::Sizes sizes)
+{
+    std::string text;
+    bool is_around = false;
+    for (std::size_t i = 0; i < patterns.size(); ++i) {
+        auto rules = pattern_rules(patterns[i], sizes);
+        if (i > 0) {
+            replace_all(rules, "DIVERGENCE", number_text(patterns[i].divergence_deg));
+            replace_all(rules, "WHORL", std::to_string(patterns[i].whorl));
+        }
+        set_condition(rules, patterns.size() > 1 ? fmt::format("pattern[z] == {}", i) : "");
+        text += rules;
+        is_around = is_around || stands_all_around(patterns[i]);
+    }
+    if (sizes == Pattern::Sizes::HalfEllipses && is_around)
+        text += kAround;
+    return text;
+}
+
 } // namespace
 
-std::string stem_rules(Pattern const& pattern, Stems stems, Pattern::Sizes sizes)
+std::string stem_rules(Pattern const& pattern, Stems stems, Pattern::Sizes sizes,
+                       LayerTables const* layers)
 {
     bool const several = stems == Stems::Several;
     std::string text(kApex);
@@ -262,14 +304,16 @@ std::string stem_rules(Pattern const& pattern, Stems stems, Pattern::Sizes sizes
         text += kBearing;
     text += kApexNodes;
     text += several ? kTopOfSeveral : kTop;
-    auto organs = organ_rules(pattern, sizes);
-    if (sizes == Pattern::Sizes::HalfEllipses && stands_all_around(pattern))
-        organs += kAround;
+    auto organs = organ_rules(layers ? layers->patterns() : std::vector { pattern }, sizes);
+    if (layers && !layers->rolls_deg().empty())
+        replace_all(organs, "ROLL", "roll[z]");
     if (stems == Stems::Composed)
-        text.append(organs).append("<calls>").append(kStemPieces).append(kLeaves);
+        text.append(organs).append("<calls>").append(kStemPieces);
     else
         text.append(kStemPieces).append(organs);
-    return filled_in(text, stems);
+    if (layers)
+        text += kLeaves;
+    return filled_in(std::move(text), stems, layers != nullptr);
 }
 
 } // namespace tractus::lines

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/methods/construction_lines/layer_organs.h"
 #include "engine/methods/construction_lines/pattern.h"
 
 #include <string>
@@ -16,9 +17,15 @@ enum class Stems { One, Several, Composed };
 // (several_stem_model.cpp). Where sizes follow half-ellipses they read SIDES and the array azimuth,
 // or those of several stems the arrays azimuth, sides and first.
 //
+// Where layers bear different organs, as in a composed model, Q(z, h) is an organ with a size by
+// LEN in the layer whose entry of the tables is z, and of several stems Q(s, z, h). Where <leaves>
+// stands rules of the homomorphism for those that are no leaves are to stand in; of leaves, 0 in
+// the array organ, they are there. In place of ROLL and of the pattern they read the arrays roll
+// and pattern if the tables have them.
+//
 // In a composed one functions are numbered behind <offset>, and where it says <calls> rules for
-// Q(z, h), an organ of layer z with a size by LEN, are to stand in; the array organ says of each
-// layer whether leaves stand there: 0.
-std::string stem_rules(Pattern const& pattern, Stems stems, Pattern::Sizes sizes);
+// organs that are models are to stand in.
+std::string stem_rules(Pattern const& pattern, Stems stems, Pattern::Sizes sizes,
+                       LayerTables const* layers = nullptr);
 
 } // namespace tractus::lines

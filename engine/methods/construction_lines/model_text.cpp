@@ -15,6 +15,12 @@ std::string number_text(double value)
     return text.front() == '-' ? "(" + text + ")" : text;
 }
 
+void replace_all(std::string& text, std::string_view word, std::string_view with)
+{
+    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + with.size()))
+        text.replace(at, word.size(), with);
+}
+
 std::string array_text(char const* name, std::vector<double> const& values)
 {
     std::string text;
@@ -43,14 +49,16 @@ double longest_piece(DrawnStem const& stem)
 
 std::string definitions_text(StemDefinitions const& stem, Pattern const& pattern)
 {
-    bool const flat = pattern.kind == Pattern::Kind::Distichous;
     auto text = fmt::format(
         "#define LEN        {}    /* of {}, cm */\n"
         "#define STEM       {}    /* the stem's diameter at its foot, cm */\n"
-        "#define DX         {}    /* the longest piece the stem is drawn in, by LEN */\n"
-        "#define ROLL       {}    /* of organs: 0 flat as in a frond, (-90) upper side up */\n"
-        "#define LAYERS     {}\n",
-        stem.length, stem.of, stem.width, stem.longest_piece, flat ? "0" : "(-90)", stem.layers);
+        "#define DX         {}    /* the longest piece the stem is drawn in, by LEN */\n",
+        stem.length, stem.of, stem.width, stem.longest_piece);
+    if (!stem.rolls_by_layer)
+        text += fmt::format(
+            "#define ROLL       {}    /* of organs: 0 flat as in a frond, (-90) upper side up */\n",
+            number_text(roll_deg(pattern)));
+    text += fmt::format("#define LAYERS     {}\n", stem.layers);
     if (pattern.kind == Pattern::Kind::Spiral || pattern.kind == Pattern::Kind::Alternate)
         text += fmt::format("#define DIVERGENCE {}    /* from organ to organ, degrees */\n",
                             number_text(pattern.divergence_deg));
@@ -65,7 +73,7 @@ std::string definitions_text(StemDefinitions const& stem, Pattern const& pattern
 
 Construction with_sizes_around(Construction construction, Pattern const& pattern)
 {
-    if (!stands_all_around(pattern)) {
+    if (!stands_all_around(pattern, construction.organs_per_layer)) {
         construction.around.clear();
         return construction;
     }
@@ -108,6 +116,16 @@ std::vector<std::string> arrays_of(Construction const& construction)
                                       array_text("nodes", { layers.begin(), layers.end() }) };
     if (!construction.around.empty())
         arrays.push_back(array_text("azimuth", azimuths_of(construction)));
+    return arrays;
+}
+
+std::vector<std::string> arrays_of(LayerTables const& layers)
+{
+    std::vector<std::string> arrays { array_text("organ", layers.organs()) };
+    if (auto const numbers = layers.pattern_numbers(); !numbers.empty())
+        arrays.push_back(array_text("pattern", numbers));
+    if (auto const rolls_deg = layers.rolls_deg(); !rolls_deg.empty())
+        arrays.push_back(array_text("roll", rolls_deg));
     return arrays;
 }
 

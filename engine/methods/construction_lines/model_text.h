@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace tractus::lines {
 
 // In six digits. A negative number must not run into the sign before it, where a macro is replaced.
 std::string number_text(double value);
+
+void replace_all(std::string& text, std::string_view word, std::string_view with);
 
 // "array NAME[2] = {1, 2}".
 std::string array_text(char const* name, std::vector<double> const& values);
@@ -29,7 +32,8 @@ struct StemDefinitions {
     std::string width;
     std::string layers;
     double longest_piece = 0;
-    std::string sides {}; // Where sizes follow half-ellipses.
+    std::string sides {};        // Where sizes follow half-ellipses.
+    bool rolls_by_layer = false; // Then ROLL is not there.
 };
 std::string definitions_text(StemDefinitions const& stem, Pattern const& pattern);
 
@@ -46,6 +50,9 @@ std::size_t count_steps(Construction const& construction);
 
 // A stem's lines, of at[], nodes[] and azimuth[], as the definitions of an L-system.
 std::vector<std::string> arrays_of(Construction const& construction);
+
+// The tables of what layers bear, as definitions: none where all bear the same leaves.
+std::vector<std::string> arrays_of(LayerTables const& layers);
 
 // An organ's shape in a view, a leaf, by its letter.
 std::string leaf_text(char letter, Pattern const& pattern);

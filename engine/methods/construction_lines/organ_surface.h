@@ -2,10 +2,9 @@
 
 #include "engine/base/result.h"
 #include "engine/base/vectors.h"
-#include "engine/methods/construction_lines/line_model.h"
 #include "engine/plant/bezier_patch.h"
 
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace tractus::lines {
@@ -21,6 +20,13 @@ struct OrganViews {
     std::vector<Vec2> midrib {};
     // From the front: the section, (across, height) from left to right. Across never turns back.
     std::vector<Vec2> section {};
+};
+
+// An organ's surface and its colour, red, green and blue from 0 to 1; without one it has the
+// leaves'.
+struct OrganSurface {
+    std::vector<BezierPatch> patches {};
+    std::optional<Vec3> color {};
 };
 
 // The organ's surface by cross-sectional blending and orthogonal deformation: with l and r the
@@ -40,12 +46,5 @@ Result<std::vector<BezierPatch>> organ_surface(OrganViews const& views);
 
 constexpr int kAlong = 12; // Patches, from base to tip.
 constexpr int kAcross = 4;
-
-// The same as a file of cpfg's Bezier editor (.s), whose SIZE is the organ's length.
-std::string surface_text(std::vector<BezierPatch> const& patches);
-
-// The model with such organs in place of the leaves of its own sketch; leaves of sketches that are
-// organs stay. The file is called as the model is, with _organ.s.
-LineModel with_organs(LineModel model, std::vector<BezierPatch> const& patches);
 
 } // namespace tractus::lines

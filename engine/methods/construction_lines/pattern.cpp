@@ -21,6 +21,22 @@ std::string name_of(Pattern::Kind kind)
     return "bare";
 }
 
+double roll_deg(Pattern const& pattern)
+{
+    constexpr double kUp_deg = -90;
+    switch (pattern.face) {
+    case Pattern::Face::Flat:
+        return 0;
+    case Pattern::Face::Up:
+        return kUp_deg;
+    case Pattern::Face::Down:
+        return -kUp_deg;
+    case Pattern::Face::Pattern:
+        break;
+    }
+    return pattern.kind == Pattern::Kind::Distichous ? 0 : kUp_deg;
+}
+
 int organs_at_node(Pattern const& pattern)
 {
     switch (pattern.kind) {

@@ -22,14 +22,28 @@ struct Pattern {
         HalfEllipses,
     };
 
+    // How an organ is turned about its own length.
+    enum class Face {
+        Pattern, // Distichous ones flat, all others with the upper side up.
+        Flat,    // Its edges to the stem's foot and top: as in a frond.
+        Up,      // Its upper side to the stem's top,
+        Down,    // or to its foot.
+    };
+
     Kind kind = Kind::Distichous;
     double divergence_deg = 137.5; // Spiral and Alternate; -360 to 360.
     int whorl = 3;                 // Whorled: how many, 2 to 24.
     Sizes sizes = Sizes::Linear;
+    Face face = Face::Pattern;
+
+    bool operator==(Pattern const&) const = default;
 };
 
 // The pattern's word, in small letters.
 std::string name_of(Pattern::Kind kind);
+
+// The turn of its organs about their length, degrees from flat, counted as a turtle rolls.
+double roll_deg(Pattern const& pattern);
 
 // How many organs stand at a node.
 int organs_at_node(Pattern const& pattern);

@@ -112,10 +112,7 @@ bool same(SketchLine const& one, SketchLine const& other)
 
 bool same(PenSketch const& one, PenSketch const& other)
 {
-    return one.pattern.kind == other.pattern.kind
-        && one.pattern.divergence_deg == other.pattern.divergence_deg
-        && one.pattern.whorl == other.pattern.whorl && one.pattern.sizes == other.pattern.sizes
-        && one.scale == other.scale
+    return one.pattern == other.pattern && one.scale == other.scale
         && std::equal(one.lines.begin(), one.lines.end(), other.lines.begin(), other.lines.end(),
                       [](SketchLine const& line, SketchLine const& another) {
                           return same(line, another);

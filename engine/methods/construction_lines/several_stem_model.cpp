@@ -172,11 +172,21 @@ struct Lines {
     std::vector<double> at;
     // As many; of a stem's topmost line, above which there is no layer, 1.
     std::vector<double> nodes;
+    LayerTables layers;
+    bool is_by_layer = false; // Whether layers bear different organs.
 };
 
-Lines write_lines(std::vector<ModelStem>& stems)
+void add_layers(LayerTables& tables, Construction const& construction)
 {
-    Lines lines;
+    auto layers = construction.organs_per_layer;
+    layers.resize(construction.nodes_per_layer.size() + 1); // As many as there are lines.
+    for (auto const& layer : layers)
+        tables.add(layer);
+}
+
+Lines write_lines(std::vector<ModelStem>& stems, Pattern const& pattern)
+{
+    Lines lines { .azimuths = {}, .at = {}, .nodes = {}, .layers = LayerTables(pattern) };
     for (std::size_t i = 0; i < stems.size(); ++i) {
         auto const& of = *stems[i].of;
         auto const same = std::find_if(
@@ -196,6 +206,8 @@ Lines write_lines(std::vector<ModelStem>& stems)
         auto const& layers = of.construction.nodes_per_layer;
         lines.nodes.insert(lines.nodes.end(), layers.begin(), layers.end());
         lines.nodes.push_back(1);
+        add_layers(lines.layers, of.construction);
+        lines.is_by_layer = lines.is_by_layer || !of.construction.organs_per_layer.empty();
     }
     return lines;
 }
@@ -209,6 +221,15 @@ void add_azimuths(Tables& tables, std::vector<ModelStem> const& stems, Lines con
     tables.add("first", of_each(stems, [](ModelStem const& stem) { return stem.first_azimuth; }),
                "the azimuths around it begin here in the table below; the last is the first again");
     tables.add("azimuth", lines.azimuths, "degrees around the stem from its left");
+}
+
+void add_layers(Tables& tables, LayerTables const& layers)
+{
+    tables.add("organ", layers.organs(), "what each layer bears, 0 leaves");
+    if (auto const numbers = layers.pattern_numbers(); !numbers.empty())
+        tables.add("pattern", numbers, "in which of the patterns below");
+    if (auto const rolls_deg = layers.rolls_deg(); !rolls_deg.empty())
+        tables.add("roll", rolls_deg, "0 flat as in a frond, -90 upper side up");
 }
 
 std::string tables_text(std::vector<ModelStem> const& stems, Lines const& lines)
@@ -241,6 +262,8 @@ std::string tables_text(std::vector<ModelStem> const& stems, Lines const& lines)
                "its lines begin here in the two tables below");
     tables.add("at", lines.at, "where lines cross the stem, 0 to 1");
     tables.add("nodes", lines.nodes, "how many there are from each line to the next");
+    if (lines.is_by_layer)
+        add_layers(tables, lines.layers);
     if (!lines.azimuths.empty())
         add_azimuths(tables, stems, lines);
     return tables.text();
@@ -306,12 +329,14 @@ LineModel write_model(std::span<MeasuredStem const> measured, Pattern const& pat
                                                                  : Pattern::Sizes::HalfEllipses;
     auto of_model = numbered(stems);
     auto const functions = write_functions(of_model, name);
-    auto const lines = write_lines(of_model);
+    auto const lines = write_lines(of_model, pattern);
     StemDefinitions const each { .length = "length[s]",
                                  .of = "stem s",
                                  .width = "width[s]",
                                  .layers = "layers[s]",
-                                 .longest_piece = longest_piece_of(of_model) };
+                                 .longest_piece = longest_piece_of(of_model),
+                                 .rolls_by_layer
+                                 = lines.is_by_layer && !lines.layers.rolls_deg().empty() };
     auto text = fmt::format(
         "/* A plant of {} stems from construction lines, its organs {}. Tables say of each stem "
         "which\n"
@@ -330,7 +355,8 @@ LineModel write_model(std::span<MeasuredStem const> measured, Pattern const& pat
         stems.size(), name_of(pattern.kind),
         lines.azimuths.empty() ? "" : "; 8 and on sizes, too, at azimuths around the stem",
         definitions_text(each, pattern), count_steps(of_model), tables_text(of_model, lines),
-        axiom(of_model), stem_rules(pattern, Stems::Several, sizes));
+        axiom(of_model),
+        stem_rules(pattern, Stems::Several, sizes, lines.is_by_layer ? &lines.layers : nullptr));
     return model_with(std::move(text), functions, pattern, name);
 }
 

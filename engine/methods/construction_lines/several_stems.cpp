@@ -52,6 +52,7 @@ Construction with_functions_of(Construction stem, Construction const& other)
     stem.nodes_per_layer = other.nodes_per_layer;
     stem.nodes = other.nodes;
     stem.around = other.around;
+    stem.organs_per_layer = other.organs_per_layer;
     stem.notes.clear();
     return stem;
 }

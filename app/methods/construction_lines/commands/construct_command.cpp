@@ -11,7 +11,6 @@
 #include "app/terminal/error_text.h"
 #include "engine/base/file.h"
 #include "engine/methods/construction_lines/line_model.h"
-#include "engine/methods/construction_lines/organ_surface.h"
 #include "engine/scene/scene.h"
 
 #include <algorithm>
@@ -95,9 +94,12 @@ Result<std::string> write_folder(ConstructArguments const& arguments, scene::Loa
     if (arguments.session)
         TRY(batch::begin_session(fs::path(base).concat(".tractus"), { load },
                                  arguments.methods.edits));
-    std::size_t const surfaces = model.functions.count(name + "_organ.s");
+    auto const surfaces
+        = std::count_if(model.functions.begin(), model.functions.end(),
+                        [](auto const& file) { return fs::path(file.first).extension() == ".s"; });
     return fmt::format("{}.l, .v, {} .func,{} .png, .glb{}", base.string(),
-                       model.functions.size() - surfaces, surfaces > 0 ? " _organ.s," : "",
+                       model.functions.size() - static_cast<std::size_t>(surfaces),
+                       surfaces > 0 ? fmt::format(" {} .s,", surfaces) : "",
                        arguments.session ? ", .tractus" : "");
 }
 
@@ -106,21 +108,16 @@ lines::Smoothing smoothing_of(ConstructArguments const& arguments)
     return arguments.smooth ? lines::Smoothing::Hand : lines::Smoothing::None;
 }
 
-// The model; of a sketch some of whose organs are sketches with those.
+// The model, with those of sketches that are organs.
 Result<lines::LineModel> write_model(ConstructArguments const& arguments,
                                      lines::LineSketchFile const& file, Stems const& stems)
 {
-    auto const name = model_name(arguments.sketch);
-    bool const is_composed = std::any_of(file.organs.begin(), file.organs.end(),
-                                         [](std::string const& organ) { return !organ.empty(); });
-    if (!is_composed)
-        return lines::write_model(stems, file.pattern, name);
     std::vector<std::string> notes;
     auto const sketch
         = TRY(lines::load_composed(arguments.sketch, file, stems, smoothing_of(arguments), notes));
     for (auto const& note : notes)
         terminal::print_warning(note);
-    auto model = lines::write_composed_model(sketch, name);
+    auto model = lines::write_composed_model(sketch, model_name(arguments.sketch));
     if (!model)
         return about(arguments.sketch, model.error());
     return model;
@@ -131,9 +128,7 @@ Result<void> make_plant(ConstructArguments const& arguments, lines::LineSketchFi
 {
     bool const to_file = is_plant_file(arguments.output);
     auto const name = model_name(arguments.sketch);
-    auto model = TRY(write_model(arguments, file, stems));
-    if (file.organ)
-        model = lines::with_organs(std::move(model), TRY(lines::organ_surface(*file.organ)));
+    auto const model = TRY(write_model(arguments, file, stems));
     scene::LoadModel const load { .source = model.source, .includes = model.functions };
     auto const scene = TRY(scene::apply_edit({}, load, document::make_load_options()));
     auto written = arguments.output.string();
@@ -237,10 +232,14 @@ void add_construct_command(CLI::App& root, options::Action& action, tools::Metho
         "half-ellipses from left to right around the stem; \"inclinations\": at least two lines;\n"
         "\"nodes_per_layer\": how many nodes stand between one line and the next, a number for "
         "each\n"
-        "layer; \"organs\": for each layer from below null, or the file of a sketch whose plants "
-        "stand\n"
-        "there; \"organ\": the leaves' shape, an object of \"left\", \"right\", \"midrib\" and\n"
-        "\"section\"; \"stems\": more stems of the plant, objects of \"stem\" and, if what grows "
+        "layer; \"face\": flat, up or down, how organs are turned; \"organs\": for each layer from "
+        "below\n"
+        "null, the file of a sketch whose plants stand there, views as \"organ\" has them, or an "
+        "object\n"
+        "of \"pattern\", \"divergence\", \"face\" and \"organ\"; \"organ\": the leaves' shape, an "
+        "object of\n"
+        "\"left\", \"right\", \"midrib\", \"section\" and \"color\"; \"stems\": more stems of the "
+        "plant, objects of \"stem\" and, if what grows "
         "on the "
         "first\n"
         "one does not grow on it, too, lines of its own. A stem that begins on another one stands\n"

@@ -34,9 +34,22 @@ std::vector<Vec3> tops_of(Plant const& plant)
     return tops;
 }
 
+// A sketch whose layers bear the plants of others by their numbers from 1, or leaves: 0.
+ComposedSketch composition(LineSketch lines, Pattern const& pattern = {},
+                           std::vector<ComposedSketch> const& organs = {},
+                           std::vector<std::size_t> const& of_layers = {})
+{
+    for (auto const organ : of_layers)
+        lines.organs_per_layer.push_back({ .organ = organ });
+    ComposedSketch sketch { .stems = { { .construction = measured(lines) } }, .pattern = pattern };
+    for (auto const& organ : organs)
+        sketch.organs.push_back({ .sketch = std::make_shared<ComposedSketch const>(organ) });
+    return sketch;
+}
+
 ComposedSketch leaf()
 {
-    return { .construction = measured(bent_sketch()) };
+    return composition(bent_sketch());
 }
 
 // The paper's double-compound leaf: as many leaves of leaflets as the one sketch has leaves, whose
@@ -44,8 +57,7 @@ ComposedSketch leaf()
 TEST(ComposedModel, OrgansReachTheBoundariesOfWhatBearsThem)
 {
     for (auto const& sketch : { hand_sketch(), bent_sketch() }) {
-        auto const plant = grown(composed(
-            { .construction = measured(sketch), .organs = { leaf() }, .organ_of_layer = { 1 } }));
+        auto const plant = grown(composed(composition(sketch, {}, { leaf() }, { 1 })));
         auto const count = 2 * measured(sketch).nodes.size();
         ASSERT_EQ(plant.axes.size(), 1 + count);
         EXPECT_EQ(plant.organs.size(), count * 14);
@@ -67,11 +79,8 @@ TEST(ComposedModel, AnOrgansTopIsWhereTheLeafsTipWouldBe)
         for (auto const& sketch : { hand_sketch(), bent_sketch() }) {
             Pattern const pattern { .kind = kind, .whorl = 3 };
             auto const tips = tips_of(sketch, pattern);
-            ComposedSketch const organ { .construction = measured(hand_sketch()) };
-            auto const plant = grown(composed({ .construction = measured(sketch),
-                                                .pattern = pattern,
-                                                .organs = { organ },
-                                                .organ_of_layer = { 1 } }));
+            auto const plant = grown(
+                composed(composition(sketch, pattern, { composition(hand_sketch()) }, { 1 })));
             auto const tops = tops_of(plant);
             ASSERT_EQ(tops.size(), 1 + tips.size());
             for (auto const& tip : tips) {
@@ -89,9 +98,8 @@ TEST(ComposedModel, AnOrganIsThePlantOfItsSketch)
     Pattern const spiral { .kind = Kind::Spiral };
     auto const own = measured(hand_sketch());
     auto const alone = tips_of(hand_sketch(), spiral);
-    auto const plant = grown(composed({ .construction = measured(hand_sketch()),
-                                        .organs = { { .construction = own, .pattern = spiral } },
-                                        .organ_of_layer = { 1 } }));
+    auto const plant = grown(
+        composed(composition(hand_sketch(), {}, { composition(hand_sketch(), spiral) }, { 1 })));
     ASSERT_EQ(plant.organs.size(), 10U * alone.size());
     auto const tips = organ_tips(own, plant);
     auto const leaves = alone.size();
@@ -111,30 +119,25 @@ TEST(ComposedModel, LayersMayBearDifferentOrgans)
     auto sketch = hand_sketch();
     sketch.inclinations.push_back({ Vec2(-60, 100), Vec2(40, 100) });
     sketch.nodes_per_layer = { 3, 2 };
-    ComposedSketch plant { .construction = measured(sketch),
-                           .organs = { leaf(), { .construction = measured(hand_sketch()) } },
-                           .organ_of_layer = { 0, 2 } };
-    auto const above = grown(composed(plant));
+    std::vector const organs { leaf(), composition(hand_sketch()) };
+    auto const with = [&](std::vector<std::size_t> const& of_layers) {
+        return grown(composed(composition(sketch, {}, organs, of_layers)));
+    };
+    auto const above = with({ 0, 2 });
     EXPECT_EQ(above.axes.size(), 1 + 2U * 3) << "two nodes, and one on the topmost line";
     EXPECT_EQ(above.organs.size(), 2U * 3 + 2 * 3 * 10);
-    plant.organ_of_layer = { 1, 0 };
-    EXPECT_EQ(grown(composed(plant)).organs.size(), 2U * 3 * 14 + 2 * 3);
-    plant.organ_of_layer = {};
-    EXPECT_EQ(grown(composed(plant)).organs.size(), 2U * 6) << "leaves everywhere";
+    EXPECT_EQ(with({ 1, 0 }).organs.size(), 2U * 3 * 14 + 2 * 3);
+    EXPECT_EQ(with({ 2 }).axes.size(), 1 + 2U * 6) << "what is said last counts above, too";
+    EXPECT_EQ(with({}).organs.size(), 2U * 6) << "leaves everywhere";
 }
 
 TEST(ComposedModel, OrgansMayHaveOrgansOfTheirOwn)
 {
-    ComposedSketch const inner { .construction = measured(hand_sketch()) };
-    ComposedSketch const middle { .construction = measured(hand_sketch()),
-                                  .pattern = { .kind = Kind::Decussate },
-                                  .organs = { inner },
-                                  .organ_of_layer = { 1 } };
-    auto const plant = grown(
-        composed({ .construction = measured(hand_sketch()),
-                   .pattern = { .kind = Kind::Spiral, .sizes = Pattern::Sizes::HalfEllipses },
-                   .organs = { middle },
-                   .organ_of_layer = { 1 } }));
+    auto const middle = composition(hand_sketch(), { .kind = Kind::Decussate },
+                                    { composition(hand_sketch()) }, { 1 });
+    auto const plant = grown(composed(
+        composition(hand_sketch(), { .kind = Kind::Spiral, .sizes = Pattern::Sizes::HalfEllipses },
+                    { middle }, { 1 })));
     EXPECT_EQ(plant.axes.size(), 1U + 5 + 5 * 10);
     EXPECT_EQ(plant.organs.size(), 5U * 10 * 10);
 }
@@ -142,9 +145,7 @@ TEST(ComposedModel, OrgansMayHaveOrgansOfTheirOwn)
 // The derivation ends when the last leaf is there.
 TEST(ComposedModel, GrowsUntilAllIsThere)
 {
-    auto const text = compiled(composed({ .construction = measured(hand_sketch()),
-                                          .organs = { leaf() },
-                                          .organ_of_layer = { 1 } }));
+    auto const text = compiled(composed(composition(hand_sketch(), {}, { leaf() }, { 1 })));
     auto const after = [&](int steps) {
         lsystem::DeriveOptions options;
         options.steps = steps;
@@ -159,18 +160,13 @@ TEST(ComposedModel, RefusesWhatIsTooMuch)
 {
     auto large = hand_sketch();
     large.nodes_per_layer = { 400 };
-    ComposedSketch const organ { .construction = measured(large) };
-    EXPECT_EQ(
-        refusal_of(
-            { .construction = measured(large), .organs = { organ }, .organ_of_layer = { 1 } }),
-        "the plant would have 643204 leaves, more than 100000: give its layers fewer nodes");
-    EXPECT_EQ(refusal_of({ .construction = measured(hand_sketch()),
-                           .organs = { leaf() },
-                           .organ_of_layer = { 2 } }),
+    EXPECT_EQ(refusal_of(composition(large, {}, { composition(large) }, { 1 })),
+              "the plant would have 643204 leaves, more than 100000: give its layers fewer nodes");
+    EXPECT_EQ(refusal_of(composition(hand_sketch(), {}, { leaf() }, { 2 })),
               "layer 1 is to bear organ 2, but there are 1");
-    ComposedSketch many { .construction = measured(hand_sketch()),
-                          .organs = std::vector<ComposedSketch>(12, leaf()) };
-    EXPECT_EQ(refusal_of(many), "the plant is composed of more than 12 sketches: leave some out");
+    EXPECT_EQ(
+        refusal_of(composition(hand_sketch(), {}, std::vector<ComposedSketch>(12, leaf()), { 1 })),
+        "the plant is composed of more than 12 sketches: leave some out");
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "engine/methods/construction_lines/organ_surface.h"
 
+#include "engine/methods/construction_lines/organ_text.h"
+
 #include "engine/lsystem/view/surface_file.h"
 
 #include <algorithm>

@@ -1,0 +1,140 @@
+#include "engine/methods/construction_lines/organ_text.h"
+
+#include "engine/methods/construction_lines/model_text.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <string_view>
+
+namespace tractus::lines {
+
+namespace {
+
+// Materials 1 and 2 are the stem's and the leaves'. A surface has the turtle's colour, which is the
+// stem's where nothing else is said.
+constexpr std::size_t kLeafMaterial = 2;
+
+char letter_of_surface(std::size_t number)
+{
+    constexpr std::string_view kLetters = "abcdefghijk";
+    static_assert(kLetters.size() == kMostSurfaces);
+    return kLetters[number];
+}
+
+// Of the surfaces of layers; those of leaves follow.
+std::size_t material_of_surface(std::size_t number)
+{
+    return kLeafMaterial + 1 + number;
+}
+
+std::string name_of_model(LineModel const& model)
+{
+    auto const& name = model.source.name;
+    return name.substr(0, name.rfind('.'));
+}
+
+std::string material_text(std::size_t material, std::string const& name, Vec3 const& color)
+{
+    return fmt::format("material: {} {} kind=leaf color={:.4g},{:.4g},{:.4g} roughness=0.5 "
+                       "translucency=0.45\n",
+                       material, name, color.x(), color.y(), color.z());
+}
+
+} // namespace
+
+std::string surface_text(std::vector<BezierPatch> const& patches)
+{
+    Vec3 low = patches.front().control[0];
+    Vec3 high = low;
+    for (auto const& patch : patches)
+        for (auto const& point : patch.control) {
+            low = low.cwiseMin(point);
+            high = high.cwiseMax(point);
+        }
+    double const length
+        = (patches[patches.size() - kAcross].control[12] + patches.back().control[15]).y() / 2;
+    // A file's z is to the lower side where UP is -z, as the editor has it.
+    auto text = fmt::format(
+        "{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\nCONTACT POINT  X: 0 Y: 0 Z: 0\n"
+        "END POINT  X: 0 Y: 0 Z: 0\nHEADING  X: 0 Y: 1 Z: 0\nUP  X: 0 Y: 0 Z: -1\nSIZE: {:.6g}\n",
+        low.x(), high.x(), low.y(), high.y(), low.z(), high.z(), length);
+    auto const name = [](std::uint16_t number) {
+        return number == BezierPatch::kNoPatch ? "~" : fmt::format("p{}", number);
+    };
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        auto const& sides = patches[i].neighbors;
+        text += fmt::format("p{}\nTOP COLOR: 0 DIFFUSE: 0.00 BOTTOM COLOR: 0 DIFFUSE: 0.00\n"
+                            "AL: ~ A: {} AR: ~\nL: {} R: {}\nBL: ~ B: {} BR: ~\n",
+                            i, name(sides[BezierPatch::Above]), name(sides[BezierPatch::Left]),
+                            name(sides[BezierPatch::Right]), name(sides[BezierPatch::Below]));
+        for (std::size_t k = 0; k < 16; ++k) {
+            auto const& point = patches[i].control[k];
+            text += fmt::format("{:.6g} {:.6g} {:.6g}{}", point.x() + 0.0, point.y() + 0.0,
+                                point.z() + 0.0, k % 4 == 3 ? "\n" : "  ");
+        }
+    }
+    return text;
+}
+
+void put_leaf(LineModel& model, OrganSurface const& surface, char letter)
+{
+    auto& view = model.source.view_text;
+    auto const ending = letter == 'l' ? "_organ" : fmt::format("_organ_{}", letter);
+    auto const file = name_of_model(model) + ending + ".s";
+    auto const begin = view.find(fmt::format("organ: {} ", letter));
+    view.replace(begin, view.find('\n', begin) - begin,
+                 fmt::format("surface: {} {} 1", letter, file));
+    auto material = kLeafMaterial;
+    if (surface.color) {
+        material = material_of_surface(kMostSurfaces) + static_cast<std::size_t>(letter - 'a');
+        view += material_text(material, fmt::format("leaf_{}", letter), *surface.color);
+    }
+    replace_all(model.source.text, fmt::format("~{}(", letter),
+                fmt::format(";({})~{}(", material, letter));
+    model.functions[file] = surface_text(surface.patches);
+}
+
+std::size_t count_surfaces(std::span<LineOrgan const> organs)
+{
+    return static_cast<std::size_t>(std::count_if(
+        organs.begin(), organs.end(), [](LineOrgan const& organ) { return !organ.sketch; }));
+}
+
+std::string surface_rules(std::span<LineOrgan const> organs, std::size_t before,
+                          std::string const& place)
+{
+    std::string text;
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        if (organs[i].sketch)
+            continue;
+        auto const material = organs[i].surface.color ? material_of_surface(before) : kLeafMaterial;
+        text += fmt::format("Q({}, h) : organ[z] == {} --> ;({})~{}(LEN * h)\n", place, i + 1,
+                            material, letter_of_surface(before));
+        ++before;
+    }
+    return text;
+}
+
+Result<void> add_surfaces(LineModel& model, std::span<LineOrgan const> organs, std::size_t before)
+{
+    for (auto const& organ : organs) {
+        if (organ.sketch)
+            continue;
+        if (before >= kMostSurfaces)
+            return fail(Fault::User,
+                        fmt::format("layers of the plant bear more than {} drawn organs: leave "
+                                    "some out",
+                                    kMostSurfaces));
+        auto const file = fmt::format("{}_organ_{}.s", name_of_model(model), before + 1);
+        auto& view = model.source.view_text;
+        if (organ.surface.color)
+            view += material_text(material_of_surface(before), fmt::format("organ_{}", before + 1),
+                                  *organ.surface.color);
+        view += fmt::format("surface: {} {} 1\n", letter_of_surface(before), file);
+        model.functions[file] = surface_text(organ.surface.patches);
+        ++before;
+    }
+    return {};
+}
+
+} // namespace tractus::lines
