@@ -1,7 +1,9 @@
 #include "app/methods/all_methods.h"
 
 #include "app/methods/construction_lines/layer_nodes_tool.h"
+#include "app/methods/construction_lines/layer_organs_tool.h"
 #include "app/methods/construction_lines/line_layers.h"
+#include "app/methods/construction_lines/line_organ_tool.h"
 #include "app/methods/construction_lines/line_pattern_tool.h"
 #include "app/methods/construction_lines/line_role_tool.h"
 #include "app/methods/construction_lines/line_tool.h"
@@ -37,6 +39,7 @@
 #include "app/tools/oversketch_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/smooth_tool.h"
+#include "engine/methods/construction_lines/organ_edits.h"
 #include "engine/methods/leaves/leaf_sketch_edits.h"
 #include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/scene/edit.h"
@@ -71,6 +74,8 @@ constexpr std::array kTools {
     &lines::LinePatternTool::kKind,
     &lines::LayerNodesTool::kKind,
     &lines::LineRoleTool::kKind,
+    &lines::LineOrganTool::kKind,
+    &lines::LayerOrgansTool::kKind,
     &leaf::LeafLineTool::kKind,
     &leaf::EraseLeafTool::kKind,
     &plants::ChoosePlantTool::kKind,
@@ -84,14 +89,14 @@ constexpr std::array kTools {
     &pictures::PictureTool::kKind,
 };
 
-constexpr std::array kLayers { &silhouette::kTrianglesLayer, &silhouette::kSeenLayer,
-                               &silhouette::kOutlineLayer,   &silhouette::kTrunkLayer,
-                               &lines::kStemLayer,           &lines::kBoundaryLayer,
-                               &lines::kInclinationLayer,    &lines::kOtherStemLayer,
-                               &lines::kOtherBoundaryLayer,  &lines::kOtherInclinationLayer,
-                               &lines::kUnsureLayer,         &lines::kLinesToDrawLayer,
-                               &leaf::kLeafOutlineLayer,     &leaf::kLeafVeinLayer,
-                               &leaf::kLeafOtherLayer,       &indicators::kIndicatorLayer };
+constexpr std::array kLayers {
+    &silhouette::kTrianglesLayer,   &silhouette::kSeenLayer,     &silhouette::kOutlineLayer,
+    &silhouette::kTrunkLayer,       &lines::kStemLayer,          &lines::kBoundaryLayer,
+    &lines::kInclinationLayer,      &lines::kOtherStemLayer,     &lines::kOtherBoundaryLayer,
+    &lines::kOtherInclinationLayer, &lines::kUnsureLayer,        &lines::kOrganLayer,
+    &lines::kLinesToDrawLayer,      &leaf::kLeafOutlineLayer,    &leaf::kLeafVeinLayer,
+    &leaf::kLeafOtherLayer,         &indicators::kIndicatorLayer
+};
 
 std::vector<scene::EditKind const*> edit_kinds()
 {
@@ -109,7 +114,8 @@ std::vector<scene::EditKind const*> edit_kinds()
     all.insert(all.end(),
                { &lines::AddLine::kKind, &lines::SetLayerNodes::kKind,
                  &lines::SetLinePattern::kKind, &lines::SetLineRole::kKind,
-                 &lines::RedrawLine::kKind, &lines::BendStem::kKind });
+                 &lines::RedrawLine::kKind, &lines::BendStem::kKind, &lines::DrawOrgan::kKind,
+                 &lines::SetLayerOrgan::kKind });
     all.insert(all.end(),
                { &leaf::AddLeafLine::kKind, &leaf::EraseLeafLine::kKind, &leaf::FormLeaf::kKind });
     return all;

@@ -79,6 +79,21 @@ Lines unsure_lines(scene::BuiltPlant const& plant)
 
 } // namespace
 
+// The lines of leaves where they were drawn.
+static Lines organ_lines(scene::BuiltPlant const& plant)
+{
+    Lines result;
+    auto const* const sketch = lines::pen_sketch(*plant.drawn);
+    if (!sketch || !plant.drawn->paper_mm)
+        return result;
+    auto const sheet = lines::sheet_of(*plant.drawn, plant.placement.scale);
+    auto const paper = *scene::paper_of(*plant.drawn);
+    for (auto const& organ : sketch->organs)
+        for (auto const& line : organ.lines)
+            result.push_back(shown(line.line, sheet, paper));
+    return result;
+}
+
 constexpr tools::Layer kStemLayer { .label = "drawn stem",
                                     .style = { .color = tools::LayerStyle::Color::Purple },
                                     .lines = lines_of<Turn::First, Stem> };
@@ -107,6 +122,10 @@ constexpr tools::Layer kOtherInclinationLayer {
 constexpr tools::Layer kUnsureLayer { .label = "unsure lines",
                                       .style = { .pattern = tools::LayerStyle::Pattern::Dotted },
                                       .lines = unsure_lines };
+constexpr tools::Layer kOrganLayer { .label = "leaves in views",
+                                     .style
+                                     = { .color = tools::LayerStyle::Color::Green, .width_mm = 1 },
+                                     .lines = organ_lines };
 constexpr tools::Layer kLinesToDrawLayer { .label = "still to be drawn",
                                            .style = { .color = tools::LayerStyle::Color::Blue,
                                                       .pattern = tools::LayerStyle::Pattern::Dotted,

@@ -14,8 +14,9 @@ extern tools::Layer const kInclinationLayer;
 extern tools::Layer const kOtherStemLayer;
 extern tools::Layer const kOtherBoundaryLayer;
 extern tools::Layer const kOtherInclinationLayer;
-// those of which nobody knows what they are,
+// those of which nobody knows what they are, and leaves that were drawn in three views,
 extern tools::Layer const kUnsureLayer;
+extern tools::Layer const kOrganLayer; // Of leaves that were drawn in three views.
 // and where lines that it lacks might be (lines_to_draw.h).
 extern tools::Layer const kLinesToDrawLayer;
 

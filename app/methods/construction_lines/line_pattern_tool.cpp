@@ -10,8 +10,55 @@ namespace tractus::lines {
 
 namespace {
 
-// Patterns that bear organs follow each other in a ring.
-lines::Pattern after(lines::Pattern pattern)
+lines::Pattern with_other_sizes(lines::Pattern pattern)
+{
+    using enum lines::Pattern::Sizes;
+    pattern.sizes = pattern.sizes == Linear ? HalfEllipses : Linear;
+    return pattern;
+}
+
+// In the order of What.
+constexpr std::array<tools::OptionWord, 3> kPatternChanges { {
+    { "next", "Next pattern", nullptr, true },
+    { "sizes", "Sizes around", nullptr, true },
+    { "face", "Turn organs", nullptr, true },
+} };
+
+void visit(tools::OptionVisitor& visitor, LinePatternTool& tool)
+{
+    visitor.choice({ kPatternChanges }, tool.what);
+}
+
+Result<std::vector<scene::Edit>> set_next(tools::Tool const& tool, Stroke const&,
+                                          scene::Scene const& scene)
+{
+    auto const active = TRY(active_sketch(scene));
+    auto const& before = active.sketch.pattern;
+    auto const what = tool.get<LinePatternTool>()->what;
+    auto const pattern = what == LinePatternTool::What::Next ? next_pattern(before)
+        : what == LinePatternTool::What::Sizes               ? with_other_sizes(before)
+                                                             : next_face(before);
+    return std::vector<scene::Edit> { lines::SetLinePattern { active.plant, pattern } };
+}
+
+std::string said(tools::Tool const& tool, scene::Scene const& scene)
+{
+    auto const* const sketch = lines::active_pen_sketch(scene.state);
+    if (!sketch)
+        return "";
+    auto const what = tool.get<LinePatternTool>()->what;
+    if (what == LinePatternTool::What::Next)
+        return fmt::format("The organs are {} now", lines::name_of(sketch->pattern.kind));
+    if (what == LinePatternTool::What::Face)
+        return fmt::format("The organs {} now", said_of_face(sketch->pattern));
+    return sketch->pattern.sizes == lines::Pattern::Sizes::Linear
+        ? "Sizes change evenly around the stem now, but between boundaries in space"
+        : "Sizes follow half-ellipses around the stem now";
+}
+
+} // namespace
+
+lines::Pattern next_pattern(lines::Pattern pattern)
 {
     using enum lines::Pattern::Kind;
     switch (pattern.kind) {
@@ -37,47 +84,21 @@ lines::Pattern after(lines::Pattern pattern)
     return pattern;
 }
 
-lines::Pattern with_other_sizes(lines::Pattern pattern)
+lines::Pattern next_face(lines::Pattern pattern)
 {
-    using enum lines::Pattern::Sizes;
-    pattern.sizes = pattern.sizes == Linear ? HalfEllipses : Linear;
+    using enum lines::Pattern::Face;
+    double const roll_deg = lines::roll_deg(pattern);
+    pattern.face = roll_deg < 0 ? Down : roll_deg > 0 ? Flat : Up;
     return pattern;
 }
 
-// In the order of What.
-constexpr std::array<tools::OptionWord, 2> kPatternChanges { {
-    { "next", "Next pattern", nullptr, true },
-    { "sizes", "Sizes around", nullptr, true },
-} };
-
-void visit(tools::OptionVisitor& visitor, LinePatternTool& tool)
+std::string said_of_face(lines::Pattern const& pattern)
 {
-    visitor.choice({ kPatternChanges }, tool.what);
+    double const roll_deg = lines::roll_deg(pattern);
+    if (roll_deg == 0)
+        return "lie flat";
+    return roll_deg < 0 ? "turn their upper side up" : "turn their upper side down";
 }
-
-Result<std::vector<scene::Edit>> set_next(tools::Tool const& tool, Stroke const&,
-                                          scene::Scene const& scene)
-{
-    auto const active = TRY(active_sketch(scene));
-    bool const is_next = tool.get<LinePatternTool>()->what == LinePatternTool::What::Next;
-    auto const pattern
-        = is_next ? after(active.sketch.pattern) : with_other_sizes(active.sketch.pattern);
-    return std::vector<scene::Edit> { lines::SetLinePattern { active.plant, pattern } };
-}
-
-std::string said(tools::Tool const& tool, scene::Scene const& scene)
-{
-    auto const* const sketch = lines::active_pen_sketch(scene.state);
-    if (!sketch)
-        return "";
-    if (tool.get<LinePatternTool>()->what == LinePatternTool::What::Next)
-        return fmt::format("The organs are {} now", lines::name_of(sketch->pattern.kind));
-    return sketch->pattern.sizes == lines::Pattern::Sizes::Linear
-        ? "Sizes change evenly around the stem now, but between boundaries in space"
-        : "Sizes follow half-ellipses around the stem now";
-}
-
-} // namespace
 
 constexpr tools::ToolKind LinePatternTool::kKind {
     .word = "line_pattern",
@@ -85,8 +106,9 @@ constexpr tools::ToolKind LinePatternTool::kKind {
     .title = "The next pattern",
     .done = "The organs have another pattern",
     .help = "gives the organs of the sketch that takes what is drawn the next pattern: "
-            "distichous, decussate, spiral, alternate, whorled; or lets their sizes follow "
-            "half-ellipses around the stem, or change evenly again",
+            "distichous, decussate, spiral, alternate, whorled; lets their sizes follow "
+            "half-ellipses around the stem, or change evenly again; or turns them to lie flat, "
+            "with their upper side up, or down",
     .group = "Sketch",
     .method = "From lines",
     .begins_group_of_buttons = true,

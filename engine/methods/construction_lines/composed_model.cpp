@@ -234,7 +234,9 @@ static Result<LineModel> write_several(ComposedSketch const& sketch, std::string
 static std::string heading_text(std::size_t count)
 {
     auto const of_organs = count == 1
-        ? std::string("/* A plant of construction lines whose layers bear different organs. ")
+        ? std::string("/* A plant of construction lines, whose layers may bear different organs: "
+                      "tables say of each\n   layer which organ it bears, 0 leaves, in which "
+                      "pattern, and how far it is rolled. ")
         : fmt::format("/* A plant of {} sketches of construction lines: organs of one are plants "
                       "of another, which is an\n   L-system that it calls. ",
                       count);

@@ -1,6 +1,7 @@
 #include "engine/methods/construction_lines/line_edits.h"
 
 #include "engine/methods/construction_lines/bend_lines.h"
+#include "engine/methods/construction_lines/change_sketch.h"
 #include "engine/scene/edit_words.h"
 #include "engine/scene/make_edit_kind.h"
 
@@ -16,38 +17,9 @@ using scene::name_of; // Of items.
 
 namespace {
 
-// In the order of the enumerations' values.
-constexpr std::array kPatterns {
-    "distichous", "decussate", "spiral", "alternate", "whorled", "bare"
-};
+// In the order of the enumeration's values.
 constexpr std::array kRoles { "stem",   "left",  "right", "inclination", "half_inclination",
                               "unsure", "around" };
-
-void list(scene::Fields& fields, Pattern& pattern)
-{
-    fields.word("pattern", pattern.kind, kPatterns);
-    fields.field("divergence", &pattern.divergence_deg);
-    fields.field("whorl", &pattern.whorl);
-    int half_ellipses = pattern.sizes == Pattern::Sizes::HalfEllipses ? 1 : 0;
-    fields.sparse_field("half_ellipses", &half_ellipses);
-    pattern.sizes = half_ellipses != 0 ? Pattern::Sizes::HalfEllipses : Pattern::Sizes::Linear;
-    int face = static_cast<int>(pattern.face);
-    fields.sparse_field("face", &face);
-    pattern.face = static_cast<Pattern::Face>(std::clamp(face, 0, 3));
-}
-
-Result<void> check_pattern(Pattern const& pattern)
-{
-    constexpr int kLeastWhorl = 2;
-    constexpr int kMostWhorl = 24;
-    if (!(std::fabs(pattern.divergence_deg) <= 360))
-        return fail(Fault::User, "the divergence is no angle: give degrees from -360 to 360");
-    if (pattern.whorl < kLeastWhorl || pattern.whorl > kMostWhorl)
-        return fail(Fault::User,
-                    fmt::format("{} organs cannot stand around a node: give {} to {}",
-                                pattern.whorl, kLeastWhorl, kMostWhorl));
-    return {};
-}
 
 Result<void> check_nodes(int nodes)
 {
@@ -56,68 +28,6 @@ Result<void> check_nodes(int nodes)
             Fault::User,
             fmt::format("a layer cannot have {} nodes: give 0 to {}", nodes, kMostNodesInLayer));
     return {};
-}
-
-std::string describe(Pattern const& pattern)
-{
-    auto const name
-        = fmt::format("{}{}", name_of(pattern.kind),
-                      pattern.sizes == Pattern::Sizes::HalfEllipses ? " by half-ellipses" : "");
-    if (pattern.kind == Pattern::Kind::Whorled)
-        return fmt::format("{}, {} at a node", name, pattern.whorl);
-    if (pattern.kind == Pattern::Kind::Spiral || pattern.kind == Pattern::Kind::Alternate)
-        return fmt::format("{}, {:g} degrees from one to the next", name, pattern.divergence_deg);
-    return name;
-}
-
-// Of which plant, and its sketch.
-struct Found {
-    std::size_t number = 0;
-    PenSketch sketch;
-};
-
-Result<Found> find_sketch(scene::DocumentState const& state, scene::ItemId plant)
-{
-    auto const number = TRY(scene::plant_number(state, plant));
-    auto const* const sketch = pen_sketch(*state.plants[number]);
-    if (!sketch)
-        return fail(Fault::User,
-                    fmt::format("plant {} is not drawn with construction lines: begin another one "
-                                "with a stem",
-                                scene::name_of(plant)));
-    return Found { number, *sketch };
-}
-
-// Where the pen came down for a line, on the tablet then, and on the sheet.
-Vec2 begin_on_tablet(SketchLine const& line)
-{
-    auto const tips = line.stroke.tips.in_memory();
-    return tips && !tips->empty() ? Vec2(tips->front().position_mm.head<2>()) : Vec2(0, 0);
-}
-
-Vec2 begin_on_sheet(SketchLine const& line)
-{
-    return line.sheet.on_sheet(begin_on_tablet(line));
-}
-
-// Puts another sketch in the place of a plant's. Where it has another stem the plant stands at that
-// one's foot, and so all of its lines stay where they are.
-void put_sketch(scene::DocumentState& state, Found found)
-{
-    auto const& before = *state.plants[found.number];
-    auto const sheet = sheet_of(before, state.scale);
-    auto const& stem = first_stem(found.sketch);
-    bool const is_other = stem.id != first_stem(*pen_sketch(before)).id;
-    Vec2 const foot_mm = sheet.on_tablet(begin_on_sheet(stem));
-    scene::change_plant(state, found.number, [&](scene::PlantState& plant) {
-        if (is_other && plant.paper_mm) {
-            plant.stands_at_mm.x() += foot_mm.x() - plant.paper_mm->x();
-            plant.paper_mm = foot_mm;
-        }
-        plant.source = scene::PlantSource(kPenSketch, std::move(found.sketch));
-        plant.source_edit = state.last_edit;
-        plant.selection.clear();
-    });
 }
 
 void list(scene::Fields& fields, AddLine& edit)
@@ -203,14 +113,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, SetLayerNodes c
 {
     TRY(check_nodes(edit.nodes));
     auto found = TRY(find_sketch(state, edit.plant));
-    auto& lines = found.sketch.lines;
-    auto const line = std::find_if(lines.begin(), lines.end(),
-                                   [&](SketchLine const& each) { return each.id == edit.line; });
-    if (line == lines.end())
-        return fail(Fault::User,
-                    fmt::format("the sketch has no line {}, so no layer above it",
-                                scene::name_of(edit.line)));
-    line->nodes = edit.nodes;
+    TRY(find_layer(found.sketch, edit.line))->nodes = edit.nodes;
     put_sketch(state, std::move(found));
     return state;
 }
@@ -225,6 +128,7 @@ std::string described(SetLayerNodes const& edit)
 void list(scene::Fields& fields, SetLinePattern& edit)
 {
     fields.field("plant", &edit.plant);
+    fields.sparse_field("line", &edit.line);
     list(fields, edit.pattern);
 }
 
@@ -233,14 +137,23 @@ Result<scene::DocumentState> applied(scene::DocumentState state, SetLinePattern 
 {
     TRY(check_pattern(edit.pattern));
     auto found = TRY(find_sketch(state, edit.plant));
-    found.sketch.pattern = edit.pattern;
+    if (edit.line != 0) {
+        TRY(find_layer(found.sketch, edit.line))->pattern = edit.pattern;
+    } else {
+        found.sketch.pattern = edit.pattern;
+        for (auto& line : found.sketch.lines)
+            line.pattern.reset();
+    }
     put_sketch(state, std::move(found));
     return state;
 }
 
 std::string described(SetLinePattern const& edit)
 {
-    return fmt::format("gives the organs of plant {} another pattern: {}",
+    auto const of_layer = edit.line == 0
+        ? std::string()
+        : fmt::format("of the layer above line {} ", scene::name_of(edit.line));
+    return fmt::format("gives the organs {}of plant {} another pattern: {}", of_layer,
                        scene::name_of(edit.plant), describe(edit.pattern));
 }
 
@@ -315,25 +228,6 @@ std::string described(BendStem const& edit)
 }
 
 } // namespace
-
-PenSketch const* pen_sketch(scene::PlantState const& plant)
-{
-    return plant.source.get<PenSketch>(kPenSketch);
-}
-
-PenSketch const* active_pen_sketch(scene::DocumentState const& state)
-{
-    auto const* const plant = scene::active_plant(state);
-    return plant ? pen_sketch(*plant) : nullptr;
-}
-
-SheetPlacement sheet_of(scene::PlantState const& plant, std::optional<double> scale)
-{
-    auto const& sketch = *pen_sketch(plant);
-    double const size = sketch.scale / scale.value_or(sketch.scale);
-    Vec2 const foot_mm = begin_on_sheet(first_stem(sketch));
-    return { foot_mm - size * plant.paper_mm.value_or(foot_mm), size };
-}
 
 constexpr scene::EditKind AddLine::kKind
     = scene::make_edit_kind<AddLine, list, applied, described>("add_construction_line", true);

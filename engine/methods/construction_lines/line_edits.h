@@ -44,6 +44,9 @@ struct SetLinePattern {
 
     scene::ItemId plant = 0;
     Pattern pattern {};
+    // A layer's (see Layer), in which they stand so; 0: in all layers, of which none has a pattern
+    // of its own from then on.
+    scene::ItemId line = 0;
 };
 
 // Says what a line of a sketch is: see with_role().

@@ -284,6 +284,8 @@ std::string organ_rules(std::vector<Pattern> const& patterns, Pattern::Sizes siz
             replace_all(rules, "DIVERGENCE", number_text(patterns[i].divergence_deg));
             replace_all(rules, "WHORL", std::to_string(patterns[i].whorl));
         }
+        if (patterns.size() > 1)
+            text += fmt::format("/* Of pattern {}, {}. */\n", i, name_of(patterns[i].kind));
         set_condition(rules, patterns.size() > 1 ? fmt::format("pattern[z] == {}", i) : "");
         text += rules;
         is_around = is_around || stands_all_around(patterns[i]);

@@ -3,6 +3,7 @@
 #include "engine/methods/construction_lines/model_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <string_view>
 
@@ -67,10 +68,13 @@ std::string surface_text(std::vector<BezierPatch> const& patches)
                             "AL: ~ A: {} AR: ~\nL: {} R: {}\nBL: ~ B: {} BR: ~\n",
                             i, name(sides[BezierPatch::Above]), name(sides[BezierPatch::Left]),
                             name(sides[BezierPatch::Right]), name(sides[BezierPatch::Below]));
+        auto const number = [&](double value) { // What rounding leaves of 0 is 0.
+            return std::fabs(value) < 1e-9 * length ? 0 : value;
+        };
         for (std::size_t k = 0; k < 16; ++k) {
             auto const& point = patches[i].control[k];
-            text += fmt::format("{:.6g} {:.6g} {:.6g}{}", point.x() + 0.0, point.y() + 0.0,
-                                point.z() + 0.0, k % 4 == 3 ? "\n" : "  ");
+            text += fmt::format("{:.6g} {:.6g} {:.6g}{}", number(point.x()), number(point.y()),
+                                number(point.z()), k % 4 == 3 ? "\n" : "  ");
         }
     }
     return text;

@@ -1,14 +1,9 @@
 #include "engine/methods/construction_lines/pen_sketch.h"
 
 #include "engine/methods/construction_lines/around_stem.h"
-#include "engine/methods/construction_lines/capture_line.h"
-#include "engine/methods/construction_lines/varied_sketch.h"
-#include "engine/scene/lsystem_source.h"
 #include "engine/stroke/polyline.h"
-#include "engine/stroke/upright_sheet.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <utility>
@@ -31,20 +26,33 @@ Result<StemRecogniser> recogniser_of(PenSketch const& sketch)
     return recogniser;
 }
 
+// What the layer above a line bears.
+LayerOrgans organs_above(PenSketch const& sketch, SketchLine const& line)
+{
+    return { .pattern = line.pattern,
+             .organ = organ_number(sketch, line.organ.value_or(sketch.organ)) };
+}
+
 std::vector<StemLines> stems_of(StemRecogniser const& recogniser, PenSketch const& sketch)
 {
     auto result = recogniser.stems();
     for (std::size_t i = 0; i < result.size(); ++i) {
         auto const strokes = recogniser.inclination_strokes(i);
         auto& nodes = result[i].sketch.nodes_above;
-        for (auto const stroke : strokes)
+        auto& organs = result[i].sketch.organs_above;
+        for (auto const stroke : strokes) {
             nodes.push_back(sketch.lines[stroke].nodes);
+            organs.push_back(organs_above(sketch, sketch.lines[stroke]));
+        }
         if (strokes.size() >= 2)
             continue;
         nodes = { 0 };
+        organs = { {} };
         for (auto const& line : sketch.lines)
-            if (line.role == Role::Stem && line.stem == i)
+            if (line.role == Role::Stem && line.stem == i) {
                 nodes = { line.nodes };
+                organs = { organs_above(sketch, line) };
+            }
     }
     return result;
 }
@@ -101,24 +109,6 @@ Result<void> check_line(PenSketch const& sketch, scene::ItemId line)
                             scene::name_of(line)));
 }
 
-bool same(SketchLine const& one, SketchLine const& other)
-{
-    return one.id == other.id && one.stroke.tips.id() == other.stroke.tips.id()
-        && one.sheet.offset_mm == other.sheet.offset_mm && one.sheet.size == other.sheet.size
-        && one.role == other.role && one.nodes == other.nodes && one.stem == other.stem
-        && one.parent == other.parent && one.depth_by == other.depth_by
-        && one.level_mm == other.level_mm;
-}
-
-bool same(PenSketch const& one, PenSketch const& other)
-{
-    return one.pattern == other.pattern && one.scale == other.scale
-        && std::equal(one.lines.begin(), one.lines.end(), other.lines.begin(), other.lines.end(),
-                      [](SketchLine const& line, SketchLine const& another) {
-                          return same(line, another);
-                      });
-}
-
 // The surface's height where a line begins.
 Result<double> level_of(SketchLine const& line)
 {
@@ -172,97 +162,7 @@ Result<PenSketch> with_levels(PenSketch sketch, std::size_t stem)
     return sketch;
 }
 
-// Puts depths by pressure in the places of a stem's tips.
-void press(std::vector<Vec3>& places, std::vector<TipSample> const& tips)
-{
-    constexpr double kDepth = 0.5; // Of the stem's length, for all of the pressure's range.
-    constexpr double kWindow = 0.05;
-    constexpr int kSteps = 100; // At which the mean is taken.
-    std::vector<double> at { 0 };
-    for (std::size_t i = 1; i < places.size(); ++i)
-        at.push_back(at.back() + (places[i] - places[i - 1]).head<2>().norm());
-    double const length_mm = at.back();
-    if (!(length_mm > 0))
-        return;
-    std::vector<double> pressures;
-    for (int step = 0; step <= kSteps; ++step) {
-        double const middle = std::clamp(static_cast<double>(step) / kSteps, kWindow, 1 - kWindow);
-        double sum = 0;
-        double weights = 0;
-        for (std::size_t i = 0; i < tips.size(); ++i) {
-            double const off = std::fabs(at[i] / length_mm - middle) / kWindow;
-            double const weight = std::max(1e-9, 1 - off);
-            sum += weight * tips[i].pressure;
-            weights += weight;
-        }
-        pressures.push_back(sum / weights);
-    }
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        double const step = std::min(at[i] / length_mm, 1.0) * kSteps;
-        auto const low = std::min(static_cast<std::size_t>(step), pressures.size() - 2);
-        double const pressure
-            = std::lerp(pressures[low], pressures[low + 1], step - static_cast<double>(low));
-        places[i].z() = kDepth * length_mm * (pressure - pressures.front());
-    }
-}
-
-// Measured stems alone have none.
-Pattern pattern_of(PenSketch const& sketch, std::vector<StemLines> const& stems)
-{
-    auto pattern = sketch.pattern;
-    if (!has_boundary(stems))
-        pattern.kind = Pattern::Kind::Bare;
-    return pattern;
-}
-
 } // namespace
-
-constexpr scene::SourceKind kPenSketch {
-    .word = "construction_lines",
-    .build =
-        [](void const* drawn, scene::LoadOptions const& options) {
-            return build_pen_sketch(*static_cast<PenSketch const*>(drawn), options);
-        },
-    .same =
-        [](void const* one, void const* other) {
-            return same(*static_cast<PenSketch const*>(one), *static_cast<PenSketch const*>(other));
-        },
-    .model = [](void const* drawn) -> Result<scene::SourceModel> {
-        auto model = TRY(model_of(*static_cast<PenSketch const*>(drawn)));
-        return scene::SourceModel { std::move(model.source), std::move(model.functions) };
-    },
-    .vary = [](void const* drawn,
-               scene::SourceVariation const& variation) -> std::shared_ptr<void const> {
-        return std::make_shared<PenSketch const>(
-            varied_sketch(*static_cast<PenSketch const*>(drawn), variation));
-    },
-};
-
-Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line)
-{
-    auto const dot
-        = [] { return fail(Fault::User, "this is only a dot: draw a line of the sketch"); };
-    auto const tips = TRY(line.stroke.tips.in_memory());
-    bool const is_flat
-        = !line.level_mm && decide_surface(tips, StrokeSurface::Decided) == StrokeSurface::Paper;
-    double const lift_mm
-        = line.level_mm && !tips.empty() ? tips.front().position_mm.z() - *line.level_mm : 0;
-    std::vector<Vec3> places;
-    for (auto const& tip_mm : plant_tips(tips, StrokeSurface::Paper)) {
-        auto const place_mm = line.sheet.on_sheet({ tip_mm.x(), tip_mm.z() });
-        places.emplace_back(place_mm.x(), place_mm.y(),
-                            is_flat ? 0 : line.sheet.size * (lift_mm - tip_mm.y()));
-    }
-    if (line.role == Role::Stem && line.depth_by == DepthBy::Pressure)
-        press(places, tips.vector());
-    auto const drawn = distinct_points(without_repeats(places));
-    if (!drawn)
-        return dot();
-    auto points = without_repeats(capture_line(*drawn));
-    if (points.size() < 2)
-        return dot();
-    return points;
-}
 
 static Result<PenSketch> with_stroke(PenSketch sketch, SketchLine line, StemRecogniser::Says says)
 {
@@ -283,6 +183,8 @@ static Result<PenSketch> with_stroke(PenSketch sketch, SketchLine line, StemReco
     line.parent = known.parent;
     if (auto const replaced = known.line.replaces) {
         line.nodes = sketch.lines[*replaced].nodes;
+        line.pattern = sketch.lines[*replaced].pattern;
+        line.organ = sketch.lines[*replaced].organ;
         sketch.lines.erase(sketch.lines.begin() + static_cast<std::ptrdiff_t>(*replaced));
     }
     sketch.lines.push_back(std::move(line));
@@ -344,7 +246,11 @@ Result<std::size_t> stem_in_hand(PenSketch const& sketch)
 
 PenSketch stem_alone(PenSketch const& sketch, std::size_t stem)
 {
-    PenSketch alone { .lines = {}, .pattern = sketch.pattern, .scale = sketch.scale };
+    PenSketch alone { .lines = {},
+                      .pattern = sketch.pattern,
+                      .scale = sketch.scale,
+                      .organs = sketch.organs,
+                      .organ = sketch.organ };
     for (auto const& line : sketch.lines)
         if (line.stem == stem) {
             alone.lines.push_back(line);
@@ -367,19 +273,13 @@ Result<LineSketch> line_sketch(PenSketch const& sketch)
     return std::move(stems.at(TRY(stem_in_hand(sketch))).sketch);
 }
 
-Result<LineModel> model_of(PenSketch const& sketch)
+std::size_t organ_number(PenSketch const& sketch, scene::ItemId organ)
 {
-    auto const lines = TRY(stem_sketches(sketch, Unit::Plant));
-    auto const stems = TRY(measure_stems(lines, Missing::Guessed));
-    return write_model(stems, pattern_of(sketch, lines), "lines");
-}
-
-Result<scene::BuiltSource> build_pen_sketch(PenSketch const& sketch,
-                                            scene::LoadOptions const& options)
-{
-    auto model = TRY(model_of(sketch));
-    return scene::build_lsystem(
-        { .source = std::move(model.source), .includes = std::move(model.functions) }, options);
+    auto const found = std::find_if(sketch.organs.begin(), sketch.organs.end(),
+                                    [&](SketchOrgan const& each) { return each.id == organ; });
+    return found == sketch.organs.end()
+        ? 0
+        : static_cast<std::size_t>(found - sketch.organs.begin()) + 1;
 }
 
 // Of a sketch of one stem.

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "engine/methods/construction_lines/composed_model.h"
 #include "engine/methods/construction_lines/construction.h"
 #include "engine/methods/construction_lines/line_model.h"
 #include "engine/methods/construction_lines/pattern.h"
 #include "engine/methods/construction_lines/recognise_line.h"
 #include "engine/methods/construction_lines/recognise_stems.h"
+#include "engine/methods/construction_lines/sketch_line.h"
+#include "engine/methods/construction_lines/sketch_organ.h"
 #include "engine/scene/anchored.h"
 #include "engine/scene/plant_source.h"
 #include "engine/stroke/stroke.h"
@@ -13,41 +16,6 @@
 #include <vector>
 
 namespace tractus::lines {
-
-// Where on a sketch's sheet (drawn_line.h) a place on the tablet is, which is upright paper
-// (paper.h): offset + size * (x, y). As long as a plant is shown in the size in which its stem was
-// drawn, both are the same.
-struct SheetPlacement {
-    Vec2 offset_mm = Vec2::Zero();
-    double size = 1; // Millimetres of the sheet in one of the tablet; above 0.
-
-    Vec2 on_sheet(Vec2 const& tablet_mm) const { return offset_mm + size * tablet_mm; }
-    Vec2 on_tablet(Vec2 const& sheet_mm) const { return (sheet_mm - offset_mm) / size; }
-};
-
-// Where a line's depth comes from.
-enum class DepthBy {
-    StemsHeight, // A stem's from the surface's height; all other lines are on the sheet.
-    Height,      // From the surface's height, of boundaries, too: see Role::Around.
-    Pressure,    // A stem's from the pen's pressure: where there is no sensor for the height.
-};
-
-// A line of a sketch as a pen drew it.
-struct SketchLine {
-    scene::ItemId id = 0;
-    Stroke stroke {};        // World frame.
-    SheetPlacement sheet {}; // When it was drawn.
-    Role role = Role::Unsure;
-    // In the layer above it, of an inclination line, 0 to kMostNodesInLayer. Of the stem: in the
-    // only layer of a sketch with fewer than two of those.
-    int nodes = 0;
-    std::size_t stem = 0; // The number of the stem to which it belongs; of a stem, its own.
-    std::optional<std::size_t> parent {}; // Of a stem: see StemLines.
-    DepthBy depth_by = DepthBy::StemsHeight;
-    // The surface's height where the depth is 0, that at which its stem begins, mm on the tablet.
-    // No value: the line does not leave the sheet, or it is a stem.
-    std::optional<double> level_mm {};
-};
 
 // A plant that is drawn with construction lines: the source that its base plant is built from. It
 // gives a plant at every stage. The stem alone is a bare stem, since nothing says yet how far
@@ -62,19 +30,11 @@ struct PenSketch {
     std::vector<SketchLine> lines;
     Pattern pattern {};
     double scale = 0.1; // World millimetres per plant millimetre, where a line's size is 1.
+    std::vector<SketchOrgan> organs {}; // What layers may bear, in the order in which they came.
+    scene::ItemId organ = 0;            // Which of them the plant bears; 0: plain leaves.
 };
 
 extern scene::SourceKind const kPenSketch;
-
-// Where the tips of a line are on the sheet, (u, v, depth), the hand's tremor taken out
-// (capture_line.h). Where the surface has moved by less than a twentieth of the line's length the
-// depth is 0; else it is the height above pen-down, or of a line that has a level above that. By
-// pressure a stem comes towards the viewer by half of its length on the sheet where the pen is
-// pressed with all of its range more than at its base; the mean of a twentieth of the stem counts,
-// and at its ends, where the pen comes down and is lifted, what is a twentieth from them. At
-// least two points, no two neighbours at one
-// place of the sheet. Fails, as the user's fault, for a dot.
-Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line);
 
 // The sketch with one more line, whose role is found out from how it lies to the others
 // (LineRecogniser). It takes the place of one that it draws again, and that one's number of nodes.
@@ -115,6 +75,13 @@ SketchLine const& first_stem(PenSketch const& sketch);
 
 // The lines that count of the stem in hand, as measure_sketch() takes them with Missing::Guessed.
 Result<LineSketch> line_sketch(PenSketch const& sketch);
+
+// Which of the sketch's organs this is, from 1; 0: none of them.
+std::size_t organ_number(PenSketch const& sketch, scene::ItemId organ);
+
+// The sketch as measured, with its organs, in millimetres of the plant. Fails like measure_stems()
+// and surface_of().
+Result<ComposedSketch> composed(PenSketch const& sketch);
 
 // The sketch's plant as a model in cpfg's language, called "lines".
 Result<LineModel> model_of(PenSketch const& sketch);

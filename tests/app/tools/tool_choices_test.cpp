@@ -55,9 +55,10 @@ TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
     EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "line_role"))),
               "Along a stroke, From an outline, From lines*, A leaf, | Line, Another stem, Another "
               "plant, | "
-              "Next pattern!, Sizes around!, | Nodes of a layer, | It is an inclination*, Half of "
+              "Next pattern!, Sizes around!, Turn organs!, | Nodes of a layer, | It is an "
+              "inclination*, Half of "
               "one, Left, Right, "
-              "Around, Stem, No line, ");
+              "Around, Stem, No line, | Leaf's edge, | Layer's organ, ");
 }
 
 // A number is asked for in a panel: its button leaves the tool in hand as it is.

@@ -1,0 +1,120 @@
+#include "app/methods/construction_lines/layer_organs_tool.h"
+
+#include "app/methods/construction_lines/line_pattern_tool.h"
+#include "app/methods/construction_lines/touched_sketch.h"
+#include "app/tools/erase_tool.h"
+#include "engine/methods/construction_lines/organ_edits.h"
+#include "engine/scene/paper.h"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace tractus::lines {
+
+namespace {
+
+// In the order of What.
+constexpr std::array<tools::OptionWord, 4> kLayerWords { {
+    { "layer_pattern", "Layer's pattern" },
+    { "layer_face", "Turn a layer" },
+    { "layer_organ", "Layer's organ" },
+    { "layer_plant", "Plant as organ" },
+} };
+
+void visit(tools::OptionVisitor& visitor, LayerOrgansTool& tool)
+{
+    visitor.choice({ kLayerWords, tools::WordOption::Offered::InHand }, tool.what);
+}
+
+// The line whose layer was touched, and what it bears.
+struct TouchedLayer {
+    scene::ItemId line = 0; // 0: all layers, where there is only one, which no line bounds yet.
+    lines::Pattern pattern {};
+    scene::ItemId organ = 0;
+};
+
+Result<TouchedLayer> touched_layer(ActiveSketch const& active, Stroke const& stroke)
+{
+    auto const& sketch = active.sketch;
+    auto const layer = TRY(lines::layer_at(sketch, touched_mm(active, stroke)));
+    auto const& line = *lines::find_line(sketch, layer.line);
+    bool const is_all = line.role == lines::Role::Stem;
+    return TouchedLayer { is_all ? 0 : layer.line, line.pattern.value_or(sketch.pattern),
+                          line.organ.value_or(sketch.organ) };
+}
+
+// The next kind of organ behind this one; plain leaves come first.
+Result<scene::ItemId> next_organ(lines::PenSketch const& sketch, scene::ItemId organ)
+{
+    if (sketch.organs.empty())
+        return fail(Fault::User,
+                    "the plant has nothing but plain leaves: draw a leaf's edge, or bring a plant "
+                    "here with Plant as organ");
+    auto const next = lines::organ_number(sketch, organ);
+    return next < sketch.organs.size() ? sketch.organs[next].id : 0;
+}
+
+// The plant with construction lines on which the stroke begins.
+Result<scene::ItemId> plant_dragged(Stroke const& stroke, scene::Scene const& scene)
+{
+    auto const world_mm
+        = scene::paper_of(scene.state).world_of_sheet(stroke.tips.front().position_mm.head<2>());
+    for (auto const& plant : scene.state.plants) {
+        auto const* const sketch = lines::pen_sketch(*plant);
+        auto const paper = scene::paper_of(*plant);
+        if (!sketch || !paper || plant->id == scene.state.active || plant->is_hidden)
+            continue;
+        auto const sheet = lines::sheet_of(*plant, scene.state.scale);
+        if (lines::line_at(*sketch, sheet.on_sheet(paper->sheet_of_world(world_mm))))
+            return plant->id;
+    }
+    return fail(Fault::User,
+                "no other plant with construction lines is here: begin the stroke on a line of the "
+                "plant that is to be an organ, and end it beside the layer that is to bear it");
+}
+
+Result<std::vector<scene::Edit>> change_layer(tools::Tool const& tool, Stroke const& stroke,
+                                              scene::Scene const& scene)
+{
+    auto const active = TRY(active_sketch(scene));
+    auto const layer = TRY(touched_layer(active, stroke));
+    using Edits = std::vector<scene::Edit>;
+    using Change = LayerOrgansTool::What;
+    switch (tool.get<LayerOrgansTool>()->what) {
+    case Change::Pattern:
+        return Edits { lines::SetLinePattern { active.plant, next_pattern(layer.pattern),
+                                               layer.line } };
+    case Change::Face:
+        return Edits { lines::SetLinePattern { active.plant, next_face(layer.pattern),
+                                               layer.line } };
+    case Change::Organ:
+        return Edits { lines::SetLayerOrgan { active.plant, layer.line,
+                                              TRY(next_organ(active.sketch, layer.organ)) } };
+    case Change::Plant:
+        break;
+    }
+    return Edits { lines::SetLayerOrgan { .plant = active.plant,
+                                          .line = layer.line,
+                                          .of_plant = TRY(plant_dragged(stroke, scene)) } };
+}
+
+} // namespace
+
+constexpr tools::ToolKind LayerOrgansTool::kKind {
+    .word = "layer_organs",
+    .label = "Layer's organ",
+    .title = "Change what a layer bears",
+    .done = "The layer bears something else now",
+    .help = "gives the layer of a sketch beside which the stroke ends the next pattern, turns its "
+            "organs, gives it the next of the organs that were drawn, or plain leaves; or plants "
+            "like the one on whose construction lines the stroke begins",
+    .group = "Sketch",
+    .method = "From lines",
+    .begins_group_of_buttons = true,
+    .surface = tools::Surface::Paper,
+    .options = tools::options_type<LayerOrgansTool, visit>(),
+    .mean = change_layer,
+    .other_end = { &tools::EraseTool::kKind },
+};
+
+} // namespace tractus::lines

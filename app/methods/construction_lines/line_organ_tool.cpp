@@ -1,0 +1,120 @@
+#include "app/methods/construction_lines/line_organ_tool.h"
+
+#include "app/methods/construction_lines/touched_sketch.h"
+#include "app/tools/erase_tool.h"
+#include "engine/methods/construction_lines/organ_edits.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tractus::lines {
+
+namespace {
+
+// In the order of What.
+constexpr std::array<tools::OptionWord, 4> kOrganWords { {
+    { "edge", "Leaf's edge" },
+    { "midrib", "Its midrib" },
+    { "section", "Its section" },
+    { "another_leaf", "Another leaf" },
+} };
+
+// In the order of lines::OrganColor.
+constexpr std::array<tools::OptionWord, 7> kColorWords { {
+    { "green", "green" },
+    { "white", "white" },
+    { "yellow", "yellow" },
+    { "pink", "pink" },
+    { "violet", "violet" },
+    { "red", "red" },
+    { "brown", "brown" },
+} };
+
+void visit(tools::OptionVisitor& visitor, LineOrganTool& tool)
+{
+    visitor.choice({ kOrganWords, tools::WordOption::Offered::InHand }, tool.what);
+    visitor.choice(
+        { .words = kColorWords, .offered = tools::WordOption::Offered::InTurn, .label = "Colour" },
+        tool.color);
+}
+
+// The leaf with which one goes on: the newest. 0: there is none.
+scene::ItemId leaf_in_hand(lines::PenSketch const& sketch)
+{
+    auto const found = std::find_if(sketch.organs.rbegin(), sketch.organs.rend(),
+                                    [](lines::SketchOrgan const& organ) { return !organ.sketch; });
+    return found == sketch.organs.rend() ? 0 : found->id;
+}
+
+lines::OrganView organ_view(LineOrganTool::What what)
+{
+    using Line = LineOrganTool::What;
+    switch (what) {
+    case Line::Midrib:
+        return lines::OrganView::Midrib;
+    case Line::Section:
+        return lines::OrganView::Section;
+    case Line::Edge:
+    case Line::Another:
+        break;
+    }
+    return lines::OrganView::Side;
+}
+
+Result<std::vector<scene::Edit>> draw_organ(tools::Tool const& tool, Stroke const& stroke,
+                                            scene::Scene const& scene)
+{
+    auto const& options = *tool.get<LineOrganTool>();
+    auto const active = TRY(active_sketch(scene));
+    bool const is_another = options.what == LineOrganTool::What::Another;
+    return std::vector<scene::Edit> { lines::DrawOrgan {
+        .plant = active.plant,
+        .organ = is_another ? 0 : leaf_in_hand(active.sketch),
+        .view = organ_view(options.what),
+        .color = options.color,
+        .stroke = stroke } };
+}
+
+std::string said_of_leaf(tools::Tool const& tool, scene::Scene const& after)
+{
+    auto const* const sketch = lines::active_pen_sketch(after.state);
+    if (!sketch)
+        return "";
+    if (tool.get<LineOrganTool>()->what == LineOrganTool::What::Another)
+        return "The topmost layer bears this leaf: Layer's organ gives it to others";
+    if (sketch->organs.empty() || sketch->organs.back().sketch)
+        return "";
+    auto const& lines = sketch->organs.back().lines;
+    auto const has = [&](lines::OrganView view) {
+        return std::any_of(lines.begin(), lines.end(),
+                           [&](lines::SketchOrgan::Line const& line) { return line.view == view; });
+    };
+    if (!has(lines::OrganView::Midrib))
+        return "The leaf is flat: draw its midrib, as seen from its side, to let it arch";
+    if (!has(lines::OrganView::Section))
+        return "Draw its section, as seen from its tip, to fold it";
+    return "The leaves follow the line";
+}
+
+} // namespace
+
+constexpr tools::ToolKind LineOrganTool::kKind {
+    .word = "line_organ",
+    .label = "Leaf's edge",
+    .title = "Draw a leaf in three views",
+    .done = "The leaves follow the line",
+    .help = "draws the leaves of a sketch's plant in three views: an edge from base to tip as seen "
+            "from above, whose other side is its mirror image until it is drawn; the midrib as "
+            "seen from the side; and the section as seen from the tip. another_leaf begins "
+            "another kind of leaf, which the topmost layer bears",
+    .group = "Sketch",
+    .method = "From lines",
+    .begins_group_of_buttons = true,
+    .surface = tools::Surface::Paper,
+    .options = tools::options_type<LineOrganTool, visit>(),
+    .mean = draw_organ,
+    .said = said_of_leaf,
+    .other_end = { &tools::EraseTool::kKind },
+};
+
+} // namespace tractus::lines

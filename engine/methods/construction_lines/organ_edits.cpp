@@ -1,0 +1,182 @@
+#include "engine/methods/construction_lines/organ_edits.h"
+
+#include "engine/methods/construction_lines/change_sketch.h"
+#include "engine/methods/construction_lines/line_edits.h"
+#include "engine/scene/edit_words.h"
+#include "engine/scene/make_edit_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <memory>
+#include <utility>
+
+namespace tractus::lines {
+
+namespace {
+
+constexpr std::size_t kMostOrgans = kMostSurfaces;
+
+// In the order of the enumerations' values.
+constexpr std::array kViews { "side", "midrib", "section" };
+constexpr std::array kColors { "leaf", "white", "yellow", "pink", "violet", "red", "brown" };
+
+// With which the sketch gives a plant.
+Result<void> check_sketch(PenSketch const& sketch)
+{
+    TRY(model_of(sketch));
+    return {};
+}
+
+Result<void> check_count(PenSketch const& sketch)
+{
+    if (sketch.organs.size() < kMostOrgans)
+        return {};
+    return fail(Fault::User,
+                fmt::format("the sketch has {} kinds of organs already: draw one of them again",
+                            kMostOrgans));
+}
+
+void list(scene::Fields& fields, DrawOrgan& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.sparse_field("organ", &edit.organ);
+    fields.word("view", edit.view, kViews);
+    fields.word("color", edit.color, kColors);
+    fields.id(edit.id);
+    fields.numbers(edit.stroke);
+}
+
+// Another leaf, and where it stands.
+Result<void> begin_organ(PenSketch& sketch, DrawOrgan const& edit, SketchOrgan::Line line)
+{
+    TRY(check_count(sketch));
+    if (edit.view != OrganView::Side)
+        return fail(Fault::User,
+                    "the leaf has no side yet: draw one of its edges from base to tip");
+    auto const id = line.line.id;
+    sketch.organs.push_back(
+        TRY(with_organ_line({ .id = id, .color = edit.color }, std::move(line))));
+    if (sketch.organs.size() == 1)
+        sketch.organ = id;
+    else {
+        auto const layers = TRY(layers_of(sketch));
+        TRY(find_layer(sketch, layers.back().line))->organ = id;
+    }
+    return {};
+}
+
+Result<scene::DocumentState> applied(scene::DocumentState state, DrawOrgan const& edit,
+                                     scene::SceneBuilder&)
+{
+    auto found = TRY(find_sketch(state, edit.plant));
+    auto const sheet = sheet_of(*state.plants[found.number], state.scale);
+    SketchOrgan::Line line {
+        edit.view, { .id = scene::take_id(state, edit.id), .stroke = edit.stroke, .sheet = sheet }
+    };
+    auto& organs = found.sketch.organs;
+    if (edit.organ == 0) {
+        TRY(begin_organ(found.sketch, edit, std::move(line)));
+    } else {
+        auto const number = organ_number(found.sketch, edit.organ);
+        if (number == 0 || organs[number - 1].sketch)
+            return fail(Fault::User,
+                        fmt::format("the sketch has no drawn leaf {}", scene::name_of(edit.organ)));
+        auto& organ = organs[number - 1];
+        organ = TRY(with_organ_line(std::move(organ), std::move(line)));
+        organ.color = edit.color;
+    }
+    TRY(check_sketch(found.sketch));
+    put_sketch(state, std::move(found));
+    return state;
+}
+
+std::string described(DrawOrgan const& edit)
+{
+    auto const* const view = kViews.at(static_cast<std::size_t>(edit.view));
+    if (edit.organ == 0)
+        return fmt::format("draws a leaf of plant {}: {}", scene::name_of(edit.plant),
+                           scene::describe_stroke(edit.stroke));
+    return fmt::format("draws the {} of leaf {} of plant {}: {}", view, scene::name_of(edit.organ),
+                       scene::name_of(edit.plant), scene::describe_stroke(edit.stroke));
+}
+
+void list(scene::Fields& fields, SetLayerOrgan& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.sparse_field("line", &edit.line);
+    fields.sparse_field("organ", &edit.organ);
+    fields.sparse_field("of_plant", &edit.of_plant);
+    fields.id(edit.id);
+}
+
+// The sketch of another plant, as an organ: the one that is there if it is the same.
+Result<scene::ItemId> taken_from(scene::DocumentState& state, PenSketch& sketch,
+                                 SetLayerOrgan const& edit)
+{
+    if (edit.of_plant == edit.plant)
+        return fail(Fault::User, "a plant cannot be an organ of itself: take another one");
+    auto const other = TRY(find_sketch(state, edit.of_plant));
+    TRY(check_count(sketch));
+    auto const id = scene::take_id(state, edit.id);
+    sketch.organs.push_back(
+        { .id = id, .sketch = std::make_shared<PenSketch const>(other.sketch) });
+    return id;
+}
+
+// Organs that are plants go when nothing bears them any more.
+void drop_unborne(PenSketch& sketch)
+{
+    auto const is_borne = [&](scene::ItemId id) {
+        return sketch.organ == id
+            || std::any_of(sketch.lines.begin(), sketch.lines.end(),
+                           [&](SketchLine const& line) { return line.organ == id; });
+    };
+    std::erase_if(sketch.organs,
+                  [&](SketchOrgan const& organ) { return organ.sketch && !is_borne(organ.id); });
+}
+
+Result<scene::DocumentState> applied(scene::DocumentState state, SetLayerOrgan const& edit,
+                                     scene::SceneBuilder&)
+{
+    auto found = TRY(find_sketch(state, edit.plant));
+    auto& sketch = found.sketch;
+    auto organ = edit.organ;
+    if (edit.of_plant != 0)
+        organ = TRY(taken_from(state, sketch, edit));
+    else if (organ != 0 && organ_number(sketch, organ) == 0)
+        return fail(Fault::User, fmt::format("the sketch has no organ {}", scene::name_of(organ)));
+    if (edit.line == 0) {
+        sketch.organ = organ;
+        for (auto& line : sketch.lines)
+            line.organ.reset();
+    } else {
+        TRY(find_layer(sketch, edit.line))->organ = organ;
+    }
+    drop_unborne(sketch);
+    TRY(check_sketch(sketch));
+    put_sketch(state, std::move(found));
+    return state;
+}
+
+std::string described(SetLayerOrgan const& edit)
+{
+    auto const where = edit.line == 0
+        ? std::string("all layers")
+        : fmt::format("the layer above line {}", scene::name_of(edit.line));
+    auto const what = edit.of_plant != 0
+        ? fmt::format("plants like {}", scene::name_of(edit.of_plant))
+        : edit.organ != 0 ? fmt::format("organs {}", scene::name_of(edit.organ))
+                          : std::string("plain leaves");
+    return fmt::format("lets {} of plant {} bear {}", where, scene::name_of(edit.plant), what);
+}
+
+} // namespace
+
+constexpr scene::EditKind DrawOrgan::kKind
+    = scene::make_edit_kind<DrawOrgan, list, applied, described>("draw_line_organ");
+
+constexpr scene::EditKind SetLayerOrgan::kKind
+    = scene::make_edit_kind<SetLayerOrgan, list, applied, described>("set_layer_organ");
+
+} // namespace tractus::lines

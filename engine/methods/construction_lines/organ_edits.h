@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/methods/construction_lines/pen_sketch.h"
+#include "engine/scene/edit.h"
+
+namespace tractus::lines {
+
+// Draws a line of a leaf. A leaf that begins is borne by the whole plant if it is the first one,
+// and else by the topmost layer of the stem in hand.
+struct DrawOrgan {
+    static scene::EditKind const kKind;
+
+    scene::ItemId plant = 0;
+    scene::ItemId organ = 0; // 0: the line begins another one, as a side.
+    OrganView view = OrganView::Side;
+    OrganColor color = OrganColor::Leaf; // From now on.
+    Stroke stroke {};                    // World frame.
+    scene::ItemId id = 0;                // Of the line, and of the leaf that it begins.
+};
+
+// Says what stands in a layer.
+struct SetLayerOrgan {
+    static scene::EditKind const kKind;
+
+    scene::ItemId plant = 0;
+    scene::ItemId line = 0;  // The layer's: see Layer. 0: in all layers.
+    scene::ItemId organ = 0; // 0: plain leaves.
+    // If not 0, in place of it: the sketch of this plant, as it is now, which gives an organ `id`.
+    scene::ItemId of_plant = 0;
+    scene::ItemId id = 0;
+};
+
+} // namespace tractus::lines

@@ -1,0 +1,97 @@
+#include "tests/app/methods/construction_lines/construct_folder.h"
+
+// What each layer of a sketch's file bears.
+
+namespace tractus::lines {
+namespace {
+
+class LayerOrgansCommand : public ConstructFolder {
+protected:
+    // A foxglove: leaves below in crossed pairs, and a spike of bells.
+    std::string foxglove(std::string const& organs, std::string const& more = "")
+    {
+        std::ofstream(folder_ / "foxglove.json")
+            << R"({"pattern":"decussate","nodes_per_layer":[3,6],"stem":[[0,0],[2,120],[0,240]],
+                   "left":[[-60,-9],[-35,120],[-6,260]],"right":[[60,-9],[35,120],[6,260]],
+                   "inclinations":[[[-90,60],[0,10],[90,60]],[[-60,110],[2,90],[60,110]],
+                                   [[-30,250],[0,230],[30,250]]],"organs":)"
+            << organs << more << "}";
+        return path("foxglove.json");
+    }
+
+    // The model as it is written, after it has been seen to give the plant that it was made from.
+    std::string text_of(std::string const& sketch)
+    {
+        auto const made = commands::run({ "construct", sketch, "-o", path("made"), "--report" });
+        EXPECT_EQ(made.exit_code, 0) << made.err;
+        EXPECT_EQ(made.err, "");
+        EXPECT_EQ(commands::run({ "construct", sketch, "-o", path("once.glb") }).exit_code, 0);
+        auto const text = path("made/foxglove.l");
+        EXPECT_EQ(commands::run({ "lsystem", "check", text }).err, "");
+        EXPECT_EQ(commands::run({ "grow", text, "-o", path("again.glb") }).exit_code, 0);
+        EXPECT_GT(file_bytes(path("once.glb")).size(), 1'000U);
+        EXPECT_TRUE(file_bytes(path("once.glb")) == file_bytes(path("again.glb")));
+        return file_bytes(text);
+    }
+};
+
+constexpr char const* kBell = R"({"left":[[0,0],[-9,4],[-7,20]],"right":[[0,0],[9,4],[7,20]],
+    "section":[[-9,8],[0,0],[9,8]],"color":"#a050a0"})";
+
+TEST_F(LayerOrgansCommand, TheExportedTextOfLayersGivesTheSamePlant)
+{
+    for (auto const* const upper : { "distichous", "spiral", "alternate", "whorled(4)" }) {
+        auto const text = text_of(foxglove(
+            fmt::format(R"([null, {{"pattern":"{}","face":"down","organ":{}}}])", upper, kBell)));
+        EXPECT_NE(text.find("array organ[2] = {0, 1}"), std::string::npos);
+        EXPECT_NE(text.find("array roll[2] = {-90, 90}"), std::string::npos);
+        EXPECT_TRUE(fs::exists(path("made/foxglove_organ_1.s")));
+    }
+}
+
+TEST_F(LayerOrgansCommand, LayersOfSeveralStemsGiveTheSamePlant)
+{
+    auto const text = text_of(foxglove(
+        fmt::format(R"#([{{"pattern":"spiral"}}, {{"pattern":"whorled(3)","organ":{}}}])#", kBell),
+        R"(,"stems":[{"stem":[[160,0],[170,90],[165,180]]},{"stem":[[1,60],[60,130]]}])"));
+    EXPECT_NE(text.find("pattern"), std::string::npos);
+}
+
+// Leaves, a surface, and plants of a sketch on one stem.
+TEST_F(LayerOrgansCommand, LayersMayBearAnything)
+{
+    std::ofstream(folder_ / "flower.json")
+        << R"#({"pattern":"whorled(5)","stem":[[0,0],[0,20]],"left":[[-12,0],[-12,40]],
+                "right":[[12,0],[12,40]],"nodes_per_layer":[0],
+                "inclinations":[[[-20,18],[0,8],[20,18]],[[-20,28],[0,18],[20,28]]],"organ":)#"
+        << kBell << "}";
+    auto const sketch = foxglove(fmt::format(R"([{}, "flower.json"])", kBell), R"(,"face":"up")");
+    text_of(sketch);
+    auto const report = commands::run({ "construct", sketch, "-o", path("told"), "--report" });
+    // Three nodes of two, and seven of two flowers with one node of five.
+    EXPECT_EQ(nlohmann::json::parse(report.out)["leaf_tips"].size(), 3U * 2 + 7 * 2 * 5);
+    auto const made = commands::run({ "construct", sketch, "-o", path("all") });
+    EXPECT_NE(made.out.find(" 2 .s, .png"), std::string::npos) << made.out;
+}
+
+TEST_F(LayerOrgansCommand, SaysWhatIsWrongWithALayer)
+{
+    auto const with = [&](std::string const& organs) {
+        foxglove(organs);
+        return refusal(file_bytes(path("foxglove.json")));
+    };
+    EXPECT_EQ(with(R"([{"pattern":"round"}])").substr(0, 17), "pattern is \"round");
+    EXPECT_EQ(with(R"([{"face":"left"}])"),
+              "face is no way to turn organs: give \"flat\", \"up\" or \"down\"\n");
+    EXPECT_EQ(with(R"([{"pattern":"spiral","size":3}])"),
+              "a layer of organs has no \"size\": give pattern, divergence, face, organ\n");
+    EXPECT_EQ(with(R"({"left":[[0,0],[0,9]],"top":[]})"),
+              "organ has no \"top\": give left, right, midrib, section, color\n");
+    EXPECT_EQ(with(R"({"left":[[0,0],[0,9]],"right":[[2,0],[2,9]],"color":"red"})"),
+              "color of the organ is no colour: give \"#rrggbb\", such as \"#c05080\"\n");
+    EXPECT_EQ(with(R"([{"pattern":"spiral","divergence":400}])"),
+              "divergence is no angle: give degrees from -360 to 360\n");
+}
+
+} // namespace
+} // namespace tractus::lines
