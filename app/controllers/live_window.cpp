@@ -2,6 +2,7 @@
 
 #include "app/calibration/save_calibration.h"
 #include "app/controllers/live_rig.h"
+#include "app/controllers/rules_file.h"
 #include "app/document/logged_step.h"
 #include "calib/rig_file.h"
 #include "engine/base/check.h"
@@ -149,13 +150,13 @@ void LiveWindow::settle()
 
 void LiveWindow::follow(std::filesystem::path const& model)
 {
-    auto const* const plant = scene::active_plant(controller_->document().newest()->scene.state);
-    auto const* const drawn_on = plant ? scene::loaded_model(plant->source) : nullptr;
-    model_.emplace(model, drawn_on ? std::optional(*drawn_on) : std::nullopt);
+    model_.emplace(model, model_drawn_on(controller_->document().newest()->scene.state));
 }
 
 void LiveWindow::follow_model()
 {
+    if (auto const rules = controller_->take_rules_file())
+        follow(*rules);
     if (!model_)
         return;
     if (auto changed = model_->take_change(options_.now()))

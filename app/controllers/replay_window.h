@@ -54,6 +54,7 @@ private:
     void perform_kind(view::DressActivePlant const&) { }
     void perform_kind(view::NameDrawing const&) { } // It is a recording's.
     void perform_kind(view::SaveCopy const&) { }
+    void perform_kind(view::WriteRules const&) { }
     void perform_kind(view::SetPressingAreas const&) { } // The hand was elsewhere.
     void perform_kind(view::PressInstead const&) { }
     void perform_kind(view::MoveMousePen const&) { }

@@ -5,6 +5,7 @@
 #include "app/batch/plant_season.h"
 #include "app/controllers/drawing_name.h"
 #include "app/controllers/picture_files.h"
+#include "app/controllers/rules_file.h"
 #include "app/controllers/unnamed_session.h"
 #include "app/files/dated_path.h"
 #include "app/io/glb_size.h"
@@ -85,6 +86,8 @@ void StationController::show_document(station::Station& station, Timestamp now)
             done_.push_back(*std::move(done));
     }
     view_.show(station, *document_);
+    auto const* const plant = scene::active_plant(document_->newest()->scene.state);
+    view_.state().may_write_rules = plant && plant->source.can_take_rules();
     if (has_travelled)
         hand_ = hand_after(station.tool(), *before, *view_.grown_scene());
     if (auto const& why = document_->newest()->not_kept; !why.empty())
@@ -274,24 +277,8 @@ void StationController::take_model(Result<scene::LoadModel> model, station::Stat
         view_.state().status = model.error().message;
         return;
     }
-    auto const change = [model = *std::move(model)](
-                            scene::Scene const& scene) -> Result<document::WantedStep::Change> {
-        auto const name = std::filesystem::path(model.source.name).filename();
-        auto const* const plant = scene::active_plant(scene.state);
-        auto const* const drawn_on = plant ? scene::loaded_model(plant->source) : nullptr;
-        if (!drawn_on || std::filesystem::path(drawn_on->source.name).filename() != name)
-            return fail(Fault::User,
-                        fmt::format("{} has been saved, but another plant is drawn on: choose its "
-                                    "plant and save it "
-                                    "again",
-                                    name.string()));
-        auto edit = model;
-        edit.steps = drawn_on->steps;
-        edit.seed = drawn_on->seed;
-        edit.drawn = scene::Drawn::Keep;
-        return document::WantedStep::Change {
-            { edit }, fmt::format("The plant is that of {} as it was saved", name.string())
-        };
+    auto const change = [model = *std::move(model)](scene::Scene const& scene) {
+        return take_rules(model, scene);
     };
     document_->make({ change, document::WantedStep::Of::Scene });
     show_document(station, now_);
@@ -477,6 +464,27 @@ void StationController::perform(view::SaveCopy const& command, station::Station&
     }();
     if (!begin)
         view_.state().status = begin.error().message;
+}
+
+// The rules are followed from then on.
+void StationController::perform(view::WriteRules const&, station::Station& station)
+{
+    auto const written = [&]() -> Result<std::filesystem::path> {
+        TRY(finish(station, now_));
+        auto const* const plant = scene::active_plant(document_->newest()->scene.state);
+        return write_rules(plant ? *plant : scene::PlantState(), new_file("-rules"));
+    }();
+    view_.state().status = written
+        ? fmt::format("Write in {} with any editor: the plant follows when it is saved",
+                      written->string())
+        : written.error().message;
+    if (written)
+        rules_file_ = *written;
+}
+
+std::optional<std::filesystem::path> StationController::take_rules_file()
+{
+    return std::exchange(rules_file_, std::nullopt);
 }
 
 void StationController::save(std::string_view ending,

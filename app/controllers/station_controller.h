@@ -68,6 +68,7 @@ public:
     void perform(view::ExportPlant const& command, station::Station& station);
     void perform(view::NameDrawing const& command, station::Station& station);
     void perform(view::SaveCopy const& command, station::Station& station);
+    void perform(view::WriteRules const&, station::Station& station);
     void perform(view::Undo const&, station::Station& station);
     void perform(view::Redo const&, station::Station& station);
     void perform(view::TakeOrphansAway const&, station::Station& station);
@@ -83,6 +84,9 @@ public:
     // The model of the active plant has been saved: the plant is that of its new text, with what
     // was drawn on it. Where it is none any more, the plant stays and `status` says why.
     void take_model(Result<scene::LoadModel> model, station::Station& station);
+
+    // The file of rules that was written since the last call, if one was.
+    std::optional<std::filesystem::path> take_rules_file();
 
     // The document is as it began; where it is in no file `status` says so.
     void begin_again(station::Station& station, std::string const& status,
@@ -109,6 +113,7 @@ private:
     Timestamp now_ {};                     // Time of the last show().
     bool knows_what_is_lost_ = false;      // A person who has asked to leave.
     std::filesystem::path folder_;
+    std::optional<std::filesystem::path> rules_file_ {};
     // On the heap, as this moves.
     std::unique_ptr<FileQueue> files_ = std::make_unique<FileQueue>();
 };

@@ -199,6 +199,7 @@ struct WindowState {
     bool may_begin_anew = false; // See OpenStartPage.
     // What the drawing is called; no value: no file keeps it.
     std::optional<std::string> drawing_name {};
+    bool may_write_rules = false; // See WriteRules.
     bool has_session = false;     // What is drawn is kept in a file. Undo works without one, too.
     std::size_t unkept_steps = 0; // Of what is seen: not on the disk yet.
     double progress = 0;          // Of the recording, 0 to 1.
@@ -299,6 +300,10 @@ struct NameDrawing {
 struct SaveCopy {
     std::string name;
 };
+// Writes the rules of the active plant's model into a folder of their own, and from then on takes
+// what is saved there for its rules. Only with WindowState::may_write_rules. The status says where
+// they are, or why not.
+struct WriteRules { };
 struct TakeOrphansAway { }; // All of WindowState::orphans; a step that can be undone.
 
 // Where on the surface a touch of the pen presses what the window shows there, and does not draw.
@@ -353,7 +358,7 @@ using WindowCommand
                    OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
                    AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard, OpenPictures,
                    LayPictureFile, DragDrawnGlyph, OpenLeaves, DressActivePlant, NameDrawing,
-                   SaveCopy>;
+                   SaveCopy, WriteRules>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

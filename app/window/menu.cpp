@@ -100,6 +100,8 @@ void Menu::show_keeping(view::WindowModel& model, Workbench& bench, Controls con
     }
     show_organs(controls);
     show_leaving(model, controls);
+    if (model.state().may_write_rules && controls.button("Write its rules", item_px()))
+        model.perform(view::WriteRules {});
     if (auto const& name = model.state().drawing_name; name && !bench.asked_name) {
         using Of = Workbench::AskedName::Of;
         if (controls.button("Name ...", item_px(2)))

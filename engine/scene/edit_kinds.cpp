@@ -1,6 +1,7 @@
 #include "engine/scene/back_picture.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/make_edit_kind.h"
+#include "engine/scene/write_rules.h"
 
 #include <algorithm>
 #include <array>
@@ -40,7 +41,7 @@ EditKinds core_edit_kinds()
         &TakeOffGraft::kKind,     &HideBranch::kKind,      &KeepLeaves::kKind,
         &SetSeason::kKind,        &LayPicture::kKind,      &PlacePicture::kKind,
         &SetPictureGround::kKind, &RemovePicture::kKind,   &DressPlant::kKind,
-        &KeepGrammar::kKind
+        &KeepGrammar::kKind,      &WriteRules::kKind
     };
     return kKinds;
 }

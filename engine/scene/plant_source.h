@@ -48,6 +48,14 @@ struct SourceVariation {
     double spread = 1;        // 0: not at all; 1: as plants of a kind differ; at most 4.
 };
 
+// Rules that somebody has written in place of those that a model of a drawing has, and its view.
+struct SourceRules {
+    std::string text {};
+    std::string view_text {};
+
+    bool operator==(SourceRules const&) const = default;
+};
+
 // A way to make base plants from what was drawn or written: a row of functions on values of one
 // type, which edits put into a document and nobody changes.
 struct SourceKind {
@@ -61,6 +69,11 @@ struct SourceKind {
     // Another one of its type: what a hand has drawn is where it was drawn, or near it, and what
     // follows from that differs. Null where nothing does. The same variation, the same plant.
     std::shared_ptr<void const> (*vary)(void const* drawn, SourceVariation const& variation)
+        = nullptr;
+    // Another one of its type, whose model has these rules; no value: its own again. What is drawn
+    // goes on to say the numbers in them. Null where nobody can write them.
+    std::shared_ptr<void const> (*with_rules)(void const* drawn,
+                                              std::optional<SourceRules> const& rules)
         = nullptr;
 };
 
@@ -107,6 +120,16 @@ public:
     }
 
     bool can_vary() const { return !empty() && kind_->vary; }
+
+    bool can_take_rules() const { return !empty() && kind_->with_rules; }
+
+    PlantSource with_rules(std::optional<SourceRules> const& rules) const
+    {
+        auto other = *this;
+        if (can_take_rules())
+            other.drawn_ = kind_->with_rules(drawn_.get(), rules);
+        return other;
+    }
 
     PlantSource varied(SourceVariation const& variation) const
     {

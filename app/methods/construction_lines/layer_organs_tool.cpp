@@ -15,9 +15,9 @@ namespace {
 
 // In the order of What.
 constexpr std::array<tools::OptionWord, 4> kLayerWords { {
+    { "layer_organ", "Layer's organ" },
     { "layer_pattern", "Layer's pattern" },
     { "layer_face", "Turn a layer" },
-    { "layer_organ", "Layer's organ" },
     { "layer_plant", "Plant as organ" },
 } };
 
@@ -105,9 +105,10 @@ constexpr tools::ToolKind LayerOrgansTool::kKind {
     .label = "Layer's organ",
     .title = "Change what a layer bears",
     .done = "The layer bears something else now",
-    .help = "gives the layer of a sketch beside which the stroke ends the next pattern, turns its "
-            "organs, gives it the next of the organs that were drawn, or plain leaves; or plants "
-            "like the one on whose construction lines the stroke begins",
+    .help
+    = "gives the layer of a sketch beside which the stroke ends the next of the organs that "
+      "were drawn, or plain leaves, or the next pattern; turns its organs; or gives it plants "
+      "like the one on whose construction lines the stroke begins",
     .group = "Sketch",
     .method = "From lines",
     .begins_group_of_buttons = true,

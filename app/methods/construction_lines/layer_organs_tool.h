@@ -10,12 +10,12 @@ struct LayerOrgansTool {
     static tools::ToolKind const kKind;
 
     enum class What {
-        Pattern, // How its organs stand: the next pattern.
+        Organ,   // What its organs are: the next of the plant's, or plain leaves.
+        Pattern, // How they stand: the next pattern.
         Face,    // How they are turned.
-        Organ,   // What they are: the next of the plant's organs, or plain leaves.
         Plant,   // Plants like the one on whose lines the stroke begins.
     };
-    What what = What::Pattern;
+    What what = What::Organ;
 };
 
 } // namespace tractus::lines

@@ -2,6 +2,7 @@
 
 #include "app/methods/construction_lines/touched_sketch.h"
 #include "app/tools/erase_tool.h"
+#include "engine/scene/write_rules.h"
 
 #include <array>
 #include <fmt/format.h>
@@ -18,15 +19,23 @@ lines::Pattern with_other_sizes(lines::Pattern pattern)
 }
 
 // In the order of What.
-constexpr std::array<tools::OptionWord, 3> kPatternChanges { {
+constexpr std::array<tools::OptionWord, 4> kPatternChanges { {
     { "next", "Next pattern", nullptr, true },
     { "sizes", "Sizes around", nullptr, true },
     { "face", "Turn organs", nullptr, true },
+    { "rules", "Back to the pattern", nullptr, true },
 } };
 
 void visit(tools::OptionVisitor& visitor, LinePatternTool& tool)
 {
     visitor.choice({ kPatternChanges }, tool.what);
+}
+
+Result<std::vector<scene::Edit>> back_to_pattern(ActiveSketch const& active)
+{
+    if (!active.sketch.rules)
+        return fail(Fault::User, "the rules are the pattern's: nobody has written others");
+    return std::vector<scene::Edit> { scene::WriteRules { .plant = active.plant } };
 }
 
 Result<std::vector<scene::Edit>> set_next(tools::Tool const& tool, Stroke const&,
@@ -35,6 +44,8 @@ Result<std::vector<scene::Edit>> set_next(tools::Tool const& tool, Stroke const&
     auto const active = TRY(active_sketch(scene));
     auto const& before = active.sketch.pattern;
     auto const what = tool.get<LinePatternTool>()->what;
+    if (what == LinePatternTool::What::Rules)
+        return back_to_pattern(active);
     auto const pattern = what == LinePatternTool::What::Next ? next_pattern(before)
         : what == LinePatternTool::What::Sizes               ? with_other_sizes(before)
                                                              : next_face(before);
@@ -51,6 +62,8 @@ std::string said(tools::Tool const& tool, scene::Scene const& scene)
         return fmt::format("The organs are {} now", lines::name_of(sketch->pattern.kind));
     if (what == LinePatternTool::What::Face)
         return fmt::format("The organs {} now", said_of_face(sketch->pattern));
+    if (what == LinePatternTool::What::Rules)
+        return "The rules are the pattern's again";
     return sketch->pattern.sizes == lines::Pattern::Sizes::Linear
         ? "Sizes change evenly around the stem now, but between boundaries in space"
         : "Sizes follow half-ellipses around the stem now";
@@ -107,8 +120,9 @@ constexpr tools::ToolKind LinePatternTool::kKind {
     .done = "The organs have another pattern",
     .help = "gives the organs of the sketch that takes what is drawn the next pattern: "
             "distichous, decussate, spiral, alternate, whorled; lets their sizes follow "
-            "half-ellipses around the stem, or change evenly again; or turns them to lie flat, "
-            "with their upper side up, or down",
+            "half-ellipses around the stem, or change evenly again; turns them to lie flat, with "
+            "their upper side up, or down; or takes the pattern's rules again in place of those "
+            "that somebody has written",
     .group = "Sketch",
     .method = "From lines",
     .begins_group_of_buttons = true,

@@ -15,6 +15,7 @@ struct LinePatternTool {
         Next,  // They have the next pattern.
         Sizes, // Sizes follow half-ellipses, or are linear again.
         Face,  // They are turned about their length.
+        Rules, // The rules are the pattern's again, where somebody has written others.
     };
     What what = What::Next;
 };

@@ -140,6 +140,8 @@ Result<scene::DocumentState> applied(scene::DocumentState state, SetLinePattern 
     if (edit.line != 0) {
         TRY(find_layer(found.sketch, edit.line))->pattern = edit.pattern;
     } else {
+        if (edit.pattern.kind != found.sketch.pattern.kind)
+            found.sketch.rules.reset();
         found.sketch.pattern = edit.pattern;
         for (auto& line : found.sketch.lines)
             line.pattern.reset();

@@ -45,7 +45,7 @@ struct SetLinePattern {
     scene::ItemId plant = 0;
     Pattern pattern {};
     // A layer's (see Layer), in which they stand so; 0: in all layers, of which none has a pattern
-    // of its own from then on.
+    // of its own from then on; another kind of pattern comes with its own rules, too.
     scene::ItemId line = 0;
 };
 

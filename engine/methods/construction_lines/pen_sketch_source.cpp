@@ -1,4 +1,5 @@
 #include "engine/methods/construction_lines/composed_model.h"
+#include "engine/methods/construction_lines/own_rules.h"
 #include "engine/methods/construction_lines/pen_sketch.h"
 #include "engine/methods/construction_lines/varied_sketch.h"
 #include "engine/scene/lsystem_source.h"
@@ -33,6 +34,7 @@ bool same(SketchOrgan const& one, SketchOrgan const& other)
 bool same(PenSketch const& one, PenSketch const& other)
 {
     return one.pattern == other.pattern && one.scale == other.scale && one.organ == other.organ
+        && one.rules == other.rules
         && std::equal(one.organs.begin(), one.organs.end(), other.organs.begin(),
                       other.organs.end(),
                       [](SketchOrgan const& organ, SketchOrgan const& another) {
@@ -74,6 +76,13 @@ constexpr scene::SourceKind kPenSketch {
         return std::make_shared<PenSketch const>(
             varied_sketch(*static_cast<PenSketch const*>(drawn), variation));
     },
+    .with_rules
+    = [](void const* drawn,
+         std::optional<scene::SourceRules> const& rules) -> std::shared_ptr<void const> {
+        auto sketch = *static_cast<PenSketch const*>(drawn);
+        sketch.rules = rules;
+        return std::make_shared<PenSketch const>(std::move(sketch));
+    },
 };
 
 Result<ComposedSketch> composed(PenSketch const& sketch)
@@ -94,7 +103,9 @@ Result<ComposedSketch> composed(PenSketch const& sketch)
 
 Result<LineModel> model_of(PenSketch const& sketch)
 {
-    return write_composed_model(TRY(composed(sketch)), "lines");
+    auto const measured = TRY(composed(sketch));
+    auto model = write_composed_model(measured, "lines");
+    return model && sketch.rules ? with_own_rules(*std::move(model), *sketch.rules) : model;
 }
 
 Result<scene::BuiltSource> build_pen_sketch(PenSketch const& sketch,

@@ -55,7 +55,8 @@ TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
     EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "line_role"))),
               "Along a stroke, From an outline, From lines*, A leaf, | Line, Another stem, Another "
               "plant, | "
-              "Next pattern!, Sizes around!, Turn organs!, | Nodes of a layer, | It is an "
+              "Next pattern!, Sizes around!, Turn organs!, Back to the pattern!, | Nodes of a "
+              "layer, | It is an "
               "inclination*, Half of "
               "one, Left, Right, "
               "Around, Stem, No line, | Leaf's edge, | Layer's organ, ");

@@ -236,7 +236,8 @@ TEST_F(LayerTools, APlantBecomesAnOrgan)
 
 TEST(LayerToolsInLogs, SayTheirOptions)
 {
-    EXPECT_EQ(line_of(LayerOrgansTool { What::Pattern }), "layer_organs ");
+    EXPECT_EQ(line_of(LayerOrgansTool {}), "layer_organs ");
+    EXPECT_EQ(line_of(LayerOrgansTool { What::Pattern }), "layer_organs layer_pattern");
     EXPECT_EQ(line_of(LayerOrgansTool { What::Plant }), "layer_organs layer_plant");
     EXPECT_EQ(line_of(LineOrganTool { Leaf::Section, lines::OrganColor::Pink }),
               "line_organ section pink");
