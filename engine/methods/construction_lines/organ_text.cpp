@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <string_view>
 
@@ -32,6 +33,11 @@ std::string name_of_model(LineModel const& model)
 {
     auto const& name = model.source.name;
     return name.substr(0, name.rfind('.'));
+}
+
+std::string ending_of(char letter, std::string const& word)
+{
+    return letter == 'l' ? word : fmt::format("{}_{}", word, letter);
 }
 
 std::string material_text(std::size_t material, std::string const& name, Vec3 const& color)
@@ -83,8 +89,7 @@ std::string surface_text(std::vector<BezierPatch> const& patches)
 void put_leaf(LineModel& model, OrganSurface const& surface, char letter)
 {
     auto& view = model.source.view_text;
-    auto const ending = letter == 'l' ? "_organ" : fmt::format("_organ_{}", letter);
-    auto const file = name_of_model(model) + ending + ".s";
+    auto const file = name_of_model(model) + ending_of(letter, "_organ") + ".s";
     auto const begin = view.find(fmt::format("organ: {} ", letter));
     view.replace(begin, view.find('\n', begin) - begin,
                  fmt::format("surface: {} {} 1", letter, file));
@@ -96,6 +101,39 @@ void put_leaf(LineModel& model, OrganSurface const& surface, char letter)
     replace_all(model.source.text, fmt::format("~{}(", letter),
                 fmt::format(";({})~{}(", material, letter));
     model.functions[file] = surface_text(surface.patches);
+}
+
+// As wide as it is said by its length, and widest at two fifths of that.
+static std::vector<BezierPatch> blade_surface(double width)
+{
+    constexpr double kLength_mm = 100;
+    constexpr int kPoints = 24;
+    double const power = std::log(0.5) / std::log(0.4);
+    OrganViews views;
+    for (int i = 0; i <= kPoints; ++i) {
+        double const t = static_cast<double>(i) / kPoints;
+        double const half_mm = width * kLength_mm / 2 * std::sin(kPi * std::pow(t, power));
+        views.left.emplace_back(-half_mm, kLength_mm * t);
+        views.right.emplace_back(half_mm, kLength_mm * t);
+    }
+    return organ_surface(views).value();
+}
+
+void add_blade_surfaces(LineModel& model)
+{
+    constexpr std::string_view kOrgan = "organ: ";
+    constexpr std::string_view kWidth = "width=";
+    auto& view = model.source.view_text;
+    std::string surfaces;
+    for (auto at = view.find(kOrgan); at != std::string::npos; at = view.find(kOrgan, at + 1)) {
+        char const letter = view[at + kOrgan.size()];
+        double const width
+            = std::strtod(view.c_str() + view.find(kWidth, at) + kWidth.size(), nullptr);
+        auto const file = name_of_model(model) + ending_of(letter, "_leaf") + ".s";
+        surfaces += fmt::format("surface: {} {} 1\n", letter, file);
+        model.functions[file] = surface_text(blade_surface(width));
+    }
+    view += surfaces;
 }
 
 std::size_t count_surfaces(std::span<LineOrgan const> organs)

@@ -22,6 +22,11 @@ std::string surface_text(std::vector<BezierPatch> const& patches);
 // as the model is, with _organ.s, and behind it the letter if it is not l.
 void put_leaf(LineModel& model, OrganSurface const& surface, char letter);
 
+// Adds surfaces as flat as the plain blades that the view names, for cpfg, which knows no blades:
+// where a view names both, tractus draws the blades. The files are called as the model is, with
+// _leaf.s, and behind it the letter if it is not l.
+void add_blade_surfaces(LineModel& model);
+
 std::size_t count_surfaces(std::span<LineOrgan const> organs);
 
 // The rules of organs that are surfaces (line_rules.h), of which so many others come before:

@@ -11,6 +11,7 @@
 #include "app/terminal/error_text.h"
 #include "engine/base/file.h"
 #include "engine/methods/construction_lines/line_model.h"
+#include "engine/methods/construction_lines/organ_text.h"
 #include "engine/scene/scene.h"
 
 #include <algorithm>
@@ -73,6 +74,7 @@ tl::unexpected<Error> about(fs::path const& file, Error const& error)
     return fail(error.fault, fmt::format("{}: {}", file.string(), error.message));
 }
 
+// For this program and for cpfg.
 Result<void> write_model_files(fs::path const& base, lines::LineModel const& model)
 {
     for (auto const& [name, text] : model.functions)
@@ -83,8 +85,9 @@ Result<void> write_model_files(fs::path const& base, lines::LineModel const& mod
 
 // The folder, and a sentence that says what is in it.
 Result<std::string> write_folder(ConstructArguments const& arguments, scene::LoadModel const& load,
-                                 lines::LineModel const& model, Plant const& plant)
+                                 lines::LineModel model, Plant const& plant)
 {
+    lines::add_blade_surfaces(model);
     auto const name = model_name(arguments.sketch);
     auto const base = arguments.output / name;
     TRY(write_model_files(base, model));

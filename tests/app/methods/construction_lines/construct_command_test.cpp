@@ -22,7 +22,7 @@ TEST_F(ConstructCommand, WritesAModelWithItsFunctions)
     EXPECT_EQ(outcome.err, "");
     for (auto const* const ending :
          { ".l", ".v", "_heading.func", "_depth.func", "_angle_left.func", "_angle_right.func",
-           "_size_left.func", "_size_right.func", "_internode.func" })
+           "_size_left.func", "_size_right.func", "_internode.func", "_leaf.s" })
         EXPECT_TRUE(fs::exists(path("out/hand_spiral") + ending)) << ending;
     auto const checked = commands::run({ "lsystem", "check", path("out/hand_spiral.l") });
     EXPECT_EQ(checked.exit_code, 0) << checked.err;

@@ -71,7 +71,7 @@ TEST_F(LayerOrgansCommand, LayersMayBearAnything)
     // Three nodes of two, and seven of two flowers with one node of five.
     EXPECT_EQ(nlohmann::json::parse(report.out)["leaf_tips"].size(), 3U * 2 + 7 * 2 * 5);
     auto const made = commands::run({ "construct", sketch, "-o", path("all") });
-    EXPECT_NE(made.out.find(" 2 .s, .png"), std::string::npos) << made.out;
+    EXPECT_NE(made.out.find(" 3 .s, .png"), std::string::npos) << made.out;
 }
 
 TEST_F(LayerOrgansCommand, SaysWhatIsWrongWithALayer)
