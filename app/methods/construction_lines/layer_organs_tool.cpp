@@ -18,7 +18,7 @@ constexpr std::array<tools::OptionWord, 4> kLayerWords { {
     { "layer_organ", "Layer's organ" },
     { "layer_pattern", "Layer's pattern" },
     { "layer_face", "Turn a layer" },
-    { "layer_plant", "Plant as organ" },
+    { "layer_plant", "Bring an organ" },
 } };
 
 void visit(tools::OptionVisitor& visitor, LayerOrgansTool& tool)
@@ -48,29 +48,61 @@ Result<scene::ItemId> next_organ(lines::PenSketch const& sketch, scene::ItemId o
 {
     if (sketch.organs.empty())
         return fail(Fault::User,
-                    "the plant has nothing but plain leaves: draw a leaf's edge, or bring a plant "
-                    "here with Plant as organ");
+                    "the plant has nothing but plain leaves: draw a leaf's edge, or bring an "
+                    "organ here");
     auto const next = lines::organ_number(sketch, organ);
     return next < sketch.organs.size() ? sketch.organs[next].id : 0;
 }
 
-// The plant with construction lines on which the stroke begins.
-Result<scene::ItemId> plant_dragged(Stroke const& stroke, scene::Scene const& scene)
+// The leaf of a sketch on one of whose lines a place on the sheet is; 0: there is none.
+scene::ItemId leaf_at(lines::PenSketch const& sketch, Vec2 const& place_mm)
+{
+    for (auto const& organ : sketch.organs) {
+        lines::PenSketch of_lines;
+        for (auto const& line : organ.lines)
+            of_lines.lines.push_back(line.line);
+        if (lines::line_at(of_lines, place_mm))
+            return organ.id;
+    }
+    return 0;
+}
+
+// What the stroke begins on: a leaf, or a plant by its construction lines.
+struct Dragged {
+    scene::ItemId plant = 0;
+    scene::ItemId organ = 0;
+};
+
+Result<Dragged> dragged(Stroke const& stroke, scene::Scene const& scene)
 {
     auto const world_mm
         = scene::paper_of(scene.state).world_of_sheet(stroke.tips.front().position_mm.head<2>());
     for (auto const& plant : scene.state.plants) {
         auto const* const sketch = lines::pen_sketch(*plant);
         auto const paper = scene::paper_of(*plant);
-        if (!sketch || !paper || plant->id == scene.state.active || plant->is_hidden)
+        if (!sketch || !paper || plant->is_hidden)
             continue;
-        auto const sheet = lines::sheet_of(*plant, scene.state.scale);
-        if (lines::line_at(*sketch, sheet.on_sheet(paper->sheet_of_world(world_mm))))
-            return plant->id;
+        auto const place_mm
+            = lines::sheet_of(*plant, scene.state.scale).on_sheet(paper->sheet_of_world(world_mm));
+        if (auto const organ = leaf_at(*sketch, place_mm))
+            return Dragged { plant->id, organ };
+        if (plant->id != scene.state.active && lines::line_at(*sketch, place_mm))
+            return Dragged { plant->id };
     }
     return fail(Fault::User,
-                "no other plant with construction lines is here: begin the stroke on a line of the "
-                "plant that is to be an organ, and end it beside the layer that is to bear it");
+                "neither a leaf nor another plant with construction lines is here: begin the "
+                "stroke on a line of what is to be an organ, and end it beside the layer that is "
+                "to bear it");
+}
+
+Result<scene::Edit> bring(ActiveSketch const& active, TouchedLayer const& layer,
+                          Stroke const& stroke, scene::Scene const& scene)
+{
+    auto const what = TRY(dragged(stroke, scene));
+    return lines::SetLayerOrgan { .plant = active.plant,
+                                  .line = layer.line,
+                                  .organ = what.organ,
+                                  .of_plant = what.plant == active.plant ? 0 : what.plant };
 }
 
 Result<std::vector<scene::Edit>> change_layer(tools::Tool const& tool, Stroke const& stroke,
@@ -93,9 +125,7 @@ Result<std::vector<scene::Edit>> change_layer(tools::Tool const& tool, Stroke co
     case Change::Plant:
         break;
     }
-    return Edits { lines::SetLayerOrgan { .plant = active.plant,
-                                          .line = layer.line,
-                                          .of_plant = TRY(plant_dragged(stroke, scene)) } };
+    return Edits { TRY(bring(active, layer, stroke, scene)) };
 }
 
 } // namespace
@@ -105,10 +135,9 @@ constexpr tools::ToolKind LayerOrgansTool::kKind {
     .label = "Layer's organ",
     .title = "Change what a layer bears",
     .done = "The layer bears something else now",
-    .help
-    = "gives the layer of a sketch beside which the stroke ends the next of the organs that "
-      "were drawn, or plain leaves, or the next pattern; turns its organs; or gives it plants "
-      "like the one on whose construction lines the stroke begins",
+    .help = "gives the layer of a sketch beside which the stroke ends the next of the organs that "
+            "were drawn, or plain leaves, or the next pattern; turns its organs; or gives it the "
+            "leaf, or plants like the one, on whose lines the stroke begins",
     .group = "Sketch",
     .method = "From lines",
     .begins_group_of_buttons = true,

@@ -13,7 +13,7 @@ struct LayerOrgansTool {
         Organ,   // What its organs are: the next of the plant's, or plain leaves.
         Pattern, // How they stand: the next pattern.
         Face,    // How they are turned.
-        Plant,   // Plants like the one on whose lines the stroke begins.
+        Plant,   // The leaf, or plants like the one, on whose lines the stroke begins.
     };
     What what = What::Organ;
 };

@@ -110,7 +110,15 @@ void list(scene::Fields& fields, SetLayerOrgan& edit)
     fields.id(edit.id);
 }
 
-// The sketch of another plant, as an organ: the one that is there if it is the same.
+Result<SketchOrgan> find_organ(PenSketch const& sketch, scene::ItemId organ)
+{
+    auto const number = organ_number(sketch, organ);
+    if (number == 0)
+        return fail(Fault::User, fmt::format("the sketch has no organ {}", scene::name_of(organ)));
+    return sketch.organs[number - 1];
+}
+
+// The sketch of another plant, or one of its organs, as another organ.
 Result<scene::ItemId> taken_from(scene::DocumentState& state, PenSketch& sketch,
                                  SetLayerOrgan const& edit)
 {
@@ -118,10 +126,12 @@ Result<scene::ItemId> taken_from(scene::DocumentState& state, PenSketch& sketch,
         return fail(Fault::User, "a plant cannot be an organ of itself: take another one");
     auto const other = TRY(find_sketch(state, edit.of_plant));
     TRY(check_count(sketch));
-    auto const id = scene::take_id(state, edit.id);
-    sketch.organs.push_back(
-        { .id = id, .sketch = std::make_shared<PenSketch const>(other.sketch) });
-    return id;
+    SketchOrgan taken { .sketch = std::make_shared<PenSketch const>(other.sketch) };
+    if (edit.organ != 0)
+        taken = TRY(find_organ(other.sketch, edit.organ));
+    taken.id = scene::take_id(state, edit.id);
+    sketch.organs.push_back(taken);
+    return taken.id;
 }
 
 // Organs that are plants go when nothing bears them any more.
@@ -144,8 +154,8 @@ Result<scene::DocumentState> applied(scene::DocumentState state, SetLayerOrgan c
     auto organ = edit.organ;
     if (edit.of_plant != 0)
         organ = TRY(taken_from(state, sketch, edit));
-    else if (organ != 0 && organ_number(sketch, organ) == 0)
-        return fail(Fault::User, fmt::format("the sketch has no organ {}", scene::name_of(organ)));
+    else if (organ != 0)
+        TRY(find_organ(sketch, organ));
     if (edit.line == 0) {
         sketch.organ = organ;
         for (auto& line : sketch.lines)
@@ -164,10 +174,12 @@ std::string described(SetLayerOrgan const& edit)
     auto const where = edit.line == 0
         ? std::string("all layers")
         : fmt::format("the layer above line {}", scene::name_of(edit.line));
-    auto const what = edit.of_plant != 0
-        ? fmt::format("plants like {}", scene::name_of(edit.of_plant))
-        : edit.organ != 0 ? fmt::format("organs {}", scene::name_of(edit.organ))
-                          : std::string("plain leaves");
+    auto const what = edit.of_plant != 0 && edit.organ != 0
+        ? fmt::format("organs {} of plant {}", scene::name_of(edit.organ),
+                      scene::name_of(edit.of_plant))
+        : edit.of_plant != 0 ? fmt::format("plants like {}", scene::name_of(edit.of_plant))
+        : edit.organ != 0    ? fmt::format("organs {}", scene::name_of(edit.organ))
+                             : std::string("plain leaves");
     return fmt::format("lets {} of plant {} bear {}", where, scene::name_of(edit.plant), what);
 }
 

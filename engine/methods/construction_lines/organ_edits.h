@@ -25,9 +25,10 @@ struct SetLayerOrgan {
     scene::ItemId plant = 0;
     scene::ItemId line = 0;  // The layer's: see Layer. 0: in all layers.
     scene::ItemId organ = 0; // 0: plain leaves.
-    // If not 0, in place of it: the sketch of this plant, as it is now, which gives an organ `id`.
+    // If not 0: the organ is that plant's, as it is now, and 0 is the plant itself. It is taken as
+    // another organ of this one.
     scene::ItemId of_plant = 0;
-    scene::ItemId id = 0;
+    scene::ItemId id = 0; // Of an organ that is taken.
 };
 
 } // namespace tractus::lines

@@ -153,8 +153,8 @@ TEST_F(LayerTools, RefusesWhatGivesNoLeaf)
               std::string::npos);
     EXPECT_TRUE(sketch().organs.empty());
     EXPECT_EQ(touch(0, What::Organ),
-              "the plant has nothing but plain leaves: draw a leaf's edge, or bring a plant here "
-              "with Plant as organ");
+              "the plant has nothing but plain leaves: draw a leaf's edge, or bring an organ "
+              "here");
 }
 
 // Leaves below and flowers above.
@@ -222,7 +222,7 @@ TEST_F(LayerTools, APlantBecomesAnOrgan)
     draw(from_flower, LayerOrgansTool { What::Plant });
     EXPECT_EQ(sketch().organs.size(), 1U) << "taken again as it is now";
     EXPECT_NE(draw({ { 60, 0, 50 }, { 55, 0, 50 } }, LayerOrgansTool { What::Plant })
-                  .find("no other plant with construction lines is here"),
+                  .find("neither a leaf nor another plant"),
               std::string::npos);
     touch(0, What::Organ);
     EXPECT_EQ(plant().organs.size(), leaves) << "plain leaves again";
@@ -232,6 +232,27 @@ TEST_F(LayerTools, APlantBecomesAnOrgan)
         draw({ { 60, 0, 50 }, { 80, 30, 50 } }, LineTool { .plant = LineTool::Plant::AnotherStem })
             .find("has one stem"),
         std::string::npos);
+}
+
+// A leaf of this plant, or of another one.
+TEST_F(LayerTools, ALeafIsBroughtToALayer)
+{
+    draw_third_line();
+    leaf(edge(1), Leaf::Edge);
+    leaf(edge(2, -60), Leaf::Another);
+    auto const text = surface_of(model());
+    draw({ { 68, 20, 50 }, { -60, 20, 50 } }, LayerOrgansTool { What::Plant });
+    EXPECT_EQ(sketch().organs.size(), 2U);
+    EXPECT_NE(model().source.text.find("array organ[2] = {1, 1}"), std::string::npos);
+
+    LineTool const another { .plant = LineTool::Plant::NewStem, .nodes = 4 };
+    draw({ { 120, -60, 50 }, { 120, 0, 50 }, { 120, 60, 50 } }, another);
+    draw({ { 95, -62, 50 }, { 90, 0, 50 }, { 105, 68, 50 } }, LineTool { .nodes = 4 });
+    EXPECT_TRUE(sketch().organs.empty());
+    draw({ { 68, 20, 50 }, { 130, 20, 50 } }, LayerOrgansTool { What::Plant });
+    ASSERT_EQ(sketch().organs.size(), 1U);
+    EXPECT_FALSE(sketch().organs[0].sketch);
+    EXPECT_EQ(surface_of(model()), text) << "as it is there";
 }
 
 TEST(LayerToolsInLogs, SayTheirOptions)
