@@ -3,12 +3,14 @@
 #include "engine/mesh/make_mesh.h"
 #include "engine/methods/silhouettes/arrangement.h"
 #include "engine/methods/silhouettes/chordal_axis.h"
-#include "engine/methods/silhouettes/kept_names.h"
+#include "engine/methods/silhouettes/inferred_trees.h"
+#include "engine/methods/silhouettes/outlined_tree.h"
 #include "engine/methods/silhouettes/skeleton.h"
 #include "engine/methods/silhouettes/tree.h"
 #include "tests/bench/report.h"
 
 #include <cmath>
+#include <memory>
 #include <oneapi/tbb/global_control.h>
 
 namespace tractus::silhouette {
@@ -56,22 +58,39 @@ void infer_branches(benchmark::State& state)
 }
 BENCHMARK(infer_branches)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-// Measures pen-up where a crown is drawn anew, three per cent wider: branches keep their names,
-// which takes an inference of the crown before and one more of the new one. The goal is the same.
+Stroke stroke_of(std::vector<Vec2> const& points)
+{
+    std::vector<TipSample> tips;
+    for (auto const& point : points)
+        tips.push_back({ .position_mm = { point.x(), point.y(), 0 } });
+    return { std::move(tips) };
+}
+
+// Measures pen-up where the crown of a tree that is built is drawn anew, three per cent wider:
+// branches keep their names, and what is inferred for these is what is built then. The goal is the
+// same.
 void change_outline(benchmark::State& state)
 {
     auto const threads = limited_to(state.range(0));
-    auto const before = crown();
-    auto after = before;
-    for (auto& point : after.outline[0])
+    auto const drawing = crown();
+    auto wider = drawing.outline[0];
+    for (auto& point : wider)
         point.x() *= 1.03;
+    OutlinedTree before { .trunk = stroke_of(drawing.trunk),
+                          .outline = stroke_of(drawing.outline[0]),
+                          .inferred = std::make_shared<InferredTrees>() };
+    before.form.levels = 3;
+    if (!inferred(before)) {
+        state.SkipWithError("the tree cannot be inferred");
+        return;
+    }
     std::size_t branches = 0;
     for (auto _ : state) {
-        auto drawing = after;
-        SkeletonOptions options { .levels = 3 };
-        options.names = *kept_names({ before, options }, drawing, options, "n");
-        auto const skeleton = infer_skeleton(drawing, options);
-        branches = skeleton->branch_count();
+        auto after = before;
+        after.outline = stroke_of(wider);
+        if (!keep_names(before, after, "n"))
+            state.SkipWithError("the tree has no names");
+        branches = (*inferred(after))->skeleton.branch_count();
     }
     report(state, { .items = static_cast<double>(branches), .item = "branches" });
 }

@@ -29,6 +29,7 @@ public:
             return {};
         tree->ground_mm = edit->plant == 0 ? edit->ground_mm : tree->ground_mm;
         tree->form.levels = 1;
+        tree->inferred.reset(); // No version of the tree follows from what is only shown.
         auto const built = silhouette::build_tree(*tree);
         if (!built)
             return {};

@@ -61,7 +61,9 @@ Result<void> touch_bumps(SilhouetteFile& file, TouchesOn which, SkeletonOptions&
                                     touch.kind == BumpTouch::Kind::Split ? "split" : "join",
                                     touch.place.x(), touch.place.y(), added.error().message));
         auto const fresh = fmt::format("{}.", scene::name_of(scene::item_id(++edits, 0)));
-        options.names = TRY(kept_names({ before, options }, file.drawing, options, fresh));
+        auto renamed
+            = TRY(kept_names(DrawingToInfer { before, options }, file.drawing, options, fresh));
+        options.names = std::move(renamed.names);
     }
     return {};
 }

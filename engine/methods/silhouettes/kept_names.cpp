@@ -38,6 +38,34 @@ std::string moved_path(std::string const& path, std::string const& from, std::st
     return is_below ? to + path.substr(from.size()) : path;
 }
 
+// Whether lines or styles are on branches.
+bool is_drawn_on(Drawing const& drawing)
+{
+    return drawing.is_refined() || !drawing.styles.empty();
+}
+
+// Keeps what is inferred of a tree, without what was drawn on branches.
+class SystemRecord final : public BranchNamer {
+public:
+    void name(NewSystem const& made, Drawing& drawing) override
+    {
+        if (is_drawn_on(drawing))
+            systems.push_back(made.system);
+    }
+
+    std::vector<BranchingSystem> systems; // In the skeleton's order.
+};
+
+bool are_on_the_same(Drawing const& one, Drawing const& other)
+{
+    auto const same = [](auto const& a, auto const& b) { return a.branch == b.branch; };
+    auto const all = [&](auto const& a, auto const& b) {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+    };
+    return one.styles == other.styles && all(one.own_outlines, other.own_outlines)
+        && all(one.own_branches, other.own_branches) && all(one.touches, other.touches);
+}
+
 // What stands on a branch that has another path, and its style, go with it.
 void move_below(Drawing& drawing, std::string const& from, std::string const& to)
 {
@@ -132,7 +160,8 @@ std::optional<std::size_t> KeptNames::earlier_system(NewSystem const& made) cons
         return std::nullopt;
     for (auto const parent : made.parents)
         if (auto const partner = partners_[made.parent_system][parent])
-            if (auto const below = earlier_.system_of[*before][*partner]; below != kNoSystem)
+            if (auto const below = earlier_.skeleton.system_of[*before][*partner];
+                below != kNoSystem)
                 return below;
     return std::nullopt;
 }
@@ -142,8 +171,9 @@ void KeptNames::name(NewSystem const& made, Drawing& drawing)
     auto const before = earlier_system(made);
     auto& partners = partners_.emplace_back();
     earlier_of_.push_back(before);
+    has_borne_twice_ = !parents_.insert(made.parent).second || has_borne_twice_;
     if (before) {
-        auto const& earlier = record_.system(*before);
+        auto const& earlier = earlier_.bare(*before);
         bool const is_on_trunk = made.parent_system == kNoSystem;
         partners
             = match_branches(is_on_trunk ? earlier : laid_on(earlier, made.system), made.system);
@@ -158,21 +188,39 @@ void KeptNames::name(NewSystem const& made, Drawing& drawing)
     }
     settle_outlines(drawing, made);
     settle_branches(drawing, made, partners);
+    if (is_drawn_on(drawing))
+        systems_.push_back(made.system);
 }
 
-Result<BranchNames> kept_names(DrawingToInfer const& before, Drawing& after,
-                               SkeletonOptions options, std::string const& fresh)
+Result<InferredDrawing> infer_drawing(Drawing const& drawing, SkeletonOptions const& options)
+{
+    auto lines = drawing;
+    SystemRecord record;
+    auto skeleton = TRY(infer_skeleton(lines, options, record));
+    return InferredDrawing { std::move(skeleton), std::move(record.systems) };
+}
+
+Result<Renamed> kept_names(InferredDrawing const& earlier, Drawing& after, SkeletonOptions options,
+                           std::string const& fresh)
+{
+    KeptNames kept(earlier, fresh);
+    options.names.clear();
+    bool const is_leaf = std::exchange(after.is_leaf, false);
+    auto const as_given = after;
+    auto skeleton = TRY(infer_skeleton(after, options, kept));
+    after.is_leaf = is_leaf;
+    Renamed renamed { kept.names() };
+    if (!is_leaf && !kept.has_borne_twice() && are_on_the_same(as_given, after))
+        renamed.inferred = { std::move(skeleton), kept.take_systems() };
+    return renamed;
+}
+
+Result<Renamed> kept_names(DrawingToInfer const& before, Drawing& after,
+                           SkeletonOptions const& options, std::string const& fresh)
 {
     auto drawing = before.drawing;
     drawing.is_leaf = false;
-    SystemRecord record;
-    auto const earlier = TRY(infer_skeleton(drawing, before.options, record));
-    KeptNames kept(earlier, record, fresh);
-    options.names.clear();
-    bool const is_leaf = std::exchange(after.is_leaf, false);
-    TRY(infer_skeleton(after, options, kept));
-    after.is_leaf = is_leaf;
-    return kept.names();
+    return kept_names(TRY(infer_drawing(drawing, before.options)), after, options, fresh);
 }
 
 void FoundAgain::name(NewSystem const& made, Drawing& drawing)

@@ -11,11 +11,14 @@
 #include "engine/scene/plant_source.h"
 #include "engine/stroke/stroke.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace tractus::silhouette {
+
+class InferredTrees; // inferred_trees.h
 
 // A branch that was drawn, by the edit that brought it.
 struct DrawnBranch {
@@ -69,11 +72,17 @@ struct OutlinedTree {
     // Where the trunk's foot is on the paper as long as none is drawn, of a tree that begins with
     // such a line.
     std::optional<Vec2> ground_mm {};
+    // Shared by all versions of the tree; null: nothing is kept of what is inferred of it. It says
+    // nothing about the tree.
+    std::shared_ptr<InferredTrees> inferred {};
 
     // Whether branches can be inferred: by its outline or by its surface.
     bool has_crown() const { return !outline.tips.empty() || !crown_lines.empty(); }
     bool is_refined() const { return !own_outlines.empty() || !own_branches.empty(); }
 };
+
+// How its branches are inferred, and what they are called.
+SkeletonOptions options_of(OutlinedTree const& tree);
 
 Result<Drawing> drawing_of(OutlinedTree const& tree);
 
@@ -142,6 +151,8 @@ Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::st
 // The plant: as large as drawn when it is shown at its scale, its foot at the origin. Without an
 // outline a bare stem along the trunk. Fails, as the user's fault, for neither, like
 // infer_skeleton() and check_form(), and for a trunk that is a dot.
+//
+// Keeps what it has inferred for the versions that follow.
 Result<scene::BuiltSource> build_tree(OutlinedTree const& tree,
                                       scene::LoadOptions const& options = {});
 

@@ -1,12 +1,14 @@
 #include "engine/methods/silhouettes/tree_edits.h"
 
 #include "engine/methods/silhouettes/bumps.h"
+#include "engine/methods/silhouettes/inferred_trees.h"
 #include "engine/scene/edit_words.h"
 #include "engine/scene/make_edit_kind.h"
 #include "engine/scene/paper.h"
 
 #include <array>
 #include <fmt/format.h>
+#include <memory>
 #include <utility>
 
 namespace tractus::silhouette {
@@ -190,6 +192,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, DrawTree const&
     auto tree = TRY(with_part({ .form = edit.form, .scale = edit.scale }, edit,
                               scene::take_id(state, edit.id)));
     tree.ground_mm = edit.ground_mm;
+    tree.inferred = std::make_shared<InferredTrees>();
     TRY(check_tree(tree));
     if (!edit.stands_at_mm.allFinite())
         return fail(Fault::User, "the place for the tree is not a number: draw it again");
