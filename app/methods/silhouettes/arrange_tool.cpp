@@ -4,12 +4,13 @@
 #include "engine/methods/silhouettes/tree_edits.h"
 
 #include <array>
+#include <cmath>
 
 namespace tractus::silhouette {
 
 namespace {
 
-// In the order of To: the next one, then those of silhouette::Pattern.
+// In the order of To: the next one, then those of Pattern::Kind.
 constexpr std::array<tools::OptionWord, 7> kTo { {
     { "next", "Next", nullptr, true },
     { "even", "Even", nullptr, true },
@@ -31,6 +32,7 @@ void visit(tools::OptionVisitor& visitor, ArrangeTool& tool)
 {
     visitor.choice({ kAround }, tool.around);
     visitor.choice({ kTo }, tool.to);
+    visitor.number({ "whorl", "", kLeastWhorl, kMostWhorl, 1, "In a whorl" }, tool.whorl);
 }
 
 Result<std::vector<scene::Edit>> arrange(tools::Tool const& tool, Stroke const&,
@@ -46,9 +48,11 @@ Result<std::vector<scene::Edit>> arrange(tools::Tool const& tool, Stroke const&,
     bool const is_trunk = options.around == ArrangeTool::Around::Trunk;
     auto& pattern = edit.form.patterns[is_trunk ? 0 : 1];
     int const next = options.to == ArrangeTool::To::Next
-        ? (static_cast<int>(pattern) + 1) % kPatterns
+        ? (static_cast<int>(pattern.kind) + 1) % kPatterns
         : static_cast<int>(options.to) - 1;
-    pattern = static_cast<silhouette::Pattern>(next);
+    pattern = static_cast<Pattern::Kind>(next);
+    if (pattern == Pattern::Whorls)
+        pattern = Pattern::whorls_of(static_cast<int>(std::lround(options.whorl)));
     if (!is_trunk)
         edit.form.patterns[2] = pattern;
     return std::vector<scene::Edit> { edit };
@@ -62,7 +66,8 @@ constexpr tools::ToolKind ArrangeTool::kKind {
     .title = "Arrange the tree's branches",
     .done = "The branches stand in another pattern",
     .help = "stands the branches of a tree that was drawn by its outline, around its trunk or "
-            "around its branches, in the next pattern or in one of these",
+            "around its branches, in the next pattern or in one of these; whorls have so many "
+            "branches",
     .group = "Sketch",
     .method = "From an outline",
     .begins_group_of_buttons = true,

@@ -10,6 +10,7 @@ struct ArrangeTool {
 
     enum class To { Next, Even, Spiral, Decussate, Whorls, TwoRows, Horizontal } to = To::Next;
     enum class Around { Trunk, Branches } around = Around::Trunk;
+    double whorl = 3; // Branches at a node, where they come to stand in whorls.
 };
 
 } // namespace tractus::silhouette

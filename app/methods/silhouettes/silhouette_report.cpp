@@ -253,12 +253,14 @@ std::string print_arrangement(Arrangement const& arrangement, Pattern pattern, s
     Report places = Report::array();
     for (auto const& place : arrangement.places)
         places.push_back(place_json(place));
-    Report const report { { "pattern", name_of(pattern) },
-                          { "count", arrangement.places.size() },
-                          { "seed", seed },
-                          { "cost_before", arrangement.cost_before },
-                          { "cost_after", arrangement.cost_after },
-                          { "places", std::move(places) } };
+    Report report { { "pattern", name_of(pattern) } };
+    if (pattern == Pattern::Whorls)
+        report["whorl"] = pattern.whorl;
+    report.update({ { "count", arrangement.places.size() },
+                    { "seed", seed },
+                    { "cost_before", arrangement.cost_before },
+                    { "cost_after", arrangement.cost_after },
+                    { "places", std::move(places) } });
     return report.dump() + "\n";
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace tractus::silhouette {
 
@@ -14,23 +15,30 @@ constexpr double kClosenessWeight = 2; // Wither 2009: w1 and w2.
 constexpr double kMisfitWeight = 1;
 
 struct Law {
-    Pattern pattern;
+    Pattern::Kind kind;
     char const* name;
     int whorl;       // Branches at a node; 0: no pattern.
     double turn_deg; // From a node to the next.
+
+    double period_deg() const { return 360.0 / whorl; }
 };
 
+// In the order of Pattern::Kind.
 constexpr std::array<Law, 6> kLaws { { { Pattern::Even, "even", 0, 0 },
                                        { Pattern::Spiral, "spiral", 1, 144 },
                                        { Pattern::Decussate, "decussate", 2, 90 },
-                                       { Pattern::Whorls, "whorls", 3, 60 },
+                                       { Pattern::Whorls, "whorls", kUsualWhorl, 60 },
                                        { Pattern::TwoRows, "two-rows", 1, 180 },
                                        { Pattern::Horizontal, "horizontal", 2, 0 } } };
 
-Law const& law_of(Pattern pattern)
+Law law_of(Pattern pattern)
 {
-    return *std::find_if(kLaws.begin(), kLaws.end(),
-                         [&](Law const& law) { return law.pattern == pattern; });
+    auto law = kLaws[pattern.kind];
+    if (pattern == Pattern::Whorls) {
+        law.whorl = pattern.whorl;
+        law.turn_deg = law.period_deg() / 2; // Into the gaps.
+    }
+    return law;
 }
 
 // The shorter way around.
@@ -55,6 +63,9 @@ public:
         , count_(std::max(options.count, drawn.size()))
         , alpha_(options.alpha.value_or(2.0 * static_cast<double>(count_)))
         , node_(node_distance(options.pattern, count_))
+        , is_on_nodes_(options.nodes == ArrangementOptions::Nodes::Snap
+                       && options.pattern == Pattern::Whorls
+                       && options.pattern.whorl != kUsualWhorl)
     {
         for (std::size_t i = 0; i < count_; ++i)
             places_.push_back(proposal(i));
@@ -85,8 +96,10 @@ public:
 private:
     Place proposal(std::size_t i)
     {
-        if (i >= drawn_.size())
-            return { random_.uniform(options_.first_u, 1), added_theta() };
+        if (i >= drawn_.size()) {
+            double const u = random_.uniform(options_.first_u, 1);
+            return { is_on_nodes_ ? node_at(u) : u, added_theta() };
+        }
         auto const& drawn = drawn_[i];
         double const most = options_.pattern == Pattern::Horizontal ? 0 : drawn.most_off_deg;
         return { drawn.u, full_turn(drawn.theta_deg + random_.uniform(-most, most)) };
@@ -117,12 +130,16 @@ private:
             : kClosenessWeight * closeness + kMisfitWeight * misfits;
     }
 
+    double node_at(double u) const
+    {
+        double const middle = (std::floor(u / node_) + 0.5) * node_;
+        return std::clamp(middle, options_.first_u, 1.0);
+    }
+
     void snap()
     {
-        for (std::size_t i = drawn_.size(); i < count_; ++i) {
-            double const middle = (std::floor(places_[i].u / node_) + 0.5) * node_;
-            places_[i].u = std::clamp(middle, options_.first_u, 1.0);
-        }
+        for (std::size_t i = drawn_.size(); i < count_; ++i)
+            places_[i].u = node_at(places_[i].u);
     }
 
     std::vector<DrawnPlace> const& drawn_;
@@ -131,6 +148,10 @@ private:
     std::size_t count_;
     double alpha_;
     double node_;
+    // What is added stands on nodes from the beginning: snapped in the end, branches whose node
+    // lies across the border of two would be torn apart. Those of the patterns that were there
+    // first stay where plants have them.
+    bool is_on_nodes_;
     std::vector<Place> places_;
 };
 
@@ -140,13 +161,19 @@ std::optional<Pattern> pattern_of(std::string_view word)
 {
     for (auto const& law : kLaws)
         if (word == law.name)
-            return law.pattern;
+            return law.kind;
     return std::nullopt;
 }
 
 char const* name_of(Pattern pattern)
 {
     return law_of(pattern).name;
+}
+
+std::string describe(Pattern pattern)
+{
+    bool const is_usual = pattern != Pattern::Whorls || pattern.whorl == kUsualWhorl;
+    return is_usual ? name_of(pattern) : fmt::format("{} of {}", name_of(pattern), pattern.whorl);
 }
 
 std::size_t node_size(Pattern pattern)
@@ -162,14 +189,14 @@ double node_distance(Pattern pattern, std::size_t count)
 
 double misfit(Pattern pattern, double node, Place const& a, Place const& b)
 {
-    auto const& law = law_of(pattern);
+    auto const law = law_of(pattern);
     if (law.whorl == 0)
         return 0;
     auto const& lower = a.u <= b.u ? a : b;
     auto const& upper = a.u <= b.u ? b : a;
     // Nodes between the two are rounded: the paper's floor puts a perfect pattern on its jumps.
     double const nodes = std::round((upper.u - lower.u) / node);
-    double const period_deg = 360.0 / law.whorl;
+    double const period_deg = law.period_deg();
     double rest = std::fmod(upper.theta_deg - lower.theta_deg - nodes * law.turn_deg, period_deg);
     if (rest < 0)
         rest += period_deg;

@@ -4,24 +4,51 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace tractus::silhouette {
 
+constexpr int kUsualWhorl = 3; // Branches at a node.
+constexpr int kLeastWhorl = 2;
+constexpr int kMostWhorl = 12;
+
 // How branches stand around their parent.
-enum class Pattern {
-    Even,      // As far from each other as they can be.
-    Spiral,    // One at a node, 144 degrees on from the one below.
-    Decussate, // Opposite pairs, each across the one below.
-    Whorls,    // Three at a node, in the gaps of those below.
-    TwoRows,   // One at a node, left and right in turn.
-    Horizontal // Opposite pairs, all in the plane that was drawn in.
+struct Pattern {
+    enum Kind {
+        Even,      // As far from each other as they can be.
+        Spiral,    // One at a node, 144 degrees on from the one below.
+        Decussate, // Opposite pairs, each across the one below.
+        Whorls,    // Several at a node, in the gaps of those below.
+        TwoRows,   // One at a node, left and right in turn.
+        Horizontal // Opposite pairs, all in the plane that was drawn in.
+    } kind
+        = Even;
+    int whorl = kUsualWhorl; // At a node of whorls, kLeastWhorl to kMostWhorl; of others unused.
+
+    constexpr Pattern() = default;
+    constexpr Pattern(Kind of) // NOLINT(google-explicit-constructor): is one, with usual whorls.
+        : kind(of)
+    {
+    }
+    static constexpr Pattern whorls_of(int branches)
+    {
+        Pattern pattern(Whorls);
+        pattern.whorl = branches;
+        return pattern;
+    }
+
+    bool operator==(Pattern const&) const = default;
+    bool operator==(Kind of) const { return kind == of; } // Whatever its whorls are.
 };
 
 // "even", "spiral", "decussate", "whorls", "two-rows", "horizontal"; no value for other words.
 std::optional<Pattern> pattern_of(std::string_view word);
 char const* name_of(Pattern pattern);
+
+// The same for people: "whorls of 5", but of three just "whorls".
+std::string describe(Pattern pattern);
 
 // A place on the unrolled parent: u from 0, its base, to 1; theta from 0 to below 360, 0 to the
 // right and 180 to the left of the plane that was drawn in.

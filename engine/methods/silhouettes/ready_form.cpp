@@ -6,7 +6,7 @@ namespace tractus::silhouette {
 
 std::span<ReadyForm const> ready_forms()
 {
-    using enum Pattern;
+    using enum Pattern::Kind;
     static constexpr std::array<ReadyForm, 5> kForms { {
         { "oak", { .patterns = { Even, Even, Even }, .leaves = 36, .leaf_width = 0.55 } },
         { "pine",

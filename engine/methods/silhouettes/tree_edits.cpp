@@ -2,6 +2,7 @@
 
 #include "engine/methods/silhouettes/bumps.h"
 #include "engine/methods/silhouettes/inferred_trees.h"
+#include "engine/methods/silhouettes/tree_form_fields.h"
 #include "engine/scene/edit_words.h"
 #include "engine/scene/make_edit_kind.h"
 #include "engine/scene/paper.h"
@@ -18,63 +19,6 @@ namespace {
 // In the order of the enumerations' values.
 constexpr std::array kParts { "trunk",      "outline", "branch", "own_outline",
                               "own_branch", "split",   "join",   "surface" };
-constexpr std::array kPatterns {
-    "even", "spiral", "decussate", "whorls", "two-rows", "horizontal"
-};
-
-// What a style has on each level, by the names of the patterns.
-struct StyleNames {
-    char const* children;
-    char const* children_deviation;
-    char const* bare;
-    char const* unbranched;
-    char const* spacing;
-    char const* unevenness;
-    char const* first_angle_deg;
-    char const* last_angle_deg;
-    char const* angle_deviation_deg;
-};
-
-constexpr std::array<StyleNames, 3> kStyleNames { {
-    { "trunk_children", "trunk_children_deviation", "trunk_bare", "trunk_unbranched",
-      "trunk_spacing", "trunk_unevenness", "trunk_first_angle_deg", "trunk_last_angle_deg",
-      "trunk_angle_deviation_deg" },
-    { "branch_children", "branch_children_deviation", "branch_bare", "branch_unbranched",
-      "branch_spacing", "branch_unevenness", "branch_first_angle_deg", "branch_last_angle_deg",
-      "branch_angle_deviation_deg" },
-    { "twig_children", "twig_children_deviation", "twig_bare", "twig_unbranched", "twig_spacing",
-      "twig_unevenness", "twig_first_angle_deg", "twig_last_angle_deg",
-      "twig_angle_deviation_deg" },
-} };
-
-// Sparse, so that a form without styles is written as it was before there were any.
-void list(scene::Fields& fields, StyleNames const& names, BranchStyle& style)
-{
-    fields.sparse_field(names.children, &style.children);
-    fields.sparse_field(names.children_deviation, &style.children_deviation);
-    fields.sparse_field(names.bare, &style.bare);
-    fields.sparse_field(names.unbranched, &style.unbranched);
-    fields.sparse_field(names.spacing, &style.spacing);
-    fields.sparse_field(names.unevenness, &style.unevenness);
-    fields.sparse_field(names.first_angle_deg, &style.first_angle_deg);
-    fields.sparse_field(names.last_angle_deg, &style.last_angle_deg);
-    fields.sparse_field(names.angle_deviation_deg, &style.angle_deviation_deg);
-}
-
-void list(scene::Fields& fields, TreeForm& form)
-{
-    fields.field("levels", &form.levels);
-    fields.word("trunk_pattern", form.patterns[0], kPatterns);
-    fields.word("branch_pattern", form.patterns[1], kPatterns);
-    fields.word("twig_pattern", form.patterns[2], kPatterns);
-    fields.field("density", &form.density);
-    fields.field("leaves", &form.leaves);
-    fields.field("leaf_width", &form.leaf_width);
-    fields.field("seed", &form.seed);
-    for (std::size_t level = 0; level < form.styles.size(); ++level)
-        list(fields, kStyleNames[level], form.styles[level]);
-}
-
 void list(scene::Fields& fields, DrawTree& edit)
 {
     fields.word("part", edit.part, kParts);
@@ -355,8 +299,8 @@ std::string described(FormTree const& edit)
 {
     return fmt::format("arranges plant {}: {} around the trunk, {} around branches, {}, {:g} times "
                        "as many as usual, {} leaves on a twig",
-                       scene::name_of(edit.plant), name_of(edit.form.patterns[0]),
-                       name_of(edit.form.patterns[1]),
+                       scene::name_of(edit.plant), describe(edit.form.patterns[0]),
+                       describe(edit.form.patterns[1]),
                        scene::counted(static_cast<std::size_t>(edit.form.levels), "level"),
                        edit.form.density, edit.form.leaves);
 }

@@ -76,6 +76,9 @@ Result<void> check_form(TreeForm const& form)
         return refuse("the leaves on a twig", form.leaves, 1, 500);
     if (!(form.leaf_width >= 0.01 && form.leaf_width <= 2))
         return refuse("the width of a leaf", form.leaf_width, 0.01, 2);
+    for (auto const& pattern : form.patterns)
+        if (pattern.whorl < kLeastWhorl || pattern.whorl > kMostWhorl)
+            return refuse("the branches of a whorl", pattern.whorl, kLeastWhorl, kMostWhorl);
     return check_styles(form);
 }
 

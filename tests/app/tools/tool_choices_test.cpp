@@ -51,7 +51,7 @@ TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
               "Carry a style, Split a bump, Join bumps, Leaf, | To this tree!, Another one!, "
               "Crown in space, Erase in space, | Around the trunk*, Around branches, "
               "| Next!, Even!, Spiral!, "
-              "Decussate!, Whorls!, Two rows!, Horizontal!, Erase, ");
+              "Decussate!, Whorls!, Two rows!, Horizontal!, | In a whorl 3##whorl, Erase, ");
     EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "line_role"))),
               "Along a stroke, From an outline, From lines*, A leaf, | Line, Another stem, Another "
               "plant, | "

@@ -41,6 +41,7 @@ struct SilhouetteArguments {
     fs::path output;
     silhouette::TreeForm form;         // Without patterns:
     std::vector<std::string> patterns; // of each level; the last one goes on.
+    std::optional<int> whorl;          // Of all whorls.
     std::string style;                 // A plant, on which it is measured.
     CLI::App const* command = nullptr; // Which knows what else was given.
     double height_m = 8;
@@ -61,7 +62,24 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
         given.push_back(*silhouette::pattern_of(word)); // one_of() has seen to it.
     for (std::size_t level = 0; level < form.patterns.size() && !given.empty(); ++level)
         form.patterns[level] = given[std::min(level, given.size() - 1)];
+    for (auto& pattern : form.patterns)
+        if (arguments.whorl && pattern == Pattern::Whorls)
+            pattern.whorl = *arguments.whorl;
     return form;
+}
+
+// A number of branches in a whorl says something where there are whorls.
+Result<void> check_whorl(SilhouetteArguments const& arguments)
+{
+    auto const patterns = form_of(arguments).patterns;
+    bool const has_whorls
+        = std::any_of(patterns.begin(), patterns.end(),
+                      [](Pattern const& pattern) { return pattern == Pattern::Whorls; });
+    if (arguments.whorl && !has_whorls)
+        return fail(Fault::User,
+                    "--whorl says how many branches a whorl has, and there are none: give "
+                    "--arrangement whorls, too");
+    return {};
 }
 
 // The plant that a style is measured on, as it is drawn or was drawn on.
@@ -183,7 +201,8 @@ Result<void> arrange_alone(SilhouetteArguments const& arguments)
         return fail(Fault::User,
                     "there is no drawing: give a file, or --arrangement and --count for an "
                     "arrangement alone");
-    auto const pattern = *silhouette::pattern_of(arguments.patterns[0]);
+    TRY(check_whorl(arguments));
+    auto const pattern = form_of(arguments).patterns[0];
     auto const arrangement = silhouette::arrange(
         {}, { .pattern = pattern, .count = *arguments.count }, { .seed = arguments.form.seed });
     return terminal::print_out(
@@ -211,6 +230,7 @@ Result<void> make_trees(SilhouetteArguments arguments)
         arguments.form = styled_form(arguments, *style);
         TRY(silhouette::check_form(arguments.form));
     }
+    TRY(check_whorl(arguments));
     for (auto const& drawing : arguments.drawings)
         TRY(make_tree_of(arguments, drawing, style));
     return {};
@@ -280,6 +300,11 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
         ->allow_extra_args(false)
         ->check(
             options::one_of({ "even", "spiral", "decussate", "whorls", "two-rows", "horizontal" }));
+    command
+        .add_option("--whorl", arguments.whorl,
+                    "How many branches stand at a node where they stand in whorls; 3 without it")
+        ->type_name("N")
+        ->check(options::whole_number(kLeastWhorl, kMostWhorl));
     command
         .add_option("--density", arguments.form.density,
                     "Times as many branches as usual besides those in the drawing's plane")

@@ -381,6 +381,30 @@ TEST(OutlineTool, GivesItsNumbersToTheTreeAtOnce)
     EXPECT_NE(refused.error().message.find("no outline"), std::string::npos);
 }
 
+TEST(ArrangeTool, StandsAsManyBranchesInAWhorlAsItSays)
+{
+    auto const tools = methods::all_methods().tools;
+    EXPECT_EQ(tools::parse_tool(tools, "arrange", "whorls").value(),
+              tools::Tool(ArrangeTool { .to = ArrangeTool::To::Whorls, .whorl = 3 }))
+        << "as logs have it from before there were others";
+    auto const fives = tools::parse_tool(tools, "arrange", "branches whorls whorl=5").value();
+    document::Document document({}, document::Document::Working::AtOnce);
+    document.draw({ trunk_at(0), OutlineTool {} });
+    document.draw({ crown_around(0, 10), OutlineTool {} });
+    auto const patterns
+        = [&] { return outlined_tree(*document.newest()->scene.drawn)->form.patterns; };
+    document.draw({ {}, fives });
+    EXPECT_EQ(patterns()[0], Pattern());
+    EXPECT_EQ(patterns()[1], Pattern::whorls_of(5));
+    EXPECT_EQ(patterns()[2], Pattern::whorls_of(5));
+    ArrangeTool next { .around = ArrangeTool::Around::Branches, .whorl = 4 };
+    document.draw({ {}, next });
+    EXPECT_EQ(patterns()[1], Pattern(Pattern::TwoRows)) << "the one after whorls";
+    for (int i = 0; i < 5; ++i)
+        document.draw({ {}, next });
+    EXPECT_EQ(patterns()[1], Pattern::whorls_of(4));
+}
+
 // A branch goes before the trunk that it stands on, the outline last; what is left is a bare stem.
 TEST(EraseOutlineTool, TakesLinesOfTheDrawingAway)
 {

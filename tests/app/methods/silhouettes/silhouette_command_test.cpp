@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <unistd.h>
 
@@ -197,6 +198,21 @@ TEST_F(SilhouetteCommand, AFormWithoutStylesIsWrittenWithoutThem)
     EXPECT_EQ(again->get<FormTree>()->form, edit.form);
 }
 
+// Three at a node is what forms say that say nothing, as those from before there were others.
+TEST_F(SilhouetteCommand, AFormSaysWhorlsThatAreNotOfThree)
+{
+    using silhouette::FormTree;
+    FormTree edit { .plant = 7, .form = {} };
+    edit.form.patterns[1] = Pattern::Whorls;
+    auto const written = [&] { return session::record_of(edit).fields; };
+    EXPECT_EQ(written().find("whorl\""), std::string::npos) << written();
+    edit.form.patterns[1] = Pattern::whorls_of(5);
+    EXPECT_NE(written().find(R"("branch_whorl":5)"), std::string::npos) << written();
+    auto const again = session::edit_of(session::record_of(edit), methods::all_methods().edits);
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again->get<FormTree>()->form, edit.form);
+}
+
 TEST_F(SilhouetteCommand, WritesAGraphThatIsAPlant)
 {
     ASSERT_EQ(
@@ -220,6 +236,35 @@ TEST_F(SilhouetteCommand, PrintsAnArrangementAlone)
     auto const again
         = commands::run({ "silhouette", "--arrangement", "even", "--count", "30", "--seed", "3" });
     EXPECT_EQ(again.out, outcome.out);
+    EXPECT_FALSE(arrangement.contains("whorl"));
+}
+
+TEST_F(SilhouetteCommand, WhorlsHaveAsManyBranchesAsAreAskedFor)
+{
+    auto const fives = json::parse(
+        commands::run({ "silhouette", "--arrangement", "whorls", "--whorl", "5", "--count", "20" })
+            .out);
+    EXPECT_EQ(fives["whorl"], 5);
+    std::set<double> nodes;
+    for (auto const& place : fives["places"])
+        nodes.insert(std::round(1e9 * place["u"].get<double>()));
+    EXPECT_LE(nodes.size(), 4U); // Of five each.
+    auto const report = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), { "silhouette", path("oak.json"), "--report" });
+        return json::parse(commands::run(options).out)["arrangement"];
+    };
+    auto const threes = report({ "--arrangement", "even,whorls" });
+    EXPECT_EQ(report({ "--arrangement", "even,whorls", "--whorl", "3" }), threes);
+    auto const sevens = report({ "--arrangement", "even,whorls", "--whorl", "7" });
+    EXPECT_EQ(sevens[0], threes[0]) << "stand evenly";
+    EXPECT_NE(sevens[1], threes[1]);
+    EXPECT_NE(report({ "--form", "pine" }), report({ "--form", "pine", "--whorl", "5" }));
+    EXPECT_NE(refusal({ "silhouette", path("oak.json"), "--report", "--whorl", "5" })
+                  .find("give --arrangement whorls, too"),
+              std::string::npos);
+    EXPECT_NE(refusal({ "silhouette", "--arrangement", "whorls", "--count", "9", "--whorl", "13" })
+                  .find("--whorl"),
+              std::string::npos);
 }
 
 TEST_F(SilhouetteCommand, PatternsAreOfLevels)

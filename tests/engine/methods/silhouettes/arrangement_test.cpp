@@ -3,7 +3,10 @@
 #include "engine/methods/silhouettes/crown_surface.h"
 #include "tests/engine/methods/silhouettes/outlines.h"
 
+#include <cmath>
 #include <limits>
+#include <map>
+#include <vector>
 
 namespace tractus::silhouette {
 namespace {
@@ -97,10 +100,14 @@ TEST(SilhouetteArrangement, PerfectPatternsHaveNoMisfit)
         int whorl;
         double turn_deg;
     };
-    for (auto const& [pattern, whorl, turn_deg] :
-         { Case { Pattern::Spiral, 1, 144 }, Case { Pattern::Decussate, 2, 90 },
-           Case { Pattern::Whorls, 3, 60 }, Case { Pattern::TwoRows, 1, 180 },
-           Case { Pattern::Horizontal, 2, 0 } }) {
+    std::vector<Case> cases { { Pattern::Spiral, 1, 144 },
+                              { Pattern::Decussate, 2, 90 },
+                              { Pattern::Whorls, 3, 60 },
+                              { Pattern::TwoRows, 1, 180 },
+                              { Pattern::Horizontal, 2, 0 } };
+    for (int whorl = kLeastWhorl; whorl <= kMostWhorl; ++whorl)
+        cases.push_back({ Pattern::whorls_of(whorl), whorl, 180.0 / whorl });
+    for (auto const& [pattern, whorl, turn_deg] : cases) {
         constexpr int kNodes = 12;
         std::vector<Place> places;
         for (int node = 0; node < kNodes; ++node)
@@ -118,7 +125,8 @@ TEST(SilhouetteArrangement, PerfectPatternsHaveNoMisfit)
 
 TEST(SilhouetteArrangement, PatternsComeOut)
 {
-    for (auto const pattern : { Pattern::Spiral, Pattern::Decussate, Pattern::Whorls }) {
+    for (Pattern const pattern : { Pattern(Pattern::Spiral), Pattern(Pattern::Decussate),
+                                   Pattern(Pattern::Whorls), Pattern::whorls_of(4) }) {
         double sum = 0;
         double pairs = 0;
         for (std::uint32_t seed = 0; seed < 8; ++seed) {
@@ -142,6 +150,28 @@ TEST(SilhouetteArrangement, PatternsComeOut)
     }
 }
 
+// Whorls of five, as far as a search comes: neighbours at a node are a fifth of a turn apart.
+TEST(SilhouetteArrangement, WhorlsHaveTheirBranches)
+{
+    constexpr int kWhorl = 5;
+    auto const pattern = Pattern::whorls_of(kWhorl);
+    auto const places = arrange({}, { .pattern = pattern, .count = 25 }, { .seed = 4 }).places;
+    std::map<int, std::vector<double>> thetas_at;
+    for (auto const& place : places)
+        thetas_at[static_cast<int>(place.u / node_distance(pattern, 25))].push_back(
+            place.theta_deg);
+    EXPECT_EQ(thetas_at.size(), 5u);
+    double of_gap = 0; // Sum of how far angles between branches are from whole gaps.
+    double pairs = 0;
+    for (auto& [node, thetas] : thetas_at)
+        for (std::size_t i = 0; i < thetas.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j, ++pairs) {
+                double const gaps = (thetas[i] - thetas[j]) / (360.0 / kWhorl);
+                of_gap += std::fabs(gaps - std::round(gaps));
+            }
+    EXPECT_LT(of_gap / pairs, 0.06); // 1/4 for random angles.
+}
+
 TEST(SilhouetteArrangement, HorizontalPairsLieInThePlane)
 {
     auto const places
@@ -158,6 +188,9 @@ TEST(SilhouetteArrangement, PatternsHaveWords)
         EXPECT_STREQ(name_of(*pattern_of(word)), word);
     }
     EXPECT_FALSE(pattern_of("heap"));
+    EXPECT_EQ(describe(Pattern::Whorls), "whorls");
+    EXPECT_EQ(describe(Pattern::whorls_of(7)), "whorls of 7");
+    EXPECT_EQ(describe(Pattern::Even), "even");
 }
 
 // Published radii of a crown that reaches 40 to the right and 20 to the left.

@@ -316,6 +316,23 @@ TEST(FormTree, ArrangesTheTreeAnew)
               before.base->node_position_mm);
 }
 
+TEST(FormTree, SaysHowManyBranchesAWhorlHas)
+{
+    auto const before = drawn_tree();
+    TreeForm form;
+    form.patterns[0] = Pattern::Whorls;
+    auto const threes = drawn(FormTree { before.state.active, form }, before);
+    form.patterns[0] = Pattern::whorls_of(6);
+    auto const sixes = drawn(FormTree { before.state.active, form }, before);
+    EXPECT_NE(sixes.base->node_position_mm, threes.base->node_position_mm);
+    EXPECT_NE(scene::Edit(FormTree { 1, form }).describe().find("whorls of 6 around the trunk"),
+              std::string::npos);
+    form.patterns[2].whorl = 13;
+    auto const refused = scene::apply_edit(before, FormTree { before.state.active, form });
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, "the branches of a whorl cannot be 13: give 2 to 12");
+}
+
 TEST(DrawTree, SaysWhatIsWrong)
 {
     auto const tree = drawn_tree();

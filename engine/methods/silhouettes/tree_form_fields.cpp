@@ -1,0 +1,80 @@
+#include "engine/methods/silhouettes/tree_form_fields.h"
+
+#include <array>
+
+namespace tractus::silhouette {
+
+namespace {
+
+// In the order of Pattern::Kind.
+constexpr std::array kPatterns {
+    "even", "spiral", "decussate", "whorls", "two-rows", "horizontal"
+};
+
+// What a style has on each level, by the names of the patterns.
+struct StyleNames {
+    char const* children;
+    char const* children_deviation;
+    char const* bare;
+    char const* unbranched;
+    char const* spacing;
+    char const* unevenness;
+    char const* first_angle_deg;
+    char const* last_angle_deg;
+    char const* angle_deviation_deg;
+};
+
+constexpr std::array<StyleNames, 3> kStyleNames { {
+    { "trunk_children", "trunk_children_deviation", "trunk_bare", "trunk_unbranched",
+      "trunk_spacing", "trunk_unevenness", "trunk_first_angle_deg", "trunk_last_angle_deg",
+      "trunk_angle_deviation_deg" },
+    { "branch_children", "branch_children_deviation", "branch_bare", "branch_unbranched",
+      "branch_spacing", "branch_unevenness", "branch_first_angle_deg", "branch_last_angle_deg",
+      "branch_angle_deviation_deg" },
+    { "twig_children", "twig_children_deviation", "twig_bare", "twig_unbranched", "twig_spacing",
+      "twig_unevenness", "twig_first_angle_deg", "twig_last_angle_deg",
+      "twig_angle_deviation_deg" },
+} };
+
+// Sparse, so that a form without styles is written as it was before there were any.
+void list(scene::Fields& fields, StyleNames const& names, BranchStyle& style)
+{
+    fields.sparse_field(names.children, &style.children);
+    fields.sparse_field(names.children_deviation, &style.children_deviation);
+    fields.sparse_field(names.bare, &style.bare);
+    fields.sparse_field(names.unbranched, &style.unbranched);
+    fields.sparse_field(names.spacing, &style.spacing);
+    fields.sparse_field(names.unevenness, &style.unevenness);
+    fields.sparse_field(names.first_angle_deg, &style.first_angle_deg);
+    fields.sparse_field(names.last_angle_deg, &style.last_angle_deg);
+    fields.sparse_field(names.angle_deviation_deg, &style.angle_deviation_deg);
+}
+
+// Sparse, so that whorls of three are written as they were when there were no others.
+void list_whorl(scene::Fields& fields, char const* name, Pattern& pattern)
+{
+    int whorl = pattern.whorl == kUsualWhorl ? 0 : pattern.whorl;
+    fields.sparse_field(name, &whorl);
+    pattern.whorl = whorl == 0 ? kUsualWhorl : whorl;
+}
+
+} // namespace
+
+void list(scene::Fields& fields, TreeForm& form)
+{
+    fields.field("levels", &form.levels);
+    fields.word("trunk_pattern", form.patterns[0].kind, kPatterns);
+    fields.word("branch_pattern", form.patterns[1].kind, kPatterns);
+    fields.word("twig_pattern", form.patterns[2].kind, kPatterns);
+    list_whorl(fields, "trunk_whorl", form.patterns[0]);
+    list_whorl(fields, "branch_whorl", form.patterns[1]);
+    list_whorl(fields, "twig_whorl", form.patterns[2]);
+    fields.field("density", &form.density);
+    fields.field("leaves", &form.leaves);
+    fields.field("leaf_width", &form.leaf_width);
+    fields.field("seed", &form.seed);
+    for (std::size_t level = 0; level < form.styles.size(); ++level)
+        list(fields, kStyleNames[level], form.styles[level]);
+}
+
+} // namespace tractus::silhouette
