@@ -1,5 +1,5 @@
 #include "app/methods/silhouettes/crown_tool.h"
-#include "app/methods/silhouettes/outline_tool.h"
+#include "app/methods/silhouettes/outline_meaning.h"
 #include "app/tools/coming_back.h"
 #include "engine/scene/paper.h"
 

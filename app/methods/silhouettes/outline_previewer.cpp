@@ -1,5 +1,6 @@
 #include "app/methods/silhouettes/outline_previewer.h"
 
+#include "app/methods/silhouettes/outline_meaning.h"
 #include "app/methods/silhouettes/outline_tool.h"
 #include "app/tools/coming_back.h"
 #include "engine/methods/silhouettes/chosen_style.h"

@@ -3,8 +3,6 @@
 #include "app/tools/tool.h"
 #include "engine/methods/silhouettes/tree_edits.h"
 
-#include <optional>
-
 namespace tractus::silhouette {
 
 // Draws a tree by its trunk and the outline of its crown (Wither, Boudon, Cani, Godin 2009).
@@ -41,26 +39,7 @@ struct OutlineTool {
     enum class SeenFor { AWhile, Always, WithTriangles } seen = SeenFor::AWhile;
 };
 
-// What a stroke with the tool means: the tips drawn so far, in a document as it is built. Over a
-// picture a touch means the outline of the crown that it lies in (touched_crown.h). One that
-// comes back to its beginning is an outline, of the crown or of the branch that it lies around
-// (own_outline.h), any other a trunk or a branch, of the trunk or of the branch that it begins on
-// (own_branch.h).
-Result<silhouette::DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
-                                        scene::Scene const& scene);
-
-// What a stroke with the tool does to a leaf where it does not come back: the smallest outline of
-// the active tree around its middle becomes a leaf, or is none any more. No value: the stroke is an
-// outline. Fails, as the user's fault, where it lies in no outline.
-Result<std::optional<silhouette::DeclareLeaf>> declared_leaf(Stroke const& stroke,
-                                                             scene::Scene const& scene);
-
-// The styles that a stroke with the tool carries, in the active tree (carried_by(),
-// chosen_style.h). Fails, as the user's fault, where there is no such tree, and like that.
-Result<silhouette::ChooseStyles> carried_styles(Stroke const& stroke, scene::Scene const& scene);
-
-// The tree that the edit would make, with all its lines.
-Result<silhouette::OutlinedTree> tree_with(silhouette::DrawTree const& edit,
-                                           scene::Scene const& scene);
+// The form with the tool's numbers, and with the rest of its ready form if it has one.
+TreeForm form_of(OutlineTool const& tool, TreeForm form);
 
 } // namespace tractus::silhouette

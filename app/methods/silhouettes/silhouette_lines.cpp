@@ -1,6 +1,6 @@
 #include "app/methods/silhouettes/silhouette_lines.h"
 
-#include "app/methods/silhouettes/outline_tool.h"
+#include "app/methods/silhouettes/outline_meaning.h"
 #include "engine/methods/silhouettes/bump_touch.h"
 #include "engine/methods/silhouettes/chosen_style.h"
 #include "engine/methods/silhouettes/drawn_surface.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/methods/silhouettes/outline_tool.h"
+#include "app/methods/silhouettes/outline_meaning.h"
 #include "tests/app/small_model.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+#include "app/methods/silhouettes/outline_meaning.h"
 #include "app/methods/silhouettes/outline_tool.h"
 
 #include "app/document/document.h"

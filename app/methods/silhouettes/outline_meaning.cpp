@@ -1,0 +1,187 @@
+#include "app/methods/silhouettes/outline_meaning.h"
+
+#include "app/methods/silhouettes/touched_crown.h"
+#include "engine/scene/paper.h"
+#include "engine/scene/picture_ground.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace tractus::silhouette {
+
+namespace {
+
+using Part = DrawTree::Part;
+using What = OutlineTool::What;
+
+std::vector<Vec2> points_of(Stroke const& stroke)
+{
+    std::vector<Vec2> points;
+    for (auto const& tip : stroke.tips)
+        points.emplace_back(tip.position_mm.head<2>());
+    return points;
+}
+
+bool has_any_inside(std::vector<Vec2> const& outline, std::vector<Vec2> const& points)
+{
+    return std::any_of(points.begin(), points.end(),
+                       [&](Vec2 const& point) { return is_inside(outline, point); });
+}
+
+// Whether an outline is another one of a tree's crown: they lie on each other.
+bool is_around(std::vector<Vec2> const& points, Drawing const& tree)
+{
+    if (tree.outline.empty())
+        return has_any_inside(points, tree.trunk);
+    auto const& crown = tree.outline.front();
+    return is_inside(crown, box_of(points).middle()) || is_inside(points, box_of(crown).middle());
+}
+
+// What a line that does not come back is to a tree; no value: nothing.
+std::optional<Part> part_on(Drawing const& tree, Vec2 const& foot, std::vector<Vec2> const& points)
+{
+    constexpr double kNear = 0.08; // Of the drawing's diagonal.
+    auto all = tree.trunk;
+    if (!tree.outline.empty())
+        all.insert(all.end(), tree.outline[0].begin(), tree.outline[0].end());
+    double const near_mm = kNear * box_of(all).diagonal();
+    if ((points.front() - foot).norm() <= near_mm)
+        return Part::Trunk;
+    if (tree.outline.empty())
+        return std::nullopt;
+    bool const is_on_trunk
+        = !tree.trunk.empty() && distance_to_line(points.front(), tree.trunk) <= near_mm;
+    if (is_on_trunk || is_inside(tree.outline[0], points.front()))
+        return Part::Branch;
+    return std::nullopt;
+}
+
+// A stroke that is no line: the pen touched the paper.
+bool is_touch(std::vector<Vec2> const& points)
+{
+    constexpr double kLongest_mm = 4;
+    return points.size() < 2 || box_of(points).diagonal() <= kLongest_mm;
+}
+
+Search search_of(OutlineTool::Branches branches)
+{
+    return branches == OutlineTool::Branches::OfAny ? Search::AnyLevel : Search::OnTrunk;
+}
+
+Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const& stroke,
+                                         OutlineTool::Branches branches)
+{
+    auto const search = search_of(branches);
+    auto const points = points_of(stroke);
+    auto const drawing = TRY(drawing_of(tree));
+    if (!comes_back(points)) {
+        auto const part = part_on(drawing, TRY(foot_of(tree)), points);
+        bool const may_be_borne = branches != OutlineTool::Branches::OfTrunk && part != Part::Trunk;
+        if (may_be_borne && TRY(branch_borne_by(tree, stroke, search)))
+            return Part::OwnBranch;
+        return part;
+    }
+    if (TRY(branch_outlined_by(tree, stroke, search)))
+        return Part::OwnOutline;
+    return is_around(points, drawing) ? std::optional(Part::Outline) : std::nullopt;
+}
+
+// As large as it is in truth, and where it stands among the others, all in the scale of the first.
+void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Scene const& scene)
+{
+    constexpr double kMetre_mm = 1000; // Of a plant's millimetres.
+    edit.scale = 1 / (kMetre_mm * place.m_per_mm);
+    double const scale = scene.plants.empty() ? edit.scale : scene.placement.scale;
+    edit.enlarged = scale / edit.scale;
+    edit.stands_at_mm = scale * kMetre_mm * Vec3(place.right_m, place.behind_m, 0);
+    edit.stands_at_mm.x() += scene.state.picture->place.x_mm;
+}
+
+} // namespace
+
+Result<OutlinedTree const*> active_tree(scene::Scene const& scene)
+{
+    auto const* const tree = outlined_tree(*scene.drawn);
+    if (!tree)
+        return fail(Fault::User,
+                    "the plant that takes what is drawn has no outline: choose a tree that was "
+                    "drawn by its outline, or draw one");
+    return tree;
+}
+
+Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
+                            scene::Scene const& scene)
+{
+    if (tool.what == What::Split || tool.what == What::Join) {
+        TRY(active_tree(scene));
+        return DrawTree { .part = tool.what == What::Split ? Part::Split : Part::Join,
+                          .stroke = stroke,
+                          .search = search_of(tool.branches),
+                          .plant = scene.drawn->id };
+    }
+    auto const points = points_of(stroke);
+    bool const may_be_of_picture = tool.what == What::GoOn || tool.what == What::New;
+    if (may_be_of_picture && scene.state.picture && is_touch(points))
+        return drawn_tree(tool, TRY(outline_touched(*scene.state.picture, stroke)), scene);
+    if (points.size() < 2)
+        return fail(Fault::User,
+                    "a dot is no part of a tree: draw its trunk, or the outline of its crown");
+    DrawTree edit { .stroke = stroke, .is_leaf = tool.what == What::Leaf };
+    auto const* const tree = outlined_tree(*scene.drawn);
+    if (tree && tool.what != What::New)
+        if (auto const part = TRY(part_of_tree(*tree, stroke, tool.branches))) {
+            edit.part = *part;
+            if (*part == Part::OwnOutline || *part == Part::OwnBranch) {
+                edit.style_to = tool.style;
+                edit.search = search_of(tool.branches);
+            }
+            edit.plant = scene.drawn->id;
+            return edit;
+        }
+    edit.part = comes_back(points) ? Part::Outline : Part::Trunk;
+    edit.form = form_of(tool, {});
+    if (!scene.plants.empty())
+        edit.scale = scene.placement.scale;
+    auto const tree_drawn = TRY(tree_with(edit, scene));
+    auto const foot_mm = TRY(foot_of(tree_drawn));
+    edit.stands_at_mm = scene::paper_of(scene.state).world_of_sheet(foot_mm);
+    edit.stands_at_mm.z() = 0;
+    if (scene.state.picture)
+        if (auto const place = TRY(scene::place_on_ground(*scene.state.picture, foot_mm)))
+            stand_on_ground(edit, *place, scene);
+    return edit;
+}
+
+Result<std::optional<DeclareLeaf>> declared_leaf(Stroke const& stroke, scene::Scene const& scene)
+{
+    auto const points = points_of(stroke);
+    if (!is_touch(points) && comes_back(points))
+        return std::nullopt;
+    auto const* const tree = TRY(active_tree(scene));
+    auto const id = TRY(outline_around(*tree, stroke));
+    if (!id)
+        return fail(Fault::User,
+                    "the touch lies in no outline of the tree: touch inside one, or draw around "
+                    "the leaf, back to where you began");
+    bool is_leaf = tree->is_leaf && *id == 0;
+    for (auto const& own : tree->own_outlines)
+        is_leaf = is_leaf || (own.id == *id && own.is_leaf);
+    return DeclareLeaf { scene.drawn->id, *id, !is_leaf };
+}
+
+Result<ChooseStyles> carried_styles(Stroke const& stroke, scene::Scene const& scene)
+{
+    auto const* const tree = TRY(active_tree(scene));
+    return ChooseStyles { scene.drawn->id, TRY(styles_carried_by(*tree, stroke)) };
+}
+
+Result<OutlinedTree> tree_with(DrawTree const& edit, scene::Scene const& scene)
+{
+    if (edit.plant != 0)
+        return with_part(*outlined_tree(*scene.drawn), edit);
+    return with_part({ .form = edit.form, .scale = edit.scale }, edit);
+}
+
+} // namespace tractus::silhouette
