@@ -1,11 +1,12 @@
 #include "engine/methods/silhouettes/tree.h"
 
+#include "engine/methods/silhouettes/branch_space.h"
 #include "engine/methods/silhouettes/crowd.h"
 #include "engine/methods/silhouettes/leaf_blade.h"
 #include "engine/methods/silhouettes/line.h"
 #include "engine/methods/silhouettes/sibling_style.h"
+#include "engine/methods/silhouettes/spray_maker.h"
 #include "engine/methods/silhouettes/styled_crowd.h"
-#include "engine/methods/silhouettes/surface_fit.h"
 #include "engine/plant/pipe_model.h"
 
 #include <algorithm>
@@ -18,26 +19,6 @@
 namespace tractus::silhouette {
 
 namespace {
-
-constexpr std::uint32_t kSprayVariants = 8;
-
-// Shares of the tree's height: a parent with the usual number of twigs, and twigs.
-constexpr double kParent = 0.07;
-constexpr double kLongestSpray = 0.055;
-constexpr double kShortestSpray = 0.016;
-
-using Space = Eigen::Affine3d; // From a plane (x, y, 0) to the plant.
-
-Space in_space(Similarity const& way)
-{
-    double const flip = way.mirrors ? -1 : 1;
-    Space space = Space::Identity();
-    space.linear() << way.turn.x(), -flip * way.turn.y(), 0, way.turn.y(), flip * way.turn.x(), 0,
-        0, 0, flip * way.turn.norm();
-    Vec3 const from(way.from.x(), way.from.y(), 0);
-    space.translation() = Vec3(way.to.x(), way.to.y(), 0) - space.linear() * from;
-    return space;
-}
 
 class Grower {
 public:
@@ -59,7 +40,7 @@ public:
         space.linear() << scale, 0, 0, 0, 0, -scale, 0, scale, 0;
         space.translation() = -(space.linear() * Vec3(foot.x(), foot.y(), 0));
         if (!skeleton_.surface.empty())
-            fit_.emplace(maker_.surface_of(0), space);
+            sprays_.stay_inside(fit_.emplace(maker_.surface_of(0), space));
         add_looks();
         if (tree.leaf)
             grow_leaf({ .space = space, .line = Line(stalk_of(*tree.leaf, tree.trunk)) },
@@ -95,9 +76,7 @@ private:
                                     .base_color = options_.leaf_color,
                                     .roughness = 0.6f,
                                     .translucency = 0.4f });
-        for (std::uint32_t variant = 0; variant < kSprayVariants; ++variant)
-            plant.organ_shapes.push_back(leaf_spray(options_.leaf, 1, variant));
-        plant.organ_shapes.push_back(spray_twig(0));
+        sprays_.add_shapes();
     }
 
     // The options of a level; beyond those that are given the last one's go on.
@@ -128,7 +107,8 @@ private:
         bool const has_twigs
             = !crowd || (parent.level > 0 && !bears_leaves_alone(skeleton_.systems[parent.system]));
         if (has_twigs)
-            add_sprays(parent, axis, places, crowd ? 0.5 : 0.0);
+            sprays_.add({ parent.space, parent.line, parent.crown, axis }, places,
+                        crowd ? 0.5 : 0.0);
         if (!crowd)
             return;
         std::size_t node = 0;
@@ -178,7 +158,10 @@ private:
     {
         auto const& system = skeleton_.systems[parent.system];
         auto const& branch = system.branches[standing.branch];
-        Space const own = space_of(parent, standing, branch);
+        Bearer const bearer { parent.space, parent.line };
+        bool const is_fitted = fit_ && parent.level > 0 && !branch.is_stroke();
+        Space const own = is_fitted ? space_under(*fit_, bearer, standing, branch)
+                                    : space_of(bearer, standing, branch);
         auto const name = parent.name.empty() ? standing.name : parent.name + "/" + standing.name;
         auto const parent_segment
             = tree_.plant.axes[axis].first_segment + static_cast<SegmentId>(segment);
@@ -205,60 +188,6 @@ private:
                .parent_axis = axis,
                .level = parent.level + 1,
                .is_stroke = !model.stroke.empty() });
-    }
-
-    // Where a branch stands, turned about its parent by so much of the angle that it has.
-    static Space space_of(Parent const& parent, Standing const& standing, Branch const& branch,
-                          double share)
-    {
-        Vec2 const base = standing.way.point(branch.path.curve.base);
-        Vec2 const along = parent.line.direction(standing.u);
-        double const reference = branch.path.side == Side::Right ? 0 : 180;
-        double const turn_deg = standing.theta_deg - reference;
-        double const shorter_deg = turn_deg - 360 * std::round(turn_deg / 360);
-        Vec3 const pivot = parent.space * Vec3(base.x(), base.y(), 0);
-        Vec3 const direction = (parent.space.linear() * Vec3(along.x(), along.y(), 0)).normalized();
-        Eigen::AngleAxisd const turn(radians(share == 1 ? turn_deg : share * shorter_deg),
-                                     direction);
-        Space around = Space::Identity();
-        around.linear() = turn.toRotationMatrix();
-        around.translation() = pivot - around.linear() * pivot;
-        return around * parent.space * in_space(standing.way);
-    }
-
-    // Branches on branches leave the plane in which their parent was fitted to a surface that was
-    // drawn: they turn back towards it, and shrink, as far as they must.
-    Space space_of(Parent const& parent, Standing const& standing, Branch const& branch) const
-    {
-        constexpr double kLarge = 0.8;
-        Space const as_it_stands = space_of(parent, standing, branch, 1);
-        if (!fit_ || parent.level == 0 || branch.is_stroke())
-            return as_it_stands;
-        Space best = as_it_stands;
-        double largest = 0;
-        for (double const share : { 1.0, 0.6, 0.3, 0.1 }) {
-            Space const turned_back = space_of(parent, standing, branch, share);
-            double const size = size_inside(turned_back, branch);
-            if (size <= largest)
-                continue;
-            largest = size;
-            best = turned_back;
-            if (largest >= kLarge)
-                break;
-        }
-        Vec2 const base = branch.path.curve.base;
-        Vec3 const pivot = best * Vec3(base.x(), base.y(), 0);
-        return Eigen::Translation3d(pivot) * Eigen::Scaling(largest) * Eigen::Translation3d(-pivot)
-            * best;
-    }
-
-    double size_inside(Space const& space, Branch const& branch) const
-    {
-        std::vector<Vec3> places;
-        for (std::size_t i = 0; i < branch.crown.size(); i += 3)
-            places.emplace_back(space * Vec3(branch.crown[i].x(), branch.crown[i].y(), 0));
-        Vec2 const base = branch.path.curve.base;
-        return fit_->size_inside(places, space * Vec3(base.x(), base.y(), 0));
     }
 
     // Shares of the parent's length where it has nodes: its own, and where branches stand.
@@ -305,108 +234,6 @@ private:
         return id;
     }
 
-    // How far it is from a place to the crown's edge.
-    static double reach(std::vector<Vec2> const& crown, Vec2 const& from, Vec2 const& way)
-    {
-        double least = 1e300;
-        for (std::size_t i = 0; i < crown.size(); ++i) {
-            Vec2 const edge = crown[(i + 1) % crown.size()] - crown[i];
-            double const over = cross(way, edge);
-            double const far = cross(crown[i] - from, edge) / over;
-            double const along = cross(crown[i] - from, way) / over;
-            if (over != 0 && far > 0 && along >= 0 && along <= 1)
-                least = std::min(least, far);
-        }
-        return least;
-    }
-
-    // Twigs of about one length, whatever bears them: more on a longer parent, from the share
-    // `from` of its length on.
-    void add_sprays(Parent const& parent, AxisId axis, std::vector<double> const& places,
-                    double from)
-    {
-        constexpr double kBare = 0.15;
-        constexpr double kSpiral_deg = 137.5;
-        double const start = std::max(from, kBare);
-        double const length = parent.line.length();
-        double const height = options_.height_mm / unit_of(parent.space); // In the plane's unit.
-        double const usual
-            = static_cast<double>(options_.sprays) * (1 - start) * length / (kParent * height);
-        auto const count = std::clamp<std::size_t>(static_cast<std::size_t>(usual),
-                                                   options_.sprays / 3 + 1, 6 * options_.sprays);
-        Random random({ .seed = options_.seed, .stream = 3, .substream = axis });
-        double const first_deg = random.uniform(0, 360);
-        std::size_t node = 0;
-        for (std::size_t i = 0; i <= count; ++i) {
-            double const u
-                = start + (1 - start) * static_cast<double>(i) / static_cast<double>(count);
-            while (node + 2 < places.size() && places[node + 1] < u)
-                ++node;
-            Vec2 const at = parent.line.at(u);
-            Vec2 const along = parent.line.direction(u);
-            double const lean = i == count ? 0 : radians(random.uniform(38, 58));
-            double far = kLongestSpray * height;
-            for (double const side : { 1.0, -1.0 })
-                if (!parent.crown.empty())
-                    far = std::min(far, 0.95 * reach(parent.crown, at, turned(along, side * lean)));
-            add_spray({ parent, axis, node, at, along },
-                      { lean, radians(first_deg + static_cast<double>(i) * kSpiral_deg),
-                        std::max(far, kShortestSpray * height) },
-                      random);
-        }
-    }
-
-    // Millimetres of the plant to one of the plane.
-    static double unit_of(Space const& space)
-    {
-        return std::cbrt(std::fabs(space.linear().determinant()));
-    }
-
-    struct SprayPlace {
-        Parent const& parent;
-        AxisId axis;
-        std::size_t segment;
-        Vec2 at;
-        Vec2 along;
-    };
-    struct SprayWay {
-        double lean;
-        double around;
-        double length; // In the plane's unit.
-    };
-
-    void add_spray(SprayPlace const& place, SprayWay const& way, Random& random)
-    {
-        auto const& space = place.parent.space;
-        Vec3 const forward
-            = (space.linear() * Vec3(place.along.x(), place.along.y(), 0)).normalized();
-        Vec3 const across
-            = (space.linear() * Vec3(-place.along.y(), place.along.x(), 0)).normalized();
-        Vec3 const out
-            = std::cos(way.around) * across + std::sin(way.around) * forward.cross(across);
-        Vec3 const heading = (std::cos(way.lean) * forward + std::sin(way.lean) * out).normalized();
-        Vec3 side = heading.cross(Vec3::UnitZ());
-        side = side.norm() > 1e-3 ? Vec3(side.normalized()) : across;
-        Eigen::Matrix3d frame;
-        frame << side, heading, side.cross(heading);
-        Vec3 const base = space * Vec3(place.at.x(), place.at.y(), 0);
-        double length = way.length * unit_of(space);
-        if (fit_)
-            length *= fit_->size_inside(std::array { Vec3(base + length * heading) }, base);
-        auto const size = static_cast<float>(length / kSprayLength_mm * random.uniform(0.85, 1.1));
-        Organ organ { .shape = static_cast<OrganShapeId>(random.next_u32() % kSprayVariants),
-                      .segment = tree_.plant.axes[place.axis].first_segment
-                          + static_cast<SegmentId>(place.segment),
-                      .position_mm = base,
-                      .orientation = Quat(frame).normalized(),
-                      .scale = Vec3f::Constant(size) };
-        tree_.plant.organs.push_back(organ);
-        organ.shape = kSprayVariants;
-        tree_.plant.organs.push_back(organ);
-        ++tree_.sprays;
-        tree_.leaves += static_cast<std::size_t>(options_.leaf.per_spray);
-    }
-
     Crowd const& crowd_of(std::size_t system, std::uint32_t level)
     {
         auto const found = crowds_.find(system);
@@ -450,6 +277,7 @@ private:
     std::map<std::size_t, Crowd> crowds_;
     std::map<std::uint32_t, std::vector<PlacedBranch>> told_;
     std::optional<SurfaceFit> fit_; // No value: no surface was drawn.
+    SprayMaker sprays_ { tree_, options_ };
     CrowdMaker maker_;
     std::vector<StyledCrowdMaker> styled_; // Of each level.
 };

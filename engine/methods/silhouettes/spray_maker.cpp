@@ -1,0 +1,105 @@
+#include "engine/methods/silhouettes/spray_maker.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace tractus::silhouette {
+
+namespace {
+
+constexpr std::uint32_t kSprayVariants = 8;
+
+// Shares of the tree's height: a parent with the usual number of twigs, and twigs.
+constexpr double kParent = 0.07;
+constexpr double kLongestSpray = 0.055;
+constexpr double kShortestSpray = 0.016;
+
+// How far it is from a place to the crown's edge.
+double reach(std::vector<Vec2> const& crown, Vec2 const& from, Vec2 const& way)
+{
+    double least = 1e300;
+    for (std::size_t i = 0; i < crown.size(); ++i) {
+        Vec2 const edge = crown[(i + 1) % crown.size()] - crown[i];
+        double const over = cross(way, edge);
+        double const far = cross(crown[i] - from, edge) / over;
+        double const along = cross(crown[i] - from, way) / over;
+        if (over != 0 && far > 0 && along >= 0 && along <= 1)
+            least = std::min(least, far);
+    }
+    return least;
+}
+
+} // namespace
+
+void SprayMaker::add_shapes()
+{
+    auto& shapes = tree_.plant.organ_shapes;
+    for (std::uint32_t variant = 0; variant < kSprayVariants; ++variant)
+        shapes.push_back(leaf_spray(options_.leaf, 1, variant));
+    shapes.push_back(spray_twig(0));
+}
+
+void SprayMaker::add(SprayBearer const& parent, std::vector<double> const& places, double from)
+{
+    constexpr double kBare = 0.15;
+    constexpr double kSpiral_deg = 137.5;
+    double const start = std::max(from, kBare);
+    double const length = parent.line.length();
+    double const height = options_.height_mm / unit_of(parent.space); // In the plane's unit.
+    double const usual
+        = static_cast<double>(options_.sprays) * (1 - start) * length / (kParent * height);
+    auto const count = std::clamp<std::size_t>(static_cast<std::size_t>(usual),
+                                               options_.sprays / 3 + 1, 6 * options_.sprays);
+    Random random({ .seed = options_.seed, .stream = 3, .substream = parent.axis });
+    double const first_deg = random.uniform(0, 360);
+    std::size_t node = 0;
+    for (std::size_t i = 0; i <= count; ++i) {
+        double const u = start + (1 - start) * static_cast<double>(i) / static_cast<double>(count);
+        while (node + 2 < places.size() && places[node + 1] < u)
+            ++node;
+        Vec2 const at = parent.line.at(u);
+        Vec2 const along = parent.line.direction(u);
+        double const lean = i == count ? 0 : radians(random.uniform(38, 58));
+        double far = kLongestSpray * height;
+        for (double const side : { 1.0, -1.0 })
+            if (!parent.crown.empty())
+                far = std::min(far, 0.95 * reach(parent.crown, at, turned(along, side * lean)));
+        add({ parent, node, at, along },
+            { lean, radians(first_deg + static_cast<double>(i) * kSpiral_deg),
+              std::max(far, kShortestSpray * height) },
+            random);
+    }
+}
+
+void SprayMaker::add(SprayPlace const& place, SprayWay const& way, Random& random)
+{
+    auto const& space = place.parent.space;
+    Vec3 const forward = (space.linear() * Vec3(place.along.x(), place.along.y(), 0)).normalized();
+    Vec3 const across = (space.linear() * Vec3(-place.along.y(), place.along.x(), 0)).normalized();
+    Vec3 const out = std::cos(way.around) * across + std::sin(way.around) * forward.cross(across);
+    Vec3 const heading = (std::cos(way.lean) * forward + std::sin(way.lean) * out).normalized();
+    Vec3 side = heading.cross(Vec3::UnitZ());
+    side = side.norm() > 1e-3 ? Vec3(side.normalized()) : across;
+    Eigen::Matrix3d frame;
+    frame << side, heading, side.cross(heading);
+    Vec3 const base = space * Vec3(place.at.x(), place.at.y(), 0);
+    double length = way.length * unit_of(space);
+    if (surface_)
+        length *= surface_->size_inside(std::array { Vec3(base + length * heading) }, base);
+    auto const size = static_cast<float>(length / kSprayLength_mm * random.uniform(0.85, 1.1));
+    Organ organ { .shape = static_cast<OrganShapeId>(random.next_u32() % kSprayVariants),
+                  .segment = tree_.plant.axes[place.parent.axis].first_segment
+                      + static_cast<SegmentId>(place.segment),
+                  .position_mm = base,
+                  .orientation = Quat(frame).normalized(),
+                  .scale = Vec3f::Constant(size) };
+    tree_.plant.organs.push_back(organ);
+    organ.shape = kSprayVariants;
+    tree_.plant.organs.push_back(organ);
+    ++tree_.sprays;
+    tree_.leaves += static_cast<std::size_t>(options_.leaf.per_spray);
+}
+
+} // namespace tractus::silhouette
