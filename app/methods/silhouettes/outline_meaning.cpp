@@ -1,6 +1,7 @@
 #include "app/methods/silhouettes/outline_meaning.h"
 
 #include "app/methods/silhouettes/touched_crown.h"
+#include "engine/methods/silhouettes/trunk_reach.h"
 #include "engine/scene/paper.h"
 #include "engine/scene/picture_ground.h"
 
@@ -31,12 +32,24 @@ bool has_any_inside(std::vector<Vec2> const& outline, std::vector<Vec2> const& p
 }
 
 // Whether an outline is another one of a tree's crown: they lie on each other.
-bool is_around(std::vector<Vec2> const& points, Drawing const& tree)
+bool is_around(std::vector<Vec2> const& points, Drawing const& tree, OutlineTool::Reads reads)
 {
     if (tree.outline.empty())
-        return has_any_inside(points, tree.trunk);
+        return has_any_inside(points, tree.trunk)
+            || (reads == OutlineTool::Reads::Closely && reach_into_crown(tree.trunk, points));
     auto const& crown = tree.outline.front();
     return is_inside(crown, box_of(points).middle()) || is_inside(points, box_of(crown).middle());
+}
+
+// Whether a line from below is the trunk of a crown that has none.
+bool is_trunk_of_crown(Drawing const& tree, std::vector<Vec2> const& points)
+{
+    if (!tree.trunk.empty() || tree.outline.empty())
+        return false;
+    auto const& crown = tree.outline.front();
+    bool const begins_below
+        = points.front().y() < box_of(crown).middle().y() && !is_inside(crown, points.front());
+    return begins_below && (is_inside(crown, points.back()) || reach_into_crown(points, crown));
 }
 
 // What a line that does not come back is to a tree; no value: nothing.
@@ -71,13 +84,17 @@ Search search_of(OutlineTool::Branches branches)
 }
 
 Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const& stroke,
-                                         OutlineTool::Branches branches)
+                                         OutlineTool const& tool)
 {
+    auto const branches = tool.branches;
     auto const search = search_of(branches);
     auto const points = points_of(stroke);
     auto const drawing = TRY(drawing_of(tree));
     if (!comes_back(points)) {
-        auto const part = part_on(drawing, TRY(foot_of(tree)), points);
+        auto part = part_on(drawing, TRY(foot_of(tree)), points);
+        if (!part && tool.reads == OutlineTool::Reads::Closely
+            && is_trunk_of_crown(drawing, points))
+            part = Part::Trunk;
         bool const may_be_borne = branches != OutlineTool::Branches::OfTrunk && part != Part::Trunk;
         if (may_be_borne && TRY(branch_borne_by(tree, stroke, search)))
             return Part::OwnBranch;
@@ -85,7 +102,24 @@ Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const&
     }
     if (TRY(branch_outlined_by(tree, stroke, search)))
         return Part::OwnOutline;
-    return is_around(points, drawing) ? std::optional(Part::Outline) : std::nullopt;
+    return is_around(points, drawing, tool.reads) ? std::optional(Part::Outline) : std::nullopt;
+}
+
+// How far the tree's trunk goes on into its crown when this is drawn. A crown that is drawn anew
+// out of its reach leaves it as it was.
+Result<double> trunk_reach(OutlinedTree tree, Part part, std::vector<Vec2> const& points)
+{
+    if (part != Part::Trunk && part != Part::Outline)
+        return 0;
+    double const before_mm = std::exchange(tree.trunk_goes_on_mm, 0);
+    auto const drawing = TRY(drawing_of(tree));
+    if (part == Part::Trunk)
+        return drawing.outline.empty()
+            ? 0
+            : reach_into_crown(points, drawing.outline.front()).value_or(0);
+    return has_any_inside(points, drawing.trunk)
+        ? 0
+        : reach_into_crown(drawing.trunk, points).value_or(before_mm);
 }
 
 // As large as it is in truth, and where it stands among the others, all in the scale of the first.
@@ -131,12 +165,14 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
     DrawTree edit { .stroke = stroke, .is_leaf = tool.what == What::Leaf };
     auto const* const tree = outlined_tree(*scene.drawn);
     if (tree && tool.what != What::New)
-        if (auto const part = TRY(part_of_tree(*tree, stroke, tool.branches))) {
+        if (auto const part = TRY(part_of_tree(*tree, stroke, tool))) {
             edit.part = *part;
             if (*part == Part::OwnOutline || *part == Part::OwnBranch) {
                 edit.style_to = tool.style;
                 edit.search = search_of(tool.branches);
             }
+            if (tool.reads == OutlineTool::Reads::Closely)
+                edit.trunk_goes_on_mm = TRY(trunk_reach(*tree, *part, points));
             edit.plant = scene.drawn->id;
             return edit;
         }

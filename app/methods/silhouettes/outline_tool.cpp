@@ -51,6 +51,12 @@ constexpr std::array<tools::OptionWord, 3> kStyleWords { {
     { "deeper", "to siblings and below" },
 } };
 
+// In the order of OutlineTool::Reads.
+constexpr std::array<tools::OptionWord, 2> kReadsWords { {
+    { "as_at_first", "as at first" },
+    { "closely", "closely" },
+} };
+
 // In the order of OutlineTool::SeenFor.
 constexpr std::array<tools::OptionWord, 3> kSeenWords { {
     { "seen_fades", "fades" },
@@ -92,6 +98,11 @@ void visit(tools::OptionVisitor& visitor, OutlineTool& tool)
     visitor.choice(
         { .words = kStyleWords, .offered = tools::WordOption::Offered::InTurn, .label = "Style" },
         tool.style);
+    // It is for logs: the kind has no glyph beside which there would be a button.
+    visitor.choice({ .words = kReadsWords,
+                     .offered = tools::WordOption::Offered::BesideGlyph,
+                     .label = "Reads" },
+                   tool.reads);
     visitor.choice({ .words = kSeenWords,
                      .offered = tools::WordOption::Offered::InTurn,
                      .label = "What is seen" },
@@ -152,7 +163,8 @@ constexpr tools::ToolKind OutlineTool::kKind {
       "for its siblings, or a line carries a branch's style to those that it runs over; a "
       "touch on a bump of an outline splits it in two, one between two bumps joins them, and "
       "an outline may be a leaf, which a touch inside declares it or takes back; a touch on a "
-      "crown in the picture behind is its outline; in a ready form, or with so many levels of "
+      "crown in the picture behind is its outline; read closely, a trunk that ends just below a "
+      "crown is its trunk; in a ready form, or with so many levels of "
       "branches, so many times "
       "as many as usual that nobody draws, so many leaves on a twig; a new tree at each "
       "line, or at once these numbers, or other chance, for the tree that is there",

@@ -35,6 +35,15 @@ struct OutlineTool {
     enum class Branches { OfTrunk, OfNearest, OfAny } branches = Branches::OfAny;
     silhouette::StyleTo style = silhouette::StyleTo::Siblings;
 
+    // How what is drawn is read. A person begins with what is known now; logs from before are read
+    // as they were then.
+    enum class Reads {
+        AsAtFirst, // A trunk is a crown's that has a point inside it.
+        Closely,   // A trunk that a hand has stopped just below a crown is the crown's, too
+                   // (trunk_reach.h), as is one that is drawn into a crown without any.
+    } reads
+        = Reads::Closely;
+
     // How long what was seen in the outline is shown (kSeenLayer, outline_layer.h).
     enum class SeenFor { AWhile, Always, WithTriangles } seen = SeenFor::AWhile;
 };

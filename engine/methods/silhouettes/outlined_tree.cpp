@@ -6,6 +6,7 @@
 #include "engine/methods/silhouettes/kept_names.h"
 #include "engine/methods/silhouettes/own_branch.h"
 #include "engine/methods/silhouettes/own_outline.h"
+#include "engine/methods/silhouettes/trunk_reach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,8 @@ Result<Drawing> drawing_of(OutlinedTree const& tree)
     if (!tree.outline.tips.empty())
         drawing.outline.push_back(TRY(line_of(tree.outline)));
     drawing.trunk = TRY(line_of(tree.trunk));
+    if (tree.trunk_goes_on_mm > 0 && tree.has_crown() && drawing.trunk.size() > 1)
+        go_on(drawing.trunk, tree.trunk_goes_on_mm);
     for (auto const& branch : tree.branches)
         drawing.branches.push_back(TRY(line_of(branch.stroke)));
     for (auto const& own : tree.own_outlines)

@@ -72,6 +72,9 @@ struct OutlinedTree {
     // Where the trunk's foot is on the paper as long as none is drawn, of a tree that begins with
     // such a line.
     std::optional<Vec2> ground_mm {};
+    // How far the trunk goes on straight from its tip, which is just below the crown
+    // (trunk_reach.h), on the paper; 0: it ends there.
+    double trunk_goes_on_mm = 0;
     // Shared by all versions of the tree; null: nothing is kept of what is inferred of it. It says
     // nothing about the tree.
     std::shared_ptr<InferredTrees> inferred {};

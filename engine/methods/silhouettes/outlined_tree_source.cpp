@@ -59,7 +59,7 @@ bool same(OutlinedTree const& one, OutlinedTree const& other)
         && same_on_branches(one.own_outlines, other.own_outlines)
         && same_on_branches(one.own_branches, other.own_branches) && one.styles == other.styles
         && same_touches(one.touches, other.touches) && one.is_leaf == other.is_leaf
-        && same_crown_lines(one, other);
+        && one.trunk_goes_on_mm == other.trunk_goes_on_mm && same_crown_lines(one, other);
 }
 
 Result<void> check_scale(double scale)

@@ -67,6 +67,22 @@ double distance_to_outline(std::span<Vec2 const> outline, Vec2 const& point)
     return least;
 }
 
+std::optional<double> way_to_outline(std::span<Vec2 const> outline, Vec2 const& from,
+                                     Vec2 const& ahead)
+{
+    std::optional<double> least;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        Vec2 const edge = outline[(i + 1) % outline.size()] - outline[i];
+        Vec2 const to = outline[i] - from;
+        double const across = cross(ahead, edge);
+        double const far = cross(to, edge) / across;
+        double const along = cross(to, ahead) / across;
+        if (across != 0 && far > 0 && along >= 0 && along <= 1 && (!least || far < *least))
+            least = far;
+    }
+    return least;
+}
+
 double excursion(std::span<Vec2 const> outline, std::span<Vec2 const> points)
 {
     double farthest = 0;

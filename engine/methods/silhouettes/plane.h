@@ -3,6 +3,7 @@
 #include "engine/base/vectors.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,10 @@ bool is_inside(std::span<Vec2 const> outline, Vec2 const& point);
 double distance_to_segment(Vec2 const& point, Vec2 const& a, Vec2 const& b);
 double distance_to_outline(std::span<Vec2 const> outline, Vec2 const& point);
 double distance_to_line(Vec2 const& point, std::span<Vec2 const> line); // An open one.
+
+// Where a ray meets the outline first, as a multiple of `ahead`; no value: it does not.
+std::optional<double> way_to_outline(std::span<Vec2 const> outline, Vec2 const& from,
+                                     Vec2 const& ahead);
 
 // How far the farthest of the points that are outside is from the outline; 0: all are inside.
 double excursion(std::span<Vec2 const> outline, std::span<Vec2 const> points);

@@ -42,22 +42,6 @@ double closeness(Bump const& bump, Vec2 const& end, Vec2 const& ahead)
     return std::min(way.norm() / bump.radius, off_deg / kAhead_deg);
 }
 
-// Where a ray meets the outline first, as a distance.
-std::optional<double> way_out(std::span<Vec2 const> outline, Vec2 const& from, Vec2 const& ahead)
-{
-    std::optional<double> least;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        Vec2 const edge = outline[(i + 1) % outline.size()] - outline[i];
-        Vec2 const to = outline[i] - from;
-        double const across = cross(ahead, edge);
-        double const far = cross(to, edge) / across;
-        double const along = cross(to, ahead) / across;
-        if (across != 0 && far > 0 && along >= 0 && along <= 1 && (!least || far < *least))
-            least = far;
-    }
-    return least;
-}
-
 // Whether an outline without junctions is about as wide as it is long: which way it is longest
 // says nothing then.
 bool is_round(std::vector<Bump> const& bumps, std::span<Vec2 const> outline)
@@ -122,7 +106,7 @@ std::optional<Vec2> set_roles(std::vector<Bump>& bumps, std::span<Vec2 const> ou
     }
     if (run.last + 1 != trunk.size() || forks)
         return std::nullopt;
-    auto const far = way_out(outline, end, ahead);
+    auto const far = way_to_outline(outline, end, ahead);
     return far ? std::optional<Vec2>(end + kOn * *far * ahead) : std::nullopt;
 }
 

@@ -16,21 +16,6 @@ constexpr double kParent = 0.07;
 constexpr double kLongestSpray = 0.055;
 constexpr double kShortestSpray = 0.016;
 
-// How far it is from a place to the crown's edge.
-double reach(std::vector<Vec2> const& crown, Vec2 const& from, Vec2 const& way)
-{
-    double least = 1e300;
-    for (std::size_t i = 0; i < crown.size(); ++i) {
-        Vec2 const edge = crown[(i + 1) % crown.size()] - crown[i];
-        double const over = cross(way, edge);
-        double const far = cross(crown[i] - from, edge) / over;
-        double const along = cross(crown[i] - from, way) / over;
-        if (over != 0 && far > 0 && along >= 0 && along <= 1)
-            least = std::min(least, far);
-    }
-    return least;
-}
-
 } // namespace
 
 void SprayMaker::add_shapes()
@@ -64,8 +49,8 @@ void SprayMaker::add(SprayBearer const& parent, std::vector<double> const& place
         double const lean = i == count ? 0 : radians(random.uniform(38, 58));
         double far = kLongestSpray * height;
         for (double const side : { 1.0, -1.0 })
-            if (!parent.crown.empty())
-                far = std::min(far, 0.95 * reach(parent.crown, at, turned(along, side * lean)));
+            if (auto const edge = way_to_outline(parent.crown, at, turned(along, side * lean)))
+                far = std::min(far, 0.95 * *edge);
         add({ parent, node, at, along },
             { lean, radians(first_deg + static_cast<double>(i) * kSpiral_deg),
               std::max(far, kShortestSpray * height) },

@@ -42,6 +42,7 @@ void list(scene::Fields& fields, DrawTree& edit)
     list(fields, edit.form);
     fields.field("scale", &edit.scale);
     fields.sparse_field("enlarged", &edit.enlarged);
+    fields.sparse_field("trunk_goes_on_mm", &edit.trunk_goes_on_mm);
     fields.id(edit.id);
     fields.numbers(edit.stroke);
 }
@@ -87,7 +88,12 @@ Result<OutlinedTree> tree_of(scene::DocumentState const& state, scene::ItemId pl
 // What building would refuse, without building.
 Result<void> check_tree(OutlinedTree const& tree)
 {
+    constexpr double kFarthest_mm = 1e5;
     TRY(check_form(tree.form));
+    if (!(tree.trunk_goes_on_mm >= 0 && tree.trunk_goes_on_mm <= kFarthest_mm))
+        return fail(Fault::User,
+                    fmt::format("the trunk cannot go on by {:g} mm into the crown: draw it again",
+                                tree.trunk_goes_on_mm));
     if (!tree.has_crown()) {
         TRY(build_tree(tree));
         return {};
@@ -172,6 +178,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, EraseTreePart c
     switch (edit.part) {
     case DrawTree::Part::Trunk:
         is_there = !std::exchange(after.trunk, {}).tips.empty();
+        after.trunk_goes_on_mm = 0;
         break;
     case DrawTree::Part::Outline:
         is_there = !std::exchange(after.outline, {}).tips.empty();
@@ -261,7 +268,8 @@ std::string described(DrawTree const& edit)
     constexpr std::array kStyles { "", ", in whose style its siblings are",
                                    ", in whose style its siblings and those below are" };
     auto const* const style = kStyles[static_cast<std::size_t>(edit.style_to)];
-    return fmt::format("draws {} for {}{}: {}", what, whose, style,
+    auto const* const reach = edit.trunk_goes_on_mm > 0 ? ", the trunk going on into it" : "";
+    return fmt::format("draws {} for {}{}{}: {}", what, whose, style, reach,
                        scene::describe_stroke(edit.stroke));
 }
 
@@ -312,9 +320,11 @@ Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, scene::I
     switch (edit.part) {
     case DrawTree::Part::Trunk:
         tree.trunk = edit.stroke;
+        tree.trunk_goes_on_mm = edit.trunk_goes_on_mm;
         break;
     case DrawTree::Part::Outline:
         tree.outline = edit.stroke;
+        tree.trunk_goes_on_mm = edit.trunk_goes_on_mm;
         tree.is_leaf = tree.is_leaf || edit.is_leaf;
         break;
     case DrawTree::Part::Branch:

@@ -37,6 +37,9 @@ struct DrawTree {
     // World millimetres per plant millimetre: what was drawn is a plant of so many times its size.
     // A document whose scale nobody has set keeps this one.
     double scale = 0.1;
+    // A trunk, or an outline: how far the tree's trunk goes on from its tip into its crown
+    // (OutlinedTree::trunk_goes_on_mm).
+    double trunk_goes_on_mm = 0;
     // World millimetres per millimetre of the paper of a new tree that was drawn smaller since it
     // is farther away (picture_ground.h); 0: it is shown as large as drawn.
     double enlarged = 0;

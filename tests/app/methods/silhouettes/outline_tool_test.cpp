@@ -26,7 +26,8 @@ TEST(OutlineTool, SaysItsNumbersInLogs)
 {
     OutlineTool const tool { .levels = 1, .leaves = 8, .what = OutlineTool::What::New };
     auto const words = tools::words_for(tool);
-    EXPECT_EQ(words.name + " " + words.arguments, "outline levels=1 leaves=8 new of_any siblings");
+    EXPECT_EQ(words.name + " " + words.arguments,
+              "outline levels=1 leaves=8 new of_any siblings closely");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(tool));
 }
@@ -50,7 +51,9 @@ Stroke line_from_branch(silhouette::OutlinedTree const& tree)
 // The tool as logs have it from before lines could be branches of branches.
 OutlineTool tool_of_old_logs()
 {
-    return { .branches = OutlineTool::Branches::OfTrunk, .style = silhouette::StyleTo::None };
+    return { .branches = OutlineTool::Branches::OfTrunk,
+             .style = silhouette::StyleTo::None,
+             .reads = OutlineTool::Reads::AsAtFirst };
 }
 
 TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
@@ -61,7 +64,8 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     // Lines were of the trunk's branches then, and of none of theirs.
     auto const of_branches = tools::parse_tool(tools, "outline", "of_nearest siblings").value();
     EXPECT_EQ(of_branches,
-              tools::Tool(OutlineTool { .branches = OutlineTool::Branches::OfNearest }));
+              tools::Tool(OutlineTool { .branches = OutlineTool::Branches::OfNearest,
+                                        .reads = OutlineTool::Reads::AsAtFirst }));
     auto const tree = crowned();
     auto const line = line_from_branch(*silhouette::outlined_tree(*tree.drawn));
     EXPECT_EQ(meant(line, tree, *of_branches.get<OutlineTool>()).search,
@@ -209,7 +213,7 @@ TEST(OutlineTool, CarriesAStyle)
         document.draw({ stroke, OutlineTool { .style = silhouette::StyleTo::None } });
     OutlineTool const carrying { .what = OutlineTool::What::Carry };
     auto const words = tools::words_for(carrying);
-    EXPECT_EQ(words.arguments, "carry of_any siblings");
+    EXPECT_EQ(words.arguments, "carry of_any siblings closely");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(carrying));
     auto const tree = [&] { return *silhouette::outlined_tree(*document.newest()->scene.drawn); };
@@ -509,7 +513,7 @@ TEST(OutlineLayer, ShowsWhatWasSeenInTheOutline)
     EXPECT_FALSE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::Always }));
     EXPECT_TRUE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::WithTriangles }));
     EXPECT_EQ(tools::words_for(OutlineTool { .seen = Seen::Always }).arguments,
-              "of_any siblings seen_stays");
+              "of_any siblings closely seen_stays");
 }
 
 } // namespace

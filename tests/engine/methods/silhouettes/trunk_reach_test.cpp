@@ -1,0 +1,71 @@
+#include "engine/methods/silhouettes/trunk_reach.h"
+#include "tests/engine/methods/silhouettes/outlines.h"
+
+#include <algorithm>
+
+namespace tractus::silhouette {
+namespace {
+
+constexpr double kCrownRadius = 30;
+
+// A round crown whose lowest point is the origin.
+std::vector<Vec2> round_crown()
+{
+    auto outline = ellipse(kCrownRadius, kCrownRadius).outline[0];
+    for (auto& point : outline)
+        point.y() += kCrownRadius;
+    return outline;
+}
+
+std::vector<Vec2> trunk_below(double top, double length = 60)
+{
+    return { { 0, top - length }, { 0, top - length / 2 }, { 0, top } };
+}
+
+// Through the gap, and 85 % of the way through the crown.
+TEST(TrunkReach, GoesThroughTheCrown)
+{
+    for (double const gap : { 0.5, 2.0, 5.0, 5.9 }) {
+        auto const reach = reach_into_crown(trunk_below(-gap), round_crown());
+        ASSERT_TRUE(reach) << gap;
+        EXPECT_NEAR(*reach, gap + 0.85 * 2 * kCrownRadius, 0.2) << gap;
+        auto trunk = trunk_below(-gap);
+        go_on(trunk, *reach);
+        EXPECT_NEAR((trunk.back() - Vec2(0, 0.85 * 2 * kCrownRadius)).norm(), 0, 0.2);
+    }
+}
+
+TEST(TrunkReach, IsOfNearTrunksAlone)
+{
+    EXPECT_FALSE(reach_into_crown(trunk_below(-6.5), round_crown()))
+        << "farther than a hand misses by";
+    EXPECT_TRUE(reach_into_crown(trunk_below(-2, 20), round_crown()));
+    EXPECT_FALSE(reach_into_crown(trunk_below(-4, 20), round_crown()))
+        << "far for so short a trunk";
+    EXPECT_FALSE(reach_into_crown(trunk_below(3), round_crown())) << "it is inside";
+    EXPECT_FALSE(reach_into_crown(std::vector { Vec2(0, -3) }, round_crown()));
+}
+
+TEST(TrunkReach, IsOfTrunksThatPointIntoTheCrown)
+{
+    // Beside it, upwards; away from it; and so far to the side that it cuts off a corner.
+    Vec2 const side(kCrownRadius + 2, kCrownRadius);
+    EXPECT_FALSE(reach_into_crown(std::vector { Vec2(side - Vec2(0, 60)), side }, round_crown()));
+    EXPECT_FALSE(reach_into_crown(std::vector { Vec2(0, -2), Vec2(0, -60) }, round_crown()));
+    EXPECT_FALSE(reach_into_crown(std::vector { Vec2(28, -50), Vec2(28, 18) }, round_crown()));
+    // From below at a slant, as leaning trunks do.
+    EXPECT_TRUE(reach_into_crown(std::vector { Vec2(-25, -50), Vec2(-1, -2) }, round_crown()));
+}
+
+// An outline that begins and ends above the trunk's end, as most do, need not quite close there.
+TEST(TrunkReach, LooksAtTheOutlineAsItIsRead)
+{
+    auto open = round_crown();
+    std::rotate(open.begin(), open.begin() + 150, open.end()); // From its lowest point on,
+    ASSERT_LT(open.front().y(), 0.1);
+    open.resize(open.size() - 6); // and 5 mm short of that.
+    EXPECT_TRUE(reach_into_crown(trunk_below(-3), open));
+}
+
+} // namespace
+} // namespace tractus::silhouette
