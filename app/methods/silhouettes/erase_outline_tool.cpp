@@ -32,7 +32,9 @@ Result<std::vector<scene::Edit>> erase(tools::Tool const&, Stroke const& stroke,
         return fail(Fault::User,
                     "the plant that takes what is drawn has no outline: choose a tree that was "
                     "drawn by its outline");
-    auto const drawing = TRY(silhouette::drawing_of(*tree));
+    auto as_drawn = *tree;
+    as_drawn.trunk_goes_on_mm = 0;
+    auto const drawing = TRY(silhouette::drawing_of(as_drawn));
     auto const plant = scene.drawn->id;
     std::vector<scene::Edit> edits;
     for (std::size_t i = 0; i < drawing.touches.size(); ++i)

@@ -122,6 +122,62 @@ Result<double> trunk_reach(OutlinedTree tree, Part part, std::vector<Vec2> const
         : reach_into_crown(drawing.trunk, points).value_or(before_mm);
 }
 
+// Null: it is the crown's, or there is none.
+DrawnOnBranch const* outline_of(OutlinedTree const& tree, scene::ItemId id)
+{
+    auto const found
+        = std::find_if(tree.own_outlines.begin(), tree.own_outlines.end(),
+                       [&](DrawnOnBranch const& own) { return own.id == id && id != 0; });
+    return found == tree.own_outlines.end() ? nullptr : &*found;
+}
+
+// An outline that nobody drew goes with its leaf.
+scene::Edit no_leaf_any_more(scene::ItemId plant, DrawnOnBranch const& leaf)
+{
+    if (leaf.of_bump)
+        return EraseTreePart { plant, Part::OwnOutline, leaf.id };
+    return DeclareLeaf { plant, leaf.id, false };
+}
+
+// The outline drawn by the touch.
+Stroke stroke_around(std::vector<Vec2> const& outline, Stroke const& touch)
+{
+    constexpr auto kStep = Duration(5'000'000);
+    auto tip = *touch.tips.begin();
+    std::vector<TipSample> tips;
+    for (std::size_t i = 0; i <= outline.size(); ++i) {
+        tip.position_mm.head<2>() = outline[i % outline.size()];
+        tips.push_back(tip);
+        tip.time += kStep;
+    }
+    return { std::move(tips) };
+}
+
+// What a touch on a bump declares of the branch there.
+Result<scene::Edit> declared_on(BumpLeaf const& bump, OutlineTool const& tool, Stroke const& touch,
+                                scene::Scene const& scene)
+{
+    auto const& tree = *outlined_tree(*scene.drawn);
+    auto const plant = scene.drawn->id;
+    for (auto const& own : tree.own_outlines)
+        if (own.branch == bump.branch)
+            return own.is_leaf ? no_leaf_any_more(plant, own)
+                               : scene::Edit(DeclareLeaf { plant, own.id, true });
+    auto const search = search_of(tool.branches);
+    auto stroke = stroke_around(bump.outline, touch);
+    if (TRY(branch_outlined_by(tree, stroke, search)) != bump.branch)
+        return fail(Fault::User,
+                    "the bump is too large a part of the crown to be a leaf of it: draw around the "
+                    "leaf, back to where you began");
+    return DrawTree { .part = Part::OwnOutline,
+                      .stroke = std::move(stroke),
+                      .is_leaf = true,
+                      .of_bump = true,
+                      .style_to = tool.style,
+                      .search = search,
+                      .plant = plant };
+}
+
 // As large as it is in truth, and where it stands among the others, all in the scale of the first.
 void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Scene const& scene)
 {
@@ -190,21 +246,25 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
     return edit;
 }
 
-Result<std::optional<DeclareLeaf>> declared_leaf(Stroke const& stroke, scene::Scene const& scene)
+Result<std::optional<scene::Edit>> declared_leaf(OutlineTool const& tool, Stroke const& stroke,
+                                                 scene::Scene const& scene)
 {
     auto const points = points_of(stroke);
     if (!is_touch(points) && comes_back(points))
         return std::nullopt;
     auto const* const tree = TRY(active_tree(scene));
     auto const id = TRY(outline_around(*tree, stroke));
+    auto const* const around = id ? outline_of(*tree, *id) : nullptr;
+    if (around && around->is_leaf)
+        return no_leaf_any_more(scene.drawn->id, *around);
+    if (tool.reads == OutlineTool::Reads::Closely && tree->has_crown() && !tree->is_leaf)
+        if (auto const on_bump = TRY(leaf_on_bump(*tree, stroke, search_of(tool.branches))))
+            return TRY(declared_on(*on_bump, tool, stroke, scene));
     if (!id)
         return fail(Fault::User,
                     "the touch lies in no outline of the tree: touch inside one, or draw around "
                     "the leaf, back to where you began");
-    bool is_leaf = tree->is_leaf && *id == 0;
-    for (auto const& own : tree->own_outlines)
-        is_leaf = is_leaf || (own.id == *id && own.is_leaf);
-    return DeclareLeaf { scene.drawn->id, *id, !is_leaf };
+    return DeclareLeaf { scene.drawn->id, *id, !(tree->is_leaf && *id == 0) };
 }
 
 Result<ChooseStyles> carried_styles(Stroke const& stroke, scene::Scene const& scene)

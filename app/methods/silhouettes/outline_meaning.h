@@ -20,10 +20,12 @@ Result<OutlinedTree const*> active_tree(scene::Scene const& scene);
 Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
                             scene::Scene const& scene);
 
-// What a stroke with the tool does to a leaf where it does not come back: the smallest outline of
-// the active tree around its middle becomes a leaf, or is none any more. No value: the stroke is an
-// outline. Fails, as the user's fault, where it lies in no outline.
-Result<std::optional<DeclareLeaf>> declared_leaf(Stroke const& stroke, scene::Scene const& scene);
+// What a stroke with the tool does to a leaf where it does not come back. On a bump in which a
+// branch ends (bump_leaf.h) it declares that branch's part of the crown a leaf, and elsewhere the
+// smallest outline of the active tree around the stroke's middle; or takes such a leaf back. No
+// value: the stroke is an outline. Fails, as the user's fault, where it lies in no outline.
+Result<std::optional<scene::Edit>> declared_leaf(OutlineTool const& tool, Stroke const& stroke,
+                                                 scene::Scene const& scene);
 
 // The styles that a stroke with the tool carries, in the active tree (carried_by(),
 // chosen_style.h). Fails, as the user's fault, where there is no such tree, and like that.

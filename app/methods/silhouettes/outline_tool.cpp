@@ -22,7 +22,7 @@ constexpr std::array<tools::OptionWord, 8> kWords { {
     { "carry", "Carry a style" },
     { "split", "Split a bump", "Touch a bump to split it" },
     { "join", "Join bumps", "Touch between two bumps to join them" },
-    { "leaf", "Leaf", "Outline a leaf, or touch an outline" },
+    { "leaf", "Leaf", "Outline a leaf, or touch a bump or an outline" },
     { "form", "To this tree", nullptr, true },
     { "reseed", "Another one", nullptr, true },
 } };
@@ -129,7 +129,7 @@ Result<std::vector<scene::Edit>> draw(tools::Tool const& tool, Stroke const& str
     if (options.what == What::Carry)
         return std::vector<scene::Edit> { TRY(carried_styles(stroke, scene)) };
     if (options.what == What::Leaf)
-        if (auto const declared = TRY(declared_leaf(stroke, scene)))
+        if (auto const declared = TRY(declared_leaf(options, stroke, scene)))
             return std::vector<scene::Edit> { *declared };
     return std::vector<scene::Edit> { TRY(drawn_tree(options, stroke, scene)) };
 }
@@ -164,7 +164,8 @@ constexpr tools::ToolKind OutlineTool::kKind {
       "touch on a bump of an outline splits it in two, one between two bumps joins them, and "
       "an outline may be a leaf, which a touch inside declares it or takes back; a touch on a "
       "crown in the picture behind is its outline; read closely, a trunk that ends just below a "
-      "crown is its trunk; in a ready form, or with so many levels of "
+      "crown is its trunk, and a touch on a bump declares that a leaf; in a ready form, or with so "
+      "many levels of "
       "branches, so many times "
       "as many as usual that nobody draws, so many leaves on a twig; a new tree at each "
       "line, or at once these numbers, or other chance, for the tree that is there",

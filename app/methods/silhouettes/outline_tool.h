@@ -23,7 +23,8 @@ struct OutlineTool {
         Carry,  // A line carries the style of a branch of the active tree to others.
         Split,  // A touch on a bump of the active tree's outlines splits it,
         Join,   // or one between two joins them.
-        Leaf,   // An outline is a leaf, and a touch inside of one declares it that, or none.
+        Leaf,   // An outline is a leaf, and a touch on a bump of one or else inside of one
+                // declares that a leaf, or none.
         Form,   // At once: the active tree gets the numbers.
         Reseed, // At once: what the active tree's drawing leaves open is decided anew.
     } what
@@ -40,7 +41,8 @@ struct OutlineTool {
     enum class Reads {
         AsAtFirst, // A trunk is a crown's that has a point inside it.
         Closely,   // A trunk that a hand has stopped just below a crown is the crown's, too
-                   // (trunk_reach.h), as is one that is drawn into a crown without any.
+                   // (trunk_reach.h), as is one that is drawn into a crown without any; a touch
+                   // that declares a leaf is on a bump where there is one (bump_leaf.h).
     } reads
         = Reads::Closely;
 

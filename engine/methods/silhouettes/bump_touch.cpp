@@ -198,20 +198,6 @@ std::optional<std::size_t> taken_back(BranchingSystem const& system, std::size_t
     return far <= kNearJoint * box_of(system.outline).diagonal() ? made_by : std::nullopt;
 }
 
-// Systems of outlines that somebody drew, the smallest first.
-std::vector<std::size_t> outlined_systems(Skeleton const& skeleton, Search search)
-{
-    std::vector<std::pair<double, std::size_t>> by_area;
-    for (auto const s : skeleton.drawn_systems())
-        if (s == 0 || (search == Search::AnyLevel && skeleton.systems[s].is_of_own_outline))
-            by_area.emplace_back(std::fabs(signed_area(skeleton.systems[s].outline)), s);
-    std::sort(by_area.begin(), by_area.end());
-    std::vector<std::size_t> systems;
-    for (auto const& [area, s] : by_area)
-        systems.push_back(s);
-    return systems;
-}
-
 } // namespace
 
 std::optional<std::size_t> touched_bump(std::span<Bump const> bumps, std::span<Vec2 const> outline,
@@ -242,6 +228,19 @@ std::size_t take_touches(std::vector<Bump>& bumps, std::span<Vec2 const> outline
         sort_by_arc(bumps);
     }
     return taken;
+}
+
+std::vector<std::size_t> outlined_systems(Skeleton const& skeleton, Search search)
+{
+    std::vector<std::pair<double, std::size_t>> by_area;
+    for (auto const s : skeleton.drawn_systems())
+        if (s == 0 || (search == Search::AnyLevel && skeleton.systems[s].is_of_own_outline))
+            by_area.emplace_back(std::fabs(signed_area(skeleton.systems[s].outline)), s);
+    std::sort(by_area.begin(), by_area.end());
+    std::vector<std::size_t> systems;
+    for (auto const& [area, s] : by_area)
+        systems.push_back(s);
+    return systems;
 }
 
 Result<TouchedDrawing> touched(Drawing const& drawing, BumpTouch const& touch,

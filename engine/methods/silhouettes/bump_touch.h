@@ -21,6 +21,9 @@ namespace tractus::silhouette {
 std::optional<std::size_t> touched_bump(std::span<Bump const> bumps, std::span<Vec2 const> outline,
                                         BumpTouch const& touch);
 
+// The systems of outlines that somebody drew, the smallest first; Search::OnTrunk: the crown's.
+std::vector<std::size_t> outlined_systems(Skeleton const& skeleton, Search search);
+
 // Splits and joins bumps, one touch after the other, before roles are set; returns how many of the
 // touches found theirs.
 //

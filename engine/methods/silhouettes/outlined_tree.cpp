@@ -113,6 +113,14 @@ Result<std::optional<std::string>> branch_outlined_by(OutlinedTree const& tree,
     return branch_under(tree, stroke, search, branch_outlined_by);
 }
 
+Result<std::optional<BumpLeaf>> leaf_on_bump(OutlinedTree const& tree, Stroke const& stroke,
+                                             Search search)
+{
+    auto const place = TRY(middle_of(stroke));
+    auto const skeleton = TRY(skeleton_of(tree));
+    return leaf_on_bump(skeleton, place, search);
+}
+
 Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke,
                                       LineOnBranch const& line)
 {
@@ -123,7 +131,8 @@ Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke,
     auto const& own = drawing.own_outlines.back();
     std::erase_if(tree.own_outlines,
                   [&](DrawnOnBranch const& other) { return other.branch == own.branch; });
-    tree.own_outlines.push_back({ line.id, stroke, own.branch, line.style_to, own.is_leaf });
+    tree.own_outlines.push_back(
+        { line.id, stroke, own.branch, line.style_to, own.is_leaf, line.of_bump });
     return tree;
 }
 

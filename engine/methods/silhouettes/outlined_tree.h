@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/methods/silhouettes/bump_leaf.h"
 #include "engine/methods/silhouettes/bump_touch.h"
 #include "engine/methods/silhouettes/crown_line.h"
 #include "engine/methods/silhouettes/outline.h"
@@ -35,6 +36,7 @@ struct DrawnOnBranch {
     std::string branch {};
     StyleTo style_to = StyleTo::None;
     bool is_leaf = false; // An outline: it ends the recursion (leaf_blade.h).
+    bool of_bump = false; // An outline that nobody drew: a touch on a bump made it (bump_leaf.h).
 };
 
 // A touch on a bump, by the edit that brought it. The path of the branch whose outline has the bump
@@ -107,7 +109,13 @@ struct LineOnBranch {
     StyleTo style_to = StyleTo::None;
     Search search = Search::OnTrunk;
     bool is_leaf = false; // An outline, which is declared one.
+    bool of_bump = false; // It is the one that was inferred.
 };
+
+// The branch that ends in the bump under a stroke's middle (leaf_on_bump(), bump_leaf.h). Fails
+// like skeleton_of().
+Result<std::optional<BumpLeaf>> leaf_on_bump(OutlinedTree const& tree, Stroke const& stroke,
+                                             Search search);
 
 // The tree with the outline as a branch's own, in place of the one that it had. Fails, as the
 // user's fault, where it lies around no branch, and like clean_drawing().

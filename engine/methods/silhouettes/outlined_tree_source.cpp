@@ -24,7 +24,8 @@ bool same_on_branches(std::vector<DrawnOnBranch> const& one,
     return std::equal(one.begin(), one.end(), other.begin(), other.end(),
                       [](DrawnOnBranch const& a, DrawnOnBranch const& b) {
                           return a.id == b.id && a.branch == b.branch && a.style_to == b.style_to
-                              && a.is_leaf == b.is_leaf && same_ink(a.stroke, b.stroke);
+                              && a.is_leaf == b.is_leaf && a.of_bump == b.of_bump
+                              && same_ink(a.stroke, b.stroke);
                       });
 }
 

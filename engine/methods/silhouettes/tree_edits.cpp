@@ -23,6 +23,7 @@ void list(scene::Fields& fields, DrawTree& edit)
 {
     fields.word("part", edit.part, kParts);
     fields.sparse_field("is_leaf", &edit.is_leaf);
+    fields.sparse_field("of_bump", &edit.of_bump);
     bool to_siblings = edit.style_to == StyleTo::Siblings;
     bool to_deeper = edit.style_to == StyleTo::Deeper;
     fields.sparse_field("style_to_siblings", &to_siblings);
@@ -262,7 +263,7 @@ std::string described(DrawTree const& edit)
                                  "a touch that joins bumps",
                                  "a line in space on a crown" };
     auto const what = std::string(kWhat[static_cast<std::size_t>(edit.part)])
-        + (edit.is_leaf ? ", a leaf," : "");
+        + (edit.is_leaf ? ", a leaf," : "") + (edit.of_bump ? " as it was inferred," : "");
     auto const whose = edit.plant == 0 ? std::string("a new tree")
                                        : fmt::format("plant {}", scene::name_of(edit.plant));
     constexpr std::array kStyles { "", ", in whose style its siblings are",
@@ -332,7 +333,7 @@ Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, scene::I
         break;
     case DrawTree::Part::OwnOutline:
         return with_own_outline(std::move(tree), edit.stroke,
-                                { id, edit.style_to, edit.search, edit.is_leaf });
+                                { id, edit.style_to, edit.search, edit.is_leaf, edit.of_bump });
     case DrawTree::Part::OwnBranch:
         return with_own_branch(std::move(tree), edit.stroke, { id, edit.style_to, edit.search });
     case DrawTree::Part::Split:

@@ -23,7 +23,8 @@ struct DrawTree {
     } part
         = Part::Outline;
     Stroke stroke {};
-    bool is_leaf = false;             // An outline: it is declared one (leaf_blade.h).
+    bool is_leaf = false;             // An outline: it is declared one (leaf_blade.h),
+    bool of_bump = false;             // by a touch on a bump, whose own it is (bump_leaf.h).
     StyleTo style_to = StyleTo::None; // Of the branch that is drawn on (sibling_style.h),
     Search search = Search::OnTrunk;  // and among which ones that is looked for.
     // A tree that there is; 0: a new plant, which becomes the active one. What follows is a new

@@ -121,12 +121,12 @@ TEST(OutlineTool, DeclaresOutlinesLeaves)
     EXPECT_NE(scene().base->axes.size(), axes);
     document.draw({ tap(20, 30), leaf });
     EXPECT_EQ(scene().base->axes.size(), axes);
-    document.draw({ tap(-10, 0), leaf });
+    document.draw({ tap(0, 10), leaf });
     EXPECT_TRUE(tree().is_leaf) << "the crown's outline";
     EXPECT_EQ(scene().base->organs.size(), 1u);
     EXPECT_NE(OutlineTool::kKind.said(leaf, scene()).find("The crown is a leaf"),
               std::string::npos);
-    document.draw({ tap(-10, 0), leaf });
+    document.draw({ tap(0, 10), leaf });
     EXPECT_EQ(scene().base->axes.size(), axes);
     for (int i = 0; i < 5; ++i)
         document.undo();
