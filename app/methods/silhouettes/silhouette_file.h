@@ -18,7 +18,8 @@ struct SilhouetteFile {
     std::vector<std::vector<Vec2>> parts {};
     // Touches on the bumps of the crown and of parts (bump_touch.h): splits, then joins.
     std::vector<BumpTouch> touches {};
-    // Outlines of branches that are leaves.
+    // Outlines of branches that are leaves; of one point: it is on a bump that is one
+    // (bump_leaf.h).
     std::vector<std::vector<Vec2>> leaves {};
     // Lines from a branch over others, to which its style goes (chosen_style.h).
     std::vector<std::vector<Vec2>> styles {};
@@ -35,8 +36,8 @@ struct SilhouetteFile {
 //   branches  [[[x, y], …], …]: from the trunk on; may be missing
 //   parts     [[[x, y], …], …]: each once around a branch's own crown, or from a branch on, of
 //             which it is a branch; may be missing
-//   leaves    [[[x, y], …], …]: parts that are leaves; may be missing. Without an outline the
-//             first one is the crown's
+//   leaves    [[[x, y], …], …]: parts that are leaves, [[x, y]] the part of a branch that ends in
+//             the bump there; may be missing. Without an outline the first one is the crown's
 //   splits    [[x, y], …]: each on a bump of an outline; may be missing
 //   joins     [[x, y], …]: each between two bumps; may be missing
 //   styles    [[[x, y], …], …]: each from a branch over others; may be missing

@@ -1,6 +1,7 @@
 #include "app/methods/silhouettes/silhouette_lines.h"
 
 #include "app/methods/silhouettes/outline_meaning.h"
+#include "engine/methods/silhouettes/bump_leaf.h"
 #include "engine/methods/silhouettes/bump_touch.h"
 #include "engine/methods/silhouettes/chosen_style.h"
 #include "engine/methods/silhouettes/drawn_surface.h"
@@ -68,6 +69,23 @@ Result<void> touch_bumps(SilhouetteFile& file, TouchesOn which, SkeletonOptions&
     return {};
 }
 
+// A leaf's outline: as it is in the file, or of the bump that a point of it touches.
+Result<std::vector<Vec2>> leaf_outline(std::vector<Vec2> const& leaf, Drawing const& drawing,
+                                       SkeletonOptions const& options)
+{
+    if (leaf.size() > 1)
+        return leaf;
+    auto const skeleton = TRY(infer_skeleton(drawing, options));
+    auto bump = leaf_on_bump(skeleton, leaf.front(), Search::AnyLevel);
+    if (!bump)
+        return fail(Fault::User,
+                    fmt::format("[{:g}, {:g}] is on no bump that a branch ends in: give a point in "
+                                "one, near its edge, or the leaf's outline",
+                                leaf.front().x(), leaf.front().y()));
+    bump->outline.push_back(bump->outline.front());
+    return std::move(bump->outline);
+}
+
 Result<void> add_parts(SilhouetteFile& file, SkeletonOptions const& options, StyleTo style_to)
 {
     constexpr auto kSearch = Search::AnyLevel;
@@ -80,8 +98,11 @@ Result<void> add_parts(SilhouetteFile& file, SkeletonOptions const& options, Sty
             return about_line("part", i, added.error());
     }
     for (std::size_t i = 0; i < file.leaves.size(); ++i) {
+        auto outline = leaf_outline(file.leaves[i], file.drawing, options);
+        if (!outline)
+            return about_line("leaf", i, outline.error());
         auto const added
-            = add_own_outline(file.drawing, file.leaves[i], options, style_to, kSearch, true);
+            = add_own_outline(file.drawing, *std::move(outline), options, style_to, kSearch, true);
         if (!added)
             return about_line("leaf", i, added.error());
     }
@@ -131,16 +152,20 @@ public:
         edit_.plant = scene::item_id(1, 0);
     }
 
-    void draw_parts(SilhouetteFile const& file, StyleTo style_to)
+    Result<void> draw_parts(SilhouetteFile const& file, StyleTo style_to)
     {
         edit_.style_to = style_to;
         for (auto const& part : file.parts)
             draw(comes_back(part) ? DrawTree::Part::OwnOutline : DrawTree::Part::OwnBranch, part);
         edit_.is_leaf = true;
-        for (auto const& leaf : file.leaves)
-            draw(DrawTree::Part::OwnOutline, leaf);
+        for (auto const& leaf : file.leaves) {
+            edit_.of_bump = leaf.size() == 1;
+            draw(DrawTree::Part::OwnOutline, edit_.of_bump ? TRY(outline_of_bump(leaf)) : leaf);
+        }
+        edit_.of_bump = false;
         edit_.is_leaf = false;
         edit_.style_to = StyleTo::None;
+        return {};
     }
 
     void touch(std::vector<BumpTouch> const& touches)
@@ -154,6 +179,14 @@ public:
     std::vector<scene::Edit>& edits() { return edits_; }
 
 private:
+    // In the tree as it is drawn so far.
+    Result<std::vector<Vec2>> outline_of_bump(std::vector<Vec2> const& leaf) const
+    {
+        auto const scene = TRY(scene::apply_edits({}, edits_));
+        auto const* const tree = TRY(active_tree(scene));
+        return leaf_outline(leaf, TRY(drawing_of(*tree)), options_of(*tree));
+    }
+
     DrawTree edit_;
     std::vector<scene::Edit> edits_;
 };
@@ -198,7 +231,7 @@ Result<std::vector<scene::Edit>> edits_of_lines(SilhouetteFile const& file, Draw
         drawer.draw(DrawTree::Part::Branch, branch);
     drawer.edit().search = Search::AnyLevel;
     drawer.touch(touches_of(file, TouchesOn::Crown));
-    drawer.draw_parts(file, style_to);
+    TRY(drawer.draw_parts(file, style_to));
     drawer.touch(touches_of(file, TouchesOn::Parts));
     for (auto const& line : file.styles) {
         auto const scene = TRY(scene::apply_edits({}, drawer.edits()));

@@ -510,6 +510,34 @@ TEST_F(SilhouetteCommand, DrawsLeaves)
     EXPECT_EQ(again.base->organs.size(), 1u);
 }
 
+// A point where a branch ends makes a leaf of that branch's part of the crown, as a pen's touch.
+TEST_F(SilhouetteCommand, MakesALeafOfABump)
+{
+    auto const plain
+        = json::parse(commands::run({ "silhouette", path("oak.json"), "--report" }).out);
+    auto const& branch = plain["branch"][0];
+    auto drawing = crown();
+    drawing["leaves"] = json::array({ json::array({ branch["end"] }) });
+    std::ofstream(folder_ / "bump.json") << drawing;
+    auto const outcome = commands::run({ "silhouette", path("bump.json"), "--report", "-o",
+                                         path("out"), "--session", "--style-to", "siblings" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const report = json::parse(outcome.out);
+    EXPECT_EQ(report["branch"][0]["name"], branch["name"]);
+    EXPECT_EQ(report["branch"][0]["outlined"], true);
+    for (auto const& one : report["branch"])
+        EXPECT_EQ(one["leaf"], true);
+    auto const scene
+        = batch::load_session_scene(path("out/bump.tractus"), methods::all_methods().edits).value();
+    ASSERT_TRUE(batch::write_plant_file(*scene.base, "bump", path("again.glb")));
+    EXPECT_TRUE(file_bytes(path("out/bump.glb")) == file_bytes(path("again.glb"))) << "by a pen";
+    drawing["leaves"] = { { { 500, 0 } } };
+    std::ofstream(folder_ / "bump.json") << drawing;
+    EXPECT_NE(refusal({ "silhouette", path("bump.json"), "--report" })
+                  .find("leaf 1: [500, 0] is on no bump that a branch ends in"),
+              std::string::npos);
+}
+
 TEST_F(SilhouetteCommand, SaysWhichTouchIsWrong)
 {
     auto drawing = crown();
