@@ -58,7 +58,7 @@ TEST_F(RandomEdits, OfAllMethodsAreUndoneAndDoneAgain)
     constexpr std::size_t kSteps = 1000;
     constexpr std::ptrdiff_t kMostRefused = 2; // What a hand like this hardly ever hits.
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
-    RandomHand hand(4);
+    RandomHand hand(6);
     draw_at_random(document, hand, kSteps);
     std::string never;
     for (auto const* const kind : all_methods().tools)
