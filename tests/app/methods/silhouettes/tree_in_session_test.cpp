@@ -1,0 +1,44 @@
+#include "app/document/document.h"
+#include "app/methods/all_methods.h"
+#include "app/session/begin_empty.h"
+#include "engine/methods/silhouettes/inferred_trees.h"
+#include "tests/app/methods/silhouettes/drawn_trees.h"
+#include "tests/app/session/small_session.h"
+
+#include <utility>
+#include <vector>
+
+namespace tractus::silhouette {
+namespace {
+
+using TreeInSession = session::SessionFolder;
+
+// As in memory: what is inferred of a tree is known when its crown is drawn anew, and after that is
+// undone.
+TEST_F(TreeInSession, IsKnownWhenItsLinesChange)
+{
+    using namespace drawn_trees;
+    auto options = session::options_for_tests();
+    options.kinds = methods::all_methods().edits;
+    document::Document document(
+        session::Session::create(path(), { .plant = "empty", .program = "1" },
+                                 std::vector<scene::Edit> { session::BeginEmpty {} }, options)
+            .value(),
+        document::Document::Working::AtOnce);
+    auto const is_known = [&] {
+        auto const scene = document.newest()->scene;
+        auto const& tree = *outlined_tree(*scene.drawn);
+        return tree.inferred && tree.inferred->find(tree);
+    };
+    for (auto const& stroke : { trunk_at(0), crown_around(0, 10), crown_around(1, 11) })
+        document.draw({ stroke, OutlineTool {} });
+    EXPECT_TRUE(is_known());
+    document.undo();
+    EXPECT_TRUE(is_known());
+    document.draw({ crown_around(0, 9), OutlineTool {} });
+    EXPECT_TRUE(is_known());
+    EXPECT_EQ(document.newest()->scene.plants.size(), 1u);
+}
+
+} // namespace
+} // namespace tractus::silhouette
