@@ -31,7 +31,7 @@ constexpr std::array<tools::OptionWord, 2> kAround { {
 void visit(tools::OptionVisitor& visitor, ArrangeTool& tool)
 {
     visitor.choice({ kAround }, tool.around);
-    visitor.choice({ kTo }, tool.to);
+    visitor.choice({ kTo, tools::WordOption::Offered::InHand }, tool.to);
     visitor.number({ "whorl", "", kLeastWhorl, kMostWhorl, 1, "In a whorl" }, tool.whorl);
 }
 
