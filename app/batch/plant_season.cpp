@@ -1,6 +1,7 @@
 #include "app/batch/plant_season.h"
 
 #include "app/methods/all_leaves.h"
+#include "engine/methods/silhouettes/nearest_style.h"
 
 #include <fmt/core.h>
 #include <set>
@@ -33,11 +34,14 @@ Result<std::vector<scene::Edit>> season_edits(scene::Scene const& scene,
 std::vector<scene::Edit> following_edits(scene::Scene const& scene,
                                          std::vector<scene::Edit> const& step)
 {
-    auto edits = methods::edits_that_follow(scene, step);
-    if (edits.empty() || !scene.state.season)
-        return edits;
+    auto edits = silhouette::styles_that_follow(scene, step);
     auto all = step;
     all.insert(all.end(), edits.begin(), edits.end());
+    auto const leaves = methods::edits_that_follow(scene, all);
+    edits.insert(edits.end(), leaves.begin(), leaves.end());
+    if (leaves.empty() || !scene.state.season)
+        return edits;
+    all.insert(all.end(), leaves.begin(), leaves.end());
     auto const after = scene::apply_edits(scene, all);
     if (!after || !after->state.season)
         return edits;

@@ -1,6 +1,7 @@
 #include "app/methods/silhouettes/outline_meaning.h"
 
 #include "app/methods/silhouettes/touched_crown.h"
+#include "engine/methods/silhouettes/nearest_style.h"
 #include "engine/methods/silhouettes/trunk_reach.h"
 #include "engine/scene/paper.h"
 #include "engine/scene/picture_ground.h"
@@ -189,6 +190,21 @@ void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Sce
     edit.stands_at_mm.x() += scene.state.picture->place.x_mm;
 }
 
+// A new tree for which nobody has chosen a form or numbers has the nearest one's style.
+void take_nearest_style(DrawTree& edit, OutlineTool const& tool, scene::Scene const& scene)
+{
+    if (tool.reads != OutlineTool::Reads::Closely || edit.form != TreeForm())
+        return;
+    edit.takes_style = true;
+    auto const source = nearest_with_style(scene.state, edit.stands_at_mm, 0);
+    auto const built = std::find_if(scene.plants.begin(), scene.plants.end(),
+                                    [&](auto const& plant) { return plant->drawn->id == source; });
+    if (source == 0 || built == scene.plants.end())
+        return;
+    if (auto const form = with_style_of(edit.form, *(*built)->base))
+        edit.form = *form;
+}
+
 } // namespace
 
 Result<OutlinedTree const*> active_tree(scene::Scene const& scene)
@@ -243,6 +259,7 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
     if (scene.state.picture)
         if (auto const place = TRY(scene::place_on_ground(*scene.state.picture, foot_mm)))
             stand_on_ground(edit, *place, scene);
+    take_nearest_style(edit, tool, scene);
     return edit;
 }
 

@@ -117,7 +117,8 @@ Result<std::vector<scene::Edit>> form_active(OutlineTool const& tool, scene::Sce
         ++form.seed;
     else
         form = form_of(tool, form);
-    return std::vector<scene::Edit> { FormTree { scene.drawn->id, form } };
+    bool const takes_style = tool.what == What::Reseed && tree->takes_style;
+    return std::vector<scene::Edit> { FormTree { scene.drawn->id, form, takes_style } };
 }
 
 Result<std::vector<scene::Edit>> draw(tools::Tool const& tool, Stroke const& stroke,

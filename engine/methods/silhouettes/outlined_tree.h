@@ -77,6 +77,9 @@ struct OutlinedTree {
     // How far the trunk goes on straight from its tip, which is just below the crown
     // (trunk_reach.h), on the paper; 0: it ends there.
     double trunk_goes_on_mm = 0;
+    // Its form's style is that of the nearest tree that has one, as long as it has none of its own
+    // (nearest_style.h).
+    bool takes_style = false;
     // Shared by all versions of the tree; null: nothing is kept of what is inferred of it. It says
     // nothing about the tree.
     std::shared_ptr<InferredTrees> inferred {};

@@ -44,6 +44,7 @@ void list(scene::Fields& fields, DrawTree& edit)
     fields.field("scale", &edit.scale);
     fields.sparse_field("enlarged", &edit.enlarged);
     fields.sparse_field("trunk_goes_on_mm", &edit.trunk_goes_on_mm);
+    fields.sparse_field("takes_style", &edit.takes_style);
     fields.id(edit.id);
     fields.numbers(edit.stroke);
 }
@@ -71,6 +72,7 @@ void list(scene::Fields& fields, ChooseStyles& edit)
 void list(scene::Fields& fields, FormTree& edit)
 {
     fields.field("plant", &edit.plant);
+    fields.sparse_field("takes_style", &edit.takes_style);
     list(fields, edit.form);
 }
 
@@ -143,6 +145,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, DrawTree const&
     auto tree = TRY(with_part({ .form = edit.form, .scale = edit.scale }, edit,
                               scene::take_id(state, edit.id)));
     tree.ground_mm = edit.ground_mm;
+    tree.takes_style = edit.takes_style;
     tree.inferred = std::make_shared<InferredTrees>();
     TRY(check_tree(tree));
     if (!edit.stands_at_mm.allFinite())
@@ -245,6 +248,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, FormTree const&
     auto const before = TRY(tree_of(state, edit.plant));
     auto tree = before;
     tree.form = edit.form;
+    tree.takes_style = edit.takes_style;
     if (!tree.is_refined() && tree.styles.empty() && tree.touches.empty())
         return with_tree(std::move(state), edit.plant, std::move(tree));
     // Their branches have to be found again.
@@ -306,6 +310,9 @@ std::string described(ChooseStyles const& edit)
 
 std::string described(FormTree const& edit)
 {
+    if (edit.takes_style)
+        return fmt::format("gives plant {} the style of the nearest tree",
+                           scene::name_of(edit.plant));
     return fmt::format("arranges plant {}: {} around the trunk, {} around branches, {}, {:g} times "
                        "as many as usual, {} leaves on a twig",
                        scene::name_of(edit.plant), describe(edit.form.patterns[0]),

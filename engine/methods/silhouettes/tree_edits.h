@@ -41,6 +41,9 @@ struct DrawTree {
     // A trunk, or an outline: how far the tree's trunk goes on from its tip into its crown
     // (OutlinedTree::trunk_goes_on_mm).
     double trunk_goes_on_mm = 0;
+    // A new tree takes the style of the nearest one that has one (nearest_style.h): the form has
+    // it.
+    bool takes_style = false;
     // World millimetres per millimetre of the paper of a new tree that was drawn smaller since it
     // is farther away (picture_ground.h); 0: it is shown as large as drawn.
     double enlarged = 0;
@@ -83,6 +86,7 @@ struct FormTree {
 
     scene::ItemId plant = 0;
     TreeForm form {};
+    bool takes_style = false; // It goes on to take that of the nearest tree, which the form has.
 };
 
 // The tree with the edit's part; `id` becomes a branch's or its outline's. Fails like

@@ -1,0 +1,112 @@
+#include "engine/methods/silhouettes/nearest_style.h"
+
+#include "engine/methods/silhouettes/measured_style.h"
+#include "engine/methods/silhouettes/tree_edits.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace tractus::silhouette {
+
+namespace {
+
+bool has_taker(scene::DocumentState const& state)
+{
+    return std::any_of(state.plants.begin(), state.plants.end(), [](auto const& plant) {
+        auto const* const tree = outlined_tree(*plant);
+        return tree && takes_style(*tree);
+    });
+}
+
+// Null where it is not there.
+std::shared_ptr<scene::PlantState const> plant_of(scene::DocumentState const& state,
+                                                  scene::ItemId plant)
+{
+    auto const number = scene::find_plant(state, plant);
+    return number ? state.plants[*number] : nullptr;
+}
+
+// Whether a tree that takes a style has to take it again.
+bool is_other(scene::DocumentState const& before, scene::DocumentState const& after,
+              scene::PlantState const& taker, scene::ItemId source)
+{
+    auto const was = plant_of(before, taker.id);
+    if (!was) // It has taken one when it was drawn.
+        return false;
+    auto const* const tree = outlined_tree(*was);
+    bool const took = tree && takes_style(*tree);
+    return !took || nearest_with_style(before, was->stands_at_mm, was->id) != source
+        || !(plant_of(before, source)->source == plant_of(after, source)->source);
+}
+
+} // namespace
+
+bool has_own_style(OutlinedTree const& tree)
+{
+    auto form = tree.form;
+    form.seed = TreeForm().seed; // Chance is no style.
+    bool const has_form = form != TreeForm();
+    return tree.has_crown()
+        && (tree.is_refined() || !tree.styles.empty() || (has_form && !tree.takes_style));
+}
+
+bool takes_style(OutlinedTree const& tree)
+{
+    return tree.takes_style && !tree.is_refined() && tree.styles.empty();
+}
+
+scene::ItemId nearest_with_style(scene::DocumentState const& state, Vec3 const& place_mm,
+                                 scene::ItemId except)
+{
+    double least_mm = std::numeric_limits<double>::infinity();
+    scene::ItemId nearest = 0;
+    for (auto const& plant : state.plants) {
+        auto const* const tree = outlined_tree(*plant);
+        if (!tree || plant->id == except || !has_own_style(*tree))
+            continue;
+        double const away_mm = (plant->stands_at_mm - place_mm).norm();
+        if (away_mm < least_mm) {
+            least_mm = away_mm;
+            nearest = plant->id;
+        }
+    }
+    return nearest;
+}
+
+Result<TreeForm> with_style_of(TreeForm form, Plant const& plant)
+{
+    auto taken = form_of(TRY(measure_style(plant)));
+    taken.seed = form.seed;
+    return taken;
+}
+
+std::vector<scene::Edit> styles_that_follow(scene::Scene const& scene,
+                                            std::vector<scene::Edit> const& step)
+{
+    std::vector<scene::Edit> edits;
+    if (!has_taker(scene.state))
+        return edits;
+    auto const after = scene::apply_edits(scene, step);
+    if (!after)
+        return edits; // Whoever makes the step says why.
+    for (auto const& plant : after->state.plants) {
+        auto const* const tree = outlined_tree(*plant);
+        if (!tree || !takes_style(*tree))
+            continue;
+        auto const source = nearest_with_style(after->state, plant->stands_at_mm, plant->id);
+        if (source == 0 || !is_other(scene.state, after->state, *plant, source))
+            continue;
+        auto const built
+            = std::find_if(after->plants.begin(), after->plants.end(),
+                           [&](auto const& each) { return each->drawn->id == source; });
+        // A plant without branches has no style.
+        if (auto const form = with_style_of(tree->form, *(*built)->base);
+            form && *form != tree->form)
+            edits.emplace_back(FormTree { plant->id, *form, true });
+    }
+    return edits;
+}
+
+} // namespace tractus::silhouette
