@@ -153,7 +153,7 @@ static Report level_json(MeasuredLevel const& level)
                { { "mean", style.children }, { "deviation", style.children_deviation } } },
              { "bare", style.bare },
              { "unbranched", style.unbranched },
-             { "spacing", { { "mean", style.spacing }, { "deviation", level.spacing_deviation } } },
+             { "spacing", { { "mean", style.spacing }, { "deviation", style.spacing_deviation } } },
              { "angle_deg",
                { { "mean", level.mean_angle_deg },
                  { "first", style.first_angle_deg },

@@ -19,6 +19,9 @@ struct BranchStyle {
     double unbranched = 0; // Where the first child stands.
     double spacing = 0;    // From a child to the next, on average; 0 for those at one node.
     double unevenness = 0; // Deviation from node to node, in units of the average.
+    // From a child to the next, those at one node and the differences between parents among it;
+    // a share of the parent's length. 0: distances are as uneven as `unevenness` says, about.
+    double spacing_deviation = 0;
     // Between the parent and its first child, and its last one; linear between.
     double first_angle_deg = 0;
     double last_angle_deg = 0;

@@ -252,7 +252,7 @@ public:
         style.bare = static_cast<double>(bare_) / static_cast<double>(bare_ + counts_.count());
         style.unbranched = unbranched_.mean();
         style.spacing = gaps_.mean();
-        level.spacing_deviation = gaps_.deviation();
+        style.spacing_deviation = gaps_.deviation();
         level.mean_angle_deg = mean_angle_.mean();
         set_angles(style);
         for (std::size_t third = 0; third < lengths_.size(); ++third)
@@ -434,6 +434,7 @@ static BranchStyle within_limits(BranchStyle style)
     style.children_deviation = std::min(style.children_deviation, kMostChildren);
     style.bare = std::min(style.bare, kMostBare);
     style.unevenness = std::min(style.unevenness, kMostUneven);
+    style.spacing_deviation = std::min(style.spacing_deviation, 1.0);
     return style;
 }
 

@@ -21,8 +21,7 @@ struct MeasuredLevel {
     // 0 for any turn, 1 where all are the same.
     double divergence_deg = 0;
     double divergence_sureness = 0;
-    double mean_angle_deg = 0;    // Of all children.
-    double spacing_deviation = 0; // From a child to the next, those at one node among them.
+    double mean_angle_deg = 0; // Of all children.
     // Of children, as shares of their parents' lengths: in the lower, the middle and the upper
     // third of the branched part; 0 where there are none.
     std::array<double, 3> lengths {};

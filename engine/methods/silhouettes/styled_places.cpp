@@ -33,6 +33,39 @@ double normal_quantile(double share)
     return (low + high) / 2;
 }
 
+// Places from 0 to 1 whose distances have logarithms with so large a deviation.
+std::vector<double> shares_of(std::vector<double> const& scores, double spread)
+{
+    std::vector<double> shares { 0 };
+    for (auto const score : scores)
+        shares.push_back(shares.back() + std::exp(spread * score));
+    for (auto& share : shares)
+        share /= std::max(shares.back(), 1e-9);
+    return shares;
+}
+
+double unevenness_of(std::vector<double> const& shares)
+{
+    auto const gaps = static_cast<double>(shares.size() - 1);
+    double squares = 0;
+    for (std::size_t i = 1; i < shares.size(); ++i)
+        squares += std::pow((shares[i] - shares[i - 1]) * gaps - 1, 2);
+    return std::sqrt(squares / gaps);
+}
+
+// What makes the distances themselves so uneven, or as uneven as so few can be: the formula for
+// ever so many makes few of them too even.
+double spread_for(std::vector<double> const& scores, double unevenness)
+{
+    double low = 0;
+    double high = 8;
+    for (int i = 0; scores.size() > 1 && i < 40; ++i) {
+        double const middle = (low + high) / 2;
+        (unevenness_of(shares_of(scores, middle)) < unevenness ? low : high) = middle;
+    }
+    return low;
+}
+
 } // namespace
 
 StyledPlaces::StyledPlaces(BranchStyle const& style, Pattern pattern, std::uint64_t seed,
@@ -44,6 +77,7 @@ StyledPlaces::StyledPlaces(BranchStyle const& style, Pattern pattern, std::uint6
     Random random({ .seed = seed, .stream = kPhaseStream, .substream = level });
     count_phase_ = random.uniform();
     angle_phase_ = random.uniform();
+    extent_phase_ = random.uniform();
 }
 
 bool StyledPlaces::next_bears()
@@ -86,7 +120,7 @@ double StyledPlaces::next_extent(std::size_t count, double room)
 {
     constexpr double kLeast = 0.3; // Of what a parent has on average.
     constexpr double kMost = 3;
-    extent_left_ += style_.spacing * static_cast<double>(count - 1);
+    extent_left_ += style_.spacing * static_cast<double>(count - 1) * extent_factor();
     if (count < 2)
         return 0;
     double const usual = style_.spacing * std::max(1.0, style_.children - 1);
@@ -96,25 +130,56 @@ double StyledPlaces::next_extent(std::size_t count, double room)
     return extent;
 }
 
-// Where nodes stand between the first and the last, 0 to 1. Wither 2009 takes normally distributed
-// distances; these have a logarithm that is, since they are as uneven as the style says without one
-// that would have to be cut off below 0.
-std::vector<double> StyledPlaces::node_shares(std::size_t nodes, std::uint32_t parent) const
+// How much farther the next parent's children are from each other than all are on average, where
+// distances on one parent do not differ by as much as all together do: in pairs as numbers are,
+// whose longer distances go with more children as often as with fewer.
+double StyledPlaces::extent_factor() const
+{
+    auto const pair = counted_ / 2; // The next one is counted.
+    if (pair == 0 || !(style_.spacing > 0) || !(style_.spacing_deviation > 0))
+        return 1;
+    auto const squared = [](double value) { return value * value; };
+    double const all = 1 + squared(style_.spacing_deviation / style_.spacing);
+    double const on_one = static_cast<double>(whorl_) * (1 + squared(style_.unevenness));
+    double const share
+        = 0.5 + 0.5 * part_of_turn(extent_phase_ + kGolden * static_cast<double>(pair));
+    double const off = normal_quantile(share) * std::sqrt(std::max(0.0, all / on_one - 1));
+    return std::max(0.0, 1 + ((counted_ + pair) % 2 == 0 ? -off : off));
+}
+
+// How uneven the next parent's distances are, such that those of all together have the style's
+// deviation.
+double StyledPlaces::next_unevenness(std::size_t count, std::size_t nodes, double extent)
+{
+    constexpr double kMostChanged = 2;
+    double const usual = style_.unevenness;
+    if (!(style_.spacing_deviation > 0))
+        return usual;
+    squares_left_ += static_cast<double>(count - 1)
+        * (std::pow(style_.spacing, 2) + std::pow(style_.spacing_deviation, 2));
+    if (nodes < 2 || !(extent > 0))
+        return usual;
+    double const if_even = extent * extent / static_cast<double>(nodes - 1);
+    double const wanted = std::sqrt(std::max(0.0, squares_left_ / if_even - 1));
+    return std::clamp(wanted, usual / kMostChanged, usual * kMostChanged);
+}
+
+// Of the distances from node to node. Wither 2009 takes normally distributed ones; these have a
+// logarithm that is, since they are as uneven as the style says without one that would have to be
+// cut off below 0.
+std::vector<double> StyledPlaces::node_scores(std::size_t nodes, std::uint32_t parent) const
 {
     Random random({ .seed = seed_, .stream = kPlaceStream, .substream = parent });
-    double const spread = std::sqrt(std::log1p(style_.unevenness * style_.unevenness));
-    std::vector<double> shares { 0 };
+    std::vector<double> scores;
     double const phase = random.uniform();
     for (std::size_t i = 1; i < nodes; ++i) {
         // One of `nodes` is no farther out than that.
         double const edge = 0.5 / static_cast<double>(nodes);
         double const share
             = std::clamp(part_of_turn(phase + kGolden * static_cast<double>(i)), edge, 1 - edge);
-        shares.push_back(shares.back() + std::exp(spread * normal_quantile(share)));
+        scores.push_back(normal_quantile(share));
     }
-    for (auto& share : shares)
-        share /= std::max(shares.back(), 1e-9);
-    return shares;
+    return scores;
 }
 
 std::vector<double> StyledPlaces::next(Parent const& parent)
@@ -122,7 +187,17 @@ std::vector<double> StyledPlaces::next(Parent const& parent)
     auto const count = next_count(parent.least);
     double const first = next_first(parent.low);
     double const extent = next_extent(count, 1 - first);
-    auto const nodes = node_shares((count + whorl_ - 1) / whorl_, parent.number);
+    auto const scores = node_scores((count + whorl_ - 1) / whorl_, parent.number);
+    double const unevenness = next_unevenness(count, scores.size() + 1, extent);
+    double const spread = style_.spacing_deviation > 0
+        ? spread_for(scores, unevenness)
+        : std::sqrt(std::log1p(unevenness * unevenness));
+    auto const nodes = shares_of(scores, spread);
+    if (!scores.empty()) {
+        double const uneven = unevenness_of(nodes);
+        squares_left_
+            -= extent * extent / static_cast<double>(scores.size()) * (1 + uneven * uneven);
+    }
     std::vector<double> places;
     for (std::size_t i = 0; i < count; ++i)
         places.push_back(first + extent * nodes[i / whorl_]);

@@ -38,13 +38,16 @@ private:
     std::size_t next_count(std::size_t least);
     double next_first(double low);
     double next_extent(std::size_t count, double room);
-    std::vector<double> node_shares(std::size_t nodes, std::uint32_t parent) const;
+    double extent_factor() const;
+    double next_unevenness(std::size_t count, std::size_t nodes, double extent);
+    std::vector<double> node_scores(std::size_t nodes, std::uint32_t parent) const;
 
     BranchStyle style_;
     std::size_t whorl_;
     std::uint64_t seed_;
     double count_phase_ = 0; // Shares of a turn, at which sequences begin.
     double angle_phase_ = 0;
+    double extent_phase_ = 0;
     std::size_t counted_ = 0;
     std::size_t angled_ = 0;
     double bearing_ = 0; // What is left over from the parents before.
@@ -52,6 +55,7 @@ private:
     double first_left_ = 0;
     double angle_left_deg_ = 0;
     double extent_left_ = 0;
+    double squares_left_ = 0; // Of distances.
 };
 
 // For each of some places in ascending order one of others in ascending order, of which there are

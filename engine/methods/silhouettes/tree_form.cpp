@@ -27,6 +27,7 @@ Result<void> check_style(BranchStyle const& style)
         Range { "the unbranched share of a parent", style.unbranched, 0, 1 },
         Range { "the distance of branches", style.spacing, 0, 1 },
         Range { "the unevenness of distances", style.unevenness, 0, kMostUneven },
+        Range { "the deviation of distances", style.spacing_deviation, 0, 1 },
         Range { "the angle of the first branch", style.first_angle_deg, kLeastAngle_deg,
                 kMostAngle_deg },
         Range { "the angle of the last branch", style.last_angle_deg, kLeastAngle_deg,

@@ -19,6 +19,7 @@ struct StyleNames {
     char const* unbranched;
     char const* spacing;
     char const* unevenness;
+    char const* spacing_deviation;
     char const* first_angle_deg;
     char const* last_angle_deg;
     char const* angle_deviation_deg;
@@ -26,13 +27,13 @@ struct StyleNames {
 
 constexpr std::array<StyleNames, 3> kStyleNames { {
     { "trunk_children", "trunk_children_deviation", "trunk_bare", "trunk_unbranched",
-      "trunk_spacing", "trunk_unevenness", "trunk_first_angle_deg", "trunk_last_angle_deg",
-      "trunk_angle_deviation_deg" },
+      "trunk_spacing", "trunk_unevenness", "trunk_spacing_deviation", "trunk_first_angle_deg",
+      "trunk_last_angle_deg", "trunk_angle_deviation_deg" },
     { "branch_children", "branch_children_deviation", "branch_bare", "branch_unbranched",
-      "branch_spacing", "branch_unevenness", "branch_first_angle_deg", "branch_last_angle_deg",
-      "branch_angle_deviation_deg" },
+      "branch_spacing", "branch_unevenness", "branch_spacing_deviation", "branch_first_angle_deg",
+      "branch_last_angle_deg", "branch_angle_deviation_deg" },
     { "twig_children", "twig_children_deviation", "twig_bare", "twig_unbranched", "twig_spacing",
-      "twig_unevenness", "twig_first_angle_deg", "twig_last_angle_deg",
+      "twig_unevenness", "twig_spacing_deviation", "twig_first_angle_deg", "twig_last_angle_deg",
       "twig_angle_deviation_deg" },
 } };
 
@@ -45,6 +46,7 @@ void list(scene::Fields& fields, StyleNames const& names, BranchStyle& style)
     fields.sparse_field(names.unbranched, &style.unbranched);
     fields.sparse_field(names.spacing, &style.spacing);
     fields.sparse_field(names.unevenness, &style.unevenness);
+    fields.sparse_field(names.spacing_deviation, &style.spacing_deviation);
     fields.sparse_field(names.first_angle_deg, &style.first_angle_deg);
     fields.sparse_field(names.last_angle_deg, &style.last_angle_deg);
     fields.sparse_field(names.angle_deviation_deg, &style.angle_deviation_deg);

@@ -78,6 +78,7 @@ TEST(SilhouetteStyle, HasWhatAPlantHas)
     EXPECT_NEAR(level.style.unbranched, 0.2, 1e-9);
     EXPECT_NEAR(level.style.spacing, 0.2, 1e-9);
     EXPECT_NEAR(level.style.unevenness, 0, 1e-9);
+    EXPECT_NEAR(level.style.spacing_deviation, 0, 1e-9);
     EXPECT_NEAR(level.style.first_angle_deg, 70, 1e-6);
     EXPECT_NEAR(level.style.last_angle_deg, 50, 1e-6);
     EXPECT_NEAR(level.mean_angle_deg, 60, 1e-6);
@@ -158,6 +159,7 @@ void expect_near(MeasuredLevel const& given, MeasuredLevel const& wanted, std::s
     };
     expect(given.style.children, wanted.style.children, "number of children");
     expect(given.style.spacing, wanted.style.spacing, "spacing");
+    expect(given.style.spacing_deviation, wanted.style.spacing_deviation, "spacing's deviation");
     expect(given.mean_angle_deg, wanted.mean_angle_deg, "angle");
 }
 
