@@ -15,7 +15,7 @@ struct StandingChild {
     double length = 0;      // A share of the parent's.
 };
 
-// Those of an axis among the given ones, by their places from its base on. One that goes straight
+// An axis' children, whose ids are given, by their places from its base on. One that goes straight
 // on from its tip is the axis' continuation and counts as none, as does one without a length.
 std::vector<StandingChild> children_of(Plant const& plant, AxisId parent,
                                        std::span<AxisId const> ids);
