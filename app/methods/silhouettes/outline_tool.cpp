@@ -28,13 +28,15 @@ constexpr std::array<tools::OptionWord, 8> kWords { {
 } };
 
 // In the order of OutlineTool::Form: the usual one, then the ready ones.
-constexpr std::array<tools::OptionWord, 6> kFormWords { {
+constexpr std::array<tools::OptionWord, 8> kFormWords { {
     { "usual", "Usual" },
     { "oak", "Oak" },
     { "pine", "Pine" },
     { "willow", "Willow" },
     { "eucalyptus", "Eucalyptus" },
     { "fir", "Fir" },
+    { "poplar", "Poplar" },
+    { "fern", "Fern" },
 } };
 
 // In the order of OutlineTool::Branches.

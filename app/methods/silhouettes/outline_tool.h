@@ -12,7 +12,7 @@ struct OutlineTool {
     // Of trees that are begun, or of the active one when they are given to it. A ready form
     // (ready_form.h) says how branches stand and what leaves are like; a person who chooses one
     // chooses its numbers, too. The usual one leaves that of a tree as it is.
-    enum class Form { Usual, Oak, Pine, Willow, Eucalyptus, Fir } form = Form::Usual;
+    enum class Form { Usual, Oak, Pine, Willow, Eucalyptus, Fir, Poplar, Fern } form = Form::Usual;
     double levels = 2;
     double density = 1;
     double leaves = 24;

@@ -214,7 +214,8 @@ private:
         level.divergence_deg = is_paired ? turn_deg / 2 : turn_deg;
         level.divergence_sureness = std::abs(mean);
         if (level.node_size >= 2.5)
-            level.pattern = Pattern::Whorls;
+            level.pattern = Pattern::whorls_of(
+                std::min(static_cast<int>(std::lround(level.node_size)), kMostWhorl));
         else if (level.divergence_sureness < kSureOfTurn || (!is_paired && turn_deg < 100))
             level.pattern = Pattern::Even;
         else if (is_paired)

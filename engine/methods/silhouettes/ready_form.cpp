@@ -7,7 +7,7 @@ namespace tractus::silhouette {
 std::span<ReadyForm const> ready_forms()
 {
     using enum Pattern::Kind;
-    static constexpr std::array<ReadyForm, 5> kForms { {
+    static constexpr std::array<ReadyForm, 7> kForms { {
         { "oak", { .patterns = { Even, Even, Even }, .leaves = 36, .leaf_width = 0.55 } },
         { "pine",
           { .patterns = { Whorls, TwoRows, TwoRows },
@@ -27,6 +27,17 @@ std::span<ReadyForm const> ready_forms()
             .density = 1.5,
             .leaves = 120,
             .leaf_width = 0.25 } },
+        { "poplar", { .patterns = { Spiral, Spiral, Spiral }, .leaves = 30, .leaf_width = 0.9 } },
+        { "fern",
+          { .levels = 1,
+            .patterns = { TwoRows, TwoRows, TwoRows },
+            .styles = { { { .children = 56,
+                            .unbranched = 0.12,
+                            .spacing = 0.015,
+                            .first_angle_deg = 80,
+                            .last_angle_deg = 40 } } },
+            .leaves = 60,
+            .leaf_width = 0.35 } },
     } };
     return kForms;
 }

@@ -14,7 +14,7 @@ struct ReadyForm {
     TreeForm form {};
 };
 
-// Oak, pine, willow, eucalyptus, fir.
+// Oak, pine, willow, eucalyptus, fir, poplar, fern.
 std::span<ReadyForm const> ready_forms();
 
 } // namespace tractus::silhouette

@@ -263,9 +263,10 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
                         form = ready.form;
             },
             "How the tree's branches stand, how many there are, and its leaves, but for what other "
-            "options say: oak, pine, willow, eucalyptus or fir")
+            "options say: oak, pine, willow, eucalyptus, fir, poplar or fern")
         ->type_name("NAME")
-        ->check(options::one_of({ "oak", "pine", "willow", "eucalyptus", "fir" }));
+        ->check(
+            options::one_of({ "oak", "pine", "willow", "eucalyptus", "fir", "poplar", "fern" }));
     command
         .add_option("--style", arguments.style,
                     "Branches as they are measured on a plant, but for what other options say: one "

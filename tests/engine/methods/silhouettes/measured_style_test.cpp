@@ -106,7 +106,8 @@ TEST(SilhouetteStyle, KnowsPatterns)
     EXPECT_EQ(pattern_of_nodes(1, 180), Pattern::TwoRows);
     EXPECT_EQ(pattern_of_nodes(2, 90), Pattern::Decussate);
     EXPECT_EQ(pattern_of_nodes(2, 0), Pattern::Horizontal);
-    EXPECT_EQ(pattern_of_nodes(3, 60), Pattern::Whorls);
+    EXPECT_EQ(pattern_of_nodes(3, 60), Pattern::whorls_of(3));
+    EXPECT_EQ(pattern_of_nodes(5, 36), Pattern::whorls_of(5));
     EXPECT_EQ(pattern_of_nodes(1, 20), Pattern::Even) << "no pattern has such a turn";
 }
 
