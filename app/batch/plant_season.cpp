@@ -1,7 +1,7 @@
 #include "app/batch/plant_season.h"
 
+#include "app/methods/all_following.h"
 #include "app/methods/all_leaves.h"
-#include "engine/methods/silhouettes/nearest_style.h"
 
 #include <fmt/core.h>
 #include <set>
@@ -34,23 +34,20 @@ Result<std::vector<scene::Edit>> season_edits(scene::Scene const& scene,
 std::vector<scene::Edit> following_edits(scene::Scene const& scene,
                                          std::vector<scene::Edit> const& step)
 {
-    auto edits = silhouette::styles_that_follow(scene, step);
+    auto following = methods::edits_that_follow(scene, step);
+    if (!following.has_leaves || !scene.state.season)
+        return following.edits;
     auto all = step;
-    all.insert(all.end(), edits.begin(), edits.end());
-    auto const leaves = methods::edits_that_follow(scene, all);
-    edits.insert(edits.end(), leaves.begin(), leaves.end());
-    if (leaves.empty() || !scene.state.season)
-        return edits;
-    all.insert(all.end(), leaves.begin(), leaves.end());
+    all.insert(all.end(), following.edits.begin(), following.edits.end());
     auto const after = scene::apply_edits(scene, all);
     if (!after || !after->state.season)
-        return edits;
+        return following.edits;
     // Leaves that cannot be grown for the season keep their colour alone.
     if (auto const grown = season_edits(*after, after->state.season))
         for (auto const& edit : *grown)
             if (edit.get<scene::KeepLeaves>())
-                edits.push_back(edit);
-    return edits;
+                following.edits.push_back(edit);
+    return following.edits;
 }
 
 Result<scene::Scene> with_season(scene::Scene scene, std::optional<scene::Season> const& season)

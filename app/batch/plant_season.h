@@ -15,9 +15,8 @@ namespace tractus::batch {
 Result<std::vector<scene::Edit>> season_edits(scene::Scene const& scene,
                                               std::optional<scene::Season> const& season);
 
-// The edits that a step brings with it: trees that take the nearest one's style follow that
-// (nearest_style.h), and what wears a drawn leaf follows its drawing, as edits_that_follow() says,
-// in the document's season, too.
+// The edits that a step brings with it, as edits_that_follow() says; leaves that follow a drawing
+// do so in the document's season, too.
 std::vector<scene::Edit> following_edits(scene::Scene const& scene,
                                          std::vector<scene::Edit> const& step);
 

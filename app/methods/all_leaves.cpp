@@ -217,8 +217,8 @@ std::optional<Dressing> worn_leaves(scene::DocumentState const& state, scene::It
     return worn;
 }
 
-std::vector<scene::Edit> edits_that_follow(scene::Scene const& scene,
-                                           std::vector<scene::Edit> const& step)
+std::vector<scene::Edit> leaves_that_follow(scene::Scene const& scene,
+                                            std::vector<scene::Edit> const& step)
 {
     std::vector<scene::Edit> edits;
     if (drawn_and_worn(scene.state).empty())

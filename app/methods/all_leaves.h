@@ -74,8 +74,8 @@ std::optional<Dressing> worn_leaves(scene::DocumentState const& state, scene::It
 // grammar under its own name, and the leaves of it that are worn, as they would be were they put on
 // again. None where the lines are no leaf any more, or the leaf is gone: the plants keep what they
 // have.
-std::vector<scene::Edit> edits_that_follow(scene::Scene const& scene,
-                                           std::vector<scene::Edit> const& step);
+std::vector<scene::Edit> leaves_that_follow(scene::Scene const& scene,
+                                            std::vector<scene::Edit> const& step);
 
 // The text of the sheet of that name: from a grammar that the document keeps, else as make_input()
 // has it. Fails, as the user's fault, where the name orders none.
