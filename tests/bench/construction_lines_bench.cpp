@@ -1,6 +1,7 @@
 // From the pen's leaving the tablet after a construction line to the plant that follows it.
 #include "engine/methods/construction_lines/composed_model.h"
 #include "engine/methods/construction_lines/line_edits.h"
+#include "engine/methods/construction_lines/organ_edits.h"
 #include "engine/scene/scene.h"
 #include "tests/bench/report.h"
 
@@ -64,6 +65,26 @@ void follow_line(benchmark::State& state)
     follow(state, frond(static_cast<int>(state.range(0) / 2 - 1)));
 }
 BENCHMARK(follow_line)->ArgName("organs")->Arg(20)->Arg(100)->Arg(500)->Arg(1000);
+
+// Where leaves are drawn in three views. The goal is the same.
+void follow_line_with_drawn_leaves(benchmark::State& state)
+{
+    auto scene = frond(static_cast<int>(state.range(0) / 2 - 1));
+    auto const draw = [&](OrganView view, std::vector<Vec3> const& corners_mm) {
+        auto const& organs = active_pen_sketch(scene.state)->organs;
+        scene = scene::apply_edit(scene,
+                                  DrawOrgan { .plant = scene.state.active,
+                                              .organ = organs.empty() ? 0 : organs.front().id,
+                                              .view = view,
+                                              .stroke = stroke_along(corners_mm) })
+                    .value();
+    };
+    draw(OrganView::Side, { { 80, 0, 0 }, { 95, 20, 0 }, { 90, 40, 0 }, { 80, 60, 0 } });
+    draw(OrganView::Midrib, { { 80, 0, 0 }, { 100, 12, 0 }, { 120, 10, 0 }, { 140, 0, 0 } });
+    draw(OrganView::Section, { { 80, 8, 0 }, { 90, 0, 0 }, { 100, 8, 0 } });
+    follow(state, scene);
+}
+BENCHMARK(follow_line_with_drawn_leaves)->ArgName("organs")->Arg(500);
 
 // The goal is 100 ms at 10,000 organs, on one stem of ten layers here.
 void follow_line_of_ten_layers(benchmark::State& state)
