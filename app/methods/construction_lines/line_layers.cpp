@@ -46,8 +46,8 @@ Lines to_be_drawn(scene::BuiltPlant const& plant)
     return result;
 }
 
-template<typename Condition>
-Lines lines_where(scene::BuiltPlant const& plant, Condition const& is_shown)
+// Each line that `list` adds for the sketch of a plant on paper, where it is.
+template<typename List> Lines lines_on_paper(scene::BuiltPlant const& plant, List const& list)
 {
     Lines result;
     auto const* const sketch = lines::pen_sketch(*plant.drawn);
@@ -55,11 +55,21 @@ Lines lines_where(scene::BuiltPlant const& plant, Condition const& is_shown)
         return result;
     auto const sheet = lines::sheet_of(*plant.drawn, plant.placement.scale);
     auto const paper = *scene::paper_of(*plant.drawn);
-    for (auto const& line : sketch->lines)
-        if (is_shown(line))
-            if (auto points = shown(line, sheet, paper); points.size() > 1)
-                result.push_back(std::move(points));
+    list(*sketch, [&](lines::SketchLine const& line) {
+        if (auto points = shown(line, sheet, paper); points.size() > 1)
+            result.push_back(std::move(points));
+    });
     return result;
+}
+
+template<typename Condition>
+Lines lines_where(scene::BuiltPlant const& plant, Condition const& is_shown)
+{
+    return lines_on_paper(plant, [&](lines::PenSketch const& sketch, auto const& add) {
+        for (auto const& line : sketch.lines)
+            if (is_shown(line))
+                add(line);
+    });
 }
 
 // Stems that follow each other are told apart by colour.
@@ -77,22 +87,17 @@ Lines unsure_lines(scene::BuiltPlant const& plant)
     return lines_where(plant, [](lines::SketchLine const& line) { return line.role == Unsure; });
 }
 
-} // namespace
-
 // The lines of leaves where they were drawn.
-static Lines organ_lines(scene::BuiltPlant const& plant)
+Lines organ_lines(scene::BuiltPlant const& plant)
 {
-    Lines result;
-    auto const* const sketch = lines::pen_sketch(*plant.drawn);
-    if (!sketch || !plant.drawn->paper_mm)
-        return result;
-    auto const sheet = lines::sheet_of(*plant.drawn, plant.placement.scale);
-    auto const paper = *scene::paper_of(*plant.drawn);
-    for (auto const& organ : sketch->organs)
-        for (auto const& line : organ.lines)
-            result.push_back(shown(line.line, sheet, paper));
-    return result;
+    return lines_on_paper(plant, [](lines::PenSketch const& sketch, auto const& add) {
+        for (auto const& organ : sketch.organs)
+            for (auto const& line : organ.lines)
+                add(line.line);
+    });
 }
+
+} // namespace
 
 constexpr tools::Layer kStemLayer { .label = "drawn stem",
                                     .style = { .color = tools::LayerStyle::Color::Purple },
