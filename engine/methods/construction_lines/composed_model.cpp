@@ -214,7 +214,7 @@ std::string system_text(std::vector<SubModel> const& models, std::size_t number)
 
 } // namespace
 
-// Of several stems, whose layers bear leaves and surfaces.
+// The model of several stems, whose layers bear leaves and surfaces.
 static Result<LineModel> write_several(ComposedSketch const& sketch, std::string const& name)
 {
     for (auto const& organ : sketch.organs)

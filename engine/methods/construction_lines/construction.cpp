@@ -251,7 +251,7 @@ std::vector<int> nodes_of_layers(LineSketch const& sketch, std::vector<Inclinati
     return nodes;
 }
 
-// From below; empty where nothing differs.
+// What layers bear, from below; empty where nothing differs.
 std::vector<LayerOrgans> organs_of_layers(LineSketch const& sketch,
                                           std::vector<Inclination> const& lines)
 {

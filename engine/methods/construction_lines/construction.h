@@ -36,7 +36,7 @@ struct LineSketch {
     // What each layer bears, from below; what is said last counts for all layers above, too. Empty:
     // what the plant bears.
     std::vector<LayerOrgans> organs_per_layer {};
-    // In place of it, if not empty: what is borne between lines as nodes_above has them.
+    // What is borne between lines as nodes_above has them; counts in place of it if not empty.
     std::vector<LayerOrgans> organs_above {};
 };
 

@@ -143,7 +143,7 @@ W(<s>x, i, j<z>) : <any>
     --> /(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)<leaf>(a * func(<organs>5, x) + b * func(<organs>6, x)))
 )";
 
-// Of layers that bear leaves.
+// The rule of layers that bear leaves.
 constexpr std::string_view kLeaves = "Q(<s>z, h) : organ[z] == 0 --> ~l(LEN * h)\n<leaves>";
 
 // Each organ where sizes follow half-ellipses.
@@ -246,7 +246,7 @@ std::string whorl_rules(Pattern const& pattern, std::string_view of_each)
     return text + "\n" + std::string(of_each);
 }
 
-// Of one pattern, whose conditions are still to be filled in.
+// The rules of one pattern, whose conditions are still to be filled in.
 std::string pattern_rules(Pattern const& pattern, Pattern::Sizes sizes)
 {
     bool const is_linear = sizes == Pattern::Sizes::Linear;
@@ -273,7 +273,7 @@ void set_condition(std::string& rules, std::string const& condition)
     replace_all(rules, "<any>", condition.empty() ? "*" : condition);
 }
 
-// Of all patterns that layers have; what they read of the first one has names.
+// The rules of all patterns that layers have; what they read of the first one has names.
 std::string organ_rules(std::vector<Pattern> const& patterns, Pattern::Sizes sizes)
 {
     std::string text;

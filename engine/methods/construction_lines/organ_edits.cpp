@@ -21,7 +21,7 @@ constexpr std::size_t kMostOrgans = kMostSurfaces;
 constexpr std::array kViews { "side", "midrib", "section" };
 constexpr std::array kColors { "leaf", "white", "yellow", "pink", "violet", "red", "brown" };
 
-// With which the sketch gives a plant.
+// Refuses a sketch that gives no plant.
 Result<void> check_sketch(PenSketch const& sketch)
 {
     TRY(model_of(sketch));

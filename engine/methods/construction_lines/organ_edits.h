@@ -13,9 +13,9 @@ struct DrawOrgan {
     scene::ItemId plant = 0;
     scene::ItemId organ = 0; // 0: the line begins another one, as a side.
     OrganView view = OrganView::Side;
-    OrganColor color = OrganColor::Leaf; // From now on.
+    OrganColor color = OrganColor::Leaf; // The leaf has it from now on.
     Stroke stroke {};                    // World frame.
-    scene::ItemId id = 0;                // Of the line, and of the leaf that it begins.
+    scene::ItemId id = 0;                // The line's, and that of the leaf that it begins.
 };
 
 // Says what stands in a layer.
@@ -28,7 +28,7 @@ struct SetLayerOrgan {
     // If not 0: the organ is that plant's, as it is now, and 0 is the plant itself. It is taken as
     // another organ of this one.
     scene::ItemId of_plant = 0;
-    scene::ItemId id = 0; // Of an organ that is taken.
+    scene::ItemId id = 0; // An organ's that is taken.
 };
 
 } // namespace tractus::lines

@@ -23,7 +23,7 @@ char letter_of_surface(std::size_t number)
     return kLetters[number];
 }
 
-// Of the surfaces of layers; those of leaves follow.
+// The materials of layers' surfaces come first; those of leaves follow.
 std::size_t material_of_surface(std::size_t number)
 {
     return kLeafMaterial + 1 + number;
@@ -103,7 +103,7 @@ void put_leaf(LineModel& model, OrganSurface const& surface, char letter)
     model.functions[file] = surface_text(surface.patches);
 }
 
-// As wide as it is said by its length, and widest at two fifths of that.
+// A blade that is so wide by its length, and widest at two fifths of that.
 static std::vector<BezierPatch> blade_surface(double width)
 {
     constexpr double kLength_mm = 100;

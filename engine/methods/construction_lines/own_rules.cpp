@@ -71,7 +71,7 @@ void add_steps(std::vector<Value>& values, std::string_view text, std::size_t wo
     values.push_back({ std::string(kSteps), begin, behind_word(text, begin) });
 }
 
-// In their order.
+// The values in a text, in their order.
 std::vector<Value> values_in(std::string_view text)
 {
     std::vector<Value> values;

@@ -32,7 +32,7 @@ struct PenSketch {
     double scale = 0.1; // World millimetres per plant millimetre, where a line's size is 1.
     std::vector<SketchOrgan> organs {}; // What layers may bear, in the order in which they came.
     scene::ItemId organ = 0;            // Which of them the plant bears; 0: plain leaves.
-    // In place of the pattern's, whose numbers stay those of the sketch (own_rules.h).
+    // Rules in place of the pattern's, whose numbers stay those of the sketch (own_rules.h).
     std::optional<scene::SourceRules> rules {};
 };
 

@@ -46,8 +46,8 @@ struct SketchLine {
     // The surface's height where the depth is 0, that at which its stem begins, mm on the tablet.
     // No value: the line does not leave the sheet, or it is a stem.
     std::optional<double> level_mm {};
-    // In the layer whose nodes these are, in place of what the plant has: how organs stand, and
-    // which of the sketch's organs they are, 0 for plain leaves.
+    // How organs stand in the layer whose nodes these are, and which of the sketch's organs they
+    // are, 0 for plain leaves; no value: as on the rest of the plant.
     std::optional<Pattern> pattern {};
     std::optional<scene::ItemId> organ {};
 };

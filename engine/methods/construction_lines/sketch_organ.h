@@ -47,7 +47,7 @@ Result<SketchOrgan> with_organ_line(SketchOrgan organ, SketchOrgan::Line line);
 // upper side of both, however steep they lie. Fails like with_organ_line().
 Result<OrganViews> views_of(SketchOrgan const& organ);
 
-// Of a leaf.
+// The surface of a leaf, and its colour. Fails like with_organ_line().
 Result<OrganSurface> surface_of(SketchOrgan const& organ);
 
 } // namespace tractus::lines

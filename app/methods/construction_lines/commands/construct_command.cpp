@@ -74,7 +74,7 @@ tl::unexpected<Error> about(fs::path const& file, Error const& error)
     return fail(error.fault, fmt::format("{}: {}", file.string(), error.message));
 }
 
-// For this program and for cpfg.
+// The files are for this program and for cpfg.
 Result<void> write_model_files(fs::path const& base, lines::LineModel const& model)
 {
     for (auto const& [name, text] : model.functions)
