@@ -66,6 +66,8 @@ void StationView::show(station::Station const& station, document::Document const
         show_scene(snapshot);
     else if (snapshot->revision != shown_revision_)
         grow_plant(snapshot);
+    else
+        take_kept(snapshot);
     if (!is_drawing && std::exchange(is_outcome_proposed_, false))
         propose({}); // The stroke has changed nothing.
     show_drawn_glyph();
@@ -340,6 +342,17 @@ void StationView::grow_plant(std::shared_ptr<document::Snapshot const> const& sn
     shown_in_place_ = grown_scene_;
     skeleton_.set_scene(grown_scene_);
     preview(grown_scene_->growth);
+}
+
+// What differs in it is seen by nobody: the tips of a step's strokes are in the file now.
+void StationView::take_kept(std::shared_ptr<document::Snapshot const> const& snapshot)
+{
+    if (&snapshot->scene == grown_scene_.get())
+        return;
+    auto const before = std::exchange(grown_scene_, { snapshot, &snapshot->scene });
+    for (auto* const shown : { &shown_in_place_, &glyph_scene_ })
+        if (*shown == before)
+            *shown = grown_scene_;
 }
 
 void StationView::preview(scene::SetGrowth const& growth)

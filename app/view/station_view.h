@@ -129,6 +129,7 @@ private:
     void show_selecting(station::Station const& station, Inks inks);
     void show_skeleton(tools::ShownSkeleton::Touched const& touched = {});
     void grow_plant(std::shared_ptr<document::Snapshot const> const& snapshot);
+    void take_kept(std::shared_ptr<document::Snapshot const> const& snapshot);
 
     // On the heap, since a thread knows it.
     std::unique_ptr<PlantGrower> grower_ = std::make_unique<PlantGrower>();

@@ -47,7 +47,7 @@ struct Pattern {
 std::optional<Pattern> pattern_of(std::string_view word);
 char const* name_of(Pattern pattern);
 
-// The same for people: "whorls of 5", but of three just "whorls".
+// The pattern's name for people: "whorls of 5", but of three just "whorls".
 std::string describe(Pattern pattern);
 
 // A place on the unrolled parent: u from 0, its base, to 1; theta from 0 to below 360, 0 to the

@@ -76,7 +76,7 @@ struct Renamed {
     std::optional<InferredDrawing> inferred {};
 };
 
-// Those names, by the ones that they had before. Says in the later drawing of which branches its
+// The names of the later drawing, by those of the earlier one. Says in it of which branches its
 // lines are. A crown that is a leaf has the names that it would have without, and so must have the
 // earlier one. Fails like infer_skeleton().
 Result<Renamed> kept_names(InferredDrawing const& earlier, Drawing& after, SkeletonOptions options,

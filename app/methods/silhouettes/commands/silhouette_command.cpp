@@ -251,9 +251,8 @@ void add_leaf_options(CLI::App& command, SilhouetteArguments& arguments)
         ->check(options::number(0.01, 2));
 }
 
-void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
+void add_style_options(CLI::App& command, SilhouetteArguments& arguments)
 {
-    // Before its numbers, which change it.
     command
         .add_option_function<std::string>(
             "--form",
@@ -286,6 +285,10 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
         ->type_name("WHOM")
         ->default_str("none")
         ->check(options::one_of({ "siblings", "deeper", "none" }));
+}
+
+void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
+{
     command
         .add_option("--levels", arguments.form.levels,
                     "How often branches branch before twigs come")
@@ -325,6 +328,7 @@ void add_options(CLI::App& command, SilhouetteArguments& arguments)
                     "The folder for pictures and glTF, made if it is not there; or the tree alone, "
                     "as the file's ending says: .glb, .obj, .mtg or .png")
         ->type_name("OUTPUT");
+    add_style_options(command, arguments); // Before the form's numbers, which change it.
     add_form_options(command, arguments);
     add_leaf_options(command, arguments);
     command.add_option("--height", arguments.height_m, "Of the whole tree, metres")

@@ -82,7 +82,7 @@ TEST_F(BumpLeafTool, SiblingsTakeItAsTheyDoADrawnOne)
     EXPECT_EQ(leaves_on_trunk(), branches);
     EXPECT_EQ(axes(), scene().base->organs.size() + 1) << "nothing but leaves";
     ASSERT_EQ(tree().own_outlines.size(), 1u);
-    // The same outline, drawn.
+    // An outline that is drawn there does as much.
     document::Document drawn({}, document::Document::Working::AtOnce);
     for (auto const& stroke : { trunk_at(0), crown_around(0, 10) })
         drawn.draw({ stroke, OutlineTool {} });
