@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace tractus::lines {
 
@@ -216,9 +217,16 @@ Result<LayersRead> read_organs(json const& file, Pattern const& pattern)
     LayersRead result;
     if (!has_value(file, "organs"))
         return result;
-    auto const list = file["organs"].is_array() ? file["organs"] : json::array({ file["organs"] });
-    for (auto const& entry : list)
-        result.layers.push_back(TRY(read_layer(entry, pattern, result.organs)));
+    bool const is_list = file["organs"].is_array();
+    auto const list = is_list ? file["organs"] : json::array({ file["organs"] });
+    for (auto const& entry : list) {
+        auto layer = read_layer(entry, pattern, result.organs);
+        if (!layer && is_list)
+            return fail(layer.error().fault,
+                        fmt::format("organs of layer {}: {}", result.layers.size() + 1,
+                                    layer.error().message));
+        result.layers.push_back(TRY(std::move(layer)));
+    }
     return result;
 }
 

@@ -210,7 +210,7 @@ TEST_F(ConstructCommand, SaysWhichOrganIsWrong)
         return refusal(text.insert(1, "\"organs\":" + organs + ","));
     };
     EXPECT_NE(with(R"(["none.json"])").find("none.json"), std::string::npos);
-    EXPECT_EQ(with("[7]").substr(0, 24), "organs are no sketches: ");
+    EXPECT_EQ(with("[7]").substr(0, 43), "organs of layer 1: organs are no sketches: ");
     EXPECT_EQ(with(R"("wrong.json")").substr(0, 23), "it is an organ of itsel");
     std::ofstream(folder_ / "half.json") << R"({"pattern":"spiral","nodes_per_layer":[3]})";
     EXPECT_NE(with(R"([null,"half.json"])").find("half.json: the stem is missing"),

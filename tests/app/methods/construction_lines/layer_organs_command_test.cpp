@@ -80,17 +80,20 @@ TEST_F(LayerOrgansCommand, SaysWhatIsWrongWithALayer)
         foxglove(organs);
         return refusal(file_bytes(path("foxglove.json")));
     };
-    EXPECT_EQ(with(R"([{"pattern":"round"}])").substr(0, 17), "pattern is \"round");
-    EXPECT_EQ(with(R"([{"face":"left"}])"),
-              "face is no way to turn organs: give \"flat\", \"up\" or \"down\"\n");
+    EXPECT_EQ(with(R"([{"pattern":"round"}])").substr(0, 36),
+              "organs of layer 1: pattern is \"round");
+    EXPECT_EQ(
+        with(R"([null, {"face":"left"}])"),
+        "organs of layer 2: face is no way to turn organs: give \"flat\", \"up\" or \"down\"\n");
     EXPECT_EQ(with(R"([{"pattern":"spiral","size":3}])"),
-              "a layer of organs has no \"size\": give pattern, divergence, face, organ\n");
+              "organs of layer 1: a layer of organs has no \"size\": give pattern, divergence, "
+              "face, organ\n");
     EXPECT_EQ(with(R"({"left":[[0,0],[0,9]],"top":[]})"),
               "organ has no \"top\": give left, right, midrib, section, color\n");
     EXPECT_EQ(with(R"({"left":[[0,0],[0,9]],"right":[[2,0],[2,9]],"color":"red"})"),
               "color of the organ is no colour: give \"#rrggbb\", such as \"#c05080\"\n");
     EXPECT_EQ(with(R"([{"pattern":"spiral","divergence":400}])"),
-              "divergence is no angle: give degrees from -360 to 360\n");
+              "organs of layer 1: divergence is no angle: give degrees from -360 to 360\n");
 }
 
 } // namespace
