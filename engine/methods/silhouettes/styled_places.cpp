@@ -164,9 +164,9 @@ double StyledPlaces::next_unevenness(std::size_t count, std::size_t nodes, doubl
     return std::clamp(wanted, usual / kMostChanged, usual * kMostChanged);
 }
 
-// Scores of the distances from node to node. Wither 2009 takes normally distributed ones; these have a
-// logarithm that is, since they are as uneven as the style says without one that would have to be
-// cut off below 0.
+// Scores of the distances from node to node. Wither 2009 takes normally distributed ones; these
+// have a logarithm that is, since they are as uneven as the style says without one that would have
+// to be cut off below 0.
 std::vector<double> StyledPlaces::node_scores(std::size_t nodes, std::uint32_t parent) const
 {
     Random random({ .seed = seed_, .stream = kPlaceStream, .substream = parent });
