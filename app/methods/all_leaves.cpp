@@ -87,21 +87,6 @@ Result<std::vector<scene::Edit>> keeping_edits(scene::DocumentState const& state
     return edits;
 }
 
-// What becomes of the state by these edits; no value: they fail.
-std::optional<scene::DocumentState> state_after(scene::Scene const& scene,
-                                                std::vector<scene::Edit> const& edits)
-{
-    scene::SceneBuilder builder(scene, {});
-    auto state = scene.state;
-    for (auto const& edit : edits) {
-        auto next = scene::apply_edit(std::move(state), edit, builder);
-        if (!next)
-            return std::nullopt;
-        state = *std::move(next);
-    }
-    return state;
-}
-
 // The orders of leaves that plants wear which are drawn, by the drawn leaf.
 std::map<scene::ItemId, std::set<std::string>> drawn_and_worn(scene::DocumentState const& state)
 {
@@ -223,7 +208,8 @@ std::vector<scene::Edit> leaves_that_follow(scene::Scene const& scene,
     std::vector<scene::Edit> edits;
     if (drawn_and_worn(scene.state).empty())
         return edits;
-    auto const after = state_after(scene, step);
+    scene::SceneBuilder builder(scene, {});
+    auto const after = scene::apply_edits(scene.state, step, builder);
     if (!after)
         return edits; // Whoever makes the step says why.
     for (auto const& [leaf, names] : drawn_and_worn(*after)) {

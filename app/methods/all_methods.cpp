@@ -1,5 +1,6 @@
 #include "app/methods/all_methods.h"
 
+#include "app/methods/construction_lines/erase_line_tool.h"
 #include "app/methods/construction_lines/layer_nodes_tool.h"
 #include "app/methods/construction_lines/layer_organs_tool.h"
 #include "app/methods/construction_lines/line_layers.h"
@@ -39,6 +40,8 @@
 #include "app/tools/oversketch_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/smooth_tool.h"
+#include "engine/methods/construction_lines/bring_organ.h"
+#include "engine/methods/construction_lines/erase_line.h"
 #include "engine/methods/construction_lines/organ_edits.h"
 #include "engine/methods/leaves/leaf_sketch_edits.h"
 #include "engine/methods/sketch_lsystem/change_edits.h"
@@ -76,6 +79,7 @@ constexpr std::array kTools {
     &lines::LineRoleTool::kKind,
     &lines::LineOrganTool::kKind,
     &lines::LayerOrgansTool::kKind,
+    &lines::EraseLineTool::kKind,
     &leaf::LeafLineTool::kKind,
     &leaf::EraseLeafTool::kKind,
     &plants::ChoosePlantTool::kKind,
@@ -115,7 +119,8 @@ std::vector<scene::EditKind const*> edit_kinds()
                { &lines::AddLine::kKind, &lines::SetLayerNodes::kKind,
                  &lines::SetLinePattern::kKind, &lines::SetLineRole::kKind,
                  &lines::RedrawLine::kKind, &lines::BendStem::kKind, &lines::DrawOrgan::kKind,
-                 &lines::SetLayerOrgan::kKind });
+                 &lines::SetLayerOrgan::kKind, &lines::EraseLine::kKind,
+                 &lines::BringOrgan::kKind });
     all.insert(all.end(),
                { &leaf::AddLeafLine::kKind, &leaf::EraseLeafLine::kKind, &leaf::FormLeaf::kKind });
     return all;

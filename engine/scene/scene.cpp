@@ -58,14 +58,19 @@ std::vector<std::size_t> selected_associations(BuiltPlant const& plant)
     return numbers;
 }
 
+Result<DocumentState> apply_edits(DocumentState state, std::span<Edit const> edits,
+                                  SceneBuilder& builder)
+{
+    for (auto const& edit : edits)
+        state = TRY(apply_edit(std::move(state), edit, builder));
+    return state;
+}
+
 Result<Scene> apply_edits(Scene scene, std::span<Edit const> edits,
                           MakeLoadOptions const& load_options)
 {
     SceneBuilder builder(scene, load_options);
-    auto state = std::move(scene.state);
-    for (auto const& edit : edits)
-        state = TRY(apply_edit(std::move(state), edit, builder));
-    return builder.build(std::move(state));
+    return builder.build(TRY(apply_edits(std::move(scene.state), edits, builder)));
 }
 
 Result<Scene> apply_edit(Scene scene, Edit const& edit, MakeLoadOptions const& load_options)

@@ -72,6 +72,8 @@ std::vector<std::size_t> selected_associations(BuiltPlant const& plant);
 // is selected, an id or number that nothing has, or a value out of range. Builds no plant but for
 // edits of sessions before format 4: see SceneBuilder::active_base().
 Result<DocumentState> apply_edit(DocumentState state, Edit const& edit, SceneBuilder& builder);
+Result<DocumentState> apply_edits(DocumentState state, std::span<Edit const> edits,
+                                  SceneBuilder& builder);
 
 // The scene after one more edit, its plants built. Fails, too, for a model that does not compile or
 // derive, or not within its limits, and for lines that are no skeleton.

@@ -1,7 +1,7 @@
 #include "app/methods/construction_lines/layer_nodes_tool.h"
 
+#include "app/methods/construction_lines/erase_line_tool.h"
 #include "app/methods/construction_lines/touched_sketch.h"
-#include "app/tools/erase_tool.h"
 
 #include <array>
 #include <cmath>
@@ -59,7 +59,7 @@ constexpr tools::ToolKind LayerNodesTool::kKind {
     .surface = tools::Surface::Paper,
     .options = tools::options_type<LayerNodesTool, visit>(),
     .mean = set_nodes,
-    .other_end = { &tools::EraseTool::kKind },
+    .other_end = { &EraseLineTool::kKind },
 };
 
 } // namespace tractus::lines

@@ -1,8 +1,8 @@
 #include "app/methods/construction_lines/layer_organs_tool.h"
 
+#include "app/methods/construction_lines/erase_line_tool.h"
 #include "app/methods/construction_lines/line_pattern_tool.h"
 #include "app/methods/construction_lines/touched_sketch.h"
-#include "app/tools/erase_tool.h"
 #include "engine/methods/construction_lines/organ_edits.h"
 #include "engine/scene/paper.h"
 
@@ -144,7 +144,7 @@ constexpr tools::ToolKind LayerOrgansTool::kKind {
     .surface = tools::Surface::Paper,
     .options = tools::options_type<LayerOrgansTool, visit>(),
     .mean = change_layer,
-    .other_end = { &tools::EraseTool::kKind },
+    .other_end = { &EraseLineTool::kKind },
 };
 
 } // namespace tractus::lines

@@ -1,7 +1,8 @@
 #include "app/methods/construction_lines/line_organ_tool.h"
 
+#include "app/methods/construction_lines/erase_line_tool.h"
+#include "app/methods/construction_lines/line_previewer.h"
 #include "app/methods/construction_lines/touched_sketch.h"
-#include "app/tools/erase_tool.h"
 #include "engine/methods/construction_lines/organ_edits.h"
 
 #include <algorithm>
@@ -114,7 +115,8 @@ constexpr tools::ToolKind LineOrganTool::kKind {
     .options = tools::options_type<LineOrganTool, visit>(),
     .mean = draw_organ,
     .said = said_of_leaf,
-    .other_end = { &tools::EraseTool::kKind },
+    .previewer = line_previewer,
+    .other_end = { &EraseLineTool::kKind },
 };
 
 } // namespace tractus::lines

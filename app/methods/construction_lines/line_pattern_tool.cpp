@@ -1,7 +1,7 @@
 #include "app/methods/construction_lines/line_pattern_tool.h"
 
+#include "app/methods/construction_lines/erase_line_tool.h"
 #include "app/methods/construction_lines/touched_sketch.h"
-#include "app/tools/erase_tool.h"
 #include "engine/scene/write_rules.h"
 
 #include <array>
@@ -130,7 +130,7 @@ constexpr tools::ToolKind LinePatternTool::kKind {
     .options = tools::options_type<LinePatternTool, visit>(),
     .mean = set_next,
     .said = said,
-    .other_end = { &tools::EraseTool::kKind },
+    .other_end = { &EraseLineTool::kKind },
 };
 
 } // namespace tractus::lines

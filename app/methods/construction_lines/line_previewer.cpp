@@ -1,6 +1,7 @@
 #include "app/methods/construction_lines/line_previewer.h"
 
-#include "app/methods/construction_lines/line_tool.h"
+#include "app/tools/tool.h"
+#include "engine/methods/construction_lines/line_edits.h"
 #include "engine/scene/scene_builder.h"
 
 #include <algorithm>
@@ -23,6 +24,28 @@ tools::SkeletonLine line_through(std::vector<Vec3> const& points_mm, double widt
     return line;
 }
 
+// What of an organ is shown, in its frame: the sides and the midrib of a drawn leaf, of others the
+// way from foot to tip.
+std::vector<std::vector<Vec3>> lines_of(OrganShape const& shape)
+{
+    if (shape.patches.size() != static_cast<std::size_t>(kAlong * kAcross))
+        return { { Vec3::Zero(), Vec3(0, shape.length_mm, 0) } };
+    std::vector<std::vector<Vec3>> lines;
+    for (int const column : { 0, kAcross / 2, kAcross }) {
+        bool const is_last = column == kAcross;
+        std::vector<Vec3> line;
+        for (int row = 0; row < kAlong; ++row) {
+            auto const& patch = shape.patches[static_cast<std::size_t>(
+                row * kAcross + (is_last ? column - 1 : column))];
+            if (row == 0)
+                line.push_back(patch.at(0, is_last ? 1 : 0));
+            line.push_back(patch.at(1, is_last ? 1 : 0));
+        }
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
 std::vector<tools::SkeletonLine> skeleton_of(Plant const& plant, scene::DeskPlacement const& from,
                                              scene::DeskPlacement const& to)
 {
@@ -35,11 +58,16 @@ std::vector<tools::SkeletonLine> skeleton_of(Plant const& plant, scene::DeskPlac
     }
     for (auto const& organ : plant.organs) {
         constexpr double kSlender = 0.02;
-        double const length_mm
-            = plant.organ_shapes[organ.shape].length_mm * static_cast<double>(organ.scale.y());
-        Vec3 const tip_mm = organ.position_mm + organ.orientation * Vec3(0, length_mm, 0);
-        lines.push_back(
-            line_through({ organ.position_mm, tip_mm }, kSlender * length_mm, from, to));
+        auto const& shape = plant.organ_shapes[organ.shape];
+        double const width_mm = kSlender * shape.length_mm * static_cast<double>(organ.scale.y());
+        for (auto const& line : lines_of(shape)) {
+            std::vector<Vec3> points_mm;
+            for (auto const& point_mm : line)
+                points_mm.emplace_back(organ.position_mm
+                                       + organ.orientation
+                                           * organ.scale.cast<double>().cwiseProduct(point_mm));
+            lines.push_back(line_through(points_mm, width_mm, from, to));
+        }
     }
     return lines;
 }
@@ -48,11 +76,12 @@ class LinePreviewer final : public tools::StrokePreviewer {
 public:
     std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
     {
-        auto const edit = line_drawn(*stroke.tool.get<LineTool>(),
-                                     Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) },
-                                     *stroke.scene);
-        auto const state = scene::apply_edit(stroke.scene->state, edit, builder_);
-        if (!state)
+        auto const edits = stroke.tool.mean(
+            Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) }, *stroke.scene);
+        if (!edits)
+            return {};
+        auto const state = scene::apply_edits(stroke.scene->state, *edits, builder_);
+        if (!state || !active_pen_sketch(*state))
             return {};
         auto const& plant = *scene::active_plant(*state);
         auto sketch = *lines::pen_sketch(plant);
@@ -63,7 +92,7 @@ public:
             return {};
         return skeleton_of(
             built->plant,
-            { .scale = state->scale.value_or(edit.scale), .origin_mm = plant.stands_at_mm },
+            { .scale = state->scale.value_or(sketch.scale), .origin_mm = plant.stands_at_mm },
             stroke.scene->placement);
     }
 

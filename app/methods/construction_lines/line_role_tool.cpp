@@ -1,7 +1,7 @@
 #include "app/methods/construction_lines/line_role_tool.h"
 
+#include "app/methods/construction_lines/erase_line_tool.h"
 #include "app/methods/construction_lines/touched_sketch.h"
-#include "app/tools/erase_tool.h"
 
 #include <algorithm>
 #include <array>
@@ -56,7 +56,7 @@ constexpr tools::ToolKind LineRoleTool::kKind {
     .surface = tools::Surface::Paper,
     .options = tools::options_type<LineRoleTool, visit>(),
     .mean = set_role,
-    .other_end = { &tools::EraseTool::kKind },
+    .other_end = { &EraseLineTool::kKind },
 };
 
 } // namespace tractus::lines

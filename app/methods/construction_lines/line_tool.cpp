@@ -1,8 +1,8 @@
 #include "app/methods/construction_lines/line_tool.h"
 
+#include "app/methods/construction_lines/erase_line_tool.h"
 #include "app/methods/construction_lines/line_curves.h"
 #include "app/methods/construction_lines/line_previewer.h"
-#include "app/tools/erase_tool.h"
 #include "engine/scene/paper.h"
 
 #include <array>
@@ -115,7 +115,7 @@ constexpr tools::ToolKind LineTool::kKind {
     .mean = add_line,
     .said = said_of_sketch,
     .previewer = line_previewer,
-    .other_end = { &tools::EraseTool::kKind },
+    .other_end = { &EraseLineTool::kKind },
 };
 
 } // namespace tractus::lines

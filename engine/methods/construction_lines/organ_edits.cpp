@@ -21,13 +21,6 @@ constexpr std::size_t kMostOrgans = kMostSurfaces;
 constexpr std::array kViews { "side", "midrib", "section" };
 constexpr std::array kColors { "leaf", "white", "yellow", "pink", "violet", "red", "brown" };
 
-// Refuses a sketch that gives no plant.
-Result<void> check_sketch(PenSketch const& sketch)
-{
-    TRY(model_of(sketch));
-    return {};
-}
-
 Result<void> check_count(PenSketch const& sketch)
 {
     if (sketch.organs.size() < kMostOrgans)
@@ -47,25 +40,6 @@ void list(scene::Fields& fields, DrawOrgan& edit)
     fields.numbers(edit.stroke);
 }
 
-// Another leaf, and where it stands.
-Result<void> begin_organ(PenSketch& sketch, DrawOrgan const& edit, SketchOrgan::Line line)
-{
-    TRY(check_count(sketch));
-    if (edit.view != OrganView::Side)
-        return fail(Fault::User,
-                    "the leaf has no side yet: draw one of its edges from base to tip");
-    auto const id = line.line.id;
-    sketch.organs.push_back(
-        TRY(with_organ_line({ .id = id, .color = edit.color }, std::move(line))));
-    if (sketch.organs.size() == 1)
-        sketch.organ = id;
-    else {
-        auto const layers = TRY(layers_of(sketch));
-        TRY(find_layer(sketch, layers.back().line))->organ = id;
-    }
-    return {};
-}
-
 Result<scene::DocumentState> applied(scene::DocumentState state, DrawOrgan const& edit,
                                      scene::SceneBuilder&)
 {
@@ -76,7 +50,9 @@ Result<scene::DocumentState> applied(scene::DocumentState state, DrawOrgan const
     };
     auto& organs = found.sketch.organs;
     if (edit.organ == 0) {
-        TRY(begin_organ(found.sketch, edit, std::move(line)));
+        auto const id = line.line.id;
+        auto organ = TRY(with_organ_line({ .id = id, .color = edit.color }, std::move(line)));
+        found.sketch = TRY(with_organ(std::move(found.sketch), std::move(organ)));
     } else {
         auto const number = organ_number(found.sketch, edit.organ);
         if (number == 0 || organs[number - 1].sketch)
@@ -86,7 +62,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, DrawOrgan const
         organ = TRY(with_organ_line(std::move(organ), std::move(line)));
         organ.color = edit.color;
     }
-    TRY(check_sketch(found.sketch));
+    TRY(model_of(found.sketch));
     put_sketch(state, std::move(found));
     return state;
 }
@@ -164,7 +140,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, SetLayerOrgan c
         TRY(find_layer(sketch, edit.line))->organ = organ;
     }
     drop_unborne(sketch);
-    TRY(check_sketch(sketch));
+    TRY(model_of(sketch));
     put_sketch(state, std::move(found));
     return state;
 }
@@ -184,6 +160,21 @@ std::string described(SetLayerOrgan const& edit)
 }
 
 } // namespace
+
+Result<PenSketch> with_organ(PenSketch sketch, SketchOrgan organ)
+{
+    TRY(check_count(sketch));
+    auto const id = organ.id;
+    sketch.organs.push_back(std::move(organ));
+    if (sketch.organs.size() == 1)
+        sketch.organ = id;
+    else {
+        auto const layers = TRY(layers_of(sketch));
+        TRY(find_layer(sketch, layers.back().line))->organ = id;
+    }
+    TRY(model_of(sketch));
+    return sketch;
+}
 
 constexpr scene::EditKind DrawOrgan::kKind
     = scene::make_edit_kind<DrawOrgan, list, applied, described>("draw_line_organ");

@@ -5,6 +5,11 @@
 
 namespace tractus::lines {
 
+// The sketch with another organ. The first one is borne by the whole plant, and later ones by the
+// topmost layer of the stem in hand. Fails, as the user's fault, for too many, and for one with
+// which the sketch gives no plant.
+Result<PenSketch> with_organ(PenSketch sketch, SketchOrgan organ);
+
 // Draws a line of a leaf. A leaf that begins is borne by the whole plant if it is the first one,
 // and else by the topmost layer of the stem in hand.
 struct DrawOrgan {

@@ -127,11 +127,20 @@ Result<Sides> place_sides(OrganViews const& views)
     return sides;
 }
 
+OrganViews with_both(OrganViews views)
+{
+    if (views.left.empty())
+        views.left = mirrored(views.right);
+    if (views.right.empty())
+        views.right = mirrored(views.left);
+    return views;
+}
+
 Result<void> check_points(OrganViews const& views)
 {
     if (views.left.size() < 2 || views.right.size() < 2)
         return fail(Fault::User,
-                    "the organ has no two boundaries: give left and right, each of two points or "
+                    "the organ has no boundary: give left or right or both, each of two points or "
                     "more");
     if (views.midrib.size() == 1 || views.section.size() == 1)
         return fail(Fault::User,
@@ -148,8 +157,23 @@ Result<void> check_points(OrganViews const& views)
 
 } // namespace
 
-Result<std::vector<BezierPatch>> organ_surface(OrganViews const& views)
+std::vector<Vec2> mirrored(std::vector<Vec2> const& boundary)
 {
+    std::vector<Vec2> result;
+    if (boundary.empty())
+        return result;
+    Vec2 const base = boundary.front();
+    Vec2 const along = (boundary.back() - base).normalized();
+    for (auto const& point : boundary) {
+        Vec2 const from_base = point - base;
+        result.emplace_back(base + 2 * from_base.dot(along) * along - from_base);
+    }
+    return result;
+}
+
+Result<std::vector<BezierPatch>> organ_surface(OrganViews const& drawn)
+{
+    auto const views = with_both(drawn);
     TRY(check_points(views));
     auto const sides = TRY(place_sides(views));
     auto const midrib = TRY(heights_of(views.midrib, kAlong, "midrib"));

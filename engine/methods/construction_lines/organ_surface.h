@@ -12,7 +12,8 @@ namespace tractus::lines {
 // An organ as drawn in three views (2008, section 6; Figure 2 c), millimetres. Each line has at
 // least two points; a midrib or a section without any is straight.
 struct OrganViews {
-    // From above: the boundaries from the organ's base to its tip, (right, up) on the sheet.
+    // From above: the boundaries from the organ's base to its tip, (right, up) on the sheet. In
+    // place of one without points the other one's mirror image counts.
     std::vector<Vec2> left {};
     std::vector<Vec2> right {};
     // From the side: how high the midrib is, (along, height) from base to tip. Along never turns
@@ -21,6 +22,10 @@ struct OrganViews {
     // From the front: the section, (across, height) from left to right. Across never turns back.
     std::vector<Vec2> section {};
 };
+
+// A boundary's mirror image at the way from its first point to its last one: the other boundary of
+// an organ with only one. No points: none.
+std::vector<Vec2> mirrored(std::vector<Vec2> const& boundary);
 
 // An organ's surface and its colour, red, green and blue from 0 to 1; without one it has the
 // leaves'.

@@ -29,19 +29,6 @@ Vec2 middle(Line const& line)
     return sum / static_cast<double>(line.size());
 }
 
-// At the way from its first point to its last one.
-Line mirrored(Line const& line)
-{
-    Vec2 const base = line.front();
-    Vec2 const along = (line.back() - base).normalized();
-    Line result;
-    for (auto const& point : line) {
-        Vec2 const from_base = point - base;
-        result.emplace_back(base + 2 * from_base.dot(along) * along - from_base);
-    }
-    return result;
-}
-
 // How far the middle of a line is to the left of the way from base to tip.
 double leftwards(Line const& line, Vec2 const& base, Vec2 const& tip)
 {
@@ -68,7 +55,8 @@ Result<DrawnSides> sides_of(SketchOrgan const& organ)
     }
     auto& [first, second] = sides.lines;
     if (count == 0 || (first.back() - first.front()).norm() <= 0)
-        return fail(Fault::User, "the leaf has no side: draw one of its edges from base to tip");
+        return fail(Fault::User,
+                    "the leaf has no side yet: draw one of its edges from base to tip");
     if (count == 1)
         second = mirrored(first);
     return sides;
@@ -97,7 +85,26 @@ Result<Line> view_of(SketchOrgan const& organ, OrganView view)
     return points;
 }
 
-Vec3 rgb(OrganColor color)
+// The drawn line that another one of the same view is to replace: its number, or none.
+Result<std::ptrdiff_t> replaced_by(SketchOrgan const& organ, SketchOrgan::Line const& line)
+{
+    auto const points = TRY(flat_points(line.line));
+    auto const& lines = organ.lines;
+    auto const same = std::find_if(lines.begin(), lines.end(), [&](SketchOrgan::Line const& other) {
+        return other.view == line.view;
+    });
+    if (same == lines.end())
+        return -1;
+    if (line.view != OrganView::Side)
+        return same - lines.begin();
+    auto const sides = TRY(sides_of(organ));
+    auto const away = [&](Line const& side) { return (middle(side) - middle(points)).norm(); };
+    return sides.drawn[away(sides.lines[0]) <= away(sides.lines[1]) ? 0 : 1];
+}
+
+} // namespace
+
+Vec3 rgb_of(OrganColor color)
 {
     switch (color) {
     case OrganColor::White:
@@ -118,24 +125,14 @@ Vec3 rgb(OrganColor color)
     return { 0.26, 0.46, 0.16 };
 }
 
-// The drawn line that another one of the same view is to replace: its number, or none.
-Result<std::ptrdiff_t> replaced_by(SketchOrgan const& organ, SketchOrgan::Line const& line)
+OrganColor nearest_color(Vec3 const& rgb)
 {
-    auto const points = TRY(flat_points(line.line));
-    auto const& lines = organ.lines;
-    auto const same = std::find_if(lines.begin(), lines.end(), [&](SketchOrgan::Line const& other) {
-        return other.view == line.view;
+    using enum OrganColor;
+    constexpr std::array kColors { Leaf, White, Yellow, Pink, Violet, Red, Brown };
+    return *std::min_element(kColors.begin(), kColors.end(), [&](OrganColor one, OrganColor other) {
+        return (rgb_of(one) - rgb).norm() < (rgb_of(other) - rgb).norm();
     });
-    if (same == lines.end())
-        return -1;
-    if (line.view != OrganView::Side)
-        return same - lines.begin();
-    auto const sides = TRY(sides_of(organ));
-    auto const away = [&](Line const& side) { return (middle(side) - middle(points)).norm(); };
-    return sides.drawn[away(sides.lines[0]) <= away(sides.lines[1]) ? 0 : 1];
 }
-
-} // namespace
 
 Result<SketchOrgan> with_organ_line(SketchOrgan organ, SketchOrgan::Line line)
 {
@@ -175,7 +172,7 @@ Result<OrganSurface> surface_of(SketchOrgan const& organ)
                     "the leaf would have no breadth: draw its edge as a bow from base to tip");
     OrganSurface surface { .patches = TRY(organ_surface(views)) };
     if (organ.color != OrganColor::Leaf)
-        surface.color = rgb(organ.color);
+        surface.color = rgb_of(organ.color);
     return surface;
 }
 

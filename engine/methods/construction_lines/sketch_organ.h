@@ -22,6 +22,10 @@ enum class OrganView {
 // What colour a drawn leaf has.
 enum class OrganColor { Leaf, White, Yellow, Pink, Violet, Red, Brown };
 
+// Red, green and blue from 0 to 1, and of such a colour the nearest one.
+Vec3 rgb_of(OrganColor color);
+OrganColor nearest_color(Vec3 const& rgb);
+
 // What may stand in the place of plain leaves: a leaf as a pen drew it in three views, or the plant
 // of another sketch as it was when it was chosen.
 struct SketchOrgan {

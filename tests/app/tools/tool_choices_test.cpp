@@ -59,7 +59,7 @@ TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
               "layer, | It is an "
               "inclination*, Half of "
               "one, Left, Right, "
-              "Around, Stem, No line, | Leaf's edge, | Layer's organ, ");
+              "Around, Stem, No line, | Leaf's edge, | Layer's organ, Erase, ");
 }
 
 // A number is asked for in a panel: its button leaves the tool in hand as it is.

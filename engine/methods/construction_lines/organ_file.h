@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/base/vectors.h"
+#include "engine/methods/construction_lines/organ_surface.h"
+#include "engine/methods/construction_lines/sketch_organ.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tractus::lines {
+
+// A leaf in three views, as a file (.organ) holds it for other plants.
+struct OrganFile {
+    OrganViews views {};
+    std::optional<Vec3> color {}; // Red, green and blue from 0 to 1; no value: as leaves have it.
+};
+
+// "#rrggbb". Fails, as the user's fault, for other text.
+Result<Vec3> parse_color(std::string_view text);
+
+// Reads text of this form, millimetres as in OrganViews; what stands behind -- is for people:
+//
+//   tractus-organ 1
+//   color #c05080
+//   left 0 0  -6 20  0 40     -- from base to tip
+//   right 0 0  6 20  0 40
+//   midrib 0 0  20 8  40 0
+//   section 0 0  6 -1  12 0
+//
+// A line may be missing, but for one side. Fails, as the user's fault, with `name`, the number of
+// the line and what to write; and for views that give no surface.
+Result<OrganFile> parse_organ(std::string_view text, std::string const& name);
+
+// Such a text: read again it is the same leaf, to a thousandth of a millimetre.
+std::string print_organ(OrganFile const& organ);
+
+// What is kept of a drawn leaf: its base is at the origin. Fails like views_of().
+Result<OrganFile> organ_file(SketchOrgan const& organ);
+
+} // namespace tractus::lines
