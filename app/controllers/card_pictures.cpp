@@ -7,6 +7,7 @@
 #include "app/controllers/picture_files.h"
 #include "app/controllers/recent_drawings.h"
 #include "app/methods/all_leaves.h"
+#include "app/methods/all_organs.h"
 #include "app/render/read_picture.h"
 #include "engine/base/file.h"
 #include "engine/mesh/make_mesh.h"
@@ -132,8 +133,8 @@ std::optional<CardPictures::Made> CardPictures::take()
 CardPictures::Made CardPictures::make(fs::path const& file, std::stop_token const& stop)
 {
     Made made { file, nullptr };
-    bool const has_none_beside_it
-        = batch::is_session_file(file) || is_picture_file(file) || is_grammar(file);
+    bool const has_none_beside_it = batch::is_session_file(file) || is_picture_file(file)
+        || is_grammar(file) || methods::is_organ_file(file);
     auto image
         = has_none_beside_it ? std::nullopt : read_image(fs::path(file).replace_extension(".png"));
     auto const name = kept_name(file);
@@ -156,13 +157,22 @@ std::optional<render::Image> CardPictures::draw(fs::path const& file, std::stop_
     std::error_code error;
     if (fs::file_size(file, error) > kLargestFile_bytes || error || cannot_draw_)
         return std::nullopt;
+    if (methods::is_organ_file(file)) {
+        auto const leaf = methods::plant_of_organ(file);
+        return leaf ? draw(*leaf, stop) : std::nullopt;
+    }
     auto const scene = scene_of_plant(file, kinds_, { .max_seconds = kLongest_s });
     if (!scene || scene->plants.empty() || stop.stop_requested())
         return std::nullopt;
     auto const plant = batch::shown_plants(*scene);
     if (!plant || plant->segment_count() == 0 || stop.stop_requested())
         return std::nullopt;
-    auto const mesh = mesh::make_mesh(*plant, {}, stop);
+    return draw(*plant, stop);
+}
+
+std::optional<render::Image> CardPictures::draw(Plant const& plant, std::stop_token const& stop)
+{
+    auto const mesh = mesh::make_mesh(plant, {}, stop);
     if (stop.stop_requested())
         return std::nullopt;
     if (!drawing_) {

@@ -2,6 +2,7 @@
 
 #include "app/render/image.h"
 #include "engine/base/newest_job.h"
+#include "engine/plant/plant.h"
 #include "engine/scene/edit_kind.h"
 
 #include <deque>
@@ -51,6 +52,7 @@ private:
     Made make(std::filesystem::path const& file, std::stop_token const& stop);
     std::optional<render::Image> draw(std::filesystem::path const& file,
                                       std::stop_token const& stop);
+    std::optional<render::Image> draw(Plant const& plant, std::stop_token const& stop);
 
     scene::EditKinds kinds_;
     std::filesystem::path kept_in_;

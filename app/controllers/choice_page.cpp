@@ -3,6 +3,7 @@
 #include "app/controllers/drawing_name.h"
 #include "app/controllers/picture_files.h"
 #include "app/methods/all_leaves.h"
+#include "app/methods/all_organs.h"
 
 #include <algorithm>
 #include <deque>
@@ -53,27 +54,43 @@ Choices picture_choices(std::vector<fs::path> const& folders)
     return choices;
 }
 
+// A name for each: its number where there are several.
+static void add_drawn(Choices::Group& group, std::vector<LeavesInDocument::Drawn> const& drawn,
+                      char const* one, char const* of_many)
+{
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        group.choices.push_back(
+            { drawn.size() == 1 ? std::string(one) : fmt::format("{} {}", of_many, i + 1),
+              drawn[i].on_choice, drawn[i].file });
+}
+
 Choices leaf_choices(fs::path const& folder, LeavesInDocument const& document)
 {
-    auto const& drawn = document.drawn;
     Choices choices { .question = "Which leaves shall the plant have?" };
     auto& here = choices.groups.emplace_back();
     here.title = "In this drawing";
-    for (auto const& file : drawn)
-        here.choices.push_back({ drawn.size() == 1
-                                     ? std::string("Your leaf")
-                                     : fmt::format("Leaf {}", here.choices.size() + 1),
-                                 document.of_drawn, file });
+    add_drawn(here, document.drawn, "Your leaf", "Leaf");
+    add_drawn(here, document.in_views, "Your leaf in three views", "Leaf in three views");
     if (!document.kept.empty())
         here.choices.push_back({ "What it wears", "Kept in the drawing", document.kept });
     auto& own = choices.groups.emplace_back();
     own = { "The plant's own, and yours", { { "Its own", "As it was drawn or modelled", {} } } };
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error))
-        if (entry->path().extension() == ".leaf")
-            own.choices.push_back({ entry->path().stem().string(), {}, entry->path() });
+         entry.increment(error)) {
+        auto const& file = entry->path();
+        bool const is_in_views = methods::is_organ_file(file);
+        if (file.extension() == ".leaf" || (is_in_views && document.takes_views))
+            own.choices.push_back(
+                { file.stem().string(), is_in_views ? "In three views" : "", file });
+    }
     std::ranges::sort(own.choices, {}, &Choices::Choice::file); // None comes first.
+    if (document.takes_views) {
+        auto& in_views = choices.groups.emplace_back();
+        in_views.title = "In three views, for the pen to go on with";
+        for (auto const& [name, file] : methods::organ_kinds())
+            in_views.choices.push_back({ name_in_words(name), {}, file });
+    }
     auto& ours = choices.groups.emplace_back();
     ours.title = "Species";
     for (auto const& [name, grammar] : methods::leaf_kinds())

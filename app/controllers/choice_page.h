@@ -32,11 +32,17 @@ Choices picture_choices(std::vector<std::filesystem::path> const& folders);
 
 // Leaves that a plant may have: its own, those of our species, those of the grammars in the user's
 // folder, those that are drawn in the document, and what it wears that is none of them, by their
-// files.
+// files. Where it can bear leaves in three views: those of ours, of the user's and of the document,
+// too.
 struct LeavesInDocument {
-    std::vector<std::filesystem::path> drawn {};
-    std::string of_drawn {};       // What choosing one of these does.
-    std::filesystem::path kept {}; // Empty: nothing else is worn.
+    struct Drawn {
+        std::filesystem::path file {};
+        std::string on_choice {}; // What choosing it does.
+    };
+    std::vector<Drawn> drawn {};
+    std::vector<Drawn> in_views {}; // Those that are drawn in three views.
+    std::filesystem::path kept {};  // Empty: nothing else is worn.
+    bool takes_views = false;
 };
 Choices leaf_choices(std::filesystem::path const& folder, LeavesInDocument const& document = {});
 

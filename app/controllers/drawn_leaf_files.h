@@ -21,13 +21,22 @@ struct DrawnLeafFile {
 std::vector<DrawnLeafFile> write_drawn_leaves(scene::DocumentState const& state,
                                               std::filesystem::path const& folder);
 
-// Writes a grammar there likewise, such as one that only the document has.
-Result<std::filesystem::path> write_shown_leaf(std::string const& name, std::string const& grammar,
+// Writes the leaves that are drawn in three views for plants of a document there likewise.
+struct DrawnOrganFile {
+    scene::ItemId plant = 0; // Which bears it.
+    std::filesystem::path file {};
+};
+std::vector<DrawnOrganFile> write_drawn_organs(scene::DocumentState const& state,
                                                std::filesystem::path const& folder);
 
-// Keeps a grammar among a person's own, in a folder that is made if it is not there. Returns its
-// file: one that has this text already, else a new one, called like it or with a number behind.
-Result<std::filesystem::path> keep_leaf(std::filesystem::path const& grammar,
+// Writes the text of a leaf of this file name there likewise, such as a grammar that only the
+// document has.
+Result<std::filesystem::path> write_shown_leaf(std::string const& name, std::string const& text,
+                                               std::filesystem::path const& folder);
+
+// Keeps a leaf's file among a person's own, in a folder that is made if it is not there. Returns
+// its file: one that has this text already, else a new one, called like it or with a number behind.
+Result<std::filesystem::path> keep_leaf(std::filesystem::path const& leaf,
                                         std::filesystem::path const& folder);
 
 } // namespace tractus::controllers

@@ -142,6 +142,7 @@ private:
     void open_choices(ChoiceOf what, Choices choices);
     LeavesInDocument leaves_in_document();
     void keep_drawn_leaf(std::filesystem::path const& file);
+    bool brings_leaf(std::filesystem::path const& file);
     void open_leaf_page(std::filesystem::path const& file);
     void follow_choices();
     void follow_leaf_page();
@@ -168,12 +169,13 @@ private:
     station::Station station_;
     std::optional<StationController> controller_; // Of the drawing at hand; never without.
     LiveCards cards_;
-    std::unique_ptr<ChoicePage> choices_;        // Null before it is opened,
-    ChoiceOf choice_of_ = ChoiceOf::Picture;     // and of what it is.
-    std::vector<DrawnLeafFile> drawn_leaves_ {}; // The document's, among the choices,
-    std::filesystem::path kept_leaf_ {};         // as this one that it wears; may be empty.
-    std::unique_ptr<LeafPage> leaf_page_;        // Null before it is opened.
-    std::optional<io::FollowedModel> model_;     // Its file, where somebody may write it.
+    std::unique_ptr<ChoicePage> choices_;         // Null before it is opened,
+    ChoiceOf choice_of_ = ChoiceOf::Picture;      // and of what it is.
+    std::vector<DrawnLeafFile> drawn_leaves_ {};  // The document's, among the choices,
+    std::vector<DrawnOrganFile> drawn_organs_ {}; // as those in three views,
+    std::filesystem::path kept_leaf_ {};          // and this one that it wears; may be empty.
+    std::unique_ptr<LeafPage> leaf_page_;         // Null before it is opened.
+    std::optional<io::FollowedModel> model_;      // Its file, where somebody may write it.
     std::optional<devices::LiveRecorder> recorder_;
     std::optional<stream::StreamOutput> stream_; // No value: nobody wants to be told.
     std::vector<station::PenMoment> moments_;    // What the pen did and is not shown yet.

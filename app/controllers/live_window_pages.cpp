@@ -4,6 +4,7 @@
 #include "app/controllers/unnamed_session.h"
 #include "app/files/user_folder.h"
 #include "app/methods/all_leaves.h"
+#include "app/methods/all_organs.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -132,19 +133,35 @@ LeavesInDocument LiveWindow::leaves_in_document()
         = options_.cache.empty() ? std::filesystem::temp_directory_path(error) : options_.cache;
     auto const& state = scene().state;
     drawn_leaves_ = write_drawn_leaves(state, cache);
-    LeavesInDocument leaves { .of_drawn = is_drawn_leaf(scene(), state.active)
-                                  ? "Choosing it keeps it among yours"
-                                  : "The plant follows its drawing" };
+    drawn_organs_ = write_drawn_organs(state, cache);
+    LeavesInDocument leaves { .takes_views = methods::takes_organs(state) };
+    char const* const keeps = "Choosing it keeps it among yours";
     for (auto const& drawn : drawn_leaves_)
-        leaves.drawn.push_back(drawn.file);
+        leaves.drawn.push_back(
+            { drawn.file,
+              is_drawn_leaf(scene(), state.active) ? keeps : "The plant follows its drawing" });
+    for (auto const& drawn : drawn_organs_)
+        leaves.in_views.push_back(
+            { drawn.file, brings_leaf(drawn.file) ? "Of another plant, for this one" : keeps });
     kept_leaf_.clear();
     if (auto const worn = methods::worn_leaves(state, state.active))
         if (auto const kept = state.leaf_grammars.find(worn->leaves);
             kept != state.leaf_grammars.end())
-            if (auto const file = write_shown_leaf("worn-leaf", *kept->second, cache))
+            if (auto const file = write_shown_leaf("worn-leaf.leaf", *kept->second, cache))
                 kept_leaf_ = *file;
     leaves.kept = kept_leaf_;
     return leaves;
+}
+
+// Whether choosing a leaf in three views brings it to the active plant: not one of its own, nor
+// where that can bear none.
+bool LiveWindow::brings_leaf(std::filesystem::path const& file)
+{
+    auto const& state = scene().state;
+    return methods::takes_organs(state)
+        && std::ranges::none_of(drawn_organs_, [&](DrawnOrganFile const& drawn) {
+               return drawn.file == file && drawn.plant == state.active;
+           });
 }
 
 // Among the person's own, while no plant is chosen that could have it.
@@ -221,7 +238,10 @@ void LiveWindow::follow_choices()
         perform_kind(view::LayPictureFile { *file });
     else if (file->empty())
         perform_kind(view::DressActivePlant {});
-    else if (is_drawn && is_drawn_leaf(scene(), scene().state.active))
+    else if (methods::is_organ_file(*file) && brings_leaf(*file))
+        perform_kind(view::BringLeaf { *file });
+    else if (methods::is_organ_file(*file)
+             || (is_drawn && is_drawn_leaf(scene(), scene().state.active)))
         keep_drawn_leaf(*file);
     else
         open_leaf_page(*file);

@@ -52,6 +52,7 @@ private:
     void perform_kind(view::DragDrawnGlyph const&) { }
     void perform_kind(view::OpenLeaves const&) { }
     void perform_kind(view::DressActivePlant const&) { }
+    void perform_kind(view::BringLeaf const&) { }
     void perform_kind(view::NameDrawing const&) { } // It is a recording's.
     void perform_kind(view::SaveCopy const&) { }
     void perform_kind(view::WriteRules const&) { }

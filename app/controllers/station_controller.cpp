@@ -10,6 +10,7 @@
 #include "app/files/dated_path.h"
 #include "app/io/glb_size.h"
 #include "app/methods/all_leaves.h"
+#include "app/methods/all_organs.h"
 #include "app/session/session_copy.h"
 #include "app/view/orphans.h"
 #include "engine/base/file.h"
@@ -258,6 +259,19 @@ void StationController::perform(view::DressActivePlant const& command, station::
         return document::WantedStep::Change {
             std::move(edits), fmt::format("The plant has {}", leaves_in_words(wanted))
         };
+    };
+    document_->make({ change, document::WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
+void StationController::perform(view::BringLeaf const& command, station::Station& station)
+{
+    auto const change
+        = [file = command.file](scene::Scene const& scene) -> Result<document::WantedStep::Change> {
+        auto edits = TRY(methods::organ_edits(scene, file));
+        scene::SceneBuilder builder(scene, {});
+        auto const after = TRY(scene::apply_edits(scene.state, edits, builder));
+        return document::WantedStep::Change { std::move(edits), methods::said_of_organ(after) };
     };
     document_->make({ change, document::WantedStep::Of::Scene });
     show_document(station, now_);

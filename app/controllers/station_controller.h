@@ -75,6 +75,7 @@ public:
     void perform(view::LayPictureFile const& command, station::Station& station);
     void perform(view::DragDrawnGlyph const& command, station::Station& station);
     void perform(view::DressActivePlant const& command, station::Station& station);
+    void perform(view::BringLeaf const& command, station::Station& station);
 
     // What has been drawn with a tool follows other numbers (ToolKind::follow): is only shown so,
     // or does as a step, if anything does.

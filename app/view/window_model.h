@@ -345,6 +345,11 @@ struct DressActivePlant {
     std::optional<std::optional<scene::Season>> season {};
 };
 
+// Brings a leaf in three views to the active plant, as lines that the pen goes on with.
+struct BringLeaf {
+    std::filesystem::path file {}; // As of organ_edits() in app/methods/all_organs.h.
+};
+
 struct WatchDevices {
     bool watched = true; // Show DevicesView, and keep it new, some ten times a second.
 };
@@ -357,8 +362,8 @@ using WindowCommand
                    PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
                    OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
                    AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard, OpenPictures,
-                   LayPictureFile, DragDrawnGlyph, OpenLeaves, DressActivePlant, NameDrawing,
-                   SaveCopy, WriteRules>;
+                   LayPictureFile, DragDrawnGlyph, OpenLeaves, DressActivePlant, BringLeaf,
+                   NameDrawing, SaveCopy, WriteRules>;
 
 // Where a window's contents come from. Called from the window's thread only.
 class WindowModel {

@@ -1,5 +1,6 @@
 #include "app/methods/construction_lines/line_drawing.h"
 
+#include "app/methods/construction_lines/organ_library.h"
 #include "engine/methods/construction_lines/around_stem.h"
 #include "engine/methods/construction_lines/capture_line.h"
 #include "engine/methods/construction_lines/recognise_stems.h"
@@ -119,14 +120,21 @@ public:
                                    std::vector<MeasuredStem> const& stems);
 
 private:
-    Result<ComposedSketch> load_organ(fs::path const& path);
+    Result<ComposedSketch> load_sketch(fs::path const& path);
 
     Smoothing smoothing_;
     std::vector<std::string>& notes_;
     std::vector<fs::path> chain_ {}; // From the first sketch to the one that is read.
 };
 
-Result<ComposedSketch> Composer::load_organ(fs::path const& path)
+Result<OrganSurface> surface_of(OrganSource const& organ, fs::path const& folder)
+{
+    if (organ.file.empty())
+        return organ.surface;
+    return surface_of(TRY(load_named_organ(organ.file, folder)));
+}
+
+Result<ComposedSketch> Composer::load_sketch(fs::path const& path)
 {
     constexpr std::size_t kDeepest = 5;
     auto const about = [&](Error const& error) {
@@ -156,12 +164,17 @@ Result<ComposedSketch> Composer::compose(fs::path const& path, LineSketchFile co
                                          std::vector<MeasuredStem> const& stems)
 {
     chain_.push_back(path);
-    ComposedSketch sketch { .stems = stems, .pattern = file.pattern, .leaf = file.organ };
+    auto const folder = path.parent_path();
+    ComposedSketch sketch { .stems = stems,
+                            .pattern = file.pattern,
+                            .leaf = TRY(surface_of(file.organ, folder)) };
     for (auto const& organ : file.organs) {
-        LineOrgan loaded { .surface = organ.surface };
-        if (!organ.sketch.empty()) {
-            auto const other = (path.parent_path() / organ.sketch).lexically_normal();
-            loaded.sketch = std::make_shared<ComposedSketch const>(TRY(load_organ(other)));
+        LineOrgan loaded;
+        if (organ.file.empty() || names_organ(organ.file, folder)) {
+            loaded.surface = TRY(surface_of(organ, folder));
+        } else {
+            auto const other = (folder / organ.file).lexically_normal();
+            loaded.sketch = std::make_shared<ComposedSketch const>(TRY(load_sketch(other)));
         }
         sketch.organs.push_back(std::move(loaded));
     }

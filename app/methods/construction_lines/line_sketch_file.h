@@ -4,7 +4,6 @@
 #include "engine/base/result.h"
 #include "engine/methods/construction_lines/construction.h"
 #include "engine/methods/construction_lines/layer_organs.h"
-#include "engine/methods/construction_lines/organ_surface.h"
 #include "engine/methods/construction_lines/pattern.h"
 
 #include <cstddef>
@@ -30,7 +29,7 @@ struct LineSketchFile {
     Pattern pattern;
     std::vector<LayerOrgans> layers {};    // Of all stems: LineSketch::organs_per_layer.
     std::vector<OrganSource> organs {};    // In the order of their numbers.
-    OrganSurface organ {};                 // What its leaves look like; no patches: plain blades.
+    OrganSource organ {};                  // What its leaves look like; no patches: plain blades.
     std::vector<std::string> unknown_keys; // What else the file says.
 };
 
@@ -57,12 +56,14 @@ struct LineSketchFile {
 //                    distichous ones are flat and others up
 //   organs           ["leaf.json", null, {…}, …] or "leaf.json": what the organs of each layer are,
 //                    from below: plants of another sketch, the file's name from where this one is,
-//                    leaves, or an object as "organ" is; or an object of "pattern", "divergence",
+//                    leaves, or what "organ" may be; or an object of "pattern", "divergence",
 //                    "face" and "organ", each of which may be missing. What is said last counts for
 //                    all layers above, too
 //   organ            {"left": [[u, v], …], "right": …, "midrib": …, "section": …, "color": …}: the
 //                    shape of the leaves in three views (organ_surface.h), of which one side, the
-//                    midrib and the section may be missing, and their colour, "#rrggbb"
+//                    midrib and the section may be missing, and their colour, "#rrggbb"; or
+//                    "heart.organ", the name of a file that says the same (organ_file.h), from
+//                    where this one is; or "heart", one of ours
 //
 // What is given besides a file counts in place of what the file says.
 //

@@ -6,10 +6,12 @@
 
 namespace tractus::lines {
 
-// What stands in the leaves' place, as a sketch's file says it.
+// What stands in the leaves' place, as a sketch's file says it: another file, or a surface.
 struct OrganSource {
-    std::string sketch {};   // The name of another sketch's file, from where this one is. Empty:
-    OrganSurface surface {}; // a surface.
+    // The name of a file, from where the sketch's is: another sketch's, or that of a leaf in three
+    // views (.organ); or the name of one of our leaves. Empty: a surface.
+    std::string file {};
+    OrganSurface surface {};
 };
 
 } // namespace tractus::lines

@@ -1,6 +1,7 @@
 #include "app/methods/construction_lines/read_json_organs.h"
 
 #include "app/methods/construction_lines/read_json_lines.h"
+#include "engine/methods/construction_lines/organ_file.h"
 
 #include <algorithm>
 #include <array>
@@ -119,21 +120,6 @@ Result<void> check_keys(json const& object, Keys const& known, std::string_view 
     return {};
 }
 
-// "#rrggbb".
-Result<Vec3> read_color(json const& value)
-{
-    auto const text = value.is_string() ? value.get<std::string>() : "";
-    unsigned int number = 0;
-    auto const* const end = text.data() + text.size();
-    bool const is_color = text.size() == 7 && text.front() == '#'
-        && std::from_chars(text.data() + 1, end, number, 16).ptr == end;
-    if (!is_color)
-        return fail(Fault::User,
-                    "color of the organ is no colour: give \"#rrggbb\", such as \"#c05080\"");
-    auto const part = [&](int shift) { return ((number >> shift) & 0xff) / 255.0; };
-    return Vec3(part(16), part(8), part(0));
-}
-
 Result<OrganSurface> read_surface(json const& organ)
 {
     std::vector<std::string_view> keys(kViewKeys.begin(), kViewKeys.end());
@@ -147,11 +133,12 @@ Result<OrganSurface> read_surface(json const& organ)
                 read_flat_line(organ[kViewKeys[i]], fmt::format("{} of the organ", kViewKeys[i])));
     OrganSurface surface { .patches = TRY(organ_surface(views)) };
     if (has_value(organ, "color"))
-        surface.color = TRY(read_color(organ["color"]));
+        surface.color = TRY(parse_color(
+            organ["color"].is_string() ? organ["color"].get<std::string>() : std::string()));
     return surface;
 }
 
-// An organ of a layer: null, a sketch's file, or views.
+// An organ of a layer: null, a file, or views.
 Result<void> read_layer_organ(json const& organ, LayerOrgans& layer,
                               std::vector<OrganSource>& organs)
 {
@@ -163,12 +150,12 @@ Result<void> read_layer_organ(json const& organ, LayerOrgans& layer,
                     "below the file of a sketch, a leaf's views, or null for leaves");
     auto const file = organ.is_string() ? organ.get<std::string>() : "";
     auto const known = std::find_if(organs.begin(), organs.end(), [&](OrganSource const& other) {
-        return !file.empty() && other.sketch == file;
+        return !file.empty() && other.file == file;
     });
     layer.organ = static_cast<std::size_t>(known - organs.begin()) + 1;
     if (known != organs.end())
         return {};
-    organs.push_back({ .sketch = file });
+    organs.push_back({ .file = file });
     if (file.empty())
         organs.back().surface = TRY(read_surface(organ));
     return {};
@@ -230,16 +217,18 @@ Result<LayersRead> read_organs(json const& file, Pattern const& pattern)
     return result;
 }
 
-Result<OrganSurface> read_organ(json const& file)
+Result<OrganSource> read_organ(json const& file)
 {
     if (!has_value(file, "organ"))
-        return OrganSurface();
+        return OrganSource();
     auto const& organ = file["organ"];
+    if (organ.is_string())
+        return OrganSource { .file = organ.get<std::string>() };
     if (!organ.is_object())
         return fail(Fault::User,
                     "organ is no leaf's shape: write {\"left\": [[u, v], [u, v]], \"right\": …, "
-                    "\"midrib\": …, \"section\": …}");
-    return read_surface(organ);
+                    "\"midrib\": …, \"section\": …}, or the name of a file (.organ)");
+    return OrganSource { .surface = TRY(read_surface(organ)) };
 }
 
 } // namespace tractus::lines

@@ -3,7 +3,6 @@
 #include "app/methods/construction_lines/organ_source.h"
 #include "engine/base/result.h"
 #include "engine/methods/construction_lines/layer_organs.h"
-#include "engine/methods/construction_lines/organ_surface.h"
 #include "engine/methods/construction_lines/pattern.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -26,7 +25,8 @@ struct LayersRead {
 // From "organs", of a sketch with this pattern; nothing if it says nothing.
 Result<LayersRead> read_organs(nlohmann::json const& file, Pattern const& pattern);
 
-// From "organ"; no patches if it says nothing. Fails for views that give no surface, too.
-Result<OrganSurface> read_organ(nlohmann::json const& file);
+// From "organ"; neither file nor patches if it says nothing. Fails for views that give no surface,
+// too.
+Result<OrganSource> read_organ(nlohmann::json const& file);
 
 } // namespace tractus::lines

@@ -17,8 +17,10 @@ namespace tractus::lines {
 namespace {
 
 using Box = Eigen::AlignedBox2d;
-constexpr double kLongest_mm = 40; // A leaf on the tablet.
-constexpr double kGap_mm = 6;      // Between its lines.
+constexpr double kLongest_mm
+    = 32; // A leaf on the tablet, where there is little room beside a plant.
+constexpr double kBesideSize = 0.6; // Its midrib and section beside it, by its size.
+constexpr double kGap_mm = 4;       // Between its lines.
 
 // A leaf's lines on the tablet, its base at (0, 0), midrib and section to the right of it.
 struct Layout {
@@ -42,9 +44,10 @@ Layout laid_out(OrganFile const& organ)
     auto const add = [&](OrganView view, std::vector<Vec2> const& points, Vec2 const& begin_mm) {
         if (points.empty())
             return;
+        double const size = view == OrganView::Side ? scale : kBesideSize * scale;
         auto& line = layout.lines.emplace_back(view);
         for (auto const& point : points) {
-            line.points_mm.emplace_back(begin_mm + scale * (point - points.front()));
+            line.points_mm.emplace_back(begin_mm + size * (point - points.front()));
             layout.box.extend(line.points_mm.back());
         }
     };

@@ -127,10 +127,15 @@ Result<OrganFile> parse_organ(std::string_view text, std::string const& name)
         if (auto const read = read_line(words, organ); !read)
             return about(read.error().message);
     }
-    auto const surface = organ_surface(organ.views);
+    auto const surface = surface_of(organ);
     if (!surface)
         return fail(surface.error().fault, fmt::format("{}: {}", name, surface.error().message));
     return organ;
+}
+
+Result<OrganSurface> surface_of(OrganFile const& organ)
+{
+    return OrganSurface { .patches = TRY(organ_surface(organ.views)), .color = organ.color };
 }
 
 std::string print_organ(OrganFile const& organ)

@@ -33,6 +33,9 @@ Result<Vec3> parse_color(std::string_view text);
 // the line and what to write; and for views that give no surface.
 Result<OrganFile> parse_organ(std::string_view text, std::string const& name);
 
+// Fails like organ_surface().
+Result<OrganSurface> surface_of(OrganFile const& organ);
+
 // Such a text: read again it is the same leaf, to a thousandth of a millimetre.
 std::string print_organ(OrganFile const& organ);
 

@@ -96,5 +96,38 @@ TEST_F(LayerOrgansCommand, SaysWhatIsWrongWithALayer)
               "organs of layer 1: divergence is no angle: give degrees from -360 to 360\n");
 }
 
+// A leaf may be a file beside the sketch, or one of ours, for a layer or for all leaves.
+TEST_F(LayerOrgansCommand, ALeafIsAFileOrOneOfOurs)
+{
+    std::ofstream(folder_ / "mine.organ") << "tractus-organ 1\ncolor #a050a0\n"
+                                             "left 0 0  -9 4  -7 20\nright 0 0  9 4  7 20\n"
+                                             "section -9 8  0 0  9 8\n";
+    auto const of_views = text_of(foxglove(fmt::format("[null, {}]", kBell)));
+    auto const surface = file_bytes(path("made/foxglove_organ_1.s"));
+    EXPECT_EQ(text_of(foxglove(R"([null, "mine.organ"])")), of_views);
+    EXPECT_TRUE(file_bytes(path("made/foxglove_organ_1.s")) == surface);
+    text_of(foxglove(R"([null, "bell"])", R"(,"organ":"mine.organ")"));
+    EXPECT_FALSE(file_bytes(path("made/foxglove_organ_1.s")) == surface);
+    EXPECT_TRUE(file_bytes(path("made/foxglove_organ.s")) == surface);
+}
+
+TEST_F(LayerOrgansCommand, SaysWhichLeafIsNotThere)
+{
+    auto const said = [&](std::string const& organs, std::string const& more = "") {
+        auto const outcome
+            = commands::run({ "construct", foxglove(organs, more), "-o", path("out") });
+        EXPECT_EQ(outcome.exit_code, 1);
+        return outcome.err;
+    };
+    EXPECT_NE(said(R"([null, "hart"])")
+                  .find("there is no leaf in three views \"hart\": give the "
+                        "path of a file (.organ), or one of bell, heart"),
+              std::string::npos);
+    EXPECT_NE(said(R"([null, "none.organ"])").find("none.organ"), std::string::npos);
+    std::ofstream(folder_ / "odd.organ") << "tractus-organ 1\nleft 0 0\n";
+    EXPECT_NE(said("[null]", R"(,"organ":"odd.organ")").find("odd.organ:2: it has 2 numbers"),
+              std::string::npos);
+}
+
 } // namespace
 } // namespace tractus::lines
