@@ -1,11 +1,12 @@
 #include "app/render/read_picture.h"
 
+#include "engine/plant/png_pixels.h"
+
 #include <cstdint>
 #include <fmt/core.h>
 #include <libexif/exif-data.h>
 #include <limits>
 #include <memory>
-#include <png.h>
 #include <turbojpeg.h>
 #include <utility>
 
@@ -53,18 +54,7 @@ Image upright(Image picture, int orientation)
 
 static_assert(sizeof(Color) == 4); // As both libraries write it.
 
-Result<void> check_size(std::int64_t width, std::int64_t height)
-{
-    constexpr std::int64_t kMostPixels = 100'000'000;
-    if (width < 1 || height < 1)
-        return fail(Fault::User, "the picture has no pixels");
-    if (height <= kMostPixels / width)
-        return {};
-    return fail(Fault::User,
-                fmt::format("the picture has {} x {} pixels, more than 100 million: "
-                            "make it smaller",
-                            width, height));
-}
+constexpr std::int64_t kMostPixels = 100'000'000;
 
 auto fail_damaged(char const* why)
 {
@@ -73,16 +63,11 @@ auto fail_damaged(char const* why)
 
 Result<Image> read_png(std::string_view bytes)
 {
-    png_image png {};
-    png.version = PNG_IMAGE_VERSION;
-    std::unique_ptr<png_image, void (*)(png_image*)> const freed(&png, png_image_free);
-    if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
-        return fail_damaged(png.message);
-    TRY(check_size(png.width, png.height));
-    png.format = PNG_FORMAT_RGBA;
-    Image image(static_cast<int>(png.width), static_cast<int>(png.height));
-    if (png_image_finish_read(&png, nullptr, image.pixels().data(), 0, nullptr) == 0)
-        return fail_damaged(png.message);
+    Image image;
+    TRY(read_png_pixels(bytes, kMostPixels, [&](int width, int height) {
+        image = Image(width, height);
+        return reinterpret_cast<std::uint8_t*>(image.pixels().data());
+    }));
     return image;
 }
 
@@ -99,7 +84,7 @@ Result<Image> read_jpeg(std::string_view bytes)
                             &colors)
         != 0)
         return fail_damaged(tjGetErrorStr2(decoder.get()));
-    TRY(check_size(width, height));
+    TRY(check_picture_size(width, height, kMostPixels));
     Image image(width, height);
     auto* const pixels = reinterpret_cast<unsigned char*>(image.pixels().data());
     if (tjDecompress2(decoder.get(), data, bytes.size(), pixels, width, 0, height, TJPF_RGBA,

@@ -43,8 +43,11 @@ static void place_in_picture(OrganShape const& shape, TriangleMesh& card)
 TriangleMesh make_prototype(Plant const& plant, OrganShapeId id, MeshOptions const& options)
 {
     auto const& shape = plant.organ_shapes[id];
-    auto full = organ_mesh(shape, options.subdivision);
-    auto const kind = plant.materials[shape.material].kind;
+    auto const& material = plant.materials[shape.material];
+    // Pictures of the usual kind are for the box.
+    auto const lies = material.textures.base_color ? TextureLies::OnPatches : TextureLies::OnBox;
+    auto full = organ_mesh(shape, options.subdivision, lies);
+    auto const kind = material.kind;
     bool const is_thin = kind == Material::Kind::Leaf || kind == Material::Kind::Petal;
     if (options.organs == MeshOptions::Organs::Full || !is_thin || full.indices.empty())
         return full;

@@ -1,7 +1,5 @@
 #include "engine/mesh/organ_mesh.h"
 
-#include "engine/mesh/surface_mesh.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -287,10 +285,10 @@ void add_ball(TriangleMesh& mesh, OrganShape const& shape)
 
 } // namespace
 
-TriangleMesh organ_mesh(OrganShape const& shape, int subdivision)
+TriangleMesh organ_mesh(OrganShape const& shape, int subdivision, TextureLies lies)
 {
     if (shape.kind == OrganShape::Kind::Surface)
-        return surface_mesh(shape, subdivision);
+        return surface_mesh(shape, subdivision, lies);
     TriangleMesh mesh;
     mesh.material = shape.material;
     if (!(shape.length_mm > 0) || !(shape.width_mm > 0))

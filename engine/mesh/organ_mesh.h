@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/mesh/mesh.h"
+#include "engine/mesh/surface_mesh.h"
 #include "engine/plant/organ_shape.h"
 
 namespace tractus::mesh {
@@ -16,9 +17,10 @@ namespace tractus::mesh {
 // Leaf: the triangles of its cut, as long as `length_mm` before they are bent; `width_mm` and
 //        `petiole_mm` are not looked at. Texture coordinates are places in the picture.
 //
-// Surface: see surface_mesh.h; `subdivision` as in MeshOptions.
+// Surface: see surface_mesh.h, of which `lies` is; `subdivision` as in MeshOptions.
 //
 // Lengths below 0 count as 0; an organ without length or width has no triangles.
-TriangleMesh organ_mesh(OrganShape const& shape, int subdivision = 4);
+TriangleMesh organ_mesh(OrganShape const& shape, int subdivision = 4,
+                        TextureLies lies = TextureLies::OnBox);
 
 } // namespace tractus::mesh

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace tractus::mesh {
 namespace {
@@ -139,11 +142,95 @@ void join_seams(OrganShape const& shape, Grid& grid, double size)
             grid.normals[i] = normals[i] / length;
 }
 
+// Patches side by side in rows: which place each has.
+struct PatchRows {
+    struct Place {
+        int row = 0;
+        int column = 0;
+    };
+    std::vector<Place> places; // By patch.
+    int rows = 0;
+    int columns = 0;
+};
+
+// No value where rows have different lengths, meet their own beginning, or leave patches out.
+std::optional<PatchRows> rows_of(std::vector<BezierPatch> const& patches)
+{
+    constexpr auto kNone = BezierPatch::kNoPatch;
+    auto const first = std::find_if(patches.begin(), patches.end(), [](BezierPatch const& patch) {
+        return patch.neighbors[BezierPatch::Above] == kNone
+            && patch.neighbors[BezierPatch::Left] == kNone;
+    });
+    if (first == patches.end())
+        return std::nullopt;
+    PatchRows result { .places = std::vector<PatchRows::Place>(patches.size()) };
+    std::vector<bool> is_placed(patches.size(), false);
+    std::size_t count = 0;
+    for (auto begin = static_cast<std::uint16_t>(first - patches.begin()); begin != kNone;
+         begin = patches[begin].neighbors[BezierPatch::Below], ++result.rows) {
+        int column = 0;
+        for (auto at = begin; at != kNone; at = patches[at].neighbors[BezierPatch::Right]) {
+            if (is_placed[at])
+                return std::nullopt;
+            is_placed[at] = true;
+            result.places[at] = { result.rows, column++ };
+            ++count;
+        }
+        if (result.rows > 0 && column != result.columns)
+            return std::nullopt;
+        result.columns = column;
+    }
+    return count == patches.size() ? std::optional(std::move(result)) : std::nullopt;
+}
+
+// Where on the whole surface a vertex is: (u, v).
+class PatchTexture {
+public:
+    PatchTexture(std::vector<BezierPatch> const& patches, PatchRows rows, int strips)
+        : rows_(std::move(rows))
+        , strips_(strips)
+    {
+        Vec3 down = Vec3::Zero(); // Along s, over all patches.
+        Vec3 right = Vec3::Zero();
+        for (auto const& patch : patches)
+            for (std::size_t k = 0; k < 4; ++k) {
+                down += patch.control[12 + k] - patch.control[k];
+                right += patch.control[4 * k + 3] - patch.control[4 * k];
+            }
+        is_turned_ = std::fabs(down.y()) < std::fabs(right.y());
+        is_u_back_ = (is_turned_ ? down : right).x() < 0;
+        is_v_back_ = (is_turned_ ? right : down).y() < 0;
+    }
+
+    Vec2f at(std::size_t vertex) const
+    {
+        auto const width = static_cast<std::size_t>(strips_) + 1;
+        auto const& place = rows_.places[vertex / (width * width)];
+        auto const share = [&](int patch, std::size_t strip, int count) {
+            return (patch + static_cast<double>(strip) / strips_) / count;
+        };
+        double v = share(place.row, vertex / width % width, rows_.rows);
+        double u = share(place.column, vertex % width, rows_.columns);
+        if (is_turned_)
+            std::swap(u, v);
+        return Vec2(is_u_back_ ? 1 - u : u, is_v_back_ ? 1 - v : v).cast<float>();
+    }
+
+private:
+    PatchRows rows_;
+    int strips_ = 1;
+    bool is_turned_ = false; // Rows of patches go along the organ.
+    bool is_u_back_ = false;
+    bool is_v_back_ = false;
+};
+
 class SurfaceWriter {
 public:
-    SurfaceWriter(Grid const& grid, Eigen::AlignedBox3d const& box, TriangleMesh& mesh)
+    SurfaceWriter(Grid const& grid, Eigen::AlignedBox3d const& box,
+                  std::optional<PatchTexture> texture, TriangleMesh& mesh)
         : grid_(grid)
         , box_(box)
+        , texture_(std::move(texture))
         , mesh_(mesh)
         , index_(grid.positions.size(), kUnwritten)
     {
@@ -178,7 +265,8 @@ private:
             mesh_.positions_mm.push_back(position.cast<float>());
             mesh_.normals.push_back(
                 (is_back ? Vec3(-grid_.normals[root]) : grid_.normals[root]).cast<float>());
-            mesh_.texture_coordinates.push_back(share.head<2>().cast<float>());
+            mesh_.texture_coordinates.push_back(texture_ ? texture_->at(root)
+                                                         : share.head<2>().cast<float>());
         }
         return index_[root];
     }
@@ -196,13 +284,14 @@ private:
 
     Grid const& grid_;
     Eigen::AlignedBox3d const& box_;
+    std::optional<PatchTexture> texture_;
     TriangleMesh& mesh_;
     std::vector<std::uint32_t> index_; // Indices in the mesh, by root vertex.
 };
 
 } // namespace
 
-TriangleMesh surface_mesh(OrganShape const& shape, int subdivision)
+TriangleMesh surface_mesh(OrganShape const& shape, int subdivision, TextureLies lies)
 {
     TriangleMesh mesh;
     mesh.material = shape.material;
@@ -212,7 +301,11 @@ TriangleMesh surface_mesh(OrganShape const& shape, int subdivision)
         return mesh;
     auto grid = sample(shape, strip_count(shape, size, subdivision), size);
     join_seams(shape, grid, size);
-    SurfaceWriter writer(grid, box, mesh);
+    std::optional<PatchTexture> texture;
+    if (lies == TextureLies::OnPatches)
+        if (auto rows = rows_of(shape.patches))
+            texture.emplace(shape.patches, *std::move(rows), grid.strips);
+    SurfaceWriter writer(grid, box, std::move(texture), mesh);
     writer.write(shape.patches.size(), false);
     if (shape.has_back)
         writer.write(shape.patches.size(), true);

@@ -4,6 +4,7 @@
 #include "app/methods/construction_lines/read_json_organs.h"
 #include "app/svg/svg_sketch.h"
 #include "engine/base/file.h"
+#include "engine/lsystem/view/view_texture.h"
 #include "engine/methods/construction_lines/around_stem.h"
 
 #include <algorithm>
@@ -205,7 +206,7 @@ std::vector<std::string> unknown_keys(json const& file)
     return result;
 }
 
-Result<LineSketchFile> read_sketch(json const& file)
+Result<LineSketchFile> read_sketch(json const& file, PictureReader const& pictures)
 {
     if (!file.is_object())
         return fail(Fault::User,
@@ -220,10 +221,10 @@ Result<LineSketchFile> read_sketch(json const& file)
     TRY(read_strokes(file, result));
     TRY(std::move(nodes));
     TRY(read_stems(file, result));
-    auto organs = TRY(read_organs(file, result.pattern));
+    auto organs = TRY(read_organs(file, result.pattern, pictures));
     result.layers = std::move(organs.layers);
     result.organs = std::move(organs.organs);
-    result.organ = TRY(read_organ(file));
+    result.organ = TRY(read_organ(file, pictures));
     return result;
 }
 
@@ -257,6 +258,10 @@ Result<json> parse_json(std::string_view text, std::string const& name)
 Result<LineSketchFile> read_file_sketch(Result<json> file, std::string const& name,
                                         GivenBesides const& given)
 {
+    auto const pictures = [&](std::string const& picture) {
+        return read_file(std::filesystem::path(name).parent_path() / picture,
+                         lsystem::kMostTextureBytes);
+    };
     if (file && file->is_object()) {
         if (!given.pattern.empty())
             (*file)["pattern"] = given.pattern;
@@ -267,7 +272,7 @@ Result<LineSketchFile> read_file_sketch(Result<json> file, std::string const& na
         if (!given.nodes_per_layer.empty())
             (*file)["nodes_per_layer"] = given.nodes_per_layer;
     }
-    auto result = read_sketch(TRY(std::move(file)));
+    auto result = read_sketch(TRY(std::move(file)), pictures);
     if (!result)
         return fail(result.error().fault, fmt::format("{}: {}", name, result.error().message));
     return result;

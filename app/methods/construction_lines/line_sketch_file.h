@@ -59,11 +59,13 @@ struct LineSketchFile {
 //                    leaves, or what "organ" may be; or an object of "pattern", "divergence",
 //                    "face" and "organ", each of which may be missing. What is said last counts for
 //                    all layers above, too
-//   organ            {"left": [[u, v], …], "right": …, "midrib": …, "section": …, "color": …}: the
-//                    shape of the leaves in three views (organ_surface.h), of which one side, the
-//                    midrib and the section may be missing, and their colour, "#rrggbb"; or
-//                    "heart.organ", the name of a file that says the same (organ_file.h), from
-//                    where this one is; or "heart", one of ours
+//   organ            {"left": [[u, v], …], "right": …, "midrib": …, "section": …, "color": …,
+//                    "texture": …}: the shape of the leaves in three views (organ_surface.h), of
+//                    which one side, the midrib and the section may be missing, their colour,
+//                    "#rrggbb", and in its place a picture, "petal.png", a PNG file from where
+//                    this one is; or "heart.organ", the name of a file that says the same
+//                    (organ_file.h) but for a picture, from where this one is; or "heart", one of
+//                    ours
 //
 // What is given besides a file counts in place of what the file says.
 //

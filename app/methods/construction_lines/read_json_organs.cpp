@@ -1,6 +1,7 @@
 #include "app/methods/construction_lines/read_json_organs.h"
 
 #include "app/methods/construction_lines/read_json_lines.h"
+#include "engine/lsystem/view/view_texture.h"
 #include "engine/methods/construction_lines/organ_file.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -120,10 +122,33 @@ Result<void> check_keys(json const& object, Keys const& known, std::string_view 
     return {};
 }
 
-Result<OrganSurface> read_surface(json const& organ)
+// A file that lies beside the sketch, checked: a model that has it is read without it, too.
+Result<std::shared_ptr<std::string const>> read_texture(json const& value,
+                                                        PictureReader const& pictures)
+{
+    if (!value.is_string())
+        return fail(Fault::User,
+                    "texture of the organ is no file: give the name of a PNG picture beside the "
+                    "sketch, such as \"petal.png\"");
+    auto const name = value.get<std::string>();
+    auto const about = [&](Error const& error) {
+        return fail(
+            error.fault,
+            fmt::format("texture \"{}\" of the organ: {}", name.substr(0, 80), error.message));
+    };
+    auto png = pictures(name);
+    if (!png)
+        return about(png.error());
+    Material shown;
+    if (auto const put = lsystem::put_texture(shown, *png); !put)
+        return about(put.error());
+    return std::make_shared<std::string const>(*std::move(png));
+}
+
+Result<OrganSurface> read_surface(json const& organ, PictureReader const& pictures)
 {
     std::vector<std::string_view> keys(kViewKeys.begin(), kViewKeys.end());
-    keys.emplace_back("color");
+    keys.insert(keys.end(), { "color", "texture" });
     TRY(check_keys(organ, keys, "organ"));
     OrganViews views;
     std::array const lines { &views.left, &views.right, &views.midrib, &views.section };
@@ -135,12 +160,14 @@ Result<OrganSurface> read_surface(json const& organ)
     if (has_value(organ, "color"))
         surface.color = TRY(parse_color(
             organ["color"].is_string() ? organ["color"].get<std::string>() : std::string()));
+    if (has_value(organ, "texture"))
+        surface.picture = TRY(read_texture(organ["texture"], pictures));
     return surface;
 }
 
 // An organ of a layer: null, a file, or views.
 Result<void> read_layer_organ(json const& organ, LayerOrgans& layer,
-                              std::vector<OrganSource>& organs)
+                              std::vector<OrganSource>& organs, PictureReader const& pictures)
 {
     if (organ.is_null())
         return {};
@@ -157,7 +184,7 @@ Result<void> read_layer_organ(json const& organ, LayerOrgans& layer,
         return {};
     organs.push_back({ .file = file });
     if (file.empty())
-        organs.back().surface = TRY(read_surface(organ));
+        organs.back().surface = TRY(read_surface(organ, pictures));
     return {};
 }
 
@@ -168,11 +195,11 @@ bool is_layer(json const& entry)
 }
 
 Result<LayerOrgans> read_layer(json const& entry, Pattern const& of_sketch,
-                               std::vector<OrganSource>& organs)
+                               std::vector<OrganSource>& organs, PictureReader const& pictures)
 {
     LayerOrgans layer;
     if (!is_layer(entry)) {
-        TRY(read_layer_organ(entry, layer, organs));
+        TRY(read_layer_organ(entry, layer, organs, pictures));
         return layer;
     }
     TRY(check_keys(entry, kLayerKeys, "a layer of organs"));
@@ -185,7 +212,7 @@ Result<LayerOrgans> read_layer(json const& entry, Pattern const& of_sketch,
     if (pattern != of_sketch)
         layer.pattern = pattern;
     if (has_value(entry, "organ"))
-        TRY(read_layer_organ(entry["organ"], layer, organs));
+        TRY(read_layer_organ(entry["organ"], layer, organs, pictures));
     return layer;
 }
 
@@ -199,7 +226,8 @@ Result<Pattern> read_pattern(json const& file)
     return pattern;
 }
 
-Result<LayersRead> read_organs(json const& file, Pattern const& pattern)
+Result<LayersRead> read_organs(json const& file, Pattern const& pattern,
+                               PictureReader const& pictures)
 {
     LayersRead result;
     if (!has_value(file, "organs"))
@@ -207,7 +235,7 @@ Result<LayersRead> read_organs(json const& file, Pattern const& pattern)
     bool const is_list = file["organs"].is_array();
     auto const list = is_list ? file["organs"] : json::array({ file["organs"] });
     for (auto const& entry : list) {
-        auto layer = read_layer(entry, pattern, result.organs);
+        auto layer = read_layer(entry, pattern, result.organs, pictures);
         if (!layer && is_list)
             return fail(layer.error().fault,
                         fmt::format("organs of layer {}: {}", result.layers.size() + 1,
@@ -217,7 +245,7 @@ Result<LayersRead> read_organs(json const& file, Pattern const& pattern)
     return result;
 }
 
-Result<OrganSource> read_organ(json const& file)
+Result<OrganSource> read_organ(json const& file, PictureReader const& pictures)
 {
     if (!has_value(file, "organ"))
         return OrganSource();
@@ -228,7 +256,7 @@ Result<OrganSource> read_organ(json const& file)
         return fail(Fault::User,
                     "organ is no leaf's shape: write {\"left\": [[u, v], [u, v]], \"right\": …, "
                     "\"midrib\": …, \"section\": …}, or the name of a file (.organ)");
-    return OrganSource { .surface = TRY(read_surface(organ)) };
+    return OrganSource { .surface = TRY(read_surface(organ, pictures)) };
 }
 
 } // namespace tractus::lines

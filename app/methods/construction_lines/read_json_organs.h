@@ -5,7 +5,9 @@
 #include "engine/methods/construction_lines/layer_organs.h"
 #include "engine/methods/construction_lines/pattern.h"
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <vector>
 
 namespace tractus::lines {
@@ -22,11 +24,15 @@ struct LayersRead {
     std::vector<OrganSource> organs {}; // In the order of their numbers.
 };
 
+// Gives the file of a picture by the name that the sketch says, "texture" of views.
+using PictureReader = std::function<Result<std::string>(std::string const& name)>;
+
 // From "organs", of a sketch with this pattern; nothing if it says nothing.
-Result<LayersRead> read_organs(nlohmann::json const& file, Pattern const& pattern);
+Result<LayersRead> read_organs(nlohmann::json const& file, Pattern const& pattern,
+                               PictureReader const& pictures);
 
 // From "organ"; neither file nor patches if it says nothing. Fails for views that give no surface,
-// too.
-Result<OrganSource> read_organ(nlohmann::json const& file);
+// too, and for what is no picture.
+Result<OrganSource> read_organ(nlohmann::json const& file, PictureReader const& pictures);
 
 } // namespace tractus::lines

@@ -48,7 +48,13 @@ struct OrganDefinition {
 //
 // Besides cpfg's statements there are seven of our own, which cpfg reports and skips:
 //   material: INDEX NAME kind=bark|stem|leaf|petal|solid color=R,G,B [roughness=] [translucency=]
-//     INDEX is the turtle's colour, as ; and , set it. color is sRGB, 0 to 1.
+//   [texture=FILE.png]
+//     INDEX is the turtle's colour, as ; and , set it. color is sRGB, 0 to 1. texture names a PNG
+//     file in the model's folder, at most 16 MiB and 16 million pixels, whose picture stands for
+//     the colour: that is the picture's mean then. On a surface its left and right edges are on
+//     the left and right boundaries, its lower edge on the base and its upper one on the tip
+//     (engine/mesh/surface_mesh.h), on blades likewise on their box, seen from above. What is
+//     less than half there is not there. On stems it is repeated, around and along.
 //   color: INDEX R,G,B [roughness=] [translucency=]
 //     A material by its colour alone, where no material: has the index (color_files.h).
 //   organ: LETTER NAME kind=blade|needle|disc|ball material=INDEX length= width= [petiole=]

@@ -1,5 +1,7 @@
 #include "engine/lsystem/view/view_organs.h"
 
+#include "engine/lsystem/view/view_texture.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -101,6 +103,7 @@ Result<void> read_material(ViewReader& reader, std::string_view value)
     auto const index = TRY(color_index(reader, parts[0]));
     Material material;
     material.name = parts[1];
+    std::string texture;
     for (auto const part : std::vector(parts.begin() + 2, parts.end())) {
         auto const equals = std::min(part.find('='), part.size() - 1);
         auto const key = part.substr(0, equals);
@@ -114,11 +117,15 @@ Result<void> read_material(ViewReader& reader, std::string_view value)
         } else if (key == "color") {
             auto const color = TRY(reader.vector(text));
             material.base_color = color.cwiseMax(0).cwiseMin(1).cast<float>();
+        } else if (key == "texture") {
+            texture = text;
         } else if (!TRY(read_share(reader, material, part))) {
             return reader.error(fmt::format(
-                "found '{}', expected kind=, color=, roughness= or translucency=", part));
+                "found '{}', expected kind=, color=, roughness=, translucency= or texture=", part));
         }
     }
+    if (!texture.empty()) // Its edges are as the kind is, which may stand behind it.
+        TRY(read_texture(reader, material, texture));
     reader.view.materials.insert_or_assign(index, material);
     return {};
 }

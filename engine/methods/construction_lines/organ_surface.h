@@ -4,7 +4,9 @@
 #include "engine/base/vectors.h"
 #include "engine/plant/bezier_patch.h"
 
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace tractus::lines {
@@ -32,6 +34,10 @@ std::vector<Vec2> mirrored(std::vector<Vec2> const& boundary);
 struct OrganSurface {
     std::vector<BezierPatch> patches {};
     std::optional<Vec3> color {};
+    // A PNG file that lies on it in place of the colour: its left and right edges on the
+    // boundaries, its lower edge on the base. Null: none. Shared by all copies, since sketches are
+    // copied with every line.
+    std::shared_ptr<std::string const> picture {};
 };
 
 // The organ's surface by cross-sectional blending and orthogonal deformation: with l and r the

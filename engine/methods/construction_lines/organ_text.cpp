@@ -40,11 +40,26 @@ std::string ending_of(char letter, std::string const& word)
     return letter == 'l' ? word : fmt::format("{}_{}", word, letter);
 }
 
-std::string material_text(std::size_t material, std::string const& name, Vec3 const& color)
+// Whether it has a material of its own.
+bool is_colored(OrganSurface const& surface)
 {
-    return fmt::format("material: {} {} kind=leaf color={:.4g},{:.4g},{:.4g} roughness=0.5 "
-                       "translucency=0.45\n",
-                       material, name, color.x(), color.y(), color.z());
+    return surface.color || surface.picture;
+}
+
+// Adds that material, and its picture as a file beside that of the surface.
+void add_material(LineModel& model, OrganSurface const& surface, std::size_t material,
+                  std::string const& name, std::string const& surface_file)
+{
+    auto const color = surface.color.value_or(Vec3(0.26, 0.46, 0.16));
+    std::string texture;
+    if (surface.picture) {
+        auto const file = surface_file.substr(0, surface_file.rfind('.')) + ".png";
+        texture = " texture=" + file;
+        model.functions[file] = *surface.picture;
+    }
+    model.source.view_text += fmt::format(
+        "material: {} {} kind=leaf color={:.4g},{:.4g},{:.4g} roughness=0.5 translucency=0.45{}\n",
+        material, name, color.x(), color.y(), color.z(), texture);
 }
 
 } // namespace
@@ -94,9 +109,9 @@ void put_leaf(LineModel& model, OrganSurface const& surface, char letter)
     view.replace(begin, view.find('\n', begin) - begin,
                  fmt::format("surface: {} {} 1", letter, file));
     auto material = kLeafMaterial;
-    if (surface.color) {
+    if (is_colored(surface)) {
         material = material_of_surface(kMostSurfaces) + static_cast<std::size_t>(letter - 'a');
-        view += material_text(material, fmt::format("leaf_{}", letter), *surface.color);
+        add_material(model, surface, material, fmt::format("leaf_{}", letter), file);
     }
     replace_all(model.source.text, fmt::format("~{}(", letter),
                 fmt::format(";({})~{}(", material, letter));
@@ -149,7 +164,8 @@ std::string surface_rules(std::span<LineOrgan const> organs, std::size_t before,
     for (std::size_t i = 0; i < organs.size(); ++i) {
         if (organs[i].sketch)
             continue;
-        auto const material = organs[i].surface.color ? material_of_surface(before) : kLeafMaterial;
+        auto const material
+            = is_colored(organs[i].surface) ? material_of_surface(before) : kLeafMaterial;
         text += fmt::format("Q({}, h) : organ[z] == {} --> ;({})~{}(LEN * h)\n", place, i + 1,
                             material, letter_of_surface(before));
         ++before;
@@ -168,11 +184,11 @@ Result<void> add_surfaces(LineModel& model, std::span<LineOrgan const> organs, s
                                     "some out",
                                     kMostSurfaces));
         auto const file = fmt::format("{}_organ_{}.s", name_of_model(model), before + 1);
-        auto& view = model.source.view_text;
-        if (organ.surface.color)
-            view += material_text(material_of_surface(before), fmt::format("organ_{}", before + 1),
-                                  *organ.surface.color);
-        view += fmt::format("surface: {} {} 1\n", letter_of_surface(before), file);
+        if (is_colored(organ.surface))
+            add_material(model, organ.surface, material_of_surface(before),
+                         fmt::format("organ_{}", before + 1), file);
+        model.source.view_text
+            += fmt::format("surface: {} {} 1\n", letter_of_surface(before), file);
         model.functions[file] = surface_text(organ.surface.patches);
         ++before;
     }

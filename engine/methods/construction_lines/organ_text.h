@@ -13,7 +13,7 @@
 
 namespace tractus::lines {
 
-// Surfaces in the text of a model.
+// Surfaces in the text of a model. A picture of one is a file called as its own is, with .png.
 
 // A file of cpfg's Bezier editor (.s), whose SIZE is the organ's length.
 std::string surface_text(std::vector<BezierPatch> const& patches);

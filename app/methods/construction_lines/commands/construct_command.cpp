@@ -12,6 +12,7 @@
 #include "engine/base/file.h"
 #include "engine/methods/construction_lines/line_model.h"
 #include "engine/methods/construction_lines/organ_text.h"
+#include "engine/scene/edit_words.h"
 #include "engine/scene/scene.h"
 
 #include <algorithm>
@@ -97,12 +98,16 @@ Result<std::string> write_folder(ConstructArguments const& arguments, scene::Loa
     if (arguments.session)
         TRY(batch::begin_session(fs::path(base).concat(".tractus"), { load },
                                  arguments.methods.edits));
-    auto const surfaces
-        = std::count_if(model.functions.begin(), model.functions.end(),
-                        [](auto const& file) { return fs::path(file.first).extension() == ".s"; });
-    return fmt::format("{}.l, .v, {} .func,{} .png, .glb{}", base.string(),
-                       model.functions.size() - static_cast<std::size_t>(surfaces),
+    auto const count = [&](char const* ending) {
+        return std::count_if(model.functions.begin(), model.functions.end(), [&](auto const& file) {
+            return fs::path(file.first).extension() == ending;
+        });
+    };
+    auto const surfaces = count(".s");
+    auto const textures = static_cast<std::size_t>(count(".png"));
+    return fmt::format("{}.l, .v, {} .func,{}{} .png, .glb{}", base.string(), count(".func"),
                        surfaces > 0 ? fmt::format(" {} .s,", surfaces) : "",
+                       textures > 0 ? fmt::format(" {},", scene::counted(textures, "texture")) : "",
                        arguments.session ? ", .tractus" : "");
 }
 
@@ -241,7 +246,10 @@ void add_construct_command(CLI::App& root, options::Action& action, tools::Metho
         "object\n"
         "of \"pattern\", \"divergence\", \"face\" and \"organ\"; \"organ\": the leaves' shape, an "
         "object of\n"
-        "\"left\", \"right\", \"midrib\", \"section\" and \"color\"; \"stems\": more stems of the "
+        "\"left\", \"right\", \"midrib\", \"section\", \"color\" and \"texture\", the name of a "
+        "PNG "
+        "file;\n"
+        "\"stems\": more stems of the "
         "plant, objects of \"stem\" and, if what grows "
         "on the "
         "first\n"
