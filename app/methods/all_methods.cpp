@@ -119,8 +119,8 @@ std::vector<scene::EditKind const*> edit_kinds()
                { &lines::AddLine::kKind, &lines::SetLayerNodes::kKind,
                  &lines::SetLinePattern::kKind, &lines::SetLineRole::kKind,
                  &lines::RedrawLine::kKind, &lines::BendStem::kKind, &lines::DrawOrgan::kKind,
-                 &lines::SetLayerOrgan::kKind, &lines::EraseLine::kKind,
-                 &lines::BringOrgan::kKind });
+                 &lines::SetLayerOrgan::kKind, &lines::EraseLine::kKind, &lines::BringOrgan::kKind,
+                 &lines::PaintOrgan::kKind });
     all.insert(all.end(),
                { &leaf::AddLeafLine::kKind, &leaf::EraseLeafLine::kKind, &leaf::FormLeaf::kKind });
     return all;

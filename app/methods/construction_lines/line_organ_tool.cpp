@@ -3,10 +3,14 @@
 #include "app/methods/construction_lines/erase_line_tool.h"
 #include "app/methods/construction_lines/line_previewer.h"
 #include "app/methods/construction_lines/touched_sketch.h"
+#include "app/methods/construction_lines/traced_picture.h"
 #include "engine/methods/construction_lines/organ_edits.h"
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace tractus::lines {
 
@@ -21,7 +25,7 @@ constexpr std::array<tools::OptionWord, 4> kOrganWords { {
 } };
 
 // In the order of lines::OrganColor.
-constexpr std::array<tools::OptionWord, 7> kColorWords { {
+constexpr std::array<tools::OptionWord, 8> kColorWords { {
     { "green", "green" },
     { "white", "white" },
     { "yellow", "yellow" },
@@ -29,6 +33,7 @@ constexpr std::array<tools::OptionWord, 7> kColorWords { {
     { "violet", "violet" },
     { "red", "red" },
     { "brown", "brown" },
+    { "from_picture", "as the picture" },
 } };
 
 void visit(tools::OptionVisitor& visitor, LineOrganTool& tool)
@@ -62,18 +67,48 @@ lines::OrganView organ_view(LineOrganTool::What what)
     return lines::OrganView::Side;
 }
 
+// The picture of a leaf with the line, from what lies behind it; the leaf's own where nothing does.
+// No value where it has one that stays as it is.
+Result<std::optional<std::string>> picture_with(SketchOrgan organ, SketchOrgan::Line line,
+                                                scene::Scene const& scene)
+{
+    auto const sheet = line.line.sheet;
+    bool const is_outline = line.view == lines::OrganView::Side;
+    bool const is_painted = organ.picture != nullptr;
+    if (is_painted && !is_outline)
+        return std::nullopt;
+    auto const drawn = TRY(with_organ_line(std::move(organ), std::move(line)));
+    auto picture = scene.state.picture ? traced_picture(drawn, sheet, *scene.state.picture)
+                                       : fail(Fault::User,
+                                              "no picture lies behind the leaf: lay one there, or "
+                                              "choose a colour");
+    if (!picture && is_painted)
+        return std::nullopt;
+    return TRY(std::move(picture));
+}
+
 Result<std::vector<scene::Edit>> draw_organ(tools::Tool const& tool, Stroke const& stroke,
                                             scene::Scene const& scene)
 {
     auto const& options = *tool.get<LineOrganTool>();
     auto const active = TRY(active_sketch(scene));
     bool const is_another = options.what == LineOrganTool::What::Another;
-    return std::vector<scene::Edit> { lines::DrawOrgan {
-        .plant = active.plant,
-        .organ = is_another ? 0 : leaf_in_hand(active.sketch),
-        .view = organ_view(options.what),
-        .color = options.color,
-        .stroke = stroke } };
+    lines::DrawOrgan const draw { .plant = active.plant,
+                                  .organ = is_another ? 0 : leaf_in_hand(active.sketch),
+                                  .view = organ_view(options.what),
+                                  .color = options.color,
+                                  .stroke = stroke };
+    std::vector<scene::Edit> edits { draw };
+    if (options.color != lines::OrganColor::Picture)
+        return edits;
+    auto const number = organ_number(active.sketch, draw.organ);
+    auto picture
+        = TRY(picture_with(number > 0 ? active.sketch.organs[number - 1] : SketchOrgan {},
+                           { draw.view, { .stroke = stroke, .sheet = active.sheet } }, scene));
+    if (picture)
+        edits.emplace_back(lines::PaintOrgan {
+            .plant = active.plant, .organ = draw.organ, .picture = *std::move(picture) });
+    return edits;
 }
 
 std::string said_of_leaf(tools::Tool const& tool, scene::Scene const& after)
@@ -107,7 +142,8 @@ constexpr tools::ToolKind LineOrganTool::kKind {
     .help = "draws the leaves of a sketch's plant in three views: an edge from base to tip as seen "
             "from above, whose other side is its mirror image until it is drawn; the midrib as "
             "seen from the side; and the section as seen from the tip. another_leaf begins "
-            "another kind of leaf, which the topmost layer bears",
+            "another kind of leaf, which the topmost layer bears. from_picture takes the leaf's "
+            "picture from the one that lies behind it",
     .group = "Sketch",
     .method = "From lines",
     .begins_group_of_buttons = true,

@@ -1,5 +1,6 @@
 #include "app/methods/construction_lines/line_previewer.h"
 
+#include "app/methods/construction_lines/line_organ_tool.h"
 #include "app/tools/tool.h"
 #include "engine/methods/construction_lines/line_edits.h"
 #include "engine/scene/scene_builder.h"
@@ -72,12 +73,22 @@ std::vector<tools::SkeletonLine> skeleton_of(Plant const& plant, scene::DeskPlac
     return lines;
 }
 
+// Lines have none, and it takes time to look into one.
+tools::Tool without_picture(tools::Tool const& tool)
+{
+    auto const* const organ = tool.get<LineOrganTool>();
+    if (!organ || organ->color != OrganColor::Picture)
+        return tool;
+    return LineOrganTool { organ->what, OrganColor::Leaf };
+}
+
 class LinePreviewer final : public tools::StrokePreviewer {
 public:
     std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
     {
-        auto const edits = stroke.tool.mean(
-            Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) }, *stroke.scene);
+        auto const edits = without_picture(stroke.tool)
+                               .mean(Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) },
+                                     *stroke.scene);
         if (!edits)
             return {};
         auto const state = scene::apply_edits(stroke.scene->state, *edits, builder_);

@@ -1,5 +1,6 @@
 #include "engine/methods/construction_lines/organ_edits.h"
 
+#include "engine/lsystem/view/view_texture.h"
 #include "engine/methods/construction_lines/change_sketch.h"
 #include "engine/methods/construction_lines/line_edits.h"
 #include "engine/scene/edit_words.h"
@@ -19,7 +20,8 @@ constexpr std::size_t kMostOrgans = kMostSurfaces;
 
 // In the order of the enumerations' values.
 constexpr std::array kViews { "side", "midrib", "section" };
-constexpr std::array kColors { "leaf", "white", "yellow", "pink", "violet", "red", "brown" };
+constexpr std::array kColors { "leaf",   "white", "yellow", "pink",
+                               "violet", "red",   "brown",  "picture" };
 
 Result<void> check_count(PenSketch const& sketch)
 {
@@ -75,6 +77,40 @@ std::string described(DrawOrgan const& edit)
                            scene::describe_stroke(edit.stroke));
     return fmt::format("draws the {} of leaf {} of plant {}: {}", view, scene::name_of(edit.organ),
                        scene::name_of(edit.plant), scene::describe_stroke(edit.stroke));
+}
+
+void list(scene::Fields& fields, PaintOrgan& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.sparse_field("organ", &edit.organ);
+    fields.bytes(edit.picture);
+}
+
+Result<scene::DocumentState> applied(scene::DocumentState state, PaintOrgan const& edit,
+                                     scene::SceneBuilder&)
+{
+    auto found = TRY(find_sketch(state, edit.plant));
+    auto& organs = found.sketch.organs;
+    auto const organ = std::find_if(organs.rbegin(), organs.rend(), [&](SketchOrgan const& other) {
+        return !other.sketch && (edit.organ == 0 || other.id == edit.organ);
+    });
+    if (organ == organs.rend())
+        return fail(Fault::User,
+                    fmt::format("the sketch has no drawn leaf {}", scene::name_of(edit.organ)));
+    Material shown;
+    if (auto const put = lsystem::put_texture(shown, edit.picture); !put)
+        return fail(put.error().fault, "the leaf's picture: " + put.error().message);
+    organ->picture = std::make_shared<std::string const>(edit.picture);
+    organ->color = OrganColor::Picture;
+    put_sketch(state, std::move(found));
+    return state;
+}
+
+std::string described(PaintOrgan const& edit)
+{
+    auto const which = edit.organ == 0 ? "the newest leaf" : "leaf " + scene::name_of(edit.organ);
+    return fmt::format("lets {} of plant {} show a picture of {}", which,
+                       scene::name_of(edit.plant), scene::counted(edit.picture.size(), "byte"));
 }
 
 void list(scene::Fields& fields, SetLayerOrgan& edit)
@@ -178,6 +214,9 @@ Result<PenSketch> with_organ(PenSketch sketch, SketchOrgan organ)
 
 constexpr scene::EditKind DrawOrgan::kKind
     = scene::make_edit_kind<DrawOrgan, list, applied, described>("draw_line_organ");
+
+constexpr scene::EditKind PaintOrgan::kKind
+    = scene::make_edit_kind<PaintOrgan, list, applied, described>("paint_line_organ");
 
 constexpr scene::EditKind SetLayerOrgan::kKind
     = scene::make_edit_kind<SetLayerOrgan, list, applied, described>("set_layer_organ");

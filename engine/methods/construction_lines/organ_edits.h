@@ -3,6 +3,8 @@
 #include "engine/methods/construction_lines/pen_sketch.h"
 #include "engine/scene/edit.h"
 
+#include <string>
+
 namespace tractus::lines {
 
 // The sketch with another organ. The first one is borne by the whole plant, and later ones by the
@@ -21,6 +23,16 @@ struct DrawOrgan {
     OrganColor color = OrganColor::Leaf; // The leaf has it from now on.
     Stroke stroke {};                    // World frame.
     scene::ItemId id = 0;                // The line's, and that of the leaf that it begins.
+};
+
+// Lets a leaf show a picture: the bytes of a PNG file that lies on it as OrganSurface::picture
+// does.
+struct PaintOrgan {
+    static scene::EditKind const kKind;
+
+    scene::ItemId plant = 0;
+    scene::ItemId organ = 0; // 0: the newest leaf that was drawn.
+    std::string picture {};
 };
 
 // Says what stands in a layer.

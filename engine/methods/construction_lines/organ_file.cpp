@@ -164,7 +164,7 @@ Result<OrganFile> organ_file(SketchOrgan const& organ)
 {
     constexpr std::size_t kPoints = 4 * kAlong + 1; // More than the surface has.
     OrganFile file { .views = TRY(views_of(organ)) };
-    if (organ.color != OrganColor::Leaf)
+    if (organ.color != OrganColor::Leaf && organ.color != OrganColor::Picture)
         file.color = rgb_of(organ.color);
     auto& views = file.views;
     Vec2 const base = (views.left.front() + views.right.front()) / 2;

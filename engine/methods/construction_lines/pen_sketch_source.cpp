@@ -24,7 +24,8 @@ bool same(SketchLine const& one, SketchLine const& other)
 
 bool same(SketchOrgan const& one, SketchOrgan const& other)
 {
-    return one.id == other.id && one.color == other.color && one.sketch == other.sketch
+    return one.id == other.id && one.color == other.color && one.picture == other.picture
+        && one.sketch == other.sketch
         && std::equal(one.lines.begin(), one.lines.end(), other.lines.begin(), other.lines.end(),
                       [](SketchOrgan::Line const& line, SketchOrgan::Line const& another) {
                           return line.view == another.view && same(line.line, another.line);

@@ -120,6 +120,7 @@ Vec3 rgb_of(OrganColor color)
     case OrganColor::Brown:
         return { 0.42, 0.28, 0.14 };
     case OrganColor::Leaf:
+    case OrganColor::Picture:
         break;
     }
     return { 0.26, 0.46, 0.16 };
@@ -171,7 +172,9 @@ Result<OrganSurface> surface_of(SketchOrgan const& organ)
         return fail(Fault::User,
                     "the leaf would have no breadth: draw its edge as a bow from base to tip");
     OrganSurface surface { .patches = TRY(organ_surface(views)) };
-    if (organ.color != OrganColor::Leaf)
+    if (organ.color == OrganColor::Picture)
+        surface.picture = organ.picture;
+    else if (organ.color != OrganColor::Leaf)
         surface.color = rgb_of(organ.color);
     return surface;
 }

@@ -6,6 +6,7 @@
 #include "engine/scene/anchored.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace tractus::lines {
@@ -19,10 +20,10 @@ enum class OrganView {
     Section, // From the front.
 };
 
-// What colour a drawn leaf has.
-enum class OrganColor { Leaf, White, Yellow, Pink, Violet, Red, Brown };
+// What colour a drawn leaf has. Picture: that of its picture, and as Leaf until it has one.
+enum class OrganColor { Leaf, White, Yellow, Pink, Violet, Red, Brown, Picture };
 
-// Red, green and blue from 0 to 1, and of such a colour the nearest one.
+// Red, green and blue from 0 to 1, and of such a colour the nearest one, never Picture.
 Vec3 rgb_of(OrganColor color);
 OrganColor nearest_color(Vec3 const& rgb);
 
@@ -37,6 +38,8 @@ struct SketchOrgan {
     scene::ItemId id = 0;
     std::vector<Line> lines {}; // One or two sides, at most one midrib and one section.
     OrganColor color = OrganColor::Leaf;
+    // OrganSurface::picture, which counts where the color is Picture. Shared with earlier states.
+    std::shared_ptr<std::string const> picture {};
     std::shared_ptr<PenSketch const> sketch {}; // Not null: it is this one's plant.
 };
 
