@@ -29,6 +29,7 @@ void visit_crown(tools::OptionVisitor& visitor, CrownTool& tool)
     visitor.choice(
         { .words = kCrownWords, .offered = tools::WordOption::Offered::InHand, .label = "Crown" },
         tool.what);
+    visit_nodes(visitor, tool.nodes);
 }
 
 // The tree whose crown a line on its sheet is: the trunk stands where the line goes around. Null:
@@ -118,6 +119,7 @@ Result<DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke, scene:
         edit.plant = scene.drawn->id;
         return edit;
     }
+    edit.form.has_whole_nodes = tool.nodes == NodesOption::Whole;
     // The new tree's sheet stands in the middle of the line, and is as large as the tablet.
     paper = { paper.sheet_of_world(Vec3(paper.stands_mm.x(), 0, 0)),
               Vec3(paper.stands_mm.x(), paper.stands_mm.y(), 0) };
@@ -141,7 +143,7 @@ constexpr tools::ToolKind CrownTool::kKind {
     .done = "The crown has the line",
     .help = "draws a tree's crown in space: rings around its trunk at several heights, a line that "
             "winds around it as it climbs, or outlines in upright planes; the branches reach to "
-            "the surface through these; of a new tree",
+            "the surface through these; of a new tree, or with whole nodes, as an outline's tree",
     .group = "Sketch",
     .method = "From an outline",
     .options = tools::options_type<CrownTool, visit_crown>(),

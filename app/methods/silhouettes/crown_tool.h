@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/methods/silhouettes/nodes_option.h"
 #include "app/tools/tool.h"
 #include "engine/methods/silhouettes/tree_edits.h"
 #include "engine/scene/paper.h"
@@ -19,6 +20,8 @@ struct CrownTool {
         New,  // It is a new tree's.
     } what
         = What::GoOn;
+
+    NodesOption nodes = NodesOption::Whole;
 };
 
 // What a stroke with the tool draws. Fails, as the user's fault, like kind_of() (crown_line.h).

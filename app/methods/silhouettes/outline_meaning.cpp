@@ -193,7 +193,7 @@ void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Sce
 // A new tree for which nobody has chosen a form or numbers has the nearest one's style.
 void take_nearest_style(DrawTree& edit, OutlineTool const& tool, scene::Scene const& scene)
 {
-    if (tool.reads != OutlineTool::Reads::Closely || edit.form != TreeForm())
+    if (tool.reads != OutlineTool::Reads::Closely || !is_usual(edit.form))
         return;
     edit.takes_style = true;
     auto const source = nearest_with_style(scene.state, edit.stands_at_mm, 0);

@@ -109,6 +109,7 @@ void visit(tools::OptionVisitor& visitor, OutlineTool& tool)
                      .offered = tools::WordOption::Offered::InTurn,
                      .label = "What is seen" },
                    tool.seen);
+    visit_nodes(visitor, tool.nodes);
 }
 
 Result<std::vector<scene::Edit>> form_active(OutlineTool const& tool, scene::Scene const& scene)
@@ -144,6 +145,7 @@ TreeForm form_of(OutlineTool const& tool, TreeForm form)
     form.levels = static_cast<int>(std::lround(tool.levels));
     form.density = tool.density;
     form.leaves = static_cast<int>(std::lround(tool.leaves));
+    form.has_whole_nodes = tool.nodes == NodesOption::Whole;
     if (tool.form != OutlineTool::Form::Usual) {
         auto const ready = ready_form(tool);
         form.patterns = ready.patterns;
@@ -168,10 +170,10 @@ constexpr tools::ToolKind OutlineTool::kKind {
       "an outline may be a leaf, which a touch inside declares it or takes back; a touch on a "
       "crown in the picture behind is its outline; read closely, a trunk that ends just below a "
       "crown is its trunk, and a touch on a bump declares that a leaf; in a ready form, or with so "
-      "many levels of "
-      "branches, so many times "
-      "as many as usual that nobody draws, so many leaves on a twig; a new tree at each "
-      "line, or at once these numbers, or other chance, for the tree that is there",
+      "many levels of branches, so many times as many as usual that nobody draws, so many leaves "
+      "on a twig; with whole nodes, so that the branches of a whorl or a pair stand together; a "
+      "new tree at each line, or at once these numbers, or other chance, for the tree that is "
+      "there",
     .group = "Sketch",
     .method = "From an outline",
     .icon = "5954 371624416184866737",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/methods/silhouettes/nodes_option.h"
 #include "app/tools/tool.h"
 #include "engine/methods/silhouettes/tree_edits.h"
 
@@ -45,6 +46,8 @@ struct OutlineTool {
                    // that declares a leaf is on a bump where there is one (bump_leaf.h).
     } reads
         = Reads::Closely;
+
+    NodesOption nodes = NodesOption::Whole;
 
     // How long what was seen in the outline is shown (kSeenLayer, outline_layer.h).
     enum class SeenFor { AWhile, Always, WithTriangles } seen = SeenFor::AWhile;

@@ -1,6 +1,7 @@
 #include "engine/methods/silhouettes/arrangement.h"
 
 #include "engine/base/vectors.h"
+#include "engine/methods/silhouettes/whole_whorls.h"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +11,6 @@
 namespace tractus::silhouette {
 
 namespace {
-
-constexpr double kClosenessWeight = 2; // Wither 2009: w1 and w2.
-constexpr double kMisfitWeight = 1;
 
 struct Law {
     Pattern::Kind kind;
@@ -45,12 +43,6 @@ Law law_of(Pattern pattern)
 double wrapped(double difference)
 {
     return difference - std::round(difference);
-}
-
-double full_turn(double angle_deg)
-{
-    double const rest = std::fmod(angle_deg, 360);
-    return rest < 0 ? std::fmod(rest + 360, 360) : rest;
 }
 
 class Spreader {
@@ -87,7 +79,7 @@ public:
             result.cost_after += change;
             ++result.accepted;
         }
-        if (options_.nodes == ArrangementOptions::Nodes::Snap && law_of(options_.pattern).whorl > 0)
+        if (options_.nodes != ArrangementOptions::Nodes::Free && law_of(options_.pattern).whorl > 0)
             snap();
         result.places = std::move(places_);
         return result;
@@ -119,9 +111,7 @@ private:
         for (std::size_t j = 0; j < count_; ++j) {
             if (j == i)
                 continue;
-            double const x = wrapped(place.u - places_[j].u);
-            double const y = wrapped((place.theta_deg - places_[j].theta_deg) / 360);
-            closeness += 1 / (1 + alpha_ * (x * x + y * y));
+            closeness += silhouette::closeness(alpha_, place, places_[j]);
             if (options_.pattern != Pattern::Even)
                 misfits += misfit(options_.pattern, node_, place, places_[j]);
         }
@@ -176,6 +166,24 @@ std::string describe(Pattern pattern)
     return is_usual ? name_of(pattern) : fmt::format("{} of {}", name_of(pattern), pattern.whorl);
 }
 
+double closeness(double alpha, Place const& a, Place const& b)
+{
+    double const x = wrapped(a.u - b.u);
+    double const y = wrapped((a.theta_deg - b.theta_deg) / 360);
+    return 1 / (1 + alpha * (x * x + y * y));
+}
+
+double full_turn(double angle_deg)
+{
+    double const rest = std::fmod(angle_deg, 360);
+    return rest < 0 ? std::fmod(rest + 360, 360) : rest;
+}
+
+double node_turn_deg(Pattern pattern)
+{
+    return law_of(pattern).turn_deg;
+}
+
 std::size_t node_size(Pattern pattern)
 {
     return static_cast<std::size_t>(std::max(1, law_of(pattern).whorl));
@@ -206,7 +214,9 @@ double misfit(Pattern pattern, double node, Place const& a, Place const& b)
 Arrangement arrange(std::vector<DrawnPlace> const& drawn, ArrangementOptions const& options,
                     RandomKey const& key)
 {
-    return Spreader(drawn, options, key).run();
+    bool const is_whole
+        = options.nodes == ArrangementOptions::Nodes::Whole && node_size(options.pattern) > 1;
+    return is_whole ? arrange_whorls(drawn, options, key) : Spreader(drawn, options, key).run();
 }
 
 } // namespace tractus::silhouette

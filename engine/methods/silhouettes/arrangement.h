@@ -62,6 +62,7 @@ struct DrawnPlace {
     double u = 0;
     double theta_deg = 0; // 0 or 180.
     double most_off_deg = 45;
+    bool keeps_u = true; // Else it moves to a node where nodes are whole.
 };
 
 struct ArrangementOptions {
@@ -72,15 +73,22 @@ struct ArrangementOptions {
     // How fast closeness falls with distance; no value: 2 for each branch. The paper: 20.
     std::optional<double> alpha {};
     int proposals = 3000;
-    // Whether what is added moves to the nearest node of a pattern in the end.
-    enum class Nodes { Snap, Free } nodes = Nodes::Snap;
+    // What nodes are to patterns that have any.
+    enum class Nodes {
+        Whole, // The branches of one stand there together (whole_whorls.h); those of patterns with
+               // one branch at a node snap.
+        Snap,  // What is added moves to the nearest one in the end. Some get more branches than the
+               // pattern has, and others fewer.
+        Free   // Branches stay beside them.
+    } nodes
+        = Nodes::Whole;
 };
 
 // What the search found.
 struct Arrangement {
     std::vector<Place> places; // The drawn ones first, in their order.
     double cost_before = 0;
-    double cost_after = 0; // Never more; both before snapping.
+    double cost_after = 0; // Never more; both before what snaps does.
     int accepted = 0;      // Proposals.
 };
 
@@ -93,10 +101,23 @@ Arrangement arrange(std::vector<DrawnPlace> const& drawn, ArrangementOptions con
 // How little a pair fits a pattern whose nodes are `node` apart in u: 0 where it does, 1/2 at most.
 double misfit(Pattern pattern, double node, Place const& a, Place const& b);
 
+// How near a pair is: 1 at one place, less the faster the greater `alpha` is.
+double closeness(double alpha, Place const& a, Place const& b);
+
+// Shares of these in what a pair costs (Wither 2009: w1 and w2).
+constexpr double kClosenessWeight = 2;
+constexpr double kMisfitWeight = 1;
+
 // How many branches stand at a node of a pattern; 1 where it has none.
 std::size_t node_size(Pattern pattern);
 
+// How far a pattern turns from a node to the next; 0 where it has none.
+double node_turn_deg(Pattern pattern);
+
 // How far a node is from the next, in u, of that many branches.
 double node_distance(Pattern pattern, std::size_t count);
+
+// The same angle, from 0 to below 360.
+double full_turn(double angle_deg);
 
 } // namespace tractus::silhouette

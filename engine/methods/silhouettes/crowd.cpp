@@ -147,21 +147,28 @@ Crowd CrowdMaker::make(std::size_t index, LevelOptions const& options) const
         { .pattern = options.pattern,
           .count = drawn.size() + added,
           .first_u = first_u,
-          .proposals = options.proposals },
+          .proposals = options.proposals,
+          .nodes = options.nodes },
         { .seed = options_.seed, .stream = 2, .substream = static_cast<std::uint32_t>(index) });
     Model const model { system, surface, drawn };
+    // A whorl is whole even where its crown leaves hardly any room.
+    bool const is_whole
+        = options.nodes == ArrangementOptions::Nodes::Whole && node_size(options.pattern) > 1;
+    auto const smaller = is_whole ? Lean::Smaller::Least : Lean::Smaller::LeftOut;
     std::optional<SpreadByArea> spread; // Patterns keep their angles.
     if (surface.is_drawn() && options.pattern == Pattern::Even)
         spread.emplace(surface);
     for (std::size_t i = 0; i < arrangement.places.size(); ++i) {
         auto place = arrangement.places[i];
         if (i < drawn.size()) {
-            stand(crowd, model, i, place, place.u);
+            stand_in_plane(crowd, model, i, place);
             continue;
         }
         if (spread)
             place.theta_deg = spread->theta_deg(place.theta_deg);
-        stand_added(crowd, model, place);
+        if (auto const nearest = nearest_drawn(model, place))
+            stand_added(crowd, model, place, *nearest,
+                        lean_of(system.branches[*nearest], place, smaller));
     }
     finish(crowd, system);
     return crowd;
@@ -201,8 +208,10 @@ std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& parent, CrownSurfac
             off_deg = kOutlined_deg;
         if (surface.is_drawn())
             off_deg = most_off_deg_in(surface, is_left ? 180 : 0, off_deg);
-        drawn.push_back(
-            { parent.place_of(branch.path.curve.base), is_left ? 180.0 : 0.0, off_deg });
+        drawn.push_back({ .u = parent.place_of(branch.path.curve.base),
+                          .theta_deg = is_left ? 180.0 : 0.0,
+                          .most_off_deg = off_deg,
+                          .keeps_u = branch.is_of_hand() });
     }
     return drawn;
 }
@@ -241,15 +250,34 @@ void CrowdMaker::stand(Crowd& crowd, Model const& model, std::size_t i, Place co
     crowd.branches.push_back({ i, name_of(branch), moves_to, place.theta_deg, way });
 }
 
-void CrowdMaker::stand_added(Crowd& crowd, Model const& model, Place const& place) const
+// One in the plane that may have moved to a node: to its end from there, too, or, where that makes
+// it another branch, as an added one.
+void CrowdMaker::stand_in_plane(Crowd& crowd, Model const& model, std::size_t i,
+                                Place const& place) const
 {
-    auto const nearest = nearest_drawn(model, place);
-    if (!nearest)
+    constexpr double kMostStretched = 1.3;
+    constexpr double kMostTurned_deg = 25;
+    auto const& branch = model.system.branches[i];
+    double const as_inferred = model.drawn[i].u;
+    auto const way = way_to_end(branch, crowd.parent.at(place.u));
+    double const size = way.turn.norm();
+    double const turned_deg = degrees(std::fabs(std::atan2(way.turn.y(), way.turn.x())));
+    bool const keeps_end = place.u == as_inferred
+        || (size < kMostStretched && 1 < kMostStretched * size && turned_deg < kMostTurned_deg);
+    if (keeps_end) {
+        stand(crowd, model, i, { as_inferred, place.theta_deg }, place.u);
         return;
-    auto const& branch = model.system.branches[*nearest];
-    stand_added(
-        crowd, model, place, *nearest,
-        { .from = branch.path.curve.base_tangent, .angle_deg = options_.angles.at_deg(place.u) });
+    }
+    stand_added(crowd, model, place, i, lean_of(branch, place, Lean::Smaller::Least));
+    crowd.branches.back().name = name_of(branch);
+}
+
+CrowdMaker::Lean CrowdMaker::lean_of(Branch const& branch, Place const& place,
+                                     Lean::Smaller smaller) const
+{
+    return { .from = branch.path.curve.base_tangent,
+             .angle_deg = options_.angles.at_deg(place.u),
+             .smaller = smaller };
 }
 
 void CrowdMaker::stand_added(Crowd& crowd, Model const& model, Place const& place,

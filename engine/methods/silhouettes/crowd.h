@@ -79,7 +79,8 @@ public:
     std::vector<Vec2> line_of(Branch const& model, std::size_t below) const;
 
 private:
-    void stand_added(Crowd& crowd, Model const& model, Place const& place) const;
+    void stand_in_plane(Crowd& crowd, Model const& model, std::size_t i, Place const& place) const;
+    Lean lean_of(Branch const& branch, Place const& place, Lean::Smaller smaller) const;
     static std::string name_of_added(Crowd const& crowd, Place const& place);
 
     Skeleton const& skeleton_;

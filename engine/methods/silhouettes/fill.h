@@ -50,6 +50,8 @@ struct Branch {
     bool is_outlined() const { return !own_outline.empty(); }
     bool is_drawn_leaf() const { return is_outlined() && leaf; }
     bool is_refined() const { return is_outlined() || !own_branches.empty(); }
+    // Whether somebody drew it, or on it: it stays where it is.
+    bool is_of_hand() const { return origin == Origin::Drawn || is_refined(); }
     // Whether it runs as somebody drew it on another branch.
     bool is_stroke() const { return origin == Origin::Drawn && !stroke.empty(); }
 

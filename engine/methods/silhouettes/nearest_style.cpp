@@ -45,9 +45,7 @@ bool is_other(scene::DocumentState const& before, scene::DocumentState const& af
 
 bool has_own_style(OutlinedTree const& tree)
 {
-    auto form = tree.form;
-    form.seed = TreeForm().seed; // Chance is no style.
-    bool const has_form = form != TreeForm();
+    bool const has_form = !is_usual(tree.form);
     return tree.has_crown()
         && (tree.is_refined() || !tree.styles.empty() || (has_form && !tree.takes_style));
 }
@@ -79,6 +77,7 @@ Result<TreeForm> with_style_of(TreeForm form, Plant const& plant)
 {
     auto taken = form_of(TRY(measure_style(plant)));
     taken.seed = form.seed;
+    taken.has_whole_nodes = form.has_whole_nodes;
     return taken;
 }
 

@@ -29,8 +29,8 @@ bool takes_style(OutlinedTree const& tree);
 scene::ItemId nearest_with_style(scene::DocumentState const& state, Vec3 const& place_mm,
                                  scene::ItemId except);
 
-// The form with the style measured of a plant (measured_style.h) in place of its own; its seed
-// stays. Fails like measure_style().
+// The form with the style measured of a plant (measured_style.h) in place of its own; its seed,
+// and how its nodes are kept, stay. Fails like measure_style().
 Result<TreeForm> with_style_of(TreeForm form, Plant const& plant);
 
 // The edits that a step brings with it: trees that take a style follow the nearest tree that has

@@ -37,7 +37,7 @@ std::optional<Crowd> StyledCrowdMaker::next(Parent const& parent)
     double const style_u = level_.style.unbranched;
     auto const drawn_by_hand
         = std::count_if(system.branches.begin(), system.branches.end(), [](Branch const& branch) {
-              return branch.origin != Branch::Origin::Apex && is_drawn(branch);
+              return branch.origin != Branch::Origin::Apex && branch.is_of_hand();
           });
     auto const places = styled_.next({ parent.is_trunk ? crown_u : std::min(crown_u, style_u),
                                        static_cast<std::size_t>(drawn_by_hand), parent.number });
@@ -73,7 +73,7 @@ std::vector<std::size_t> StyledCrowdMaker::kept_branches(BranchingSystem const& 
     constexpr std::array kRanks { 1, 2, 3, 0, 4 }; // Of origins in their order.
     std::vector<std::tuple<int, double, std::size_t>> ranks;
     for (std::size_t i = 0; i < drawn.size(); ++i)
-        ranks.emplace_back(is_drawn(system.branches[i])
+        ranks.emplace_back(system.branches[i].is_of_hand()
                                ? 0
                                : kRanks[static_cast<std::size_t>(system.branches[i].origin)],
                            -std::fabs(signed_area(system.branches[i].crown)), i);
@@ -103,10 +103,14 @@ StyledCrowdMaker::arrangement(Model const& model,
         auto place = branch_at[k] ? model.drawn[*branch_at[k]]
                                   : DrawnPlace { 0, k % 2 == 0 ? 0.0 : 180.0, kAnywhere_deg };
         place.u = std::min(u, 1.0);
+        place.keeps_u = true;
         free.push_back(place);
     }
     return arrange(free,
-                   { .pattern = level_.pattern, .count = count, .proposals = level_.proposals },
+                   { .pattern = level_.pattern,
+                     .count = count,
+                     .proposals = level_.proposals,
+                     .nodes = level_.nodes },
                    { .seed = options_.seed, .stream = 2, .substream = id })
         .places;
 }
@@ -123,8 +127,8 @@ bool StyledCrowdMaker::keeps_end(Parent const& parent, Model const& model,
         return false;
     double const u = place.at.u;
     auto const& branch = model.system.branches[*place.branch];
-    if (is_drawn(branch) || branch.origin != Branch::Origin::Bump)
-        return is_drawn(branch);
+    if (branch.is_of_hand() || branch.origin != Branch::Origin::Bump)
+        return branch.is_of_hand();
     auto const way = CrowdMaker::way_to_end(branch, parent.line.at(u));
     double const size = way.turn.norm();
     double const angle_deg = angle_between_deg(parent.line.direction(u),
@@ -140,7 +144,8 @@ void StyledCrowdMaker::stand(Parent const& parent, Crowd& crowd, Model const& mo
     auto const& branch = place.branch;
     if (keeps_end(parent, model, place)) {
         double const as_inferred = model.drawn[*branch].u;
-        double const moves_to = is_drawn(model.system.branches[*branch]) ? as_inferred : place.at.u;
+        double const moves_to
+            = model.system.branches[*branch].is_of_hand() ? as_inferred : place.at.u;
         CrowdMaker::stand(crowd, model, *branch, { as_inferred, place.at.theta_deg }, moves_to);
         auto const& way = crowd.branches.back().way;
         styled_.take_angle(place.share,

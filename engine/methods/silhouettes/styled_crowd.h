@@ -36,11 +36,6 @@ private:
         double share; // Of the way from the parent's first place to its last.
     };
 
-    // Whether somebody drew it, or on it: it stays where it is.
-    static bool is_drawn(Branch const& branch)
-    {
-        return branch.origin == Branch::Origin::Drawn || branch.is_refined();
-    }
     static std::vector<std::size_t> kept_branches(BranchingSystem const& system,
                                                   std::vector<DrawnPlace> const& drawn,
                                                   std::size_t most);

@@ -222,7 +222,8 @@ void StyledPlaces::take_angle(double share, double angle_deg)
 }
 
 std::vector<std::size_t> nearest_in_order(std::vector<double> const& places,
-                                          std::vector<double> const& others)
+                                          std::vector<double> const& others,
+                                          std::vector<double> const& costs)
 {
     auto const n = places.size();
     auto const m = others.size();
@@ -233,7 +234,7 @@ std::vector<std::size_t> nearest_in_order(std::vector<double> const& places,
     std::fill(sums[0].begin(), sums[0].end(), 0.0);
     auto const taken = [&](std::size_t i, std::size_t j) {
         double const off = places[i - 1] - others[j - 1];
-        return sums[i - 1][j - 1] + off * off;
+        return sums[i - 1][j - 1] + off * off + (costs.empty() ? 0 : costs[j - 1]);
     };
     for (std::size_t i = 1; i <= n; ++i)
         for (std::size_t j = i; j <= m; ++j)

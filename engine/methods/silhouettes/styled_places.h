@@ -59,8 +59,10 @@ private:
 };
 
 // For each of some places in ascending order one of others in ascending order, of which there are
-// as many at least: an own one, in the same order, such that they are near (least squares).
+// as many at least: an own one, in the same order, such that they are near (least squares). Taking
+// one of the others may cost more, as much as such a square; none: nothing.
 std::vector<std::size_t> nearest_in_order(std::vector<double> const& places,
-                                          std::vector<double> const& others);
+                                          std::vector<double> const& others,
+                                          std::vector<double> const& costs = {});
 
 } // namespace tractus::silhouette

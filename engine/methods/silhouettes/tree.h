@@ -17,6 +17,7 @@ struct LevelOptions {
     Pattern pattern = Pattern::Even;
     double added = 1.5; // Branches that nobody sees in the plane, for each one in it; 0 or more.
     int proposals = 3000;
+    ArrangementOptions::Nodes nodes = ArrangementOptions::Nodes::Whole;
     // If it is set, it says how many branches there are and where, and at which angles those are
     // added: the ones that were inferred move to the nearest of its places, those that were drawn
     // stay, and `added` says nothing.

@@ -56,6 +56,14 @@ Result<void> check_styles(TreeForm const& form)
 
 } // namespace
 
+bool is_usual(TreeForm form)
+{
+    TreeForm usual;
+    usual.seed = form.seed;
+    usual.has_whole_nodes = form.has_whole_nodes;
+    return form == usual;
+}
+
 double styled_branches(TreeForm const& form)
 {
     double branches = 1;
@@ -104,6 +112,8 @@ TreeOptions tree_options(TreeForm const& form, double height_mm)
         options.levels[level].pattern = form.patterns[level];
         options.levels[level].added *= form.density;
         options.levels[level].style = form.styles[level];
+        options.levels[level].nodes = form.has_whole_nodes ? ArrangementOptions::Nodes::Whole
+                                                           : ArrangementOptions::Nodes::Snap;
     }
     return options;
 }

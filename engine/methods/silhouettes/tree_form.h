@@ -20,9 +20,15 @@ struct TreeForm {
     int leaves = 24;         // On a twig: 1 to 500.
     double leaf_width = 0.4; // A share of a leaf's length: 0.01 to 2.
     std::uint64_t seed = 1;  // Of what the drawing leaves open.
+    // The branches of a node stand there together (ArrangementOptions::Nodes::Whole). Trees from
+    // before there was this stay as they are.
+    bool has_whole_nodes = false;
 
     bool operator==(TreeForm const&) const = default;
 };
+
+// Whether nobody has chosen anything of it: chance and how nodes are kept are no choice.
+bool is_usual(TreeForm form);
 
 // About how many branches the form's styles give on the last level; 1 for a form without styles.
 double styled_branches(TreeForm const& form);

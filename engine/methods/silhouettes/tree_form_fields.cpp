@@ -77,6 +77,7 @@ void list(scene::Fields& fields, TreeForm& form)
     fields.field("seed", &form.seed);
     for (std::size_t level = 0; level < form.styles.size(); ++level)
         list(fields, kStyleNames[level], form.styles[level]);
+    fields.sparse_field("whole_nodes", &form.has_whole_nodes);
 }
 
 } // namespace tractus::silhouette

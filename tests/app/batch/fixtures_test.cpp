@@ -140,14 +140,28 @@ TEST_P(FixtureOfDemo, GivesItsPlant)
 INSTANTIATE_TEST_SUITE_P(Fixtures, FixtureOfDemo,
                          testing::Values("broadleaf", "shrub", "conifer", "daisy"));
 
+// Sessions that are read may get files beside them.
+fs::path copy_of(std::string const& name)
+{
+    auto const path
+        = fs::temp_directory_path() / fmt::format("tractus_{}_{}.tractus", name, ::getpid());
+    fs::copy_file(fixture(name + ".tractus"), path);
+    return path;
+}
+
+TEST(Fixtures, TreesFromBeforeNodesWereWholeKeepTheirBranches)
+{
+    auto const path = copy_of("snapped_nodes");
+    expect_digest("snapped_nodes", load_session_scene(path, methods::all_methods().edits).value());
+    fs::remove(path);
+}
+
 class FixtureOfFormat : public testing::TestWithParam<int> { };
 
 TEST_P(FixtureOfFormat, GivesItsPlantAndItsEdits)
 {
     auto const name = fmt::format("format{}", GetParam());
-    auto const path
-        = fs::temp_directory_path() / fmt::format("tractus_{}_{}.tractus", name, ::getpid());
-    fs::copy_file(fixture(name + ".tractus"), path); // Reading may leave files beside it.
+    auto const path = copy_of(name);
     expect_digest(name, load_session_scene(path, methods::all_methods().edits).value());
     auto const contents = session::read_session(path, scene::core_edit_kinds());
     ASSERT_TRUE(contents) << contents.error().message;

@@ -57,6 +57,7 @@ struct SilhouetteArguments {
 silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
 {
     auto form = arguments.form;
+    form.has_whole_nodes = true;
     std::vector<silhouette::Pattern> given;
     for (auto const& word : arguments.patterns)
         given.push_back(*silhouette::pattern_of(word)); // one_of() has seen to it.

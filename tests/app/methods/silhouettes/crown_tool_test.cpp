@@ -78,9 +78,11 @@ double reach(scene::Scene const& scene, int axis)
 
 TEST(CrownTool, SaysItsWordsInLogs)
 {
-    EXPECT_EQ(tools::words_for(CrownTool {}).arguments, "");
+    EXPECT_EQ(tools::words_for(CrownTool {}).arguments, "whole_nodes");
+    CrownTool const of_old_logs { .nodes = NodesOption::AsAtFirst };
+    EXPECT_EQ(tools::words_for(of_old_logs).arguments, "");
     auto const words = tools::words_for(CrownTool { CrownTool::What::New });
-    EXPECT_EQ(words.name + " " + words.arguments, "crown_line new");
+    EXPECT_EQ(words.name + " " + words.arguments, "crown_line new whole_nodes");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(CrownTool { CrownTool::What::New }));
 }

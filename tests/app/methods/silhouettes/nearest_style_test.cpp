@@ -47,9 +47,15 @@ scene::Scene stepped(scene::Scene const& scene, scene::Edit const& edit)
     return scene::apply_edits(scene, step).value();
 }
 
+// Of trees that are begun now.
+TreeForm begun_form()
+{
+    return { .has_whole_nodes = true };
+}
+
 TreeForm style_of(scene::Scene const& scene, scene::ItemId plant)
 {
-    return with_style_of({}, plant_of(scene, plant)).value();
+    return with_style_of(begun_form(), plant_of(scene, plant)).value();
 }
 
 TEST(NearestStyle, IsTakenByATreeOfWhichNobodySaysMore)
@@ -57,13 +63,13 @@ TEST(NearestStyle, IsTakenByATreeOfWhichNobodySaysMore)
     auto const alone = with_tree({}, -100, 10);
     EXPECT_FALSE(has_own_style(tree_of(alone, 10)));
     EXPECT_TRUE(takes_style(tree_of(alone, 10)));
-    EXPECT_EQ(tree_of(alone, 10).form, TreeForm()) << "there is nothing to take";
+    EXPECT_EQ(tree_of(alone, 10).form, begun_form()) << "there is nothing to take";
 
     auto const first = with_tree({}, -100, 10, oak());
     EXPECT_TRUE(has_own_style(tree_of(first, 10)));
     auto const scene = with_tree(first, 0, 20);
     EXPECT_EQ(tree_of(scene, 20).form, style_of(first, 10));
-    EXPECT_NE(tree_of(scene, 20).form, TreeForm());
+    EXPECT_NE(tree_of(scene, 20).form, begun_form());
     EXPECT_FALSE(has_own_style(tree_of(scene, 20))) << "nobody takes what is taken";
 }
 
@@ -86,14 +92,14 @@ TEST(NearestStyle, IsThatOfTheNearestTree)
 TEST(NearestStyle, FollowsARefinedTree)
 {
     auto const drawn = with_tree(with_tree({}, 100, 10), 0, 20);
-    EXPECT_EQ(tree_of(drawn, 10).form, TreeForm());
+    EXPECT_EQ(tree_of(drawn, 10).form, begun_form());
     auto own = meant(lobe_of_crown(), drawn, { .branches = OutlineTool::Branches::OfTrunk });
     ASSERT_EQ(own.part, DrawTree::Part::OwnOutline);
     own.id = 30;
     auto const refined = stepped(drawn, own);
     EXPECT_TRUE(has_own_style(tree_of(refined, 20)));
     EXPECT_EQ(tree_of(refined, 10).form, style_of(refined, 20));
-    EXPECT_NE(tree_of(refined, 10).form, TreeForm());
+    EXPECT_NE(tree_of(refined, 10).form, begun_form());
     // Not again where nothing of it has changed.
     EXPECT_TRUE(
         styles_that_follow(refined, { scene::SetScale { refined.placement.scale } }).empty());
@@ -113,7 +119,7 @@ TEST(NearestStyle, IsNotTakenByNumbersThatSomebodyChose)
     OutlineTool const as_logs { .reads = OutlineTool::Reads::AsAtFirst };
     auto const scene = with_tree(first, 0, 20, as_logs);
     EXPECT_FALSE(tree_of(scene, 20).takes_style);
-    EXPECT_EQ(tree_of(scene, 20).form, TreeForm());
+    EXPECT_EQ(tree_of(scene, 20).form, begun_form());
 }
 
 TEST(NearestStyle, StaysWhereChanceIsAnother)

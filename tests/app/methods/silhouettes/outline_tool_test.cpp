@@ -5,6 +5,7 @@
 #include "app/methods/all_methods.h"
 #include "app/methods/construction_lines/line_tool.h"
 #include "app/methods/silhouettes/arrange_tool.h"
+#include "app/methods/silhouettes/crown_tool.h"
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_layer.h"
 #include "app/methods/silhouettes/outline_previewer.h"
@@ -27,7 +28,7 @@ TEST(OutlineTool, SaysItsNumbersInLogs)
     OutlineTool const tool { .levels = 1, .leaves = 8, .what = OutlineTool::What::New };
     auto const words = tools::words_for(tool);
     EXPECT_EQ(words.name + " " + words.arguments,
-              "outline levels=1 leaves=8 new of_any siblings closely");
+              "outline levels=1 leaves=8 new of_any siblings closely whole_nodes");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(tool));
 }
@@ -53,7 +54,8 @@ OutlineTool tool_of_old_logs()
 {
     return { .branches = OutlineTool::Branches::OfTrunk,
              .style = silhouette::StyleTo::None,
-             .reads = OutlineTool::Reads::AsAtFirst };
+             .reads = OutlineTool::Reads::AsAtFirst,
+             .nodes = NodesOption::AsAtFirst };
 }
 
 TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
@@ -65,15 +67,17 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     auto const of_branches = tools::parse_tool(tools, "outline", "of_nearest siblings").value();
     EXPECT_EQ(of_branches,
               tools::Tool(OutlineTool { .branches = OutlineTool::Branches::OfNearest,
-                                        .reads = OutlineTool::Reads::AsAtFirst }));
+                                        .reads = OutlineTool::Reads::AsAtFirst,
+                                        .nodes = NodesOption::AsAtFirst }));
     auto const tree = crowned();
     auto const line = line_from_branch(*silhouette::outlined_tree(*tree.drawn));
     EXPECT_EQ(meant(line, tree, *of_branches.get<OutlineTool>()).search,
               silhouette::Search::OnTrunk);
-    // Of other kinds construction lines alone begin with more than what their logs mean without
-    // arguments: with depths.
+    // Of other kinds crowns in space and construction lines alone begin with more than what their
+    // logs mean without arguments: with whole nodes, and with depths.
     for (auto const* const kind : tools) {
         auto const begun = kind == &OutlineTool::kKind ? tools::Tool(tool_of_old_logs())
+            : kind == &CrownTool::kKind ? tools::Tool(CrownTool { .nodes = NodesOption::AsAtFirst })
             : kind == &lines::LineTool::kKind
             ? tools::Tool(lines::LineTool { .depth_by = lines::DepthBy::StemsHeight })
             : tools::Tool(*kind);
@@ -102,11 +106,13 @@ TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
         ASSERT_FALSE(tool == tools::Tool(OutlineTool {})) << ready.name;
         auto const said = tools::words_for(tool);
         EXPECT_EQ(tools::parse_tool(tools, said.name, said.arguments).value(), tool);
-        EXPECT_EQ(meant(trunk_at(0), {}, *tool.get<OutlineTool>()).form, ready.form) << ready.name;
+        auto form = ready.form;
+        form.has_whole_nodes = true;
+        EXPECT_EQ(meant(trunk_at(0), {}, *tool.get<OutlineTool>()).form, form) << ready.name;
         auto given = *tool.get<OutlineTool>();
         given.what = OutlineTool::What::Form;
         auto const edits = tools::Tool(given).mean({}, scene).value();
-        EXPECT_EQ(edits[0].get<silhouette::FormTree>()->form, ready.form) << ready.name;
+        EXPECT_EQ(edits[0].get<silhouette::FormTree>()->form, form) << ready.name;
         EXPECT_TRUE(scene::apply_edits(scene, edits)) << ready.name;
     }
 }
@@ -213,7 +219,7 @@ TEST(OutlineTool, CarriesAStyle)
         document.draw({ stroke, OutlineTool { .style = silhouette::StyleTo::None } });
     OutlineTool const carrying { .what = OutlineTool::What::Carry };
     auto const words = tools::words_for(carrying);
-    EXPECT_EQ(words.arguments, "carry of_any siblings closely");
+    EXPECT_EQ(words.arguments, "carry of_any siblings closely whole_nodes");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(carrying));
     auto const tree = [&] { return *silhouette::outlined_tree(*document.newest()->scene.drawn); };
@@ -410,6 +416,24 @@ TEST(ArrangeTool, StandsAsManyBranchesInAWhorlAsItSays)
     EXPECT_EQ(patterns()[1], Pattern::whorls_of(4));
 }
 
+// Logs from before there were any draw the trees that they drew then, however they are arranged.
+TEST(ArrangeTool, KeepsNodesAsTheyWereWhenTheTreeWasDrawn)
+{
+    auto const tools = methods::all_methods().tools;
+    for (auto const& [words, is_whole] :
+         { std::pair("of_any siblings closely", false),
+           std::pair("of_any siblings closely whole_nodes", true) }) {
+        auto const outline = tools::parse_tool(tools, "outline", words).value();
+        document::Document document({}, document::Document::Working::AtOnce);
+        document.draw({ trunk_at(0), outline });
+        document.draw({ crown_around(0, 10), outline });
+        document.draw({ {}, tools::parse_tool(tools, "arrange", "whorls").value() });
+        auto const& form = outlined_tree(*document.newest()->scene.drawn)->form;
+        EXPECT_EQ(form.has_whole_nodes, is_whole) << words;
+        EXPECT_EQ(form.patterns[0], Pattern(Pattern::Whorls));
+    }
+}
+
 // A branch goes before the trunk that it stands on, the outline last; what is left is a bare stem.
 TEST(EraseOutlineTool, TakesLinesOfTheDrawingAway)
 {
@@ -513,7 +537,7 @@ TEST(OutlineLayer, ShowsWhatWasSeenInTheOutline)
     EXPECT_FALSE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::Always }));
     EXPECT_TRUE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::WithTriangles }));
     EXPECT_EQ(tools::words_for(OutlineTool { .seen = Seen::Always }).arguments,
-              "of_any siblings closely seen_stays");
+              "of_any siblings closely seen_stays whole_nodes");
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "tests/engine/methods/silhouettes/outlines.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <vector>
@@ -170,6 +171,119 @@ TEST(SilhouetteArrangement, WhorlsHaveTheirBranches)
                 of_gap += std::fabs(gaps - std::round(gaps));
             }
     EXPECT_LT(of_gap / pairs, 0.06); // 1/4 for random angles.
+}
+
+using Nodes = ArrangementOptions::Nodes;
+
+// How many places are at each u, from below.
+std::vector<std::size_t> sizes_of_nodes(std::vector<Place> const& places)
+{
+    std::map<double, std::size_t> at;
+    for (auto const& place : places)
+        ++at[place.u];
+    std::vector<std::size_t> sizes;
+    for (auto const& [u, size] : at)
+        sizes.push_back(size);
+    return sizes;
+}
+
+// As many as the pattern has at each node, and what is left over at the last one.
+std::vector<std::size_t> whole_nodes(std::size_t whorl, std::size_t count)
+{
+    std::vector<std::size_t> sizes(count / whorl, whorl);
+    if (count % whorl > 0)
+        sizes.push_back(count % whorl);
+    return sizes;
+}
+
+double mean_misfit(Pattern pattern, double node, std::vector<Place> const& places)
+{
+    double sum = 0;
+    double pairs = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j, ++pairs)
+            sum += misfit(pattern, node, places[i], places[j]);
+    return sum / pairs;
+}
+
+TEST(SilhouetteArrangement, NoWhorlIsTorn)
+{
+    for (Pattern const pattern :
+         { Pattern(Pattern::Decussate), Pattern(Pattern::Whorls), Pattern(Pattern::Horizontal),
+           Pattern::whorls_of(2), Pattern::whorls_of(5), Pattern::whorls_of(12) })
+        for (std::size_t const count : { 6u, 12u, 24u, 25u, 31u, 60u })
+            for (std::uint32_t seed = 0; seed < 16; ++seed) {
+                SCOPED_TRACE(fmt::format("{}, {} of seed {}", describe(pattern), count, seed));
+                auto const result
+                    = arrange({}, { .pattern = pattern, .count = count }, { .seed = seed });
+                EXPECT_EQ(sizes_of_nodes(result.places), whole_nodes(node_size(pattern), count));
+                EXPECT_LE(result.cost_after, result.cost_before);
+                EXPECT_LT(mean_misfit(pattern, node_distance(pattern, count), result.places), 0.06);
+            }
+    // Where they snap, as in trees from before, they are.
+    auto const torn = arrange({}, { .pattern = Pattern::Whorls, .count = 24, .nodes = Nodes::Snap },
+                              { .seed = 1 });
+    EXPECT_NE(sizes_of_nodes(torn.places), whole_nodes(3, 24));
+}
+
+// Of a node that is not full they go all around.
+TEST(SilhouetteArrangement, ALastWhorlIsSpread)
+{
+    auto const places
+        = arrange({}, { .pattern = Pattern::whorls_of(12), .count = 15 }, { .seed = 2 }).places;
+    std::vector<double> last;
+    for (auto const& place : places)
+        if (place.u == 1)
+            last.push_back(place.theta_deg);
+    ASSERT_EQ(last.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        double const away_deg = std::fabs(last[i] - last[(i + 1) % 3]);
+        EXPECT_GE(std::min(away_deg, 360 - away_deg), 90 - 1e-9);
+    }
+}
+
+// Branches of a drawing that move to nodes, and those of a hand, at which nodes are.
+TEST(SilhouetteArrangement, WholeWhorlsHaveTheDrawnBranches)
+{
+    std::vector<DrawnPlace> drawn;
+    for (int i = 0; i < 12; ++i)
+        drawn.push_back({ .u = 0.3 + 0.05 * i,
+                          .theta_deg = i % 2 == 0 ? 0.0 : 180.0,
+                          .most_off_deg = 30,
+                          .keeps_u = i == 5 });
+    for (Pattern const pattern :
+         { Pattern(Pattern::Decussate), Pattern(Pattern::Whorls), Pattern::whorls_of(5) })
+        for (std::uint32_t seed = 0; seed < 16; ++seed) {
+            SCOPED_TRACE(fmt::format("{}, seed {}", describe(pattern), seed));
+            auto const places = arrange(drawn, { .pattern = pattern, .count = 30, .first_u = 0.3 },
+                                        { .seed = seed })
+                                    .places;
+            EXPECT_EQ(sizes_of_nodes(places), whole_nodes(node_size(pattern), 30));
+            EXPECT_EQ(places[5].u, drawn[5].u);
+            double const node = 0.7 * node_distance(pattern, 30);
+            for (std::size_t i = 0; i < drawn.size(); ++i) {
+                double const off_deg = places[i].theta_deg - drawn[i].theta_deg;
+                EXPECT_LE(std::fabs(off_deg - 360 * std::round(off_deg / 360)), 30 + 1e-9);
+                EXPECT_LT(std::fabs(places[i].u - drawn[i].u), 2 * node);
+            }
+        }
+}
+
+// A tree from before stays: what the version before there were whole nodes prints.
+TEST(SilhouetteArrangement, SnapsAsItDidAtFirst)
+{
+    auto const places
+        = arrange({}, { .pattern = Pattern::Whorls, .count = 6, .nodes = Nodes::Snap },
+                  { .seed = 3 })
+              .places;
+    std::vector<Place> const before { { 0.75, 242.48606132113946 }, { 0.25, 56.955734853875455 },
+                                      { 0.25, 359.5609050497545 },  { 0.25, 180.68068454118847 },
+                                      { 0.75, 118.80649044059012 }, { 0.25, 298.7048589014941 } };
+    ASSERT_EQ(places.size(), before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_EQ(places[i].u, before[i].u);
+        EXPECT_DOUBLE_EQ(places[i].theta_deg, before[i].theta_deg);
+    }
 }
 
 TEST(SilhouetteArrangement, HorizontalPairsLieInThePlane)

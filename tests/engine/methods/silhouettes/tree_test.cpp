@@ -4,6 +4,7 @@
 #include "tests/engine/methods/silhouettes/outlines.h"
 
 #include <fmt/format.h>
+#include <map>
 #include <set>
 
 namespace tractus::silhouette {
@@ -74,10 +75,12 @@ struct Fit {
     double outside = 0; // Share of the foliage, farther out than 2 %.
 };
 
-Fit fit_of(Drawing const& drawing)
+Fit fit_of(Drawing const& drawing, Pattern pattern = Pattern::Even)
 {
     auto const skeleton = skeleton_of(drawing);
-    auto const tree = make_tree(skeleton);
+    TreeOptions options;
+    options.levels[0].pattern = pattern;
+    auto const tree = make_tree(skeleton, options);
     auto const& outline = skeleton.systems[0].outline;
     auto const& trunk = skeleton.systems[0].trunk;
     auto const box = box_of(outline);
@@ -115,6 +118,40 @@ TEST(SilhouetteTree, FillsItsOutline)
     }
 }
 
+// Branches of the drawing move to nodes, and still end in the outline.
+TEST(SilhouetteTree, FillsItsOutlineWithWholeWhorls)
+{
+    for (Pattern const pattern : { Pattern::Decussate, Pattern::Whorls, Pattern::Horizontal })
+        for (auto const& [name, drawing] :
+             { std::pair("crown", lobed_crown(7)), std::pair("eleven", lobed_crown(11)),
+               std::pair("ellipse", ellipse(40, 80)) }) {
+            SCOPED_TRACE(fmt::format("{}, {}", name, describe(pattern)));
+            auto const fit = fit_of(drawing, pattern);
+            EXPECT_GE(fit.filled, 0.9);
+            EXPECT_LE(fit.outside, 0.02);
+        }
+}
+
+// Of the trunk's branches, but the trunk's own end.
+TEST(SilhouetteTree, ItsWhorlsAreWhole)
+{
+    auto const skeleton = skeleton_of(lobed_crown(9));
+    for (Pattern const pattern : { Pattern::Decussate, Pattern::Whorls, Pattern::Horizontal })
+        for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+            TreeOptions options { .seed = seed };
+            options.levels[0].pattern = pattern;
+            std::map<double, std::size_t> at;
+            auto const tree = make_tree(skeleton, options);
+            for (auto const& branch : tree.arrangements.front())
+                if (branch.name != "apex")
+                    ++at[branch.place.u];
+            ASSERT_GT(at.size(), 4u);
+            for (auto const& [u, size] : at)
+                if (u < at.rbegin()->first)
+                    EXPECT_EQ(size, node_size(pattern)) << describe(pattern) << " at " << u;
+        }
+}
+
 TEST(SilhouetteTreeCorpus, FillsThePublishedOutlines)
 {
     REQUIRE_CORPUS();
@@ -133,7 +170,11 @@ TEST(SilhouetteTreeCorpus, IsAPlantInEveryReadyForm)
         for (auto const& ready : ready_forms()) {
             SCOPED_TRACE(fmt::format("{}, {}", name, ready.name));
             auto const skeleton = skeleton_of(drawing, ready.form.levels);
-            check_plant(make_tree(skeleton, tree_options(ready.form, 8000)).plant);
+            auto form = ready.form;
+            for (bool const whole : { true, false }) {
+                form.has_whole_nodes = whole;
+                check_plant(make_tree(skeleton, tree_options(form, 8000)).plant);
+            }
         }
 }
 

@@ -1,0 +1,20 @@
+#include "app/methods/silhouettes/nodes_option.h"
+
+#include <array>
+
+namespace tractus::silhouette {
+
+void visit_nodes(tools::OptionVisitor& visitor, NodesOption& nodes)
+{
+    // In the order of NodesOption.
+    static constexpr std::array<tools::OptionWord, 2> kWords { {
+        { "nodes_as_at_first", "as at first" },
+        { "whole_nodes", "whole" },
+    } };
+    // None of the kinds has a glyph beside which there would be a button.
+    visitor.choice(
+        { .words = kWords, .offered = tools::WordOption::Offered::BesideGlyph, .label = "Nodes" },
+        nodes);
+}
+
+} // namespace tractus::silhouette
