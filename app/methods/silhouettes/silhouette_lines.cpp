@@ -8,6 +8,7 @@
 #include "engine/methods/silhouettes/kept_names.h"
 #include "engine/methods/silhouettes/own_branch.h"
 #include "engine/methods/silhouettes/own_outline.h"
+#include "engine/methods/silhouettes/trunk_reach.h"
 #include "engine/scene/anchored.h"
 #include "engine/scene/scene.h"
 
@@ -19,6 +20,15 @@
 namespace tractus::silhouette {
 
 namespace {
+
+// How far the trunk goes on into its crown, as a pen's does that was stopped just below it.
+double trunk_reach(SilhouetteFile const& file)
+{
+    auto const& drawing = file.drawing;
+    if (drawing.trunk.empty() || drawing.outline.empty())
+        return 0;
+    return reach_into_crown(drawing.trunk, drawing.outline).value_or(0);
+}
 
 // Touches on bumps of the crown come before the file's parts, those inside of parts after them.
 enum class TouchesOn { Crown, Parts };
@@ -197,6 +207,9 @@ Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, Styl
 {
     auto edits = file.drawing.outline.size() + !file.drawing.trunk.empty() + file.crown_lines.size()
         + file.drawing.branches.size();
+    double const reach = trunk_reach(file);
+    if (reach > 0)
+        go_on(file.drawing.trunk, reach);
     TRY(add_surface(file.drawing, file.crown_lines, {}));
     TRY(touch_bumps(file, TouchesOn::Crown, options, edits));
     edits += touches_of(file, TouchesOn::Crown).size();
@@ -206,7 +219,11 @@ Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, Styl
     for (std::size_t i = 0; i < file.styles.size(); ++i)
         if (auto const carried = carry_style(file, file.styles[i], options); !carried)
             return about_line("style", i, carried.error());
-    return infer_skeleton(file.drawing, options);
+    auto skeleton = TRY(infer_skeleton(file.drawing, options));
+    if (reach > 0)
+        skeleton.systems[0].notes.push_back(
+            "the trunk ends just below the crown: it goes on into that");
+    return skeleton;
 }
 
 Result<std::vector<scene::Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree const& first,
@@ -222,8 +239,10 @@ Result<std::vector<scene::Edit>> edits_of_lines(SilhouetteFile const& file, Draw
     if (!drawing.trunk.empty())
         drawer.draw(DrawTree::Part::Trunk, drawing.trunk);
     drawer.edit().is_leaf = drawing.is_leaf;
+    drawer.edit().trunk_goes_on_mm = trunk_reach(file);
     if (has_outline)
         drawer.draw(DrawTree::Part::Outline, drawing.outline[0]);
+    drawer.edit().trunk_goes_on_mm = 0;
     drawer.edit().is_leaf = false;
     for (auto const& line : file.crown_lines)
         drawer.draw(DrawTree::Part::Surface, stroke_in_space(line));

@@ -29,6 +29,12 @@ static double extent(std::span<Vec2 const> outline, Vec2 const& along)
 std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
                                        std::vector<Vec2> const& outline)
 {
+    return reach_into_crown(trunk, std::vector<std::vector<Vec2>> { outline });
+}
+
+std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
+                                       std::vector<std::vector<Vec2>> const& strokes)
+{
     constexpr double kFarthest_mm = 6;
     constexpr double kOfLength = 0.15;
     constexpr double kOblique = 2;   // Times as far along the trunk's direction.
@@ -37,7 +43,7 @@ std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
     constexpr double kBeyond = 1e-6; // Of the outline's diagonal: off the place where it begins.
     if (trunk.size() < 2)
         return std::nullopt;
-    auto const clean = clean_drawing({ { outline }, { trunk.begin(), trunk.end() } });
+    auto const clean = clean_drawing({ strokes, { trunk.begin(), trunk.end() } });
     if (!clean)
         return std::nullopt;
     auto const crown = clean->to_sheet.points(clean->outline);

@@ -22,6 +22,10 @@ namespace tractus::silhouette {
 std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
                                        std::vector<Vec2> const& outline);
 
+// Likewise of an outline that was drawn in several strokes.
+std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
+                                       std::vector<std::vector<Vec2>> const& strokes);
+
 // Makes a trunk go on so far.
 void go_on(std::vector<Vec2>& trunk, double by);
 

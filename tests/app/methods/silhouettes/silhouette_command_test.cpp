@@ -315,6 +315,39 @@ TEST_F(SilhouetteCommand, WritesASessionOfItsLines)
     EXPECT_NE(flat.err.find("a session needs a folder"), std::string::npos);
 }
 
+// A hand has stopped 4 mm below the crown: as a pen's, the trunk is the crown's. The outline may be
+// of two strokes.
+TEST_F(SilhouetteCommand, TakesATrunkThatEndsJustBelowItsCrown)
+{
+    auto drawing = crown();
+    constexpr double kLow = -70; // Where the crown begins above the trunk.
+    auto const trunk_to = [&](double top) {
+        drawing["trunk"] = { { 0, top - 60 }, { 1, top - 30 }, { 0, top } };
+        std::ofstream(folder_ / "below.json") << drawing;
+    };
+    trunk_to(kLow - 4);
+    auto const outcome
+        = commands::run({ "silhouette", path("below.json"), "-o", path("out"), "--session" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("below.json: the trunk ends just below the crown"),
+              std::string::npos);
+    auto const scene
+        = batch::load_session_scene(path("out/below.tractus"), methods::all_methods().edits)
+              .value();
+    ASSERT_TRUE(batch::write_plant_file(*scene.base, "below", path("again.glb")));
+    EXPECT_TRUE(file_bytes(path("out/below.glb")) == file_bytes(path("again.glb")));
+    auto const& outline = drawing["outline"];
+    auto const middle = outline.begin() + 120;
+    drawing["outline"]
+        = json::array({ json(outline.begin(), middle + 1), json(middle, outline.end()) });
+    trunk_to(kLow - 4);
+    EXPECT_EQ(commands::run({ "silhouette", path("below.json"), "--report" }).exit_code, 0);
+    trunk_to(kLow - 10);
+    EXPECT_NE(refusal({ "silhouette", path("below.json"), "--report" })
+                  .find("below.json: the trunk is wholly outside of the outline"),
+              std::string::npos);
+}
+
 TEST_F(SilhouetteCommand, ReportsBranchesWithOutlinesOfTheirOwn)
 {
     auto drawing = crown();
