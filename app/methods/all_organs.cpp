@@ -1,6 +1,7 @@
 #include "app/methods/all_organs.h"
 
 #include "app/methods/construction_lines/organ_library.h"
+#include "engine/lsystem/view/view_texture.h"
 #include "engine/methods/construction_lines/bring_organ.h"
 #include "engine/methods/construction_lines/line_edits.h"
 
@@ -76,6 +77,8 @@ Result<Plant> plant_of_organ(fs::path const& file)
                                 .base_color = color.cast<float>(),
                                 .roughness = 0.5F,
                                 .translucency = 0.45F });
+    if (surface.picture)
+        TRY(lsystem::put_texture(plant.materials.back(), *surface.picture));
     plant.organ_shapes.push_back(
         { .kind = OrganShape::Kind::Surface, .length_mm = kLength_mm, .patches = surface.patches });
     plant.organs.push_back(

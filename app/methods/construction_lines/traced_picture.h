@@ -18,6 +18,6 @@ constexpr int kLeafPictureLength = 192; // Pixels, from base to tip.
 // out. Fails, as the user's fault, where less than half of the leaf lies on the picture, or this is
 // damaged.
 Result<std::string> traced_picture(SketchOrgan const& organ, SheetPlacement const& sheet,
-                                 scene::BackPicture const& picture);
+                                   scene::BackPicture const& picture);
 
 } // namespace tractus::lines

@@ -81,8 +81,10 @@ Stroke drawn_through(std::vector<Vec2> const& points_mm, Vec2 const& at_mm)
 SketchOrgan drawn_organ(OrganFile const& file, Vec2 const& at_mm, scene::ItemId id,
                         SheetPlacement const& sheet)
 {
-    SketchOrgan organ { .id = id };
-    if (file.color)
+    SketchOrgan organ { .id = id, .picture = file.picture };
+    if (file.picture)
+        organ.color = OrganColor::Picture;
+    else if (file.color)
         organ.color = nearest_color(*file.color);
     for (auto& line : laid_out(file).lines)
         organ.lines.push_back({ line.view,

@@ -1,5 +1,7 @@
 #include "engine/methods/construction_lines/organ_file.h"
 
+#include "engine/base/base64.h"
+#include "engine/lsystem/view/view_texture.h"
 #include "engine/stroke/resample.h"
 
 #include <algorithm>
@@ -75,10 +77,24 @@ Result<std::vector<Vec2>> read_points(std::span<std::string const> numbers)
     return points;
 }
 
+Result<std::shared_ptr<std::string const>> read_picture(std::string const& text)
+{
+    auto const png = from_base64(text);
+    if (!png)
+        return fail(Fault::User, "the picture is no PNG file in base 64: leave the line out");
+    Material shown;
+    TRY(lsystem::put_texture(shown, *png));
+    return std::make_shared<std::string const>(*png);
+}
+
 Result<void> read_line(std::vector<std::string> const& words, OrganFile& organ)
 {
     if (words.front() == "color") {
         organ.color = TRY(parse_color(words.size() == 2 ? words[1] : ""));
+        return {};
+    }
+    if (words.front() == "picture") {
+        organ.picture = TRY(read_picture(words.size() == 2 ? words[1] : ""));
         return {};
     }
     for (auto const& [name, points] : kLines)
@@ -89,8 +105,8 @@ Result<void> read_line(std::vector<std::string> const& words, OrganFile& organ)
             return {};
         }
     return fail(Fault::User,
-                fmt::format("\"{}\" is no part of a leaf: give left, right, midrib, section or "
-                            "color",
+                fmt::format("\"{}\" is no part of a leaf: give left, right, midrib, section, "
+                            "color or picture",
                             words.front().substr(0, 40)));
 }
 
@@ -135,7 +151,9 @@ Result<OrganFile> parse_organ(std::string_view text, std::string const& name)
 
 Result<OrganSurface> surface_of(OrganFile const& organ)
 {
-    return OrganSurface { .patches = TRY(organ_surface(organ.views)), .color = organ.color };
+    return OrganSurface { .patches = TRY(organ_surface(organ.views)),
+                          .color = organ.color,
+                          .picture = organ.picture };
 }
 
 std::string print_organ(OrganFile const& organ)
@@ -157,6 +175,8 @@ std::string print_organ(OrganFile const& organ)
             text += fmt::format("  {:.3f} {:.3f}", point.x() + 0.0, point.y() + 0.0);
         text += '\n';
     }
+    if (organ.picture)
+        text += fmt::format("picture {}\n", base64(*organ.picture));
     return text;
 }
 
@@ -164,7 +184,9 @@ Result<OrganFile> organ_file(SketchOrgan const& organ)
 {
     constexpr std::size_t kPoints = 4 * kAlong + 1; // More than the surface has.
     OrganFile file { .views = TRY(views_of(organ)) };
-    if (organ.color != OrganColor::Leaf && organ.color != OrganColor::Picture)
+    if (organ.color == OrganColor::Picture)
+        file.picture = organ.picture;
+    else if (organ.color != OrganColor::Leaf)
         file.color = rgb_of(organ.color);
     auto& views = file.views;
     Vec2 const base = (views.left.front() + views.right.front()) / 2;

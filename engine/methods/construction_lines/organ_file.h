@@ -5,6 +5,7 @@
 #include "engine/methods/construction_lines/organ_surface.h"
 #include "engine/methods/construction_lines/sketch_organ.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@ namespace tractus::lines {
 struct OrganFile {
     OrganViews views {};
     std::optional<Vec3> color {}; // Red, green and blue from 0 to 1; no value: as leaves have it.
+    std::shared_ptr<std::string const> picture {}; // OrganSurface::picture.
 };
 
 // "#rrggbb". Fails, as the user's fault, for other text.
@@ -28,6 +30,7 @@ Result<Vec3> parse_color(std::string_view text);
 //   right 0 0  6 20  0 40
 //   midrib 0 0  20 8  40 0
 //   section 0 0  6 -1  12 0
+//   picture iVBORw0KGgo…      -- a PNG file in base 64, in place of the colour
 //
 // A line may be missing, but for one side. Fails, as the user's fault, with `name`, the number of
 // the line and what to write; and for views that give no surface.

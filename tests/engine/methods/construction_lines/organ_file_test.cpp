@@ -60,6 +60,31 @@ TEST(OrganFile, SaysALeafInThreeViews)
         << "a side that is missing is the other one's mirror image";
 }
 
+// The smallest PNG file: a green pixel.
+constexpr std::string_view kPixel = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGMwWK"
+                                    "AAAAH0APGutUjJAAAAAElFTkSuQmCC";
+
+TEST(OrganFile, HoldsAPicture)
+{
+    auto const text = std::string(kLeaf) + "picture " + std::string(kPixel) + "\n";
+    auto const organ = parse_organ(text, "a.organ");
+    ASSERT_TRUE(organ) << organ.error().message;
+    ASSERT_TRUE(organ->picture);
+    EXPECT_NE(print_organ(*organ).find(kPixel), std::string::npos);
+    EXPECT_EQ(surface_of(*organ)->picture, organ->picture);
+
+    auto drawing = whole_sketch();
+    drawing.apply(BringOrgan { .plant = drawing.plant(), .at_mm = { 70, 0, 0 }, .text = text });
+    auto const& brought = drawing.sketch().organs[0];
+    EXPECT_EQ(brought.color, OrganColor::Picture);
+    EXPECT_EQ(*surface_of(brought)->picture, *organ->picture);
+    EXPECT_EQ(*organ_file(brought)->picture, *organ->picture);
+
+    EXPECT_EQ(refusal(std::string(kLeaf) + "picture iVBO*\n"),
+              "a.organ:6: the picture is no PNG file in base 64: leave the line out");
+    EXPECT_EQ(refusal(std::string(kLeaf) + "picture Zm9v\n").substr(0, 11), "a.organ:6: ");
+}
+
 TEST(OrganFile, SaysWhatIsWrongAndWhere)
 {
     EXPECT_EQ(refusal("lsystem: 1\n"),
@@ -73,9 +98,9 @@ TEST(OrganFile, SaysWhatIsWrongAndWhere)
               "a.organ:2: \"x\" is no place: give millimetres from -10000 to 10000");
     EXPECT_EQ(refusal("tractus-organ 1\nleft 0 0 1 nan\n"),
               "a.organ:2: \"nan\" is no place: give millimetres from -10000 to 10000");
-    EXPECT_EQ(
-        refusal("tractus-organ 1\ntop 0 0 1 1\n"),
-        "a.organ:2: \"top\" is no part of a leaf: give left, right, midrib, section or color");
+    EXPECT_EQ(refusal("tractus-organ 1\ntop 0 0 1 1\n"),
+              "a.organ:2: \"top\" is no part of a leaf: give left, right, midrib, section, color "
+              "or picture");
     EXPECT_EQ(refusal("tractus-organ 1\n\ncolor red\n"),
               "a.organ:3: color of the organ is no colour: give \"#rrggbb\", such as \"#c05080\"");
     EXPECT_EQ(refusal("tractus-organ 1\nleft 0 0 1 1\nleft 0 0 1 1\n"),
