@@ -67,7 +67,7 @@ Result<void> put_texture(Material& material, std::string_view png)
         return fail(Fault::User, "it is no PNG picture: save it as one");
     if (png.size() > kMostTextureBytes)
         return fail(Fault::User,
-                    fmt::format("it has {} MiB, more than {}: make it smaller", png.size() >> 20,
+                    fmt::format("it has more than {} MiB: make it smaller",
                                 kMostTextureBytes >> 20));
     PixelRows rows;
     TRY(read_png_pixels(png, kMostTexturePixels, [&](int width, int height) {

@@ -75,6 +75,74 @@ TEST(SurfaceMesh, SharesTheSeamsOfNeighbors)
     EXPECT_EQ(apart.positions_mm.size() - joined.positions_mm.size(), strips + 1);
 }
 
+// A row of two patches, the right one three times as broad; above each another, half as long.
+std::vector<BezierPatch> four_patches()
+{
+    std::vector<BezierPatch> patches { patch(-5, 10, 20, 3), patch(5, 30, 20, 3),
+                                       patch(-5, 10, 10, 3), patch(5, 30, 10, 3) };
+    for (std::size_t i = 2; i < 4; ++i)
+        for (auto& point : patches[i].control)
+            point.y() += 20;
+    using enum BezierPatch::Side; // Their rows begin at the tip.
+    patches[0].neighbors = { 2, BezierPatch::kNoPatch, BezierPatch::kNoPatch, 1 };
+    patches[1].neighbors = { 3, BezierPatch::kNoPatch, 0, BezierPatch::kNoPatch };
+    patches[2].neighbors = { BezierPatch::kNoPatch, 0, BezierPatch::kNoPatch, 3 };
+    patches[3].neighbors = { BezierPatch::kNoPatch, 1, 2, BezierPatch::kNoPatch };
+    return patches;
+}
+
+// The same share of a texture is on each patch, however large it is.
+Vec2 on_four_patches(Vec3f const& at)
+{
+    return { at.x() < 5 ? (at.x() + 5) / 20 : 0.5 + (at.x() - 5) / 60,
+             at.y() < 20 ? at.y() / 40 : 0.5 + (at.y() - 20) / 20 };
+}
+
+TEST(SurfaceMesh, LaysATextureOnPatches)
+{
+    auto const mesh = surface_mesh(surface(four_patches()), 4, TextureLies::OnPatches);
+    expect_sound(mesh);
+    for (std::size_t i = 0; i < mesh.positions_mm.size(); ++i)
+        EXPECT_LT(
+            (mesh.texture_coordinates[i].cast<double>() - on_four_patches(mesh.positions_mm[i]))
+                .norm(),
+            1e-5);
+}
+
+// Whatever way the patches go: columns for rows, from the other side, from the other end.
+TEST(SurfaceMesh, LaysATextureAsTheOrganLies)
+{
+    auto patches = four_patches();
+    for (auto& patch : patches) {
+        auto const before = patch;
+        for (std::size_t row = 0; row < 4; ++row)
+            for (std::size_t column = 0; column < 4; ++column)
+                patch.control[4 * row + column] = before.control[4 * (3 - column) + (3 - row)];
+        auto const& sides = before.neighbors;
+        patch.neighbors = { sides[BezierPatch::Right], sides[BezierPatch::Left],
+                            sides[BezierPatch::Below], sides[BezierPatch::Above] };
+    }
+    auto const mesh = surface_mesh(surface(patches), 4, TextureLies::OnPatches);
+    for (std::size_t i = 0; i < mesh.positions_mm.size(); ++i)
+        EXPECT_LT(
+            (mesh.texture_coordinates[i].cast<double>() - on_four_patches(mesh.positions_mm[i]))
+                .norm(),
+            1e-5);
+}
+
+TEST(SurfaceMesh, LaysATextureOnTheBoxOfPatchesThatAreNoGrid)
+{
+    auto patches = four_patches();
+    patches.pop_back();
+    patches[1].neighbors[BezierPatch::Above] = BezierPatch::kNoPatch;
+    patches[2].neighbors[BezierPatch::Right] = BezierPatch::kNoPatch;
+    auto const on_box = surface_mesh(surface(patches), 4);
+    auto const on_patches = surface_mesh(surface(patches), 4, TextureLies::OnPatches);
+    ASSERT_EQ(on_box.positions_mm.size(), on_patches.positions_mm.size());
+    for (std::size_t i = 0; i < on_box.positions_mm.size(); ++i)
+        EXPECT_EQ(on_box.texture_coordinates[i], on_patches.texture_coordinates[i]);
+}
+
 TEST(SurfaceMesh, FillsPatchesThatNarrowToAPoint)
 {
     auto petal = patch(-5, 10, 30, 6);
