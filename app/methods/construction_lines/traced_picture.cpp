@@ -136,10 +136,10 @@ private:
     int count_ = 0;
 };
 
-// How many samples a side a pixel of the leaf needs so that none of the picture is passed over.
+// How many samples a side a pixel of the leaf needs so that little of the picture is passed over.
 int samples_a_side(LeafOnTablet const& leaf, LaidImage const& image)
 {
-    constexpr double kMost = 8;
+    constexpr double kMost = 4; // A fine picture is taken as even between them.
     Vec2 const way = image.pixel_of(leaf.at(1, 0.5)) - image.pixel_of(leaf.at(0, 0.5));
     return static_cast<int>(std::clamp(std::ceil(way.norm() / kLeafPictureLength), 1.0, kMost));
 }
