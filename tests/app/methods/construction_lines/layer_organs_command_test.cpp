@@ -89,7 +89,7 @@ TEST_F(LayerOrgansCommand, SaysWhatIsWrongWithALayer)
               "organs of layer 1: a layer of organs has no \"size\": give pattern, divergence, "
               "face, organ\n");
     EXPECT_EQ(with(R"({"left":[[0,0],[0,9]],"top":[]})"),
-              "organ has no \"top\": give left, right, midrib, section, color\n");
+              "organ has no \"top\": give left, right, midrib, section, color, texture\n");
     EXPECT_EQ(with(R"({"left":[[0,0],[0,9]],"right":[[2,0],[2,9]],"color":"red"})"),
               "color of the organ is no colour: give \"#rrggbb\", such as \"#c05080\"\n");
     EXPECT_EQ(with(R"([{"pattern":"spiral","divergence":400}])"),
