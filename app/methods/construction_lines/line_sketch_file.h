@@ -64,8 +64,7 @@ struct LineSketchFile {
 //                    which one side, the midrib and the section may be missing, their colour,
 //                    "#rrggbb", and in its place a picture, "petal.png", a PNG file from where
 //                    this one is; or "heart.organ", the name of a file that says the same
-//                    (organ_file.h) but for a picture, from where this one is; or "heart", one of
-//                    ours
+//                    (organ_file.h), from where this one is; or "heart", one of ours
 //
 // What is given besides a file counts in place of what the file says.
 //
