@@ -215,7 +215,7 @@ Arrangement arrange(std::vector<DrawnPlace> const& drawn, ArrangementOptions con
                     RandomKey const& key)
 {
     bool const is_whole
-        = options.nodes == ArrangementOptions::Nodes::Whole && node_size(options.pattern) > 1;
+        = options.nodes == ArrangementOptions::Nodes::Whole && options.pattern != Pattern::Even;
     return is_whole ? arrange_whorls(drawn, options, key) : Spreader(drawn, options, key).run();
 }
 

@@ -75,8 +75,7 @@ struct ArrangementOptions {
     int proposals = 3000;
     // What nodes are to patterns that have any.
     enum class Nodes {
-        Whole, // The branches of one stand there together (whole_whorls.h); those of patterns with
-               // one branch at a node snap.
+        Whole, // The branches of one stand there together (whole_whorls.h).
         Snap,  // What is added moves to the nearest one in the end. Some get more branches than the
                // pattern has, and others fewer.
         Free   // Branches stay beside them.

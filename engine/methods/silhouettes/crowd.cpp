@@ -151,9 +151,9 @@ Crowd CrowdMaker::make(std::size_t index, LevelOptions const& options) const
           .nodes = options.nodes },
         { .seed = options_.seed, .stream = 2, .substream = static_cast<std::uint32_t>(index) });
     Model const model { system, surface, drawn };
-    // A whorl is whole even where its crown leaves hardly any room.
+    // A node is whole even where its crown leaves hardly any room.
     bool const is_whole
-        = options.nodes == ArrangementOptions::Nodes::Whole && node_size(options.pattern) > 1;
+        = options.nodes == ArrangementOptions::Nodes::Whole && options.pattern != Pattern::Even;
     auto const smaller = is_whole ? Lean::Smaller::Least : Lean::Smaller::LeftOut;
     std::optional<SpreadByArea> spread; // Patterns keep their angles.
     if (surface.is_drawn() && options.pattern == Pattern::Even)

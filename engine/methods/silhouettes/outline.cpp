@@ -141,7 +141,8 @@ Result<std::vector<Vec2>> close_outline(std::vector<std::vector<Vec2>> strokes,
     auto stroke = without_repeats(join_strokes(std::move(strokes), notes));
     if (stroke.size() < kLeastPoints)
         return fail(Fault::User,
-                    fmt::format("the outline has {} points: draw it larger", stroke.size()));
+                    fmt::format("the outline has {} points: draw it larger, with {} or more",
+                                stroke.size(), kLeastPoints));
     if (stroke.size() > kMostCorners)
         stroke = resampled_line(stroke, kMostCorners);
     auto trimmed = without_overshoot(stroke);

@@ -206,11 +206,12 @@ double mean_misfit(Pattern pattern, double node, std::vector<Place> const& place
     return sum / pairs;
 }
 
-TEST(SilhouetteArrangement, NoWhorlIsTorn)
+TEST(SilhouetteArrangement, NoNodeIsTorn)
 {
     for (Pattern const pattern :
-         { Pattern(Pattern::Decussate), Pattern(Pattern::Whorls), Pattern(Pattern::Horizontal),
-           Pattern::whorls_of(2), Pattern::whorls_of(5), Pattern::whorls_of(12) })
+         { Pattern(Pattern::Spiral), Pattern(Pattern::TwoRows), Pattern(Pattern::Decussate),
+           Pattern(Pattern::Whorls), Pattern(Pattern::Horizontal), Pattern::whorls_of(2),
+           Pattern::whorls_of(5), Pattern::whorls_of(12) })
         for (std::size_t const count : { 6u, 12u, 24u, 25u, 31u, 60u })
             for (std::uint32_t seed = 0; seed < 16; ++seed) {
                 SCOPED_TRACE(fmt::format("{}, {} of seed {}", describe(pattern), count, seed));
@@ -252,7 +253,8 @@ TEST(SilhouetteArrangement, WholeWhorlsHaveTheDrawnBranches)
                           .most_off_deg = 30,
                           .keeps_u = i == 5 });
     for (Pattern const pattern :
-         { Pattern(Pattern::Decussate), Pattern(Pattern::Whorls), Pattern::whorls_of(5) })
+         { Pattern(Pattern::Spiral), Pattern(Pattern::TwoRows), Pattern(Pattern::Decussate),
+           Pattern(Pattern::Whorls), Pattern::whorls_of(5) })
         for (std::uint32_t seed = 0; seed < 16; ++seed) {
             SCOPED_TRACE(fmt::format("{}, seed {}", describe(pattern), seed));
             auto const places = arrange(drawn, { .pattern = pattern, .count = 30, .first_u = 0.3 },

@@ -74,7 +74,7 @@ TEST(SilhouetteOutline, RefusesWhatIsTooSmall)
 {
     EXPECT_EQ(refusal(ellipse(2, 3)), "the outline encloses 18.8 mm²: draw it larger");
     EXPECT_EQ(refusal({ { { Vec2(0, 0), Vec2(50, 0), Vec2(50, 50) } }, {} }),
-              "the outline has 3 points: draw it larger");
+              "the outline has 3 points: draw it larger, with 8 or more");
     EXPECT_EQ(refusal({}), "the outline is missing: draw it around the crown");
     auto dot = ellipse(50, 50);
     dot.trunk = { Vec2(1, 2), Vec2(1, 2) };

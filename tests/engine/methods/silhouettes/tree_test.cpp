@@ -119,9 +119,10 @@ TEST(SilhouetteTree, FillsItsOutline)
 }
 
 // Branches of the drawing move to nodes, and still end in the outline.
-TEST(SilhouetteTree, FillsItsOutlineWithWholeWhorls)
+TEST(SilhouetteTree, FillsItsOutlineWithWholeNodes)
 {
-    for (Pattern const pattern : { Pattern::Decussate, Pattern::Whorls, Pattern::Horizontal })
+    for (Pattern const pattern : { Pattern::Spiral, Pattern::TwoRows, Pattern::Decussate,
+                                   Pattern::Whorls, Pattern::Horizontal })
         for (auto const& [name, drawing] :
              { std::pair("crown", lobed_crown(7)), std::pair("eleven", lobed_crown(11)),
                std::pair("ellipse", ellipse(40, 80)) }) {
