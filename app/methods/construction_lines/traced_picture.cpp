@@ -147,7 +147,7 @@ int samples_a_side(LeafOnTablet const& leaf, LaidImage const& image)
 } // namespace
 
 Result<std::string> traced_picture(SketchOrgan const& organ, SheetPlacement const& sheet,
-                                 scene::BackPicture const& picture)
+                                   scene::BackPicture const& picture)
 {
     auto const leaf = TRY(LeafOnTablet::create(organ, sheet));
     LaidImage const image(TRY(render::read_picture(*picture.file)), picture.place);

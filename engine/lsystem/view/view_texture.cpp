@@ -66,9 +66,9 @@ Result<void> put_texture(Material& material, std::string_view png)
     if (!png.starts_with("\x89PNG\r\n\x1a\n"))
         return fail(Fault::User, "it is no PNG picture: save it as one");
     if (png.size() > kMostTextureBytes)
-        return fail(Fault::User,
-                    fmt::format("it has more than {} MiB: make it smaller",
-                                kMostTextureBytes >> 20));
+        return fail(
+            Fault::User,
+            fmt::format("it has more than {} MiB: make it smaller", kMostTextureBytes >> 20));
     PixelRows rows;
     TRY(read_png_pixels(png, kMostTexturePixels, [&](int width, int height) {
         rows.width = width;
