@@ -6,6 +6,7 @@
 #include "engine/methods/construction_lines/line_edits.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <utility>
 
 namespace tractus::methods {
@@ -81,8 +82,13 @@ Result<Plant> plant_of_organ(fs::path const& file)
         TRY(lsystem::put_texture(plant.materials.back(), *surface.picture));
     plant.organ_shapes.push_back(
         { .kind = OrganShape::Kind::Surface, .length_mm = kLength_mm, .patches = surface.patches });
+    double lowest_mm = 0; // Sides may begin behind the base.
+    for (auto const& patch : surface.patches)
+        for (auto const& point : patch.control)
+            lowest_mm = std::min(lowest_mm, point.y());
     plant.organs.push_back(
-        { .orientation = Quat(Eigen::AngleAxisd(kPi / 2, Vec3::UnitX())) }); // Its length upwards.
+        { .position_mm = { 0, 0, -lowest_mm },
+          .orientation = Quat(Eigen::AngleAxisd(kPi / 2, Vec3::UnitX())) }); // Its length upwards.
     return plant;
 }
 

@@ -41,8 +41,8 @@ Result<std::vector<scene::Edit>> organ_edits(scene::Scene const& scene,
 // What to say after that.
 std::string said_of_organ(scene::DocumentState const& after);
 
-// One alone, upright, its upper side towards who looks at it from the front. Fails, as the user's
-// fault, for a file that is none.
+// One alone, upright on the ground, its upper side towards who looks from the front. Fails, as the
+// user's fault, for a file that is none.
 Result<Plant> plant_of_organ(std::filesystem::path const& file);
 
 } // namespace tractus::methods
