@@ -172,7 +172,7 @@ private:
             double const own = lsystem::leaf_age(order, i);
             auto aged = shape;
             bend(aged, own);
-            aged.material = aged_material(shape.material, own);
+            aged.material = aged_material(shape.material, own, shape.cut != nullptr);
             plant_.organ_shapes.push_back(std::move(aged));
             ages.push_back({ .shape = static_cast<OrganShapeId>(plant_.organ_shapes.size() - 1),
                              .age = own,
@@ -181,14 +181,19 @@ private:
         return ages;
     }
 
-    MaterialId aged_material(MaterialId material, double age)
+    // A picture stays as long as the leaf is as green as on it, but for those of grown leaves,
+    // which are of one age.
+    MaterialId aged_material(MaterialId material, double age, bool is_of_grown_leaf = false)
     {
         auto const [known, is_new]
             = materials_.try_emplace({ material, std::lround(age * 1000) }, MaterialId { 0 });
         if (is_new) {
             auto aged = from_.materials[material];
-            aged.textures = {}; // Pictures of leaves of another age.
             aged.base_color = aged_color(aged.base_color, age);
+            constexpr float kAsGreen = 0.03F;
+            auto const turned = (aged.base_color - from_.materials[material].base_color).norm();
+            if (is_of_grown_leaf || turned > kAsGreen)
+                aged.textures = {}; // Pictures of leaves of another age.
             plant_.materials.push_back(std::move(aged));
             known->second = static_cast<MaterialId>(plant_.materials.size() - 1);
         }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
+#include <memory>
 #include <numbers>
 
 namespace tractus::scene {
@@ -118,6 +119,24 @@ TEST(Season, TurnsGreenLeavesYellow)
     EXPECT_GT(at(7).green, 1.4);
     EXPECT_LT(at(10.4).green, 1.1);
     EXPECT_GT(at(4.6).green, 1.1);
+}
+
+// Of a leaf that is as green as on its picture; one that has turned would look as in summer with
+// it.
+TEST(Season, KeepsThePicturesOfGreenLeaves)
+{
+    auto plant = leafy_plant({ .kind = OrganShape::Kind::Surface });
+    plant.materials[1].textures.base_color
+        = std::make_shared<TexturePicture const>(TexturePicture { .bytes = "\x89PNG" });
+    auto const pictured = [&](double month) {
+        auto const then = in_season(plant, { month, 0.25 }, {});
+        return std::count_if(then.organs.begin(), then.organs.end(), [&](Organ const& organ) {
+            return then.materials[then.organ_shapes[organ.shape].material].textures.base_color
+                != nullptr;
+        });
+    };
+    EXPECT_EQ(pictured(6.5), kLeaves);
+    EXPECT_EQ(pictured(10.5), 0);
 }
 
 TEST(Season, LaysFallenLeavesOnTheGroundBelow)
