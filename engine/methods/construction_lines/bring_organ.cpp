@@ -25,8 +25,8 @@ constexpr double kGap_mm = 4;       // Between its lines.
 // A leaf's lines on the tablet, its base at (0, 0), midrib and section to the right of it.
 struct Layout {
     struct Line {
-        OrganView view;
-        std::vector<Vec2> points_mm;
+        OrganView view = OrganView::Side;
+        std::vector<Vec2> points_mm {};
     };
     std::vector<Line> lines {};
     Box box {};
@@ -45,7 +45,8 @@ Layout laid_out(OrganFile const& organ)
         if (points.empty())
             return;
         double const size = view == OrganView::Side ? scale : kBesideSize * scale;
-        auto& line = layout.lines.emplace_back(view);
+        auto& line = layout.lines.emplace_back();
+        line.view = view;
         for (auto const& point : points) {
             line.points_mm.emplace_back(begin_mm + size * (point - points.front()));
             layout.box.extend(line.points_mm.back());

@@ -129,8 +129,8 @@ Vec3 rgb_of(OrganColor color)
 OrganColor nearest_color(Vec3 const& rgb)
 {
     using enum OrganColor;
-    constexpr std::array kColors { Leaf, White, Yellow, Pink, Violet, Red, Brown };
-    return *std::min_element(kColors.begin(), kColors.end(), [&](OrganColor one, OrganColor other) {
+    constexpr std::array kNamed { Leaf, White, Yellow, Pink, Violet, Red, Brown };
+    return *std::min_element(kNamed.begin(), kNamed.end(), [&](OrganColor one, OrganColor other) {
         return (rgb_of(one) - rgb).norm() < (rgb_of(other) - rgb).norm();
     });
 }
