@@ -41,14 +41,16 @@ std::vector<std::string> words_of(std::string line)
     return words;
 }
 
+// To a thousandth of a millimetre.
 std::vector<Vec2> even_points(std::vector<Vec2> const& line, std::size_t count)
 {
     std::vector<Vec3> points;
     for (auto const& point : line)
         points.emplace_back(point.x(), point.y(), 0);
     std::vector<Vec2> even;
+    auto const rounded = [](double at_mm) { return std::round(1000 * at_mm) / 1000; };
     for (auto const& point : resample(points, count))
-        even.emplace_back(point.head<2>());
+        even.emplace_back(rounded(point.x()), rounded(point.y()));
     return even;
 }
 
@@ -172,7 +174,7 @@ std::string print_organ(OrganFile const& organ)
             continue;
         text += name;
         for (auto const& point : organ.views.*points)
-            text += fmt::format("  {:.3f} {:.3f}", point.x() + 0.0, point.y() + 0.0);
+            text += fmt::format("  {} {}", point.x() + 0.0, point.y() + 0.0);
         text += '\n';
     }
     if (organ.picture)

@@ -39,10 +39,11 @@ Result<OrganFile> parse_organ(std::string_view text, std::string const& name);
 // Fails like organ_surface().
 Result<OrganSurface> surface_of(OrganFile const& organ);
 
-// Such a text: read again it is the same leaf, to a thousandth of a millimetre.
+// Such a text: read again it is the same leaf.
 std::string print_organ(OrganFile const& organ);
 
-// What is kept of a drawn leaf: its base is at the origin. Fails like views_of().
+// What is kept of a drawn leaf, to a thousandth of a millimetre: its base is at the origin. Fails
+// like views_of().
 Result<OrganFile> organ_file(SketchOrgan const& organ);
 
 } // namespace tractus::lines
