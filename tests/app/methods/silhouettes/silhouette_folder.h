@@ -1,0 +1,68 @@
+#pragma once
+
+#include "tests/app/commands/outcome.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace tractus::silhouette {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// Runs `tractus silhouette` in a folder of its own, in which oak.json is the drawing of a crown.
+class SilhouetteCommand : public ::testing::Test {
+protected:
+    SilhouetteCommand()
+    {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+        std::ofstream(folder_ / "oak.json") << crown();
+    }
+    ~SilhouetteCommand() override { fs::remove_all(folder_); }
+
+    std::string path(std::string const& name) const { return (folder_ / name).string(); }
+
+    // A round crown with five lobes above.
+    static json crown()
+    {
+        json drawing { { "trunk", { { 0, -90 }, { 0, 50 } } } };
+        for (int i = 0; i < 240; ++i) {
+            double const angle = i * 2 * 3.14159265358979 / 240;
+            double const r = 70 + 14 * std::fabs(std::cos(2.5 * (angle - 1.5708)));
+            drawing["outline"].push_back({ r * std::cos(angle), r * std::sin(angle) });
+        }
+        return drawing;
+    }
+
+    // Once around its lobe at the right above.
+    static json part()
+    {
+        json stroke;
+        for (int i = 0; i < 80; ++i) {
+            double const angle = i * 2 * 3.14159265358979 / 80;
+            double const r = 24 + 4 * std::cos(5 * angle);
+            stroke.push_back({ 57 + r * std::cos(angle), 19 + r * std::sin(angle) });
+        }
+        return stroke;
+    }
+
+    std::string refusal(std::vector<std::string> const& arguments)
+    {
+        auto const outcome = commands::run(arguments);
+        EXPECT_NE(outcome.exit_code, 0);
+        EXPECT_EQ(outcome.out, "");
+        return outcome.err;
+    }
+
+    fs::path folder_
+        = fs::temp_directory_path() / ("tractus_silhouette_command." + std::to_string(getpid()));
+};
+
+} // namespace tractus::silhouette
