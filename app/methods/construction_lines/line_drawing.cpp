@@ -165,9 +165,8 @@ Result<ComposedSketch> Composer::compose(fs::path const& path, LineSketchFile co
 {
     chain_.push_back(path);
     auto const folder = path.parent_path();
-    ComposedSketch sketch { .stems = stems,
-                            .pattern = file.pattern,
-                            .leaf = TRY(surface_of(file.organ, folder)) };
+    auto leaf = TRY(surface_of(file.organ, folder));
+    ComposedSketch sketch { .stems = stems, .pattern = file.pattern, .leaf = std::move(leaf) };
     for (auto const& organ : file.organs) {
         LineOrgan loaded;
         if (organ.file.empty() || names_organ(organ.file, folder)) {

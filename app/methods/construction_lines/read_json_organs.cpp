@@ -256,7 +256,8 @@ Result<OrganSource> read_organ(json const& file, PictureReader const& pictures)
         return fail(Fault::User,
                     "organ is no leaf's shape: write {\"left\": [[u, v], [u, v]], \"right\": …, "
                     "\"midrib\": …, \"section\": …}, or the name of a file (.organ)");
-    return OrganSource { .surface = TRY(read_surface(organ, pictures)) };
+    auto surface = TRY(read_surface(organ, pictures));
+    return OrganSource { .surface = std::move(surface) };
 }
 
 } // namespace tractus::lines
