@@ -14,6 +14,13 @@ SubsystemRewriter::SubsystemRewriter(Model const& model, VirtualMachine& main,
         plans_.push_back(std::make_unique<RulePlan>(model, stack_.system(i)));
         rewriters_.push_back(
             std::make_unique<RangeRewriter>(*plans_.back(), stack_.machine(i), branches));
+        auto& stays = stays_.emplace_back();
+        for (std::size_t k = 0; k < model.alphabet.kinds.size(); ++k) {
+            auto const kind = static_cast<KindId>(k);
+            stays[k] = plans_.back()->way(kind) == RulePlan::Way::Copy && !stack_.is_call(kind)
+                && !stack_.is_end(kind);
+            parameter_counts_[k] = model.alphabet[kind].parameter_count;
+        }
     }
 }
 
@@ -38,6 +45,17 @@ Result<void> SubsystemRewriter::add_calls(ModuleString& string, std::size_t from
     return {};
 }
 
+SubsystemRewriter::Run SubsystemRewriter::staying(std::size_t system, std::size_t at) const
+{
+    auto const& stays = stays_[system];
+    Run run;
+    for (auto i = at; i < in_->size() && stays[in_->kinds[i]]; ++i) {
+        ++run.modules;
+        run.parameters += parameter_counts_[in_->kinds[i]];
+    }
+    return run;
+}
+
 Result<void> SubsystemRewriter::rewrite(RangeRewriter::Task const& task, bool is_last_step)
 {
     in_ = &task.in;
@@ -48,6 +66,16 @@ Result<void> SubsystemRewriter::rewrite(RangeRewriter::Task const& task, bool is
     auto const* parameters = in_->parameters.data();
     for (std::size_t i = 0; i < in_->size();) {
         auto const system = stack_.current();
+        if (auto const run = staying(system, i); run.modules > 0) { // Most of a string.
+            out_->kinds.append(in_->kinds.data() + i, run.modules);
+            out_->parameters.append(parameters, run.parameters);
+            main_.spend(run.modules);
+            if (main_.has_stopped())
+                return {};
+            i += run.modules;
+            parameters += run.parameters;
+            continue;
+        }
         auto const from = out_->size();
         auto const from_parameter = out_->parameters.size();
         auto const first_new_call = out_->calls.size();

@@ -5,7 +5,9 @@
 #include "engine/lsystem/language/model.h"
 #include "engine/lsystem/language/module_string.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -43,6 +45,14 @@ private:
     void leave();
     void run(Block const& block);
 
+    // Modules from one on that the L-system at work leaves as they are, and that call and end
+    // nothing; and how many parameters they have.
+    struct Run {
+        std::size_t modules = 0;
+        std::size_t parameters = 0;
+    };
+    Run staying(std::size_t system, std::size_t at) const;
+
     // A call that passes its variables on to nothing.
     static constexpr std::size_t kGone = static_cast<std::size_t>(-1);
 
@@ -51,6 +61,8 @@ private:
     CallStack stack_;
     std::vector<std::unique_ptr<RulePlan>> plans_;
     std::vector<std::unique_ptr<RangeRewriter>> rewriters_;
+    std::vector<std::array<bool, 256>> stays_ {}; // Of each L-system, the kinds of such modules.
+    std::array<std::uint8_t, 256> parameter_counts_ {}; // Of kinds.
     std::vector<std::size_t> targets_; // Where in out_->calls those at work go when they end.
     ModuleString const* in_ = nullptr; // Not owned.
     ModuleString* out_ = nullptr;      // Not owned.
