@@ -148,8 +148,9 @@ TEST(SilhouetteTree, ItsWhorlsAreWhole)
                     ++at[branch.place.u];
             ASSERT_GT(at.size(), 4u);
             for (auto const& [u, size] : at)
-                if (u < at.rbegin()->first)
+                if (u < at.rbegin()->first) {
                     EXPECT_EQ(size, node_size(pattern)) << describe(pattern) << " at " << u;
+                }
         }
 }
 
