@@ -22,18 +22,23 @@ Result<fs::path> find_resource(std::string_view name)
                             installed.string(), source.string()));
 }
 
-std::vector<std::string> model_names()
+std::vector<std::string> resource_names(std::string_view folder, std::string_view ending)
 {
     std::vector<std::string> names;
     std::error_code error;
-    auto const folder = find_resource("models");
-    if (!folder)
+    auto const found = find_resource(folder);
+    if (!found)
         return names;
-    for (auto const& entry : fs::directory_iterator(*folder, error))
-        if (entry.path().extension() == ".l")
+    for (auto const& entry : fs::directory_iterator(*found, error))
+        if (entry.path().extension() == ending)
             names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     return names;
+}
+
+std::vector<std::string> model_names()
+{
+    return resource_names("models", ".l");
 }
 
 Result<fs::path> find_model(std::string_view name)

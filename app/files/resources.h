@@ -14,6 +14,10 @@ namespace tractus::files {
 // built from. Fails, as the user's fault, naming both places.
 Result<std::filesystem::path> find_resource(std::string_view name);
 
+// The names, without this ending, of the files in one of the program's folders, in alphabetical
+// order; none where that is not installed.
+std::vector<std::string> resource_names(std::string_view folder, std::string_view ending);
+
 // A model that the user named: a file as it is, or else one of ours by its name alone ("shrub").
 // Fails, as the user's fault, listing ours.
 Result<std::filesystem::path> find_model(std::string_view name);

@@ -14,16 +14,7 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> organ_names()
 {
-    std::vector<std::string> names;
-    std::error_code error;
-    auto const folder = files::find_resource("leaves");
-    if (!folder)
-        return names;
-    for (auto const& entry : fs::directory_iterator(*folder, error))
-        if (entry.path().extension() == kOrganEnding)
-            names.push_back(entry.path().stem().string());
-    std::ranges::sort(names);
-    return names;
+    return files::resource_names("leaves", kOrganEnding);
 }
 
 Result<fs::path> own_organ_path(std::string const& name)

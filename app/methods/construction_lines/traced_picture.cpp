@@ -95,7 +95,7 @@ public:
             && pixel.y() < image_.height();
     }
 
-    // Of the nearest pixel.
+    // The colour of the nearest pixel.
     render::Color color_at(Vec2 const& pixel) const
     {
         auto const nearest = [](double at, int count) {

@@ -31,16 +31,7 @@ double ease(double x)
 
 std::vector<std::string> leaf_names()
 {
-    std::vector<std::string> names;
-    std::error_code error;
-    auto const folder = files::find_resource("leaves");
-    if (!folder)
-        return names;
-    for (auto const& entry : fs::directory_iterator(*folder, error))
-        if (entry.path().extension() == ".leaf")
-            names.push_back(entry.path().stem().string());
-    std::ranges::sort(names);
-    return names;
+    return files::resource_names("leaves", ".leaf");
 }
 
 Result<std::string> read_leaf_text(fs::path const& path)

@@ -21,7 +21,8 @@ constexpr std::int64_t kMostTexturePixels = 16'000'000;
 // pixels than there may be.
 Result<void> put_texture(Material& material, std::string_view png);
 
-// The same with the file of that name in the model's folder; a warning where it cannot be read.
+// Lets the material show the picture in the file of that name in the model's folder, as
+// put_texture() does. A file that cannot be read is a warning.
 Result<void> read_texture(ViewReader& reader, Material& material, std::string const& name);
 
 } // namespace tractus::lsystem

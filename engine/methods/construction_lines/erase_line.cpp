@@ -63,7 +63,7 @@ void drop_organ(PenSketch& sketch, scene::ItemId organ)
             line.organ = 0;
 }
 
-// Of the leaf that has the line.
+// The sketch without a line of this leaf, or without the leaf where no side of it is left.
 Result<PenSketch> without_organ_line(PenSketch sketch, SketchOrgan organ, scene::ItemId line)
 {
     std::erase_if(organ.lines, [&](SketchOrgan::Line const& each) { return each.line.id == line; });

@@ -148,6 +148,11 @@ Result<OrganFile> parse_organ(std::string_view text, std::string const& name)
     auto const surface = surface_of(organ);
     if (!surface)
         return fail(surface.error().fault, fmt::format("{}: {}", name, surface.error().message));
+    if (!has_breadth(organ.views))
+        return fail(Fault::User,
+                    fmt::format("{}: the leaf would have no breadth: let its edge be a bow from "
+                                "base to tip",
+                                name));
     return organ;
 }
 

@@ -33,7 +33,8 @@ Result<Vec3> parse_color(std::string_view text);
 //   picture iVBORw0KGgo…      -- a PNG file in base 64, in place of the colour
 //
 // A line may be missing, but for one side. Fails, as the user's fault, with `name`, the number of
-// the line and what to write; and for views that give no surface.
+// the line and what to write; and for views that give no surface, or one without
+// breadth.
 Result<OrganFile> parse_organ(std::string_view text, std::string const& name);
 
 // Fails like organ_surface().

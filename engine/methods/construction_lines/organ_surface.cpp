@@ -109,8 +109,6 @@ Result<Sides> place_sides(OrganViews const& views)
     Sides sides { TRY(even_points(views.left, kAlong, "left boundary")),
                   TRY(even_points(views.right, kAlong, "right boundary")) };
     auto& right = sides.right;
-    if ((right.back() - sides.left.front()).norm() < (right.front() - sides.left.front()).norm())
-        std::reverse(right.begin(), right.end());
     Vec2 const base = (sides.left.front() + right.front()) / 2;
     Vec2 const axis = (sides.left.back() + right.back()) / 2 - base;
     sides.length_mm = axis.norm();
@@ -127,12 +125,19 @@ Result<Sides> place_sides(OrganViews const& views)
     return sides;
 }
 
+// With both boundaries, each from base to tip.
 OrganViews with_both(OrganViews views)
 {
     if (views.left.empty())
         views.left = mirrored(views.right);
-    if (views.right.empty())
-        views.right = mirrored(views.left);
+    auto& left = views.left;
+    auto& right = views.right;
+    if (right.empty())
+        right = mirrored(left);
+    bool const is_reversed = !left.empty()
+        && (right.back() - left.front()).norm() < (right.front() - left.front()).norm();
+    if (is_reversed)
+        std::reverse(right.begin(), right.end());
     return views;
 }
 
@@ -169,6 +174,25 @@ std::vector<Vec2> mirrored(std::vector<Vec2> const& boundary)
         result.emplace_back(base + 2 * from_base.dot(along) * along - from_base);
     }
     return result;
+}
+
+bool has_breadth(OrganViews const& drawn)
+{
+    constexpr double kNarrowest = 0.005;
+    auto const views = with_both(drawn);
+    if (views.left.size() < 2 || views.right.size() < 2)
+        return false;
+    Points around = views.left;
+    around.insert(around.end(), views.right.rbegin(), views.right.rend());
+    double twice = 0;
+    for (std::size_t i = 0; i < around.size(); ++i) {
+        auto const& from = around[i];
+        auto const& to = around[(i + 1) % around.size()];
+        twice += from.x() * to.y() - from.y() * to.x();
+    }
+    Vec2 const base = (views.left.front() + views.right.front()) / 2;
+    Vec2 const tip = (views.left.back() + views.right.back()) / 2;
+    return std::fabs(twice) / 2 > kNarrowest * (tip - base).squaredNorm();
 }
 
 Result<std::vector<BezierPatch>> organ_surface(OrganViews const& drawn)

@@ -29,6 +29,10 @@ struct OrganViews {
 // an organ with only one. No points: none.
 std::vector<Vec2> mirrored(std::vector<Vec2> const& boundary);
 
+// Whether the boundaries are apart: there is an area of more than 0.005 by the square of the
+// organ's length between them. One without points is the other one's mirror image.
+bool has_breadth(OrganViews const& views);
+
 // An organ's surface and its colour, red, green and blue from 0 to 1; without one it has the
 // leaves'.
 struct OrganSurface {

@@ -163,12 +163,7 @@ Result<OrganViews> views_of(SketchOrgan const& organ)
 Result<OrganSurface> surface_of(SketchOrgan const& organ)
 {
     auto const views = TRY(views_of(organ));
-    constexpr double kNarrowest = 0.005; // By the leaf's length.
-    auto const& left = views.left;
-    Vec2 const base = (left.front() + views.right.front()) / 2;
-    Vec2 const tip = (left.back() + views.right.back()) / 2;
-    double const area = leftwards(left, base, tip) - leftwards(views.right, base, tip);
-    if (!(area > kNarrowest * (tip - base).squaredNorm()))
+    if (!has_breadth(views))
         return fail(Fault::User,
                     "the leaf would have no breadth: draw its edge as a bow from base to tip");
     OrganSurface surface { .patches = TRY(organ_surface(views)) };

@@ -116,7 +116,7 @@ double node_turn_deg(Pattern pattern);
 // How far a node is from the next, in u, of that many branches.
 double node_distance(Pattern pattern, std::size_t count);
 
-// The same angle, from 0 to below 360.
+// An angle brought into the range from 0 to below 360.
 double full_turn(double angle_deg);
 
 } // namespace tractus::silhouette

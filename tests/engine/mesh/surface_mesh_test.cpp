@@ -91,7 +91,7 @@ std::vector<BezierPatch> four_patches()
     return patches;
 }
 
-// The same share of a texture is on each patch, however large it is.
+// Each patch has an equal share of the texture, however large it is.
 Vec2 on_four_patches(Vec3f const& at)
 {
     return { at.x() < 5 ? (at.x() + 5) / 20 : 0.5 + (at.x() - 5) / 60,

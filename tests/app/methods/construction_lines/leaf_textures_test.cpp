@@ -275,7 +275,7 @@ TEST_F(PenTextures, NeedAPictureBehindTheLeaf)
     EXPECT_TRUE(sketch().organs.empty());
 }
 
-// The same strokes over the same picture give the same bytes, and a session holds them.
+// Strokes that are drawn twice over one picture give equal bytes, and a session holds them.
 TEST_F(PenTextures, AreTheSameAgainAndInASession)
 {
     lay_picture();

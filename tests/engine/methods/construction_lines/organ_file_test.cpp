@@ -105,8 +105,13 @@ TEST(OrganFile, SaysWhatIsWrongAndWhere)
               "a.organ:3: color of the organ is no colour: give \"#rrggbb\", such as \"#c05080\"");
     EXPECT_EQ(refusal("tractus-organ 1\nleft 0 0 1 1\nleft 0 0 1 1\n"),
               "a.organ:3: there is such a line above already: leave one out");
-    EXPECT_NE(refusal("tractus-organ 1\nleft 0 0 0 40\nmidrib 0 0 5 1 3 0\n").find("turns back"),
-              std::string::npos);
+    EXPECT_EQ(refusal("tractus-organ 1\nleft 0 0 0 40\n"),
+              "a.organ: the leaf would have no breadth: let its edge be a bow from base to tip");
+    EXPECT_EQ(refusal("tractus-organ 1\nleft 0 0 -6 20 0 40\nright 0 40 6 20 0 0\n"), "it is read")
+        << "in either direction";
+    EXPECT_NE(
+        refusal("tractus-organ 1\nleft 0 0 -1 20 0 40\nmidrib 0 0 5 1 3 0\n").find("turns back"),
+        std::string::npos);
 }
 
 // The sentence for an empty text is that of the first line.

@@ -133,7 +133,7 @@ TEST(SilhouetteTree, FillsItsOutlineWithWholeNodes)
         }
 }
 
-// Of the trunk's branches, but the trunk's own end.
+// Each node of the trunk but the last has a whole whorl; the trunk's own end is no branch.
 TEST(SilhouetteTree, ItsWhorlsAreWhole)
 {
     auto const skeleton = skeleton_of(lobed_crown(9));
