@@ -27,6 +27,7 @@ set(engine/export    engine/base engine/stroke engine/plant engine/lsystem engin
 set(engine/methods/construction_lines engine/base engine/stroke engine/plant engine/lsystem
                                       engine/scene)
 set(engine/methods/leaves engine/base engine/stroke engine/plant engine/scene)
+set(engine/methods/self_organising engine/base engine/stroke engine/plant engine/scene)
 set(engine/methods/silhouettes engine/base engine/stroke engine/plant engine/scene)
 set(engine/methods/sketch_lsystem engine/base engine/stroke engine/plant engine/lsystem engine/scene)
 set(drivers/reports  engine/base)
@@ -56,7 +57,7 @@ set(app/view         engine drivers calib app/render app/tools app/document app/
                      app/station)
 set(app/stream       engine drivers calib app/tools app/play app/devices app/station)
 set(methods app/methods/construction_lines app/methods/indicators app/methods/leaves app/methods/pictures
-            app/methods/plants app/methods/silhouettes app/methods/sketch_lsystem)
+            app/methods/plants app/methods/self_organising app/methods/silhouettes app/methods/sketch_lsystem)
 foreach(method IN LISTS methods)
     set(${method} engine drivers calib app/files app/render app/svg app/terminal app/session app/tools app/document)
 endforeach()
@@ -65,7 +66,7 @@ set(app/io           engine drivers app/files app/terminal app/methods)
 set(app/batch        engine drivers calib sim app/files app/render app/terminal app/session app/tools app/document
                      app/play app/station app/methods app/io)
 set(app/options      engine calib app/files app/terminal app/document app/methods app/io app/batch)
-foreach(method construction_lines leaves silhouettes sketch_lsystem)
+foreach(method construction_lines leaves self_organising silhouettes sketch_lsystem)
     set(app/methods/${method}/commands drivers ${app/methods/${method}} app/methods/${method} app/io app/batch app/options)
     list(APPEND commands app/methods/${method}/commands)
 endforeach()
@@ -80,7 +81,7 @@ set(layers engine/base engine/stroke engine/plant engine/lsystem/text engine/lsy
            engine/lsystem/language engine/lsystem/rewriting engine/lsystem/fast_rewriting
            engine/lsystem/turtle engine/lsystem/fast_drawing engine/lsystem/derivation engine/variation engine/mesh
            engine/scene engine/export engine/methods/construction_lines engine/methods/leaves
-           engine/methods/silhouettes engine/methods/sketch_lsystem
+           engine/methods/self_organising engine/methods/silhouettes engine/methods/sketch_lsystem
            ${drivers_rooms} drivers calib sim app/files app/render app/svg app/terminal app/diagnosis app/session app/tools app/play
            app/document app/devices app/calibration app/station app/view app/stream ${methods} app/methods app/io
            app/batch app/options ${commands} app/methods/commands app/window app/controllers app/desktop

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/methods/self_organising/grow.h"
+#include "engine/methods/self_organising/laws.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus::self_organising {
+
+// An example of the laws alone: a seed, markers, and a number of steps. Lengths are in the case's
+// own unit, z is up.
+struct Case {
+    Laws laws {};
+    std::vector<Vec3> markers {};
+    Vec3 base = Vec3::Zero();
+    Vec3 direction = Vec3::UnitZ();
+    int steps = 1;
+};
+
+// Reads a case from JSON:
+//   {"steps": 9, "markers": [[x, y, z], …], "base": [0, 0, 0], "direction": [0, 0, 1],
+//    "parameters": {"environment": "space", "internode": 1, "apical_control": 0.46, …}}
+// Parameters have the names of Laws without units; angles are in degrees. What is missing is as in
+// Laws. "name" and "expected" are for other readers. Fails, as the user's fault, for what is no
+// case and for laws out of range, naming the file and the place.
+Result<Case> parse_case(std::string_view text, std::string const& name);
+Result<Case> load_case(std::filesystem::path const& path);
+
+// What has become of a case.
+struct GrownCase {
+    GrowingTree tree {};
+    std::vector<StepCount> steps {};
+};
+
+// Fails like grow_step().
+Result<GrownCase> grow_case(Case example);
+
+// A grown case as one line of JSON: {"steps": [{"buds", "lit", "grown", "nodes", "markers"}, …],
+// "nodes": [{"parent", "at", "order", "step", "diameter"}, …], "total_length", "base_diameter",
+// "strahler"}; lengths to nine decimals.
+std::string print_case_report(GrownCase const& grown, Laws const& laws);
+
+} // namespace tractus::self_organising

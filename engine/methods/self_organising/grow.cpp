@@ -1,0 +1,101 @@
+#include "engine/methods/self_organising/grow.h"
+
+#include "engine/base/parallel.h"
+#include "engine/methods/self_organising/light.h"
+#include "engine/methods/self_organising/markers.h"
+#include "engine/methods/self_organising/shoots.h"
+#include "engine/methods/self_organising/vigour.h"
+#include "engine/methods/self_organising/wood.h"
+
+#include <algorithm>
+#include <fmt/core.h>
+#include <optional>
+#include <utility>
+
+namespace tractus::self_organising {
+
+namespace {
+
+struct Environment {
+    Perceived perceived; // In Light without directions, which few buds need.
+    std::optional<LightGrid> grid;
+};
+
+Result<Environment> perceive(GrowingTree const& tree, std::vector<Bud> const& buds,
+                             Surroundings& surroundings, Laws const& laws)
+{
+    if (laws.environment == Laws::Environment::Space)
+        return Environment { compete_for_space(surroundings.markers, tree, buds, laws), {} };
+    auto light = TRY(compete_for_light(tree, buds, surroundings.shading, laws));
+    return Environment { { std::move(light.quality), {} }, std::move(light.grid) };
+}
+
+// The buds that grow, and how.
+std::vector<Shoot> shoots_of(GrowingTree const& tree, std::vector<Bud> const& buds,
+                             Environment const& environment, std::vector<double> const& vigour,
+                             Laws const& laws)
+{
+    std::vector<Shoot> shoots;
+    auto const& perceived = environment.perceived;
+    for (std::size_t i = 0; i < buds.size(); ++i) {
+        if (perceived.quality[i] <= 0)
+            continue;
+        auto shoot = shoot_of(buds[i], vigour[i], laws);
+        if (shoot.internodes == 0)
+            continue;
+        if (!environment.grid)
+            shoot.pull = perceived.direction[i];
+        shoots.push_back(shoot);
+    }
+    if (!environment.grid)
+        return shoots;
+    constexpr std::size_t kGrain = 64;
+    parallel_for(shoots.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (auto i = begin; i < end; ++i)
+            shoots[i].pull
+                = brightest_direction(*environment.grid, tree.places[shoots[i].bud.node].position,
+                                      direction_of(tree, shoots[i].bud), laws);
+    });
+    return shoots;
+}
+
+// Lateral buds that have slept for too long die.
+void end_old_buds(GrowingTree& tree, Laws const& laws)
+{
+    if (laws.bud_life == 0)
+        return;
+    for (auto const& node : tree.links)
+        if (tree.step - node.step >= laws.bud_life)
+            for (auto k = node.first_lateral; k < node.first_lateral + node.lateral_count; ++k)
+                tree.laterals[k].has_bud = false;
+}
+
+} // namespace
+
+Result<StepCount> grow_step(GrowingTree& tree, Surroundings& surroundings, Laws const& laws)
+{
+    auto const buds = living_buds(tree);
+    auto const environment = TRY(perceive(tree, buds, surroundings, laws));
+    auto const& quality = environment.perceived.quality;
+    auto const shares = share_vigour(tree, buds, quality, laws);
+    auto const shoots = shoots_of(tree, buds, environment, shares.vigour, laws);
+    StepCount count { .buds = buds.size() };
+    count.lit = static_cast<std::size_t>(
+        std::count_if(quality.begin(), quality.end(), [](double q) { return q > 0; }));
+    for (auto const& shoot : shoots)
+        count.grown += static_cast<std::size_t>(shoot.internodes);
+    if (tree.size() + count.grown > laws.most_nodes)
+        return fail(Fault::User,
+                    fmt::format("the tree would have more than {} internodes: grow it for fewer "
+                                "years, or with less vigour",
+                                laws.most_nodes));
+    ++tree.step;
+    grow_shoots(tree, shoots, laws, surroundings.seed);
+    shed_branches(tree, shares.received, laws);
+    end_old_buds(tree, laws);
+    count.nodes = tree.size();
+    count.markers = surroundings.markers.size();
+    return count;
+}
+
+} // namespace tractus::self_organising

@@ -1,0 +1,56 @@
+#include "engine/methods/self_organising/light.h"
+
+#include "engine/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tractus::self_organising {
+
+Result<Light> compete_for_light(GrowingTree const& tree, std::vector<Bud> const& buds,
+                                std::span<Vec3 const> others, Laws const& laws)
+{
+    std::vector<Vec3> points;
+    points.reserve(buds.size() + others.size());
+    for (auto const& bud : buds)
+        points.push_back(tree.places[bud.node].position);
+    points.insert(points.end(), others.begin(), others.end());
+    Light light { TRY(LightGrid::make(points, laws)), std::vector<double>(buds.size()) };
+    for (std::size_t i = 0; i < buds.size(); ++i) {
+        double const shade = light.grid.shade_at(cell_at(points[i], laws.cell));
+        light.quality[i] = std::max(laws.full_light - shade + laws.shade, 0.0);
+    }
+    return light;
+}
+
+Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const& direction,
+                         Laws const& laws)
+{
+    constexpr double kSame = 1e-12; // Shades that differ by less are equal.
+    double const cosine = std::cos(radians(laws.perception_angle_deg) / 2);
+    auto const reach = static_cast<std::int64_t>(std::ceil(laws.perception_radius / laws.cell));
+    auto const [x, y, z] = cell_at(position, laws.cell);
+    double least = std::numeric_limits<double>::infinity();
+    Vec3 best = Vec3::Zero();
+    for (auto k = z + reach; k >= z - reach; --k)
+        for (auto j = y - reach; j <= y + reach; ++j)
+            for (auto i = x - reach; i <= x + reach; ++i) {
+                Vec3 const centre((static_cast<double>(i) + 0.5) * laws.cell,
+                                  (static_cast<double>(j) + 0.5) * laws.cell,
+                                  (static_cast<double>(k) + 0.5) * laws.cell);
+                Vec3 const way = centre - position;
+                double const distance = length_of(way);
+                bool const is_perceived = distance > 0 && distance <= laws.perception_radius
+                    && dot(way, direction) >= distance * cosine;
+                if (!is_perceived)
+                    continue;
+                if (double const shade = grid.shade_at({ i, j, k }); shade < least - kSame) {
+                    least = shade;
+                    best = way * (1 / distance);
+                }
+            }
+    return best;
+}
+
+} // namespace tractus::self_organising

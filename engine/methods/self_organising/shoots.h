@@ -1,0 +1,29 @@
+#pragma once
+
+#include "engine/methods/self_organising/growing_tree.h"
+#include "engine/methods/self_organising/laws.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace tractus::self_organising {
+
+// A bud that grows in this step.
+struct Shoot {
+    Bud bud {};
+    int internodes = 1;
+    double length = 1;        // Of each internode.
+    Vec3 pull = Vec3::Zero(); // V: the bud's best direction.
+};
+
+// How many internodes a bud of that vigour makes, and how long they are. None below 1.
+Shoot shoot_of(Bud const& bud, double vigour, Laws const& laws);
+
+// Adds the shoots' nodes, those of earlier shoots first, each with its lateral buds. Each internode
+// turns: d <- unit(d + space_weight * pull + tropism_weight * tropism_direction). The nodes' step
+// is tree.step. `seed` decides which terminal buds die (Laws::terminal_loss): by the names of axes
+// alone, so that the same axis fares alike in a tree that has grown otherwise elsewhere.
+void grow_shoots(GrowingTree& tree, std::vector<Shoot> const& shoots, Laws const& laws,
+                 std::uint64_t seed);
+
+} // namespace tractus::self_organising

@@ -1,0 +1,62 @@
+#include "engine/methods/self_organising/wood.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace tractus::self_organising {
+
+std::vector<double> pipe_sums(GrowingTree const& tree, Laws const& laws)
+{
+    double const twig = std::pow(laws.twig_diameter, laws.pipe_exponent);
+    std::vector<double> sums(tree.size());
+    for (std::size_t i = tree.size(); i-- > 0;) {
+        double sum = 0;
+        for_each_child(tree, i, [&](std::uint32_t child) { sum += sums[child]; });
+        sum += tree.dead_wood[i];
+        sums[i] = sum > 0 ? sum : twig;
+    }
+    return sums;
+}
+
+std::vector<double> diameters(GrowingTree const& tree, Laws const& laws)
+{
+    auto sums = pipe_sums(tree, laws);
+    double const twig = std::pow(laws.twig_diameter, laws.pipe_exponent);
+    for (auto& sum : sums) // Most internodes are twigs.
+        sum = sum == twig ? laws.twig_diameter : std::pow(sum, 1 / laws.pipe_exponent);
+    return sums;
+}
+
+void shed_branches(GrowingTree& tree, std::vector<double> const& received, Laws const& laws)
+{
+    if (laws.shed_below <= 0)
+        return;
+    std::vector<std::uint32_t> internodes(tree.size(), 1);
+    for (std::size_t i = tree.size(); i-- > 1;)
+        internodes[tree.links[i].parent] += internodes[i];
+    auto const sums = laws.keeps_dead_wood ? pipe_sums(tree, laws) : std::vector<double>();
+    std::vector<bool> is_dead(tree.size());
+    bool any = false;
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        auto const& node = tree.links[i];
+        if (node.parent != kNone && is_dead[node.parent])
+            is_dead[i] = true;
+        if (is_dead[i])
+            continue;
+        for (auto k = node.first_lateral; k < node.first_lateral + node.lateral_count; ++k) {
+            auto& lateral = tree.laterals[k];
+            bool const is_old = lateral.node != kNone && lateral.node < received.size();
+            if (!is_old || received[lateral.node] / internodes[lateral.node] >= laws.shed_below)
+                continue;
+            is_dead[lateral.node] = true;
+            if (laws.keeps_dead_wood)
+                tree.dead_wood[i] += sums[lateral.node];
+            lateral.node = kNone;
+            any = true;
+        }
+    }
+    if (any)
+        remove_nodes(tree, is_dead);
+}
+
+} // namespace tractus::self_organising
