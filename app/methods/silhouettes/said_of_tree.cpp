@@ -93,7 +93,7 @@ std::string said_of_tree(tools::Tool const& tool, scene::Scene const& after)
         return "A trunk stands: draw the outline of its crown around it, back to where you began";
     if (tree->is_leaf)
         return "The crown is a leaf: touch it once more as a leaf, and it has branches again";
-    if (tool.get<OutlineTool>()->what == What::Carry)
+    if (tool.get<OutlineTool>()->what == OutlineTool::What::Carry)
         return said_of_styles(*tree);
     if (auto said = said_of_branch(*tree, after.state.last_edit); !said.empty())
         return said;
