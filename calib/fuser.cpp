@@ -11,6 +11,7 @@ Fuser::Fuser(Rig const& rig)
     , calibrated_(calibrated_heights(rig))
     , heights_(kPatience + rig.max_height_age + HeightTrack::kHalfWidth)
     , leans_(kPatience + rig.max_height_age + LeanTrack::kHalfWidth)
+    , touch_(rig.tablet_latency)
 {
 }
 
@@ -50,12 +51,13 @@ static std::optional<Vec2> tilt_rad(drivers::PenSample const& pen,
     return Vec2(std::atan2(turned.x(), turned.z()), std::atan2(turned.y(), turned.z()));
 }
 
-TipSample Fuser::tip(drivers::PenSample const& pen, HeightTrack::Estimate const& height) const
+TipSample Fuser::tip(Moment const& moment, HeightTrack::Estimate const& height) const
 {
+    auto const& pen = moment.pen;
     Vec2 const nib = nib_mm(pen, leans_, rig_);
     Vec3 const tablet_mm(nib.x(), nib.y(), height.height_mm);
     return {
-        .time = instant(pen),
+        .time = moment.instant,
         .position_mm = T_world_tablet_ * tablet_mm,
         .pressure = pressure(pen),
         .tilt_rad = tilt_rad(pen, T_world_tablet_),
@@ -66,20 +68,21 @@ TipSample Fuser::tip(drivers::PenSample const& pen, HeightTrack::Estimate const&
     };
 }
 
-std::optional<HeightTrack::Estimate> Fuser::height_at(drivers::PenSample const& pen) const
+std::optional<HeightTrack::Estimate> Fuser::height_at(Moment const& moment) const
 {
     if (!scripted_)
-        return heights_.at(instant(pen), rig_.max_height_age);
-    double const height = height_mm(scripted_->scenario, pen.time - scripted_->first_pen,
+        return moment.is_in_silence ? heights_.at_corner(moment.instant, rig_.max_height_age)
+                                    : heights_.at(moment.instant, rig_.max_height_age);
+    double const height = height_mm(scripted_->scenario, moment.pen.time - scripted_->first_pen,
                                     scripted_->last_pen - scripted_->first_pen);
     return HeightTrack::Estimate { height, TipSample::HeightSource::Interpolated };
 }
 
-std::optional<HeightTrack::Estimate> Fuser::live_height_at(drivers::PenSample const& pen) const
+std::optional<HeightTrack::Estimate> Fuser::live_height_at(Moment const& moment) const
 {
     return scripted_
-        ? height_at(pen)
-        : heights_.newest_at(instant(pen), rig_.max_height_age, height_times_.burst_interval());
+        ? height_at(moment)
+        : heights_.newest_at(moment.instant, rig_.max_height_age, height_times_.burst_interval());
 }
 
 bool Fuser::is_calibrated(double height_mm) const
@@ -89,11 +92,11 @@ bool Fuser::is_calibrated(double height_mm) const
             && height_mm <= calibrated_->high_mm + kCalibrationMargin_mm);
 }
 
-// Whether later readings, should they come in order, cannot change the height at `pen` any more.
-bool Fuser::has_all_readings(drivers::PenSample const& pen) const
+// Whether later readings, should they come in order, cannot change the height then any more.
+bool Fuser::has_all_readings(Timestamp instant) const
 {
     return scripted_
-        || (!heights_.empty() && heights_.newest() >= instant(pen) + HeightTrack::kHalfWidth);
+        || (!heights_.empty() && heights_.newest() >= instant + HeightTrack::kHalfWidth);
 }
 
 void Fuser::push(drivers::HeightSample const& sample)
@@ -111,8 +114,65 @@ void Fuser::push(drivers::HeightSample const& sample)
     }
     if (sample.counts < rig_.calibrated_min_counts || sample.counts > rig_.calibrated_max_counts)
         ++counts_.heights_uncalibrated;
-    heights_.add(time - rig_.height_latency, *height);
+    auto const reading_instant = time - rig_.height_latency;
+    heights_.add(reading_instant, *height);
+    touch_.read(reading_instant);
+    follow_surface(sample.time);
     settle_ready();
+}
+
+// Makes tips while the pen is silent.
+void Fuser::follow_surface(Timestamp arrival)
+{
+    if (gap_before_live_ || gap_before_settled_)
+        return; // A tip of the pen's own has to end the stroke first.
+    for (auto const at : touch_.take_instants(arrival, heights_, rig_.max_height_age)) {
+        Moment const moment { touch_.pen(), at, true, !is_silence_sure_ };
+        auto const height = live_height_at(moment);
+        if (!height)
+            continue;
+        live_in_silence_.push_back(tip(moment, *height));
+        last_live_in_silence_ = at;
+        pending_.push_back(moment);
+    }
+    if (!may_leave_silently_ && touch_.is_surely_resting(arrival))
+        keep_silence();
+}
+
+// What came in the silence is drawn.
+void Fuser::keep_silence()
+{
+    is_silence_sure_ = true;
+    settled_.insert(settled_.end(), doubtful_.begin(), doubtful_.end());
+    doubtful_.clear();
+    for (auto moment = pending_.rbegin(); moment != pending_.rend() && moment->is_in_doubt;
+         ++moment)
+        moment->is_in_doubt = false;
+}
+
+void Fuser::drop_pending_silence(Timestamp from)
+{
+    while (!pending_.empty() && pending_.back().is_in_silence && pending_.back().instant >= from)
+        pending_.pop_back();
+}
+
+void Fuser::forget_silence()
+{
+    touch_.forget();
+    drop_silence();
+}
+
+void Fuser::drop_silence()
+{
+    drop_pending_silence(Timestamp::min());
+    doubtful_.clear();
+}
+
+// Evened times of a sample may lie before the last tip of the silence that it ends.
+static void put_after(TipSample& tip, Timestamp last_in_silence)
+{
+    if (tip.time <= last_in_silence)
+        tip.time = last_in_silence + std::chrono::microseconds(1);
 }
 
 // A stroke must not lead across samples that were left out.
@@ -131,45 +191,65 @@ std::optional<TipSample> Fuser::push(drivers::PenSample const& reported)
         pen.time = pen_times_.add(pen.time);
     if (!rig_.coil_height_mm.isZero(0))
         leans_.add(pen);
+    follow_surface(reported.time);
+    Moment const moment { pen, instant(pen), false };
+    drop_pending_silence(moment.instant);
+    if (touch_.hear(pen, reported.time) == SilentTouch::Silence::Loss)
+        drop_silence();
+    keep_silence();
+    is_silence_sure_ = false;
     ++counts_.pens;
-    pending_.push_back(pen);
+    pending_.push_back(moment);
     settle_ready();
 
-    auto const height = live_height_at(pen);
+    auto const height = live_height_at(moment);
     if (!height) {
         gap_before_live_ = true;
         return std::nullopt;
     }
-    auto live = tip(pen, *height);
-    if (!has_all_readings(pen))
+    auto live = tip(moment, *height);
+    if (!has_all_readings(moment.instant))
         live.height_source = TipSample::HeightSource::Extrapolated;
     lift_after_gap(live, gap_before_live_);
+    put_after(live, last_live_in_silence_);
     return live;
 }
 
 void Fuser::settle_ready()
 {
-    // A pen sample that has waited so long has lost its heights. (Or the clock has jumped back.)
-    auto const given_up = [&](drivers::PenSample const& pen) {
-        return std::chrono::abs(pending_.back().time - pen.time) > kPatience + rig_.max_height_age;
+    // What has waited so long has lost its heights. (Or the clock has jumped back.)
+    auto const given_up = [&](Moment const& moment) {
+        return std::chrono::abs(pending_.back().instant - moment.instant)
+            > kPatience + rig_.max_height_age;
     };
-    while (!pending_.empty() && (has_all_readings(pending_.front()) || given_up(pending_.front())))
+    while (!pending_.empty()
+           && (has_all_readings(pending_.front().instant) || given_up(pending_.front())))
         settle_next();
 }
 
 void Fuser::settle_next()
 {
-    auto const& pen = pending_.front();
-    if (auto const height = height_at(pen)) {
-        settled_.push_back(tip(pen, *height));
+    auto const moment = pending_.front();
+    pending_.pop_front();
+    auto const height = height_at(moment);
+    if (moment.is_in_silence) {
+        if (!height)
+            return;
+        auto const settled = tip(moment, *height);
+        (moment.is_in_doubt ? doubtful_ : settled_).push_back(settled);
+        last_settled_in_silence_ = settled.time;
+        ++counts_.settled_in_silence;
+        counts_.settled_uncalibrated += settled.outside_calibration;
+    } else if (height) {
+        settled_.push_back(tip(moment, *height));
         lift_after_gap(settled_.back(), gap_before_settled_);
+        put_after(settled_.back(), last_settled_in_silence_);
         ++counts_.settled;
         counts_.settled_uncalibrated += settled_.back().outside_calibration;
     } else {
         gap_before_settled_ = true;
         ++counts_.pens_without_height;
     }
-    pending_.pop_front();
 }
 
 std::vector<TipSample> Fuser::take_settled()
@@ -179,6 +259,7 @@ std::vector<TipSample> Fuser::take_settled()
 
 void Fuser::flush()
 {
+    keep_silence();
     while (!pending_.empty())
         settle_next();
 }

@@ -5,6 +5,7 @@
 #include "calib/height_track.h"
 #include "calib/lean_track.h"
 #include "calib/rig.h"
+#include "calib/silent_touch.h"
 #include "drivers/reports/height_sample.h"
 #include "drivers/reports/pen_sample.h"
 #include "engine/stroke/tip_sample.h"
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace tractus::calib {
@@ -37,19 +39,23 @@ struct FuserCounts {
     std::size_t heights_refused = 0;
     std::size_t heights_uncalibrated = 0;
 
-    // How many of the settled tips are outside the calibrated range.
+    // Settled tips of readings, while a pen that touched was silent. Not among `settled`.
+    std::size_t settled_in_silence = 0;
+
+    // How many of the settled tips, of both kinds, are outside the calibrated range.
     std::size_t settled_uncalibrated = 0;
 };
 
 // Joins the two sensors: a pen on the tablet and the height of the tablet's carriage.
 //
-// Each pen sample gives two tips. One comes at once, for live ink; its height is mostly carried on
-// from the last readings (HeightTrack::newest_at). The other comes later and is final: settled,
-// once the readings around its instant have come, from a line fitted through them (height_track.h).
-// The instants are those of the samples less their sensor's latency; where the rig has times
-// evened, of the samples as EvenTimes tells them from their arrivals. Where the rig knows how far
-// up the pen the tablet sees it, the pen's lean is taken off its place (lean_track.h), of settled
-// tips with the leans after them known, too. Whether a tip touches, and
+// Each pen sample gives two tips, and so does each reading of the height while a pen that touches
+// is silent and the surface moves (silent_touch.h). One comes at once, for live ink; its height is
+// mostly carried on from the last readings (HeightTrack::newest_at). The other comes later and is
+// final: settled, once the readings around its instant have come, from a line fitted through them
+// (height_track.h). The instants are those of the samples less their sensor's latency; where the
+// rig has times evened, of the samples as EvenTimes tells them from their arrivals. Where the rig
+// knows how far up the pen the tablet sees it, the pen's lean is taken off its place
+// (lean_track.h), of settled tips with the leans after them known, too. Whether a tip touches, and
 // how strongly, is as the rig's PressureResponse has it.
 //
 // Tips lie 0.1 mm from the truth in the mean, with heights 500 times a second of 12 bits and one
@@ -84,29 +90,54 @@ public:
     // last position in range.
     [[nodiscard]] std::optional<TipSample> push(drivers::PenSample const& pen);
 
-    // The tips that have settled since the last call, in the order of their pen samples. They are
+    // Live tips that came of readings since the last call, while the pen was silent, in time order.
+    // They touch.
+    [[nodiscard]] std::vector<TipSample> take_live() { return std::exchange(live_in_silence_, {}); }
+
+    // Whether the pen may leave without a word, so that a silence may mean that it has left. Tips
+    // in a silence then settle only with the next pen sample. At first it says so itself.
+    void set_may_leave_silently(bool may) { may_leave_silently_ = may; }
+
+    // The pen is known to have left when it fell silent: forgets the tips since.
+    void forget_silence();
+
+    // The tips that have settled since the last call, in the order of their instants. They are
     // marked as interpolated, save where readings lay on one side alone (before the first, or once
     // the sensor is lost: the movement is carried on for 5 ms, and its end held from there). A pen
     // sample without a reading near it is left out, and the tip after it does not touch.
     [[nodiscard]] std::vector<TipSample> take_settled();
 
-    // No more samples come, or none for a while: settles what is left from the readings at hand.
+    // No more samples come, or none for a while: settles what is left from the readings at hand. A
+    // pen that touches is taken to have done so until now.
     void flush();
 
     FuserCounts const& counts() const { return counts_; }
 
 private:
+    // The pen at an instant: where a sample had it, or, while it was silent, where the sample
+    // before had it.
+    struct Moment {
+        drivers::PenSample pen;
+        Timestamp instant {};
+        bool is_in_silence = false;
+        bool is_in_doubt = false; // The silence may turn out as a loss of reports.
+    };
+
     bool has_times_evened() const { return rig_.sample_times == SampleTimes::Evened && !scripted_; }
     drivers::PenSample as_felt(drivers::PenSample pen);
-    TipSample tip(drivers::PenSample const& pen, HeightTrack::Estimate const& height) const;
+    TipSample tip(Moment const& moment, HeightTrack::Estimate const& height) const;
     Timestamp instant(drivers::PenSample const& pen) const
     {
         return pen.time - rig_.tablet_latency;
     }
-    std::optional<HeightTrack::Estimate> height_at(drivers::PenSample const& pen) const;
-    std::optional<HeightTrack::Estimate> live_height_at(drivers::PenSample const& pen) const;
+    std::optional<HeightTrack::Estimate> height_at(Moment const& moment) const;
+    std::optional<HeightTrack::Estimate> live_height_at(Moment const& moment) const;
     bool is_calibrated(double height_mm) const;
-    bool has_all_readings(drivers::PenSample const& pen) const;
+    bool has_all_readings(Timestamp instant) const;
+    void follow_surface(Timestamp arrival);
+    void keep_silence();
+    void drop_silence();
+    void drop_pending_silence(Timestamp from);
     void settle_ready();
     void settle_next();
 
@@ -118,8 +149,15 @@ private:
     LeanTrack leans_; // Empty where the rig does not need it.
     EvenTimes pen_times_;
     EvenTimes height_times_;
-    std::deque<drivers::PenSample> pending_; // Samples that are not settled yet.
+    SilentTouch touch_;
+    std::deque<Moment> pending_; // Not settled yet, in time order.
     std::vector<TipSample> settled_;
+    std::vector<TipSample> doubtful_; // Settled, of moments in doubt.
+    std::vector<TipSample> live_in_silence_;
+    Timestamp last_live_in_silence_ = Timestamp::min();
+    Timestamp last_settled_in_silence_ = Timestamp::min();
+    bool is_silence_sure_ = false; // The pen rests: further tips in the silence are in no doubt.
+    bool may_leave_silently_ = false;
     bool presses_ = false; // Above the rig's pressure threshold.
     bool gap_before_live_ = false;
     bool gap_before_settled_ = false;

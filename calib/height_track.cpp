@@ -55,17 +55,29 @@ double HeightTrack::without_spike_mm(Place const& reading) const
     return std::abs(reading->height_mm - nearer_mm) > most_mm ? nearer_mm : reading->height_mm;
 }
 
-std::optional<HeightTrack::LineAt> HeightTrack::fit(Timestamp centre, Timestamp time) const
+std::optional<HeightTrack::LineAt> HeightTrack::fit(Timestamp centre, Timestamp time,
+                                                    Duration half_width) const
 {
     LineFit sums;
-    for (auto reading = first_not_before(centre - kHalfWidth);
-         reading != readings_.end() && reading->time < centre + kHalfWidth; ++reading) {
-        double const distance = to_seconds(reading->time - centre) / to_seconds(kHalfWidth);
+    for (auto reading = first_not_before(centre - half_width);
+         reading != readings_.end() && reading->time < centre + half_width; ++reading) {
+        double const distance = to_seconds(reading->time - centre) / to_seconds(half_width);
         sums.add(to_seconds(reading->time - time), without_spike_mm(reading),
                  1 - distance * distance);
     }
     auto const line = sums.line();
     return line ? std::optional(LineAt { line->at_zero, line->per_second }) : std::nullopt;
+}
+
+// On the straight line from the reading before `after`.
+double HeightTrack::between_mm(Place const& after, Timestamp time) const
+{
+    if (after == readings_.begin())
+        return without_spike_mm(after);
+    auto const before = std::prev(after);
+    double const part = to_seconds(time - before->time) / to_seconds(after->time - before->time);
+    double const from_mm = without_spike_mm(before);
+    return from_mm + part * (without_spike_mm(after) - from_mm);
 }
 
 // Height between `before` and the reading after it, which are far apart: the cubic Hermite curve,
@@ -100,13 +112,7 @@ std::optional<HeightTrack::Estimate> HeightTrack::at(Timestamp time, Duration ma
                               TipSample::HeightSource::Interpolated };
         if (auto const line = fit(time, time))
             return Estimate { line->height_mm, TipSample::HeightSource::Interpolated };
-        if (!has_before)
-            return Estimate { after->height_mm, TipSample::HeightSource::Interpolated };
-        auto const before = std::prev(after);
-        double const part
-            = to_seconds(time - before->time) / to_seconds(after->time - before->time);
-        double const from_mm = without_spike_mm(before);
-        return Estimate { from_mm + part * (without_spike_mm(after) - from_mm),
+        return Estimate { has_before ? between_mm(after, time) : after->height_mm,
                           TipSample::HeightSource::Interpolated };
     }
     if (!has_before && !has_after)
@@ -116,6 +122,20 @@ std::optional<HeightTrack::Estimate> HeightTrack::at(Timestamp time, Duration ma
     auto const line = fit(nearest->time, reached);
     return Estimate { line ? line->height_mm : nearest->height_mm,
                       TipSample::HeightSource::Extrapolated };
+}
+
+std::optional<HeightTrack::Estimate> HeightTrack::at_corner(Timestamp time, Duration max_age) const
+{
+    constexpr double kNoise_mm = 0.25;          // Of a narrow fit …
+    constexpr double kNoiseOfReadings_mm = 0.4; // … and of the readings on both sides.
+    auto estimate = at(time, max_age);
+    if (!estimate || estimate->kind != TipSample::HeightSource::Interpolated)
+        return estimate;
+    auto const line = fit(time, time, kNarrowHalfWidth);
+    double const narrow_mm = line ? line->height_mm : between_mm(first_not_before(time), time);
+    if (std::abs(narrow_mm - estimate->height_mm) > (line ? kNoise_mm : kNoiseOfReadings_mm))
+        estimate->height_mm = narrow_mm;
+    return estimate;
 }
 
 // Spacing of the last few readings, the shortest ones left out: bursts bring several at once.

@@ -157,8 +157,10 @@ void Station::pass_time(Timestamp now)
     if (is_height_measured_)
         height_monitor_.advance(now);
     for (auto& pen : pens_)
-        if (auto const gone = pen.silence.leave_if_over(*pen.decoder, now))
+        if (auto const gone = pen.silence.leave_if_over(*pen.decoder, now)) {
+            pen.fuser.forget_silence();
             use_pen(pen, *gone);
+        }
 }
 
 void Station::use_pen(Pen& pen, drivers::PenSample const& decoded)
@@ -169,7 +171,11 @@ void Station::use_pen(Pen& pen, drivers::PenSample const& decoded)
     pen_in_range_ = sample.in_range;
     if (!is_height_there_)
         return; // Nobody knows where it is.
-    if (auto const tip = pen.fuser.push(sample)) {
+    pen.fuser.set_may_leave_silently(pen.decoder->silence_limit().has_value());
+    auto const tip = pen.fuser.push(sample);
+    follow_surface(pen); // Until this sample.
+    pen.last_sample = sample;
+    if (tip) {
         follow_touch(pen, *tip);
         pen.builder.push_live(*tip);
         newest_tip_ = *tip;
@@ -246,11 +252,24 @@ void Station::push_height(Timestamp received, std::span<std::byte const> report)
                 read_height_mm_ = height_mm;
                 read_height_time_ = height.time;
             }
-            for (auto& pen : pens_)
+            for (auto& pen : pens_) {
                 pen.fuser.push(height);
+                follow_surface(pen);
+            }
         }
     for (auto& pen : pens_)
         take_settled(pen);
+}
+
+// A pen that touches in silence goes with the surface.
+void Station::follow_surface(Pen& pen)
+{
+    for (auto const& tip : pen.fuser.take_live()) {
+        ++counts_.tips_in_silence;
+        pen.builder.push_live(tip);
+        newest_tip_ = tip;
+        keep_moment(pen, pen.last_sample, tip);
+    }
 }
 
 // The height sensor went away. Strokes under way end with what it has measured; what the pens do

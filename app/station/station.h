@@ -38,6 +38,7 @@ struct StationCounts {
     std::size_t reports = 0;
     std::size_t pen_samples = 0;
     std::size_t height_samples = 0;
+    std::size_t tips_in_silence = 0; // Live ones of readings, while a pen that touched was silent.
     std::size_t broken_reports = 0;  // A decoder refused them; the first reason is kept.
     std::size_t ignored_reports = 0; // Of devices that are neither the pen nor the height sensor.
     std::size_t strokes = 0;
@@ -162,7 +163,8 @@ private:
         Vec2 scale; // From the decoder's millimetres to those of the surface as it was measured.
         calib::Fuser fuser;
         StrokeBuilder builder {};
-        std::optional<Timestamp> last_tip {};      // Live.
+        drivers::PenSample last_sample {};
+        std::optional<Timestamp> last_tip {};      // Live, of a sample.
         std::optional<Timestamp> touches_since {}; // Latency included; no value: does not touch.
     };
 
@@ -180,6 +182,7 @@ private:
     void push_pen(Pen& pen, Timestamp received, std::span<std::byte const> report);
     void push_height(Timestamp received, std::span<std::byte const> report);
     void end_with_height();
+    void follow_surface(Pen& pen);
     void take_settled(Pen& pen);
     void finish(Pen& pen);
     void finish_stroke(Stroke stroke);

@@ -87,7 +87,7 @@ void StationView::tell(document::DrawnStroke const& drawn)
 
 void StationView::begin_again(station::Station const& station, document::Document const& document)
 {
-    shown_pen_samples_ = 0;
+    shown_tips_ = 0;
     finished_strokes_ = station.counts().strokes;
     state_.volume_mm = station.volume_mm();
     if (nib_ != station.nib()) {
@@ -156,9 +156,9 @@ void StationView::show_ink(station::Station const& station, Inks inks,
 
 void StationView::show_live(station::Station const& station, document::Document const& document)
 {
-    // Without a sample of the pen there is nothing new to see: the hand rests, or is away.
-    if (std::exchange(shown_pen_samples_, station.counts().pen_samples)
-        != station.counts().pen_samples)
+    // Without a tip there is nothing new to see: the hand rests, or is away.
+    auto const tips = station.counts().pen_samples + station.counts().tips_in_silence;
+    if (std::exchange(shown_tips_, tips) != tips)
         ++state_.live_revision;
     state_.tool = station.tool().title();
     state_.tools = station.tools();

@@ -141,7 +141,7 @@ private:
     ShownLayers layers_;
     Nib nib_ = Nib::Point; // The end of the pen whose ink is shown.
     std::size_t finished_strokes_ = 0;
-    std::size_t shown_pen_samples_ = 0;
+    std::size_t shown_tips_ = 0;
     double shown_surface_mm_ = 0; // That the last picture of the pad was made for.
     // What a selecting pen is drawn over, and the plant that it was made of; none before it is
     // needed.
