@@ -3,10 +3,12 @@
 #include "app/batch/pictures.h"
 #include "app/batch/plant_file.h"
 #include "app/batch/plant_group.h"
+#include "app/batch/plant_report.h"
 #include "app/batch/plant_season.h"
 #include "app/batch/session_plant.h"
 #include "app/files/resources.h"
 #include "app/io/model_file.h"
+#include "app/methods/all_habits.h"
 #include "app/methods/all_leaves.h"
 #include "app/options/checks.h"
 #include "app/options/drawing_options.h"
@@ -42,6 +44,9 @@ struct GrowArguments {
     std::size_t ages = 0;   // Ages of an animation in one file; 0 for none.
     std::size_t frames = 0; // Frames of one in a file for each; 0 for none.
     double seconds = 10;
+    std::string habit; // Of a tree that grows by itself, in a model's place; empty: a model.
+    int years = 20;    // How many years that grows.
+    bool report = false;
 
     bool is_varied() const
     {
@@ -142,6 +147,10 @@ Result<void> write_animation(GrowArguments const& arguments, scene::Scene const&
 
 Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::string const& name)
 {
+    if (arguments.report && !arguments.output.empty())
+        TRY(batch::write_plant_file(plant, name, arguments.output, arguments.file));
+    if (arguments.report)
+        return terminal::print_out(batch::print_plant_report(plant));
     auto const triangles
         = TRY(batch::write_plant_file(plant, name, arguments.output, arguments.file));
     return terminal::print_out(fmt::format("{}: {}\n", arguments.output.string(),
@@ -187,6 +196,20 @@ Result<scene::Scene> load_model_scene(GrowArguments const& arguments,
                                                 arguments.model.seed.value_or(1) });
 }
 
+// A tree that grows by itself, as it grew unless it is said how.
+Result<scene::Scene> load_tree_scene(GrowArguments const& arguments)
+{
+    if (arguments.is_for_a_model())
+        return fail(Fault::User,
+                    "a habit is no L-system: --steps, --view, --colors and --environment are for "
+                    "those");
+    auto const seed = arguments.model.seed.value_or(1);
+    auto const edit = TRY(methods::tree_of_habit(arguments.habit, arguments.years, seed));
+    auto scene = TRY(scene::apply_edit({}, edit, document::make_load_options(arguments.cost)));
+    return scene::apply_edit(std::move(scene),
+                             scene::SetGrowth { TRY(variation::growth_preset("as drawn")), seed });
+}
+
 // A variability that is given counts on top of what a session has.
 Result<scene::Scene> with_growth(batch::GrowthOptions const& options, scene::Scene scene)
 {
@@ -219,14 +242,38 @@ Result<scene::Scene> add_drawing(batch::DrawingOptions const& options, scene::Sc
     return std::move(drawing.scene);
 }
 
-Result<void> grow_model(GrowArguments const& arguments, tools::Methods const& methods)
+// The plant that the arguments name, and whether it is a session's.
+struct NamedPlant {
+    scene::Scene scene;
+    std::string name;
+    bool is_session = false;
+};
+
+Result<NamedPlant> load_plant(GrowArguments const& arguments, tools::Methods const& methods)
 {
-    TRY(check_writable(arguments.output));
+    if (arguments.model.model.empty() == arguments.habit.empty())
+        return fail(Fault::User,
+                    "give either a model or, with --habit, the habit of a tree that grows by "
+                    "itself");
+    if (!arguments.habit.empty()) {
+        auto scene = TRY(load_tree_scene(arguments));
+        auto const name = scene.model_name;
+        return NamedPlant { std::move(scene), name };
+    }
     auto const path = TRY(files::find_model(arguments.model.model));
-    auto const name = path.stem().string();
     bool const is_session = batch::is_session_file(path);
     auto scene = TRY(is_session ? load_session(arguments, path, methods.edits)
                                 : load_model_scene(arguments, path));
+    return NamedPlant { std::move(scene), path.stem().string(), is_session };
+}
+
+Result<void> grow_plant(GrowArguments const& arguments, tools::Methods const& methods)
+{
+    if (!arguments.output.empty())
+        TRY(check_writable(arguments.output));
+    else if (!arguments.report || arguments.ages > 0 || arguments.frames > 0)
+        return fail(Fault::User, "give the file to write, with -o FILE");
+    auto [scene, name, is_session] = TRY(load_plant(arguments, methods));
     scene = TRY(with_growth(arguments.growth, std::move(scene)));
     if (auto const drawing = options::drawing_options(arguments.drawing, methods))
         scene = TRY(add_drawing(*drawing, std::move(scene), name));
@@ -237,6 +284,25 @@ Result<void> grow_model(GrowArguments const& arguments, tools::Methods const& me
     if (!is_session && !arguments.is_varied())
         return write_one(arguments, *scene.in_season, name);
     return write_one(arguments, TRY(batch::shown_plants(scene)), name);
+}
+
+void add_habit_options(CLI::App& command, GrowArguments& arguments)
+{
+    auto* const habit
+        = command
+              .add_option("--habit", arguments.habit,
+                          "In place of a model, a tree that grows by itself: a species by its "
+                          "English or Latin name, or a .habit file")
+              ->type_name("HABIT")
+              ->excludes("MODEL");
+    command.add_option("--years", arguments.years, "How many years it grows")
+        ->type_name("N")
+        ->check(options::whole_number(1, 200))
+        ->needs(habit)
+        ->capture_default_str();
+    command.add_flag("--report", arguments.report,
+                     "Print as JSON what is measured of the plant: height, crown, slenderness, "
+                     "Horton's ratios");
 }
 
 void add_animation_options(CLI::App& command, GrowArguments& arguments)
@@ -273,6 +339,8 @@ void add_grow_command(CLI::App& root, options::Action& action, tools::Methods co
     auto* const command = root.add_subcommand(
         "grow", "Grow a model and write it as glTF, OBJ, a graph or a picture");
     options::add_model_options(*command, arguments->model);
+    command->get_option("MODEL")->required(false); // A habit may stand in its place.
+    add_habit_options(*command, *arguments);
     options::add_cost_options(*command, arguments->cost);
     options::add_companion_options(*command, arguments->companions);
     command
@@ -280,8 +348,7 @@ void add_grow_command(CLI::App& root, options::Action& action, tools::Methods co
                      "What to write: its ending, .glb, .obj, .mtg (a multiscale tree graph) or "
                      ".png, says in which format")
         ->type_name("FILE")
-        ->check(options::name_ending_in({ ".glb", ".obj", ".mtg", ".png" }))
-        ->required();
+        ->check(options::name_ending_in({ ".glb", ".obj", ".mtg", ".png" }));
     options::add_glb_options(*command, arguments->file.glb);
     options::add_growth_options(*command, arguments->growth, "as drawn, or as in a session");
     options::add_drawing_options(*command, arguments->drawing,
@@ -294,7 +361,7 @@ void add_grow_command(CLI::App& root, options::Action& action, tools::Methods co
         "or with --seed another variation. With --growth the seed also says how a model\n"
         "grows. The same model, drawing and seed always give the same file.");
     command->callback([arguments, methods, &action] {
-        action = [arguments, methods] { return grow_model(*arguments, methods); };
+        action = [arguments, methods] { return grow_plant(*arguments, methods); };
     });
 }
 

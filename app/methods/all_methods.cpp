@@ -44,6 +44,7 @@
 #include "engine/methods/construction_lines/erase_line.h"
 #include "engine/methods/construction_lines/organ_edits.h"
 #include "engine/methods/leaves/leaf_sketch_edits.h"
+#include "engine/methods/self_organising/grown_tree.h"
 #include "engine/methods/sketch_lsystem/change_edits.h"
 #include "engine/scene/edit.h"
 
@@ -123,6 +124,9 @@ std::vector<scene::EditKind const*> edit_kinds()
                  &lines::PaintOrgan::kKind });
     all.insert(all.end(),
                { &leaf::AddLeafLine::kKind, &leaf::EraseLeafLine::kKind, &leaf::FormLeaf::kKind });
+    all.insert(all.end(),
+               { &self_organising::PlantTree::kKind, &self_organising::GrowOn::kKind,
+                 &self_organising::ChangeHabit::kKind });
     return all;
 }
 

@@ -21,9 +21,43 @@ struct Environment {
     std::optional<LightGrid> grid;
 };
 
+// The buds of a region compete for the markers that they can perceive.
+Perceived compete_in_region(GrowingTree const& tree, std::vector<Bud> const& buds,
+                            std::vector<Vec3>& markers, Region const& region, Laws const& laws)
+{
+    std::vector<Bud> near;
+    std::vector<std::size_t> numbers;
+    double const within = region.radius * region.radius;
+    for (std::size_t i = 0; i < buds.size(); ++i)
+        if ((tree.places[buds[i].node].position - region.centre).squaredNorm() <= within) {
+            near.push_back(buds[i]);
+            numbers.push_back(i);
+        }
+    double const reach = region.radius + std::max(laws.perception_radius, laws.occupancy_radius);
+    auto const is_far = [&](Vec3 const& marker) {
+        return (marker - region.centre).squaredNorm() > reach * reach;
+    };
+    auto const first = std::stable_partition(markers.begin(), markers.end(), is_far);
+    std::vector<Vec3> reached(first, markers.end());
+    auto const competed = compete_for_space(reached, tree, near, laws);
+    markers.erase(first, markers.end());
+    markers.insert(markers.end(), reached.begin(), reached.end());
+    Perceived perceived { std::vector<double>(buds.size()),
+                          std::vector<Vec3>(buds.size(), Vec3::Zero()) };
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        perceived.quality[numbers[i]] = competed.quality[i];
+        perceived.direction[numbers[i]] = competed.direction[i];
+    }
+    return perceived;
+}
+
 Result<Environment> perceive(GrowingTree const& tree, std::vector<Bud> const& buds,
                              Surroundings& surroundings, Laws const& laws)
 {
+    if (laws.environment == Laws::Environment::Space && surroundings.region)
+        return Environment {
+            compete_in_region(tree, buds, surroundings.markers, *surroundings.region, laws), {}
+        };
     if (laws.environment == Laws::Environment::Space)
         return Environment { compete_for_space(surroundings.markers, tree, buds, laws), {} };
     auto light = TRY(compete_for_light(tree, buds, surroundings.shading, laws));

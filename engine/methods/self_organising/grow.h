@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,11 +23,19 @@ struct StepCount {
     bool operator==(StepCount const&) const = default;
 };
 
+// A ball; what is outside waits.
+struct Region {
+    Vec3 centre = Vec3::Zero();
+    double radius = 0;
+};
+
 // What a tree grows in.
 struct Surroundings {
     std::vector<Vec3> markers {};     // Of free space; those that are used up go.
     std::span<Vec3 const> shading {}; // What shades it besides its own buds, in Light.
     std::uint64_t seed = 1;           // Of Laws::terminal_loss.
+    // Where buds compete for markers; no value: everywhere. In Light all do.
+    std::optional<Region> region {};
 };
 
 // One step: buds compete, vigour is shared out, shoots grow, starved branches are shed. The laws

@@ -33,6 +33,7 @@ GrowingTree plant_seed(Vec3 const& base, Vec3 const& direction)
     tree.places.push_back({ base, up, right_of(up) });
     tree.links.push_back({});
     tree.dead_wood.push_back(0);
+    tree.bent_by.push_back(Vec3::Zero());
     return tree;
 }
 
@@ -75,11 +76,13 @@ void remove_nodes(GrowingTree& tree, std::vector<bool> const& is_dead)
         tree.links[kept] = node;
         tree.places[kept] = tree.places[i];
         tree.dead_wood[kept] = tree.dead_wood[i];
+        tree.bent_by[kept] = tree.bent_by[i];
         ++kept;
     }
     tree.links.resize(kept);
     tree.places.resize(kept);
     tree.dead_wood.resize(kept);
+    tree.bent_by.resize(kept);
     tree.laterals.resize(kept_laterals);
     auto const renumber = [&](std::uint32_t& node) {
         if (node != kNone)

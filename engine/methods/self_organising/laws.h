@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 namespace tractus::self_organising {
 
@@ -51,6 +52,8 @@ struct Laws {
     double shade_fall = 2; // divided by this with each layer of cells below,
     int shade_depth = 5;   // down to this layer.
     double full_light = 1; // What a bud receives without shade.
+    // Buds below this height receive nothing. Default: there is no ground.
+    double ground = -std::numeric_limits<double>::infinity();
 
     double apical_control = 0.5; // Lambda: above 0.5 the axis wins over its laterals.
     double vigour = 2;           // Alpha: the base's vigour for each unit that buds receive.

@@ -19,7 +19,9 @@ Result<Light> compete_for_light(GrowingTree const& tree, std::vector<Bud> const&
     Light light { TRY(LightGrid::make(points, laws)), std::vector<double>(buds.size()) };
     for (std::size_t i = 0; i < buds.size(); ++i) {
         double const shade = light.grid.shade_at(cell_at(points[i], laws.cell));
-        light.quality[i] = std::max(laws.full_light - shade + laws.shade, 0.0);
+        bool const is_above_ground = points[i].z() >= laws.ground;
+        light.quality[i]
+            = is_above_ground ? std::max(laws.full_light - shade + laws.shade, 0.0) : 0;
     }
     return light;
 }
@@ -31,6 +33,7 @@ Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const
     double const cosine = std::cos(radians(laws.perception_angle_deg) / 2);
     auto const reach = static_cast<std::int64_t>(std::ceil(laws.perception_radius / laws.cell));
     auto const [x, y, z] = cell_at(position, laws.cell);
+    double const farthest = laws.perception_radius * laws.perception_radius * (1 + 1e-9);
     double least = std::numeric_limits<double>::infinity();
     Vec3 best = Vec3::Zero();
     for (auto k = z + reach; k >= z - reach; --k)
@@ -40,9 +43,13 @@ Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const
                                   (static_cast<double>(j) + 0.5) * laws.cell,
                                   (static_cast<double>(k) + 0.5) * laws.cell);
                 Vec3 const way = centre - position;
-                double const distance = length_of(way);
+                double const along = dot(way, direction);
+                double const squared = dot(way, way);
+                if (squared > farthest || (along <= 0 && cosine > 0)) // Most end here.
+                    continue;
+                double const distance = std::sqrt(squared);
                 bool const is_perceived = distance > 0 && distance <= laws.perception_radius
-                    && dot(way, direction) >= distance * cosine;
+                    && along >= distance * cosine;
                 if (!is_perceived)
                     continue;
                 if (double const shade = grid.shade_at({ i, j, k }); shade < least - kSame) {

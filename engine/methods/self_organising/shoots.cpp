@@ -181,6 +181,7 @@ void grow_shoots(GrowingTree& tree, std::vector<Shoot> const& shoots, Laws const
     tree.places.resize(nodes);
     tree.links.resize(nodes);
     tree.dead_wood.resize(nodes);
+    tree.bent_by.resize(nodes, Vec3::Zero());
     tree.laterals.resize(laterals);
     constexpr std::size_t kGrain = 64;
     parallel_for(shoots.size(), kGrain, [&](std::size_t begin, std::size_t end) {

@@ -1,21 +1,53 @@
 #include "app/methods/self_organising/commands/brush_command.h"
 
+#include "app/batch/drawing.h"
+#include "app/batch/plant_file.h"
+#include "app/batch/session_plant.h"
+#include "app/document/model_cost.h"
 #include "app/methods/self_organising/case_file.h"
+#include "app/methods/self_organising/habit_file.h"
+#include "app/options/checks.h"
+#include "app/options/glb_options.h"
+#include "app/options/shared_options.h"
 #include "app/terminal/console.h"
+#include "engine/base/file.h"
+#include "engine/methods/self_organising/grown_tree.h"
+#include "engine/methods/self_organising/life.h"
+#include "engine/scene/scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace tractus::self_organising {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 struct BrushArguments {
-    std::filesystem::path example;
+    tools::Methods methods;
+    fs::path example;
     bool report = false;
+    fs::path strokes;
+    std::string height; // Height for a log without a height sensor.
+    std::string habit = "oak";
+    int years = 12;
+    std::uint64_t seed = 1;
+    std::string radius = "8..40";
+    double scale = 10; // How many times larger the tree is than the strokes.
+    bool waits = false;
+    fs::path output;
+    batch::PlantFileOptions file;
 };
 
-Result<void> brush(BrushArguments const& arguments)
+Result<void> report_case(BrushArguments const& arguments)
 {
     auto example = TRY(load_case(arguments.example));
     auto const laws = example.laws;
@@ -23,20 +55,162 @@ Result<void> brush(BrushArguments const& arguments)
     return terminal::print_out(print_case_report(grown, laws));
 }
 
+// What a stroke takes of the years: its time or, where the file has none, its length.
+std::vector<double> weights_of(std::vector<Stroke> const& strokes)
+{
+    std::vector<double> seconds;
+    std::vector<double> lengths_mm;
+    for (auto const& stroke : strokes) {
+        auto const& tips = stroke.tips.vector();
+        seconds.push_back(to_seconds(tips.back().time - tips.front().time));
+        double length_mm = 0;
+        for (std::size_t i = 1; i < tips.size(); ++i)
+            length_mm += (tips[i].position_mm - tips[i - 1].position_mm).norm();
+        lengths_mm.push_back(std::max(length_mm, 1.0));
+    }
+    bool const has_times
+        = std::all_of(seconds.begin(), seconds.end(), [](double s) { return s > 0; });
+    return has_times ? seconds : lengths_mm;
+}
+
+// Each stroke has a year at least.
+std::vector<int> years_of(std::vector<Stroke> const& strokes, int years)
+{
+    auto const weights = weights_of(strokes);
+    double const all = std::accumulate(weights.begin(), weights.end(), 0.0);
+    std::vector<int> shares;
+    double until = 0;
+    int given = 0;
+    for (auto const weight : weights) {
+        until += weight;
+        auto const end = static_cast<int>(std::lround(years * until / all));
+        shares.push_back(std::max(end - given, 1));
+        given += shares.back();
+    }
+    return shares;
+}
+
+Result<std::vector<scene::Edit>> edits_of(BrushArguments const& arguments)
+{
+    auto const habit = TRY(load_habit(arguments.habit));
+    batch::DrawingOptions options { .log = arguments.strokes, .methods = arguments.methods };
+    if (!arguments.height.empty())
+        options.height = arguments.height;
+    auto strokes = TRY(batch::drawn_strokes(options));
+    std::erase_if(strokes, [](Stroke const& stroke) { return stroke.tips.empty(); });
+    if (strokes.empty())
+        return fail(Fault::User,
+                    fmt::format("{}: there is no stroke in it", arguments.strokes.string()));
+    auto const [least_mm, most_mm] = *options::parse_range(arguments.radius); // It was checked.
+    auto const years = years_of(strokes, arguments.years);
+    std::vector<scene::Edit> edits;
+    scene::ItemId const plant = 1;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        LifePart part { .years = years[i],
+                        .stroke = std::move(strokes[i]),
+                        .least_radius_mm = least_mm,
+                        .most_radius_mm = most_mm,
+                        .waits_outside = arguments.waits };
+        if (i > 0)
+            edits.emplace_back(GrowOn { plant, std::move(part) });
+        else
+            edits.emplace_back(PlantTree { .habit = habit,
+                                           .seed = arguments.seed,
+                                           .scale = 1 / arguments.scale,
+                                           .first = std::move(part),
+                                           .id = plant });
+    }
+    return edits;
+}
+
+Result<void> brush(BrushArguments const& arguments)
+{
+    if (!arguments.example.empty())
+        return report_case(arguments);
+    if (arguments.strokes.empty() || arguments.output.empty())
+        return fail(Fault::User,
+                    "give the strokes of the brush and, with -o FILE, the file to write");
+    TRY(check_writable(arguments.output));
+    auto const edits = TRY(edits_of(arguments));
+    auto const scene = TRY(scene::apply_edits({}, edits, document::make_load_options()));
+    auto const name = arguments.strokes.stem().string();
+    if (batch::is_session_file(arguments.output))
+        TRY(batch::begin_session(arguments.output, edits, arguments.methods.edits));
+    else
+        TRY(batch::write_plant_file(*scene.base, name, arguments.output, arguments.file));
+    return terminal::print_out(fmt::format("{}: {} strokes, {} internodes, {} leaves\n",
+                                           arguments.output.string(), edits.size(),
+                                           scene.base->segment_count(), scene.base->organs.size()));
+}
+
+void add_brush_options(CLI::App& command, BrushArguments& arguments)
+{
+    command
+        .add_option("--habit", arguments.habit,
+                    "The species: one of ours by its English or Latin name, or a .habit file")
+        ->type_name("HABIT")
+        ->capture_default_str();
+    command
+        .add_option("--years", arguments.years, "How many years the tree grows along all strokes")
+        ->type_name("N")
+        ->check(options::whole_number(1, kMostYears))
+        ->capture_default_str();
+    command.add_option("--seed", arguments.seed, "Another seed, another tree in the same volume")
+        ->type_name("N")
+        ->check(options::seed_number())
+        ->capture_default_str();
+    command
+        .add_option("--radius", arguments.radius,
+                    "The brush's radius in millimetres of the strokes, from no pressure to full")
+        ->type_name("MM..MM")
+        ->check(options::number_range(0.1, 1000))
+        ->capture_default_str();
+    command
+        .add_option("--scale", arguments.scale,
+                    "How many times larger the tree is than the strokes")
+        ->type_name("X")
+        ->check(options::number(0.01, 10'000))
+        ->capture_default_str();
+    command.add_flag("--waits", arguments.waits,
+                     "Only what is in the brush grows; without it, wherever it has been");
+    options::add_height_option(command, arguments.height);
+}
+
 } // namespace
 
-void add_brush_command(CLI::App& root, options::Action& action, tools::Methods const&)
+void add_brush_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto arguments = std::make_shared<BrushArguments>();
-    auto* const command = root.add_subcommand("brush", "Grow a tree into the volume of a brush");
+    arguments->methods = methods;
+    auto* const command
+        = root.add_subcommand("brush", "Grow a tree into the volume that a brush sweeps");
+    command
+        ->add_option(
+            "STROKES", arguments->strokes,
+            "A file of strokes (.txt with x y z in mm on each line, .tilt), or a recording")
+        ->type_name("STROKES");
+    add_brush_options(*command, *arguments);
+    command
+        ->add_option("-o,--output", arguments->output,
+                     "What to write: .glb, .obj, .mtg, a picture (.png), or a session (.tractus)")
+        ->type_name("FILE")
+        ->check(options::name_ending_in({ ".glb", ".obj", ".mtg", ".png", ".tractus" }));
+    options::add_glb_options(*command, arguments->file.glb);
     auto* const example
-        = command->add_option("--case", arguments->example, "An example of the laws, a JSON file")
+        = command
+              ->add_option("--case", arguments->example,
+                           "In place of strokes: an example of the laws alone, a JSON file")
               ->type_name("CASE")
-              ->required();
+              ->excludes("STROKES");
     command
         ->add_flag("--report", arguments->report,
-                   "Print as JSON what each step did and the nodes of the tree")
+                   "Print as JSON what each step of the example did, and its nodes")
         ->needs(example);
+    command->footer(
+        "The brush is a ball about the pen's tip, as wide as the pen is pressed. Where it comes "
+        "it\n"
+        "sows markers of free space, for which the tree's buds compete (Runions and others 2007,\n"
+        "Longay and others 2012). The first stroke plants a tree, the others lead it on.");
     command->callback([arguments, &action] { action = [arguments] { return brush(*arguments); }; });
 }
 

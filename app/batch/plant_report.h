@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/plant/plant.h"
+
+#include <string>
+
+namespace tractus::batch {
+
+// What is measured of a plant (tree_measures.h), as one line of JSON: lengths in metres, the
+// diameter in millimetres.
+std::string print_plant_report(Plant const& plant);
+
+} // namespace tractus::batch

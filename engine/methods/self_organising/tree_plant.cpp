@@ -1,0 +1,199 @@
+#include "engine/methods/self_organising/tree_plant.h"
+
+#include "engine/base/random.h"
+#include "engine/methods/self_organising/wood.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+#include <utility>
+
+namespace tractus::self_organising {
+
+namespace {
+
+constexpr std::uint32_t kLeafStream = 0x1EAF;
+constexpr MaterialId kBark = 0;
+constexpr MaterialId kTwig = 1;
+constexpr MaterialId kLeaf = 2;
+
+class PlantMaker {
+public:
+    PlantMaker(GrowingTree const& tree, Habit const& habit, std::uint64_t seed)
+        : tree_(tree)
+        , habit_(habit)
+        , seed_(seed)
+        , laws_(laws_in_year(habit, tree.step))
+        , diameters_(diameters(tree, laws_))
+    {
+    }
+
+    TreePlant run()
+    {
+        add_materials();
+        segment_.assign(tree_.size(), kNone);
+        axis_.assign(tree_.size(), kNone);
+        if (tree_.links[0].main != kNone)
+            add_axis(0, tree_.links[0].main);
+        for (std::uint32_t i = 1; i < tree_.size(); ++i)
+            for (auto const& lateral : tree_.laterals_of(i))
+                if (lateral.node != kNone)
+                    add_axis(i, lateral.node);
+        name_axes();
+        for (std::uint32_t i = 1; i < tree_.size(); ++i)
+            if (tree_.step - tree_.links[i].step < habit_.leaf_years)
+                add_leaves(i);
+        return std::move(made_);
+    }
+
+private:
+    Plant& plant() { return made_.plant; }
+
+    void add_materials()
+    {
+        auto const color = [](double red, double green, double blue) {
+            return Vec3(red, green, blue).cast<float>().eval();
+        };
+        auto const bark = color(habit_.bark_red, habit_.bark_green, habit_.bark_blue);
+        auto const leaf = color(habit_.leaf_red, habit_.leaf_green, habit_.leaf_blue);
+        plant().materials = {
+            { .name = "bark", .base_color = bark },
+            { .name = "twig",
+              .base_color = Vec3f(0.55F * bark + 0.45F * Vec3f(0.3F, 0.22F, 0.14F)) },
+            { .name = "leaf",
+              .kind = Material::Kind::Leaf,
+              .base_color = leaf,
+              .roughness = 0.6F,
+              .translucency = habit_.leaf_is_needle != 0 ? 0.1F : 0.45F },
+        };
+        bool const is_needle = habit_.leaf_is_needle != 0;
+        OrganShape shape { .name = "leaf",
+                           .kind = is_needle ? OrganShape::Kind::Needle : OrganShape::Kind::Blade,
+                           .material = kLeaf,
+                           .length_mm = habit_.leaf_mm,
+                           .width_mm = habit_.leaf_width_mm,
+                           .petiole_mm = is_needle ? 0 : habit_.petiole_mm };
+        shape.calendar = OrganCalendar { .is_evergreen = habit_.leaf_is_evergreen != 0 };
+        plant().organ_shapes.push_back(std::move(shape));
+    }
+
+    // `below`: the node on which it stands. Axes come in the order of the nodes that bear them, so
+    // parents come first.
+    void add_axis(std::uint32_t below, std::uint32_t first)
+    {
+        auto const number = static_cast<AxisId>(plant().axes.size());
+        Axis axis { .first_node = static_cast<NodeId>(plant().node_position_mm.size()),
+                    .first_segment = static_cast<SegmentId>(plant().segment_count()),
+                    .parent_segment = segment_[below],
+                    .parent_axis = axis_[below] };
+        if (axis.parent_axis != kNone)
+            axis.order = plant().axes[axis.parent_axis].order + 1;
+        add_node(below, diameters_[first]);
+        for (auto node = first; node != kNone; node = tree_.links[node].main) {
+            auto const above = tree_.links[node].main;
+            add_node(node, diameters_[above == kNone ? node : above]);
+            segment_[node] = axis.first_segment + axis.segment_count;
+            axis_[node] = number;
+            plant().segment_material.push_back(
+                diameters_[node] > kTwigWidths * habit_.twig_mm ? kBark : kTwig);
+            ++axis.segment_count;
+        }
+        plant().axes.push_back(axis);
+    }
+
+    void add_node(std::uint32_t node, double diameter_mm)
+    {
+        Vec3 const at_mm = tree_.places[node].position - tree_.places[0].position;
+        plant().node_position_mm.push_back(at_mm);
+        plant().node_radius_mm.push_back(
+            static_cast<float>(diameter_mm / 2 * flare_at(tree_.links[node], at_mm.z())));
+    }
+
+    // The foot of the trunk widens within about a width of the ground.
+    double flare_at(NodeLinks const& node, double height_mm) const
+    {
+        if (node.order > 0)
+            return 1;
+        double const reach_mm = std::max(diameters_[0], 1e-6);
+        return 1 + habit_.flare * std::exp(-std::max(height_mm, 0.0) / reach_mm);
+    }
+
+    // In the order in which the axes grew, so that those that share their 32 bits keep their keys
+    // as the tree grows.
+    void name_axes()
+    {
+        made_.keys.resize(plant().axes.size());
+        for (std::uint32_t i = 1; i < tree_.size(); ++i)
+            if (tree_.links[i].rank == 1)
+                made_.keys[axis_[i]] = key_of(tree_.links[i].axis);
+    }
+
+    std::uint32_t key_of(std::uint64_t name)
+    {
+        for (;; name = name * 0xBF58476D1CE4E5B9U + 1) {
+            auto const key = static_cast<std::uint32_t>(name ^ name >> 32);
+            if (key != 0 && known_keys_.insert(key).second)
+                return key;
+        }
+    }
+
+    // Leaves stand along the internode, by the divergence of the axis.
+    void add_leaves(std::uint32_t node)
+    {
+        auto const& links = tree_.links[node];
+        auto const& place = tree_.places[node];
+        Vec3 const internode = place.position - tree_.places[links.parent].position;
+        Random random({ seed_ ^ links.axis, kLeafStream, links.rank });
+        auto const count = static_cast<int>(habit_.leaves_at_node);
+        double const divergence = laws_.divergence_deg.at(links.order);
+        double const angle = radians(habit_.leaf_angle_deg);
+        for (int k = 0; k < count; ++k) {
+            double const back = (count - 1.0 - k) / count;
+            double const number = double(links.rank) * count + k;
+            double const around
+                = radians(divergence * number + laws_.divergence_start_deg.at(links.order)
+                          + random.uniform(-15, 15));
+            Vec3 const axis = turned(place.normal, place.direction, around);
+            Vec3 const out = turned(place.direction, axis, angle * random.uniform(0.85, 1.15));
+            add_leaf(segment_[node], place.position - tree_.places[0].position - internode * back,
+                     out, random.uniform(0.8, 1.1));
+        }
+    }
+
+    void add_leaf(SegmentId segment, Vec3 const& at_mm, Vec3 const& out, double scale)
+    {
+        // Its upper side turns to the sky.
+        Vec3 right = right_of(out);
+        Mat3 frame;
+        frame.col(0) = right;
+        frame.col(1) = out;
+        frame.col(2) = right.cross(out);
+        plant().organs.push_back({ .segment = segment,
+                                   .position_mm = at_mm,
+                                   .orientation = Quat(frame).normalized(),
+                                   .scale = Vec3f::Constant(static_cast<float>(scale)) });
+    }
+
+    using Mat3 = Eigen::Matrix3d;
+    static constexpr double kTwigWidths = 2.5; // Up to so many times as wide wood is a twig.
+
+    GrowingTree const& tree_;
+    Habit const& habit_;
+    std::uint64_t seed_;
+    Laws laws_;
+    std::vector<double> diameters_;
+    std::vector<SegmentId> segment_; // The one that ends at each node.
+    std::vector<AxisId> axis_;       // Of each node.
+    std::unordered_set<std::uint32_t> known_keys_;
+    TreePlant made_;
+};
+
+} // namespace
+
+TreePlant plant_of(GrowingTree const& tree, Habit const& habit, std::uint64_t seed)
+{
+    return PlantMaker(tree, habit, seed).run();
+}
+
+} // namespace tractus::self_organising
