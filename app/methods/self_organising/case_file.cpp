@@ -144,7 +144,9 @@ Result<Laws> read_laws(json const& parameters, std::string const& name)
     TRY(reader.number("space_weight", laws.space_weight));
     TRY(reader.number("tropism_weight", laws.tropism_weight));
     TRY(reader.vector("tropism_direction", laws.tropism_direction));
-    TRY(reader.number("most_internodes", laws.most_internodes));
+    int most_internodes = laws.most_internodes.at(0);
+    TRY(reader.number("most_internodes", most_internodes));
+    laws.most_internodes = most_internodes;
     TRY(reader.number("longest", laws.longest));
     TRY(reader.number("divergence", laws.divergence_deg));
     TRY(reader.number("branching_angle", laws.branching_angle_deg));

@@ -25,6 +25,8 @@ struct Follows {
 };
 constexpr Follows kFollows[] {
     { &Habit::most_internodes_old, &Habit::most_internodes, "most_internodes_old" },
+    { &Habit::branch_internodes, &Habit::most_internodes, "branch_internodes" },
+    { &Habit::twig_internodes, &Habit::branch_internodes, "twig_internodes" },
     { &Habit::vigour_old, &Habit::vigour, "vigour_old" },
     { &Habit::apical_control_old, &Habit::apical_control, "apical_control_old" },
     { &Habit::shed_below_old, &Habit::shed_below, "shed_below_old" },

@@ -74,7 +74,9 @@ std::vector<Shoot> shoots_of(GrowingTree const& tree, std::vector<Bud> const& bu
     for (std::size_t i = 0; i < buds.size(); ++i) {
         if (perceived.quality[i] <= 0)
             continue;
-        auto shoot = shoot_of(buds[i], vigour[i], laws);
+        auto const order
+            = tree.links[buds[i].node].order + std::size_t { buds[i].lateral != kNone };
+        auto shoot = shoot_of(buds[i], order, vigour[i], laws);
         if (shoot.internodes == 0)
             continue;
         if (!environment.grid)

@@ -13,6 +13,8 @@ constexpr std::array kNumbers {
     HabitNumber { "internode_mm", &Habit::internode_mm, 1, 2000 },
     HabitNumber { "most_internodes", &Habit::most_internodes, 1, 20 },
     HabitNumber { "most_internodes_old", &Habit::most_internodes_old, 1, 20 },
+    HabitNumber { "branch_internodes", &Habit::branch_internodes, 1, 20 },
+    HabitNumber { "twig_internodes", &Habit::twig_internodes, 1, 20 },
     HabitNumber { "longest", &Habit::longest, 1, 10 },
     HabitNumber { "vigour", &Habit::vigour, 0, 20 },
     HabitNumber { "vigour_old", &Habit::vigour_old, 0, 20 },
@@ -103,8 +105,12 @@ Laws laws_in_year(Habit const& habit, int year)
     laws.space_weight = habit.space_weight;
     laws.tropism_weight.values
         = { habit.tropism_trunk, habit.tropism_branches, habit.tropism_twigs, habit.tropism_last };
-    laws.most_internodes
-        = static_cast<int>(std::lround(at_age(habit.most_internodes, habit.most_internodes_old)));
+    double const of_trunk = at_age(habit.most_internodes, habit.most_internodes_old);
+    auto const at_most
+        = [&](double most) { return static_cast<int>(std::lround(std::min(most, of_trunk))); };
+    auto const twig = at_most(habit.twig_internodes);
+    laws.most_internodes.values
+        = { at_most(of_trunk), at_most(habit.branch_internodes), twig, twig };
     laws.longest = habit.longest;
     laws.divergence_deg = { habit.divergence_deg, habit.lateral_divergence_deg };
     laws.divergence_start_deg = { 0, habit.lateral_start_deg };

@@ -19,11 +19,13 @@ struct Habit {
     // Shoots of one year.
     double internode_mm = 100;
     double most_internodes = 4, most_internodes_old = 4; // Of one shoot.
-    double longest = 1.5;                                // Longest internode, in internodes.
+    // Of shoots of all axes but the trunk, and of those that these bear.
+    double branch_internodes = 4, twig_internodes = 4;
+    double longest = 1.5; // Longest internode, in internodes.
     double vigour = 2, vigour_old = 2;
     double apical_control = 0.5, apical_control_old = 0.48;
     double old_years = 40;
-    double terminal_loss = 0; // Share of shoots whose terminal bud dies.
+    double terminal_loss = 0; // Share of lateral shoots whose terminal bud dies.
     double bud_life = 4;      // Years that a lateral bud waits.
 
     // Branching; "lateral" numbers hold for all axes but the trunk.

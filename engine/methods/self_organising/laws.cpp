@@ -46,7 +46,8 @@ Result<void> check_shoots(Laws const& laws)
     TRY(check_range("vigour", laws.vigour, 0, 1e3));
     TRY(check_range("space_weight", laws.space_weight, 0, 1e3));
     TRY(check_range("tropism_weight", laws.tropism_weight, -1e3, 1e3));
-    TRY(check_range("most_internodes", laws.most_internodes, 0, 1000));
+    for (auto const most : laws.most_internodes.values)
+        TRY(check_range("most_internodes", most, 0, 1000));
     TRY(check_range("longest", laws.longest, 0, 1e3));
     TRY(check_range("divergence", laws.divergence_deg, -360, 360));
     TRY(check_range("divergence_start", laws.divergence_start_deg, -360, 360));

@@ -60,16 +60,17 @@ struct Laws {
     double space_weight = 0.6;   // Pull towards the bud's best direction on each internode.
     ByOrder<double> tropism_weight = 0.1; // Likewise towards tropism_direction; negative: away.
     Vec3 tropism_direction = Vec3::UnitZ();
-    int most_internodes = 4; // Longest shoot of one step.
-    double longest = 1.5;    // Longest internode, as a multiple of `internode`.
+    ByOrder<int> most_internodes = 4; // Longest shoot of one step.
+    double longest = 1.5;             // Longest internode, as a multiple of `internode`.
 
     ByOrder<double> divergence_deg = 137.5;   // From one node of an axis to the next.
     ByOrder<double> divergence_start_deg = 0; // Added to all nodes of an axis.
     ByOrder<double> branching_angle_deg = 45; // Between a lateral bud and the axis that bears it.
     int laterals_at_node = 1;                 // Lateral buds at each node; 0 to 8.
-    int whorl = 0;            // At the last node of a shoot of order 0; 0: as at any.
-    double terminal_loss = 0; // Probability that a shoot's terminal bud dies in its first winter.
-    int bud_life = 0;         // Steps after which a lateral bud that has not grown dies; 0: never.
+    int whorl = 0; // At the last node of a shoot of order 0; 0: as at any.
+    double terminal_loss
+        = 0;          // Probability that a lateral shoot's terminal bud dies in its first winter.
+    int bud_life = 0; // Steps after which a lateral bud that has not grown dies; 0: never.
 
     double shed_below = 0; // A lateral branch that receives less than this per internode dies.
 

@@ -96,6 +96,8 @@ void sag(GrowingTree& tree, std::vector<double> const& diameters, SagLaws const&
         Vec3 const internode = before[i] - before[node.parent];
         Vec3 const moment = moment_of(loads[i], before[node.parent]);
         Vec3 turn_rad = turn_by(moment - tree.bent_by[i], internode.norm(), diameters[i], laws);
+        if (node.order == 0)
+            turn_rad = Vec3::Zero();
         turn_rad -= place.direction * turn_rad.dot(place.direction); // Wood hardly twists.
         tree.bent_by[i] = moment;
         turns[i] = (rotation_by(turn_rad) * turns[node.parent]).normalized();

@@ -133,13 +133,11 @@ private:
 
     bool keeps_terminal(NodeLinks const& node) const
     {
-        if (laws_.terminal_loss == 0 || (node.order == 0 && node.rank < kSafeRank))
+        if (laws_.terminal_loss == 0 || node.order == 0)
             return true;
         Random random({ seed_ ^ node.axis, kTerminalStream, node.rank });
         return random.uniform() >= laws_.terminal_loss;
     }
-
-    static constexpr std::uint32_t kSafeRank = 2; // A seedling's first bud lives.
 
     GrowingTree& tree_;
     Laws const& laws_;
@@ -149,10 +147,11 @@ private:
 
 } // namespace
 
-Shoot shoot_of(Bud const& bud, double vigour, Laws const& laws)
+Shoot shoot_of(Bud const& bud, std::size_t order, double vigour, Laws const& laws)
 {
     constexpr double kRounding = 1e-9; // A vigour of 3 that was summed up counts as 3.
-    double const whole = std::min(std::floor(vigour + kRounding), double(laws.most_internodes));
+    double const whole
+        = std::min(std::floor(vigour + kRounding), double(laws.most_internodes.at(order)));
     if (!(whole >= 1))
         return { .bud = bud, .internodes = 0 };
     return { .bud = bud,

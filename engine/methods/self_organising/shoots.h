@@ -16,8 +16,9 @@ struct Shoot {
     Vec3 pull = Vec3::Zero(); // V: the bud's best direction.
 };
 
-// How many internodes a bud of that vigour makes, and how long they are. None below 1.
-Shoot shoot_of(Bud const& bud, double vigour, Laws const& laws);
+// How many internodes a bud of that vigour makes, and how long they are. None below 1. `order`: of
+// the axis that would grow.
+Shoot shoot_of(Bud const& bud, std::size_t order, double vigour, Laws const& laws);
 
 // Adds the shoots' nodes, those of earlier shoots first, each with its lateral buds. Each internode
 // turns: d <- unit(d + space_weight * pull + tropism_weight * tropism_direction). The nodes' step
