@@ -33,7 +33,7 @@ struct Region {
 struct Surroundings {
     std::vector<Vec3> markers {};     // Of free space; those that are used up go.
     std::span<Vec3 const> shading {}; // What shades it besides its own buds, in Light.
-    std::uint64_t seed = 1;           // Of Laws::terminal_loss.
+    std::uint64_t seed = 1;           // Of what is left to chance.
     // Where buds compete for markers; no value: everywhere. In Light all do.
     std::optional<Region> region {};
 };

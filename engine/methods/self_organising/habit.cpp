@@ -28,6 +28,8 @@ constexpr std::array kNumbers {
     HabitNumber { "divergence_deg", &Habit::divergence_deg, -360, 360 },
     HabitNumber { "lateral_divergence_deg", &Habit::lateral_divergence_deg, -360, 360 },
     HabitNumber { "lateral_start_deg", &Habit::lateral_start_deg, -360, 360 },
+    HabitNumber { "divergence_spread_deg", &Habit::divergence_spread_deg, 0, 180 },
+    HabitNumber { "angle_spread_deg", &Habit::angle_spread_deg, 0, 90 },
     HabitNumber { "laterals_at_node", &Habit::laterals_at_node, 0, 8, true },
     HabitNumber { "whorl", &Habit::whorl, 0, 8, true },
     HabitNumber { "tropism_trunk", &Habit::tropism_trunk, -10, 10 },
@@ -115,6 +117,8 @@ Laws laws_in_year(Habit const& habit, int year)
     laws.divergence_deg = { habit.divergence_deg, habit.lateral_divergence_deg };
     laws.divergence_start_deg = { 0, habit.lateral_start_deg };
     laws.branching_angle_deg = { habit.angle_deg, habit.lateral_angle_deg };
+    laws.divergence_spread_deg = habit.divergence_spread_deg;
+    laws.angle_spread_deg = habit.angle_spread_deg;
     laws.laterals_at_node = static_cast<int>(habit.laterals_at_node);
     laws.whorl = static_cast<int>(habit.whorl);
     laws.terminal_loss = habit.terminal_loss;

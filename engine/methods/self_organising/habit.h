@@ -32,6 +32,7 @@ struct Habit {
     double angle_deg = 50, lateral_angle_deg = 45;
     double divergence_deg = 137.5, lateral_divergence_deg = 137.5;
     double lateral_start_deg = 0; // 90 with a divergence of 180: laterals stand in a flat spray.
+    double divergence_spread_deg = 12, angle_spread_deg = 8; // Chance: standard deviations.
     double laterals_at_node = 1;
     double whorl = 0; // Laterals at the end of each year's shoot of the trunk; 0: as at any node.
     // Upward tropism of the trunk, its branches, their branches, and all twigs above; negative:

@@ -52,6 +52,8 @@ Result<void> check_shoots(Laws const& laws)
     TRY(check_range("divergence", laws.divergence_deg, -360, 360));
     TRY(check_range("divergence_start", laws.divergence_start_deg, -360, 360));
     TRY(check_range("branching_angle", laws.branching_angle_deg, 0, 180));
+    TRY(check_range("divergence_spread", laws.divergence_spread_deg, 0, 180));
+    TRY(check_range("angle_spread", laws.angle_spread_deg, 0, 90));
     TRY(check_range("laterals_at_node", laws.laterals_at_node, 0, 8));
     TRY(check_range("whorl", laws.whorl, 0, 8));
     TRY(check_range("terminal_loss", laws.terminal_loss, 0, 1));

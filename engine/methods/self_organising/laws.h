@@ -66,8 +66,11 @@ struct Laws {
     ByOrder<double> divergence_deg = 137.5;   // From one node of an axis to the next.
     ByOrder<double> divergence_start_deg = 0; // Added to all nodes of an axis.
     ByOrder<double> branching_angle_deg = 45; // Between a lateral bud and the axis that bears it.
-    int laterals_at_node = 1;                 // Lateral buds at each node; 0 to 8.
-    int whorl = 0; // At the last node of a shoot of order 0; 0: as at any.
+    // Standard deviations by which lateral buds stray from both, by chance (Surroundings::seed).
+    double divergence_spread_deg = 0;
+    double angle_spread_deg = 0;
+    int laterals_at_node = 1; // Lateral buds at each node; 0 to 8.
+    int whorl = 0;            // At the last node of a shoot of order 0; 0: as at any.
     double terminal_loss
         = 0;          // Probability that a lateral shoot's terminal bud dies in its first winter.
     int bud_life = 0; // Steps after which a lateral bud that has not grown dies; 0: never.

@@ -11,6 +11,7 @@ namespace tractus::self_organising {
 namespace {
 
 constexpr std::uint32_t kTerminalStream = 0x50B0;
+constexpr std::uint32_t kSpreadStream = 0x5B8E;
 constexpr std::uint64_t kTrunk = 0x7472756E6B; // Name of the trunk's axis.
 
 // The name of the axis that grows from a lateral position (SplitMix64's finaliser).
@@ -105,7 +106,7 @@ private:
                  .axis = parent.rank == 0 ? kTrunk : parent.axis };
     }
 
-    // Laterals of a node stand evenly around it.
+    // Laterals of a node stand evenly around it, but for chance.
     void set_buds(std::uint32_t number)
     {
         auto const& node = tree_.links[number];
@@ -113,11 +114,17 @@ private:
         double const start_deg = laws_.divergence_start_deg.at(node.order);
         double const turn = radians(laws_.divergence_deg.at(node.order)) * node.rank;
         double const angle = radians(laws_.branching_angle_deg.at(node.order));
+        Random random({ seed_ ^ node.axis, kSpreadStream, node.rank });
+        auto const stray = [&](double spread_deg) {
+            return spread_deg > 0 ? radians(spread_deg * random.normal()) : 0;
+        };
         for (std::uint32_t k = 0; k < node.lateral_count; ++k) {
-            double const around = turn + radians(start_deg + 360.0 * k / node.lateral_count);
+            double const around = turn + radians(start_deg + 360.0 * k / node.lateral_count)
+                + stray(laws_.divergence_spread_deg);
             Vec3 const axis = turned(place.normal, place.direction, around);
+            double const out = std::max(angle + stray(laws_.angle_spread_deg), 0.0);
             tree_.laterals[node.first_lateral + k]
-                = { .direction = unit_or_zero(turned(place.direction, axis, angle)) };
+                = { .direction = unit_or_zero(turned(place.direction, axis, out)) };
         }
     }
 

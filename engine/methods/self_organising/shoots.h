@@ -22,8 +22,8 @@ Shoot shoot_of(Bud const& bud, std::size_t order, double vigour, Laws const& law
 
 // Adds the shoots' nodes, those of earlier shoots first, each with its lateral buds. Each internode
 // turns: d <- unit(d + space_weight * pull + tropism_weight * tropism_direction). The nodes' step
-// is tree.step. `seed` decides which terminal buds die (Laws::terminal_loss): by the names of axes
-// alone, so that the same axis fares alike in a tree that has grown otherwise elsewhere.
+// is tree.step. `seed` decides how lateral buds stray and which terminal buds die: by the names of
+// axes alone, so that an axis fares alike in a tree that has grown otherwise elsewhere.
 void grow_shoots(GrowingTree& tree, std::vector<Shoot> const& shoots, Laws const& laws,
                  std::uint64_t seed);
 

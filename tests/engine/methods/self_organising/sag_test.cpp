@@ -14,6 +14,7 @@ GrowingTree straight_branch(int internodes, double length_mm)
     for (int i = 0; i < internodes; ++i) {
         tree.links.back().main = static_cast<std::uint32_t>(tree.size());
         tree.links.push_back({ .parent = static_cast<std::uint32_t>(i),
+                               .order = 1,
                                .step = 1,
                                .rank = static_cast<std::uint32_t>(i + 1),
                                .axis = 1 });
@@ -72,7 +73,16 @@ TEST(Sag, SetWoodBendsOnlyByWhatComesUponIt)
     EXPECT_LT(tree.places.back().position.z(), -1);
 }
 
-TEST(Sag, AnUprightStemStands)
+TEST(Sag, TheTrunkStands)
+{
+    auto tree = straight_branch(30, 1000);
+    for (auto& node : tree.links)
+        node.order = 0;
+    sag(tree, std::vector<double>(tree.size(), 3), { .weight = 20 });
+    EXPECT_EQ(tree.places.back().position.z(), 0);
+}
+
+TEST(Sag, AnUprightBranchStands)
 {
     auto tree = straight_branch(30, 1000);
     for (auto& place : tree.places) {

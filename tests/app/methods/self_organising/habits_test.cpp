@@ -1,0 +1,158 @@
+// Every habit, grown by itself, against what foresters measure of such trees.
+
+#include "app/methods/self_organising/habit_file.h"
+#include "engine/methods/self_organising/life.h"
+#include "engine/methods/self_organising/tree_plant.h"
+#include "engine/plant/tree_measures.h"
+#include "tests/app/commands/outcome.h"
+
+#include <gtest/gtest.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace tractus::self_organising {
+namespace {
+
+struct Range {
+    double least = 0;
+    double most = 0;
+};
+
+// What is known of old trees of a habit, where it is narrower than for all trees.
+struct Known {
+    Range slenderness { 20, 110 };
+    Range crown_width { 0.14, 1.3 }; // As a share of the height.
+    Range crown_length { 0.6, 1 };   // Likewise.
+    Range height_m { 6, 26 };
+};
+
+Known known_of(std::string const& name)
+{
+    static std::map<std::string, Known> const known {
+        { "oak", { { 20, 35 }, { 0.7, 1.1 }, { 0.7, 1 }, { 14, 22 } } },
+        { "spruce", { { 50, 90 }, { 0.3, 0.5 }, { 0.7, 1 }, { 16, 26 } } },
+        { "fir", { { 50, 90 }, { 0.3, 0.5 }, { 0.7, 1 }, { 16, 26 } } },
+        { "pine", { { 50, 90 }, { 0.3, 0.9 }, { 0.4, 0.8 }, { 14, 24 } } },
+        { "larch", { { 50, 90 }, { 0.3, 0.8 }, { 0.6, 1 }, { 16, 26 } } },
+        { "poplar", { { 20, 110 }, { 0.05, 0.2 }, { 0.7, 1 }, { 16, 30 } } },
+        { "apple", { { 20, 110 }, { 0.8, 1.4 }, { 0.6, 1 }, { 4, 10 } } },
+    };
+    auto const found = known.find(name);
+    return found == known.end() ? Known {} : found->second;
+}
+
+void expect_within(double value, Range const& range, char const* what)
+{
+    EXPECT_GE(value, range.least) << what;
+    EXPECT_LE(value, range.most) << what;
+}
+
+double leaf_area_index(Plant const& plant, Habit const& habit, TreeMeasures const& measures)
+{
+    double const blade_m2 = 0.65 * (habit.leaf_mm - habit.petiole_mm) * habit.leaf_width_mm * 1e-6;
+    double const width_m = measures.crown_width_mm / 1000;
+    return static_cast<double>(plant.organs.size()) * blade_m2 / (kPi / 4 * width_m * width_m);
+}
+
+void expect_old_tree(Plant const& plant, Habit const& habit)
+{
+    auto const measures = measure_tree(plant);
+    auto const known = known_of(habit.name);
+    expect_within(measures.height_mm / 1000, known.height_m, "height");
+    expect_within(measures.slenderness, known.slenderness, "slenderness");
+    expect_within(measures.crown_width_mm / measures.height_mm, known.crown_width, "crown width");
+    expect_within(1 - measures.crown_base_mm / measures.height_mm, known.crown_length,
+                  "crown length");
+    expect_within(measures.strahler, { 6, 10 }, "Strahler's order");
+    expect_within(measures.length_ratio, { 1.3, 3.5 }, "length ratio");
+    if (habit.leaf_is_needle == 0)
+        expect_within(leaf_area_index(plant, habit, measures), { 1.5, 6.5 }, "leaf area index");
+}
+
+TEST(Habits, GrowTreesOfTheirKind)
+{
+    auto const names = habit_names();
+    ASSERT_EQ(names.size(), 16U);
+    for (auto const& name : names) {
+        auto const habit = load_habit(name).value();
+        EXPECT_FALSE(habit.latin.empty()) << name;
+        auto tree = plant_seed(Vec3::Zero());
+        Surroundings surroundings;
+        for (int year = 1; year <= 40; ++year) {
+            ASSERT_TRUE(grow_year(tree, surroundings, habit)) << name;
+            if (year != 10 && year != 20 && year != 40)
+                continue;
+            SCOPED_TRACE(name + ", " + std::to_string(year) + " years");
+            auto const plant = plant_of(tree, habit, 1).plant;
+            check_plant(plant);
+            auto const measures = measure_tree(plant);
+            expect_within(measures.pipe_exponent, { 1.8, 2.5 }, "pipe exponent");
+            // Young trees have few orders.
+            auto const least = year == 10 ? 2.3 : 2.6;
+            expect_within(measures.bifurcation_ratio, { least, 7.2 }, "bifurcation ratio");
+            EXPECT_GE(bounds(plant).min_mm.z(), -0.1 * measures.height_mm);
+            if (year == 40)
+                expect_old_tree(plant, habit);
+        }
+    }
+}
+
+TEST(Habits, AnOakBearsAsManyLeavesAsOaksDo)
+{
+    auto const habit = load_habit("oak").value();
+    auto const plant = plant_of(grow_by_itself(habit, 40, 1).value(), habit, 1).plant;
+    expect_within(static_cast<double>(plant.organs.size()), { 100'000, 300'000 }, "leaves");
+}
+
+TEST(Habits, AreFoundByTheirNames)
+{
+    EXPECT_EQ(load_habit("Oak").value().name, "oak");
+    EXPECT_EQ(load_habit("quercus robur").value().name, "oak");
+    EXPECT_EQ(load_habit("Picea abies").value().name, "spruce");
+    auto const unknown = load_habit("baobab");
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().message.find("there is no habit baobab: give the path of a .habit "
+                                           "file, or one of alder, apple, ash, "),
+              0U)
+        << unknown.error().message;
+}
+
+TEST(Habits, FilesSayWhatIsWrong)
+{
+    auto const message = [](char const* text) {
+        auto const habit = parse_habit(text, "my.habit");
+        return habit ? std::string() : habit.error().message;
+    };
+    EXPECT_EQ(message(""), "");
+    EXPECT_EQ(parse_habit("", "my.habit").value().name, "my");
+    EXPECT_EQ(parse_habit("vigour = 1.5", "my.habit").value().vigour_old, 1.5);
+    EXPECT_EQ(parse_habit("angle_deg = 20", "my.habit").value().lateral_angle_deg, 20);
+    EXPECT_EQ(message("vigour = 90"), "my.habit: vigour is 90: give a number from 0 to 20");
+    EXPECT_NE(message("vigor = 2").find("vigor"), std::string::npos);
+    EXPECT_NE(message("vigour = \"high\"").find("my.habit:1: vigour"), std::string::npos);
+    EXPECT_EQ(message("whorl = 1.5"), "my.habit: whorl is 1.5: give a whole number from 0 to 8");
+}
+
+TEST(GrowCommand, ReportsATreeOfAHabit)
+{
+    auto const outcome
+        = commands::run({ "grow", "--habit", "Betula pendula", "--years", "12", "--report" });
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    auto const report = nlohmann::json::parse(outcome.out);
+    EXPECT_GT(report["height_m"], 3);
+    EXPECT_GT(report["organs"], 100);
+    EXPECT_EQ(commands::run({ "grow", "--habit", "birch", "--years", "12", "--report" }).out,
+              outcome.out);
+    EXPECT_NE(
+        commands::run({ "grow", "--habit", "birch", "--years", "12", "--report", "--seed", "2" })
+            .out,
+        outcome.out);
+    EXPECT_NE(commands::run({ "grow", "--report" }).err.find("either a model or"),
+              std::string::npos);
+    EXPECT_EQ(commands::run({ "grow", "broadleaf", "--habit", "oak", "--report" }).exit_code, 2);
+    EXPECT_EQ(commands::run({ "grow", "--habit", "oak", "--years", "0", "--report" }).exit_code, 2);
+}
+
+} // namespace
+} // namespace tractus::self_organising
