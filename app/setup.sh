@@ -37,6 +37,26 @@ install_packages() {
         apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
+# Passes on what ninja or ctest says, but for steps that went well: of those, every ten seconds, how many are done,
+# and how long the rest takes at the pace so far.
+#   show_progress NOUN
+show_progress() {
+    local noun=$1 begun=$SECONDS shown=$SECONDS line done all left
+    while IFS= read -r line; do
+        if [[ $line =~ ^\ *\[?([0-9]+)/([0-9]+)[]\ ] ]]; then
+            done=${BASH_REMATCH[1]} all=${BASH_REMATCH[2]}
+            if ((SECONDS - shown >= 10 && done < all)); then
+                left=$(((SECONDS - begun) * (all - done) / done))
+                printf '   %d of %d %s, about %d:%02d left\n' "$done" "$all" "$noun" $((left / 60)) $((left % 60))
+                shown=$SECONDS
+            fi
+            case $line in '['* | *' Passed '*) continue ;; esac
+        fi
+        case $line in *'no work to do'* | 'ninja: Entering'* | *' Start '*) continue ;; esac
+        printf '%s\n' "$line"
+    done
+}
+
 # Configures a preset if it has not been, and builds the given targets, or all.
 build_preset() {
     local preset=$1
@@ -44,7 +64,7 @@ build_preset() {
     if [ ! -f "build/$preset/build.ninja" ]; then
         cmake --preset "$preset" "${cmake_options[@]}" --log-level=WARNING >/dev/null
     fi
-    cmake --build "build/$preset" ${1:+--target "$@"} | { grep -v 'no work to do' || true; }
+    ninja -C "build/$preset" "$@" | show_progress "steps of the build"
 }
 
 cmake_options=() # What the caller wants to give to cmake besides the preset.

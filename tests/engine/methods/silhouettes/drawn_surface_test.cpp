@@ -1,5 +1,6 @@
 #include "engine/methods/silhouettes/drawn_surface.h"
 
+#include "engine/methods/silhouettes/crown_surface.h"
 #include "engine/methods/silhouettes/monotone_curve.h"
 #include "engine/methods/silhouettes/tree.h"
 #include "tests/engine/methods/silhouettes/crown_lines.h"
