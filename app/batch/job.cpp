@@ -13,9 +13,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/core.h>
+#include <fstream>
 #include <functional>
 #include <optional>
+#include <string_view>
 
 namespace tractus::batch {
 
@@ -90,6 +93,8 @@ private:
     PlantGroup group_;
     std::vector<InSeason> seasons_;
 };
+
+constexpr std::string_view kReportBegins = "log                   "; // Then the log's name.
 
 // One job on its way: each member function is a stage.
 class Job {
@@ -253,6 +258,23 @@ Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
 
 } // namespace
 
+Result<void> check_job_folder(std::filesystem::path const& folder)
+{
+    auto const report = folder / "report.txt";
+    std::ifstream in(report);
+    if (std::string first; std::getline(in, first) && first.starts_with(kReportBegins))
+        return {};
+    std::error_code error;
+    for (char const* const name : { "report.txt", "base.png", "strokes.png", "varied.png",
+                                    "collection.png", "collection.glb" })
+        if (std::filesystem::exists(folder / name, error))
+            return fail(Fault::User,
+                        fmt::format("{} is there, and no earlier run of tractus wrote it: choose "
+                                    "another folder with --output, or say --force",
+                                    (folder / name).string()));
+    return {};
+}
+
 Result<JobReport> run_job(JobOptions const& options, terminal::Progress& progress)
 {
     return Job(options, progress).run();
@@ -260,9 +282,8 @@ Result<JobReport> run_job(JobOptions const& options, terminal::Progress& progres
 
 std::string print_report(JobReport const& report)
 {
-    std::string text = fmt::format(
-        "log                   {}\nmodel                 {}\nseed                  {}\n",
-        report.log, report.model, report.seed);
+    std::string text = fmt::format("{}{}\nmodel                 {}\nseed                  {}\n",
+                                   kReportBegins, report.log, report.model, report.seed);
     if (report.age != 1)
         text += fmt::format("age                   {}\n", report.age);
     if (report.growth.preset || report.growth.variability != 1)

@@ -52,6 +52,10 @@ struct JobReport : DrawingReport {
 // has no OpenGL.
 Result<JobReport> run_job(JobOptions const& options, terminal::Progress& progress);
 
+// Fails, as the user's fault, if the folder already has files of the names that a job writes, and no
+// report of an earlier job beside them: they would be somebody else's.
+Result<void> check_job_folder(std::filesystem::path const& folder);
+
 // The report as lines for a person to read, as they stand in report.txt.
 std::string print_report(JobReport const& report);
 

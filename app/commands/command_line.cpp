@@ -24,27 +24,82 @@
 #include "app/options/help.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
+#include "engine/base/nearest_word.h"
 #include "engine/base/printable.h"
 
+#include <algorithm>
 #include <exception>
 #include <fmt/core.h>
+#include <map>
 #include <memory>
 #include <new>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace tractus::commands {
 
 static constexpr int kExitFailure = 1;
 static constexpr int kExitUsage = 2;
 
+// The commands that the arguments name, from the program itself to the last one.
+static std::vector<CLI::App const*> chosen_commands(CLI::App const& root)
+{
+    std::vector<CLI::App const*> chosen { &root };
+    for (auto below = root.get_subcommands(); !below.empty();
+         below = below.front()->get_subcommands())
+        chosen.push_back(below.front());
+    return chosen;
+}
+
 static int fail_usage(CLI::App const& root, std::string const& message)
 {
-    std::string command = root.get_name();
-    for (auto chosen = root.get_subcommands(); !chosen.empty();
-         chosen = chosen.front()->get_subcommands())
-        command += " " + chosen.front()->get_name();
+    std::string command;
+    for (auto const* const part : chosen_commands(root))
+        command += (command.empty() ? "" : " ") + part->get_name();
     terminal::print_error(
         fmt::format("error: {}; see \"{} --help\"\n", printable(message, "\n\t"), command));
     return kExitUsage;
+}
+
+static std::vector<std::string> option_names(CLI::App const& command)
+{
+    std::vector<std::string> names;
+    for (auto const* const option : command.get_options())
+        for (auto const& name : option->get_lnames())
+            names.push_back("--" + name);
+    return names;
+}
+
+static std::vector<std::string> command_names(CLI::App const& parent)
+{
+    std::vector<std::string> names;
+    for (auto const* const command : parent.get_subcommands({}))
+        if (!command->get_group().empty()) // Commands without a group are not listed.
+            names.push_back(command->get_name());
+    return names;
+}
+
+// What is wrong with the arguments. A word that nothing takes comes first, since what else is
+// missing may be missing because of it.
+static std::string usage_error(CLI::App const& root, CLI::ParseError const& error)
+{
+    auto const extras = root.remaining(true);
+    auto const is_option = [](std::string_view word) { return word.starts_with('-'); };
+    auto const& command = *chosen_commands(root).back();
+    if (auto const option = std::find_if(extras.begin(), extras.end(), is_option);
+        option != extras.end()) {
+        auto const name = option->substr(0, option->find('='));
+        return fmt::format("there is no option {}{}", name,
+                           did_you_mean(name, option_names(command)));
+    }
+    if (extras.empty())
+        return error.what();
+    auto const& word = extras.front();
+    auto const commands = command_names(command);
+    if (!commands.empty())
+        return fmt::format("there is no command {}{}", word, did_you_mean(word, commands));
+    return fmt::format("unexpected argument {}", word);
 }
 
 static int fail_action(Error const& error)
@@ -94,6 +149,43 @@ static void add_commands(CLI::App& root, options::Action& action, tools::Methods
     add_desktop_commands(root, action);
 }
 
+// The groups of commands in --help, by what a person does.
+static void group_commands(CLI::App& root)
+{
+    static std::map<std::string, std::string, std::less<>> const groups {
+        { "window", "Draw" },        { "replay", "Draw" },      { "session", "Draw" },
+        { "demo", "Draw" },          { "vary", "Make plants" }, { "grow", "Make plants" },
+        { "render", "Make plants" }, { "derive", "Language" },  { "lsystem", "Language" },
+        { "devices", "Devices" },    { "doctor", "Devices" },   { "watch", "Devices" },
+        { "calibrate", "Devices" },  { "record", "Devices" },   { "stream", "Devices" },
+        { "sim", "Devices" },        { "tools", "Recordings" }, { "decode", "Recordings" },
+        { "convert", "Recordings" },
+    };
+    for (auto* const command : root.get_subcommands({})) {
+        command->set_help_flag("-h,--help", "Print this help");
+        for (auto* const below : command->get_subcommands({}))
+            if (!below->get_group().empty())
+                below->group("Commands");
+        if (command->get_group().empty()) // Commands without a group are not listed.
+            continue;
+        auto const group = groups.find(command->get_name());
+        command->group(group == groups.end() ? "Make plants" : group->second); // Those of methods.
+    }
+}
+
+// The arguments after the program's name, last first, as CLI::App::parse() takes them. "help X" is
+// another way to say "X --help".
+static std::vector<std::string> reversed_arguments(int argc, char const* const* argv)
+{
+    std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
+    if (!words.empty() && words.front() == "help") {
+        words.erase(words.begin());
+        words.push_back("--help");
+    }
+    std::reverse(words.begin(), words.end());
+    return words;
+}
+
 int run_command_line(int argc, char const* const* argv, tools::Methods const& methods)
 {
     CLI::App root { "tractus: a 3D sketching station for plants", "tractus" };
@@ -103,11 +195,7 @@ int run_command_line(int argc, char const* const* argv, tools::Methods const& me
     root.require_subcommand(0, 1);
     options::Action action;
     add_commands(root, action, methods);
-    for (auto* const command : root.get_subcommands({})) {
-        command->set_help_flag("-h,--help", "Print this help");
-        if (!command->get_group().empty()) // Commands without a group are not listed.
-            command->group("Commands");
-    }
+    group_commands(root);
     root.footer( // After the commands, which would inherit it.
 
         "\"tractus COMMAND --help\" says what each can do; \"tractus demo\" is the way to begin.\n"
@@ -115,13 +203,13 @@ int run_command_line(int argc, char const* const* argv, tools::Methods const& me
         "2 wrong usage.");
 
     try {
-        root.parse(argc, argv);
+        root.parse(reversed_arguments(argc, argv));
     } catch (CLI::CallForHelp const&) {
         action = [&] { return terminal::print_out(root.help()); };
     } catch (CLI::CallForVersion const&) {
         action = [&] { return terminal::print_out(root.version() + "\n"); };
     } catch (CLI::ParseError const& error) {
-        return fail_usage(root, error.what());
+        return fail_usage(root, usage_error(root, error));
     }
     if (!action)
         return fail_usage(root, "a command is missing, such as demo");

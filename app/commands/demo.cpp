@@ -20,13 +20,15 @@ void add_demo_command(CLI::App& root, options::Action& action, tools::Methods co
     struct DemoArguments {
         batch::JobOptions job;
         std::string plant = "station";
+        bool is_forced = false;
     };
     auto arguments = std::make_shared<DemoArguments>();
     arguments->job.folder = "tractus-demo";
     auto* const command = root.add_subcommand(
         "demo",
         "See what the station is for: a drawing recorded on the simulated rig varies plants");
-    options::add_folder_option(*command, arguments->job.folder);
+    options::add_folder_option(*command, arguments->job.folder)->capture_default_str();
+    options::add_force_option(*command, arguments->is_forced);
     options::add_glb_options(*command, arguments->job.glb);
     command->footer(options::job_footer());
     command
@@ -43,6 +45,8 @@ void add_demo_command(CLI::App& root, options::Action& action, tools::Methods co
             auto job = arguments->job;
             job.drawing.methods = methods;
             TRY(check_writable(job.folder / "report.txt"));
+            if (!arguments->is_forced)
+                TRY(batch::check_job_folder(job.folder));
             bool const is_station = arguments->plant == "station";
             job.model = TRY(files::find_model(is_station ? "birch" : arguments->plant));
             job.all_seasons = is_station;

@@ -81,8 +81,8 @@ std::string as_text(std::vector<diagnosis::DeviceFacts> const& devices)
     }
     if (!has_pen)
         text += fmt::format(
-            "{} Nothing is lost: without hardware, tractus runs on a simulated tablet and "
-            "height sensor.\n",
+            "{} \"tractus window\" draws with the mouse, whose wheel moves the surface; "
+            "\"tractus draw --device simulated\" shows a simulated hand drawing.\n",
             devices.empty() ? "No HID device is plugged in." : "None of these is a pen tablet.");
     return text;
 }

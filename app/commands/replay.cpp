@@ -21,6 +21,7 @@ void add_replay_command(CLI::App& root, options::Action& action, tools::Methods 
         std::string model;
         std::string rig;
         std::string height;
+        bool is_forced = false;
     };
     auto arguments = std::make_shared<ReplayArguments>();
     auto* const command = root.add_subcommand(
@@ -49,7 +50,11 @@ void add_replay_command(CLI::App& root, options::Action& action, tools::Methods 
     options::add_age_option(*command, arguments->job.age);
     command->add_flag("--seasons", arguments->job.all_seasons,
                       "Show what was drawn also in spring, summer, autumn and winter");
-    options::add_folder_option(*command, arguments->job.folder);
+    arguments->job.folder.clear();
+    options::add_folder_option(*command, arguments->job.folder)
+        ->description("The folder for pictures, glTF and report; made if it is not there; without "
+                      "it, one in the current folder: LOG-plants");
+    options::add_force_option(*command, arguments->is_forced);
     options::add_glb_options(*command, arguments->job.glb);
     command
         ->add_option("--session", arguments->job.session,
@@ -61,7 +66,11 @@ void add_replay_command(CLI::App& root, options::Action& action, tools::Methods 
         action = [arguments, methods]() -> Result<void> {
             auto job = arguments->job;
             job.drawing.methods = methods;
+            if (job.folder.empty())
+                job.folder = std::filesystem::path(job.drawing.log).stem().string() + "-plants";
             TRY(check_writable(job.folder / "report.txt"));
+            if (!arguments->is_forced)
+                TRY(batch::check_job_folder(job.folder));
             job.model = TRY(files::find_plant(arguments->model));
             if (!arguments->rig.empty())
                 job.drawing.rig = arguments->rig;

@@ -93,7 +93,7 @@ std::string option_entry(CLI::Option const& option)
     for (auto const& name : option.get_lnames())
         names += fmt::format("{}\\fB\\-\\-{}\\fR", names.empty() ? "" : ", ", escaped(name));
     if (option.get_items_expected_max() > 0)
-        names += fmt::format(" \\fI{}\\fR", escaped(option.get_type_name()));
+        names += fmt::format(" \\fI{}\\fR", escaped(options::shown_type(option)));
     return fmt::format(".TP\n{}\n{}\n", names, escaped(options::option_text(option)));
 }
 

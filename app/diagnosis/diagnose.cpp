@@ -283,8 +283,7 @@ std::vector<Finding> diagnose_system(SystemFacts const& facts)
                                          "20",
                                          "Try another cable and another socket: some cables carry "
                                          "power alone.",
-                                         "Without one, tractus runs on a simulated tablet: tractus "
-                                         "window" } });
+                                         "Until then draw with the mouse: tractus window" } });
     return findings;
 }
 

@@ -1,4 +1,5 @@
 #include "app/files/resources.h"
+#include "engine/base/nearest_word.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -51,9 +52,10 @@ Result<fs::path> find_model(std::string_view name)
     if (name.find('/') == std::string_view::npos && fs::exists(ours, error))
         return ours;
     return fail(Fault::User,
-                fmt::format("there is no model {}: give the path of an L-system file, or "
+                fmt::format("there is no model {}{}: give the path of an L-system file, or "
                             "one of {}",
-                            name, fmt::join(model_names(), ", ")));
+                            name, did_you_mean(name, model_names()),
+                            fmt::join(model_names(), ", ")));
 }
 
 Result<fs::path> find_plant(std::string_view name)

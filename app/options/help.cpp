@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 namespace tractus::options {
 
@@ -47,8 +48,17 @@ std::string HelpFormatter::make_option_opts(CLI::Option const* option) const
 {
     if (option->get_positional())
         return {};
-    auto const type = option->get_type_name();
+    auto const type = shown_type(*option);
     return type.empty() ? type : " " + type;
+}
+
+std::string shown_type(CLI::Option const& option)
+{
+    auto const type = option.get_type_name();
+    for (std::string_view const own : { "INT:", "UINT:", "FLOAT:", "TEXT:", "FILE:" })
+        if (type.starts_with(own))
+            return type.substr(own.size());
+    return type;
 }
 
 std::string option_text(CLI::Option const& option)
@@ -73,9 +83,11 @@ std::string HelpFormatter::make_option_desc(CLI::Option const* option) const
 
 std::string HelpFormatter::make_subcommand(CLI::App const* command) const
 {
+    auto names = command->get_name();
+    for (auto const& alias : command->get_aliases())
+        names += ", " + alias;
     std::stringstream out;
-    CLI::detail::format_help(out, command->get_name(), wrapped(command->get_description()),
-                             get_column_width());
+    CLI::detail::format_help(out, names, wrapped(command->get_description()), get_column_width());
     return out.str();
 }
 

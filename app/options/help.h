@@ -16,6 +16,10 @@ public:
     std::string make_subcommand(CLI::App const* command) const override;
 };
 
+// The name of an option's value, "PIXELS". CLI11 itself puts the value's type before what a check
+// takes: "INT:PIXELS".
+std::string shown_type(CLI::Option const& option);
+
 // Returns what --help says of an option, on one line: its sentence, its default and what it goes
 // with.
 std::string option_text(CLI::Option const& option);

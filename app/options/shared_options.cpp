@@ -57,6 +57,12 @@ CLI::Option* add_seed_option(CLI::App& command, std::uint64_t& seed)
         ->capture_default_str();
 }
 
+CLI::Option* add_force_option(CLI::App& command, bool& is_forced)
+{
+    return command.add_flag("--force", is_forced,
+                            "Write over files of the same names that tractus did not make");
+}
+
 char const* job_footer()
 {
     return "Writes base.png (the plant as its model gives it), strokes.png (what was drawn),\n"

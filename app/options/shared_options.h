@@ -33,9 +33,11 @@ template<typename Path> CLI::Option* add_folder_option(CLI::App& command, Path& 
     return command
         .add_option("-o,--output", folder,
                     "The folder for pictures, glTF and report; made if it is not there")
-        ->type_name("FOLDER")
-        ->capture_default_str();
+        ->type_name("FOLDER");
 }
+
+// "--force": write over files that the program did not make.
+CLI::Option* add_force_option(CLI::App& command, bool& is_forced);
 
 // Says what a job writes, for the end of a command's help.
 char const* job_footer();

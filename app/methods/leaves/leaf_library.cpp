@@ -3,6 +3,7 @@
 #include "app/files/resources.h"
 #include "engine/base/file.h"
 #include "engine/base/fnv.h"
+#include "engine/base/nearest_word.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ Result<leaf::Grammar> load_leaf_grammar(std::string const& name)
     std::error_code error;
     fs::path const path(name);
     bool const is_name = name.find_first_of("/.") == std::string::npos;
-    if (is_name && !fs::exists(path, error))
+    if (is_name && (!fs::exists(path, error) || fs::is_directory(path, error)))
         return load_own_leaf_grammar(name);
     return leaf::parse_grammar(TRY(read_leaf_text(path)), path.string());
 }
@@ -61,9 +62,9 @@ Result<fs::path> own_leaf_path(std::string const& name)
     auto const ours = leaf_names();
     if (std::ranges::find(ours, name) == ours.end())
         return fail(Fault::User,
-                    fmt::format("there is no leaf {}: give the path of a leaf grammar, or one of "
+                    fmt::format("there is no leaf {}{}: give the path of a leaf grammar, or one of "
                                 "{}",
-                                name, fmt::join(ours, ", ")));
+                                name, did_you_mean(name, ours), fmt::join(ours, ", ")));
     return TRY(files::find_resource("leaves")) / (name + ".leaf");
 }
 

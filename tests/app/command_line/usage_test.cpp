@@ -78,6 +78,60 @@ TEST_F(Usage, WrongUsageSaysWhereToReadOn)
     expect_error(run("tractus record -o x --simulate hand.toml --seconds 1"), 2, "excludes");
 }
 
+TEST_F(Usage, HelpIsACommandToo)
+{
+    EXPECT_EQ(run("tractus help").out, run("tractus --help").out);
+    EXPECT_EQ(run("tractus help grow").out, run("tractus grow --help").out);
+    EXPECT_EQ(run("tractus help session log").out, run("tractus session log --help").out);
+    expect_error(run("tractus help gorw"), 2, "there is no command gorw (did you mean grow?)");
+}
+
+TEST_F(Usage, AMistypedWordIsNamedBeforeWhatIsMissing)
+{
+    expect_error(run("tractus gorw shrub"), 2,
+                 "there is no command gorw (did you mean grow?); see \"tractus --help\"");
+    expect_error(run("tractus session expotr x"), 2,
+                 "there is no command expotr (did you mean export?)");
+    expect_error(run("tractus grow shrub --sede 2"), 2,
+                 "there is no option --sede (did you mean --seed?); see \"tractus grow --help\"");
+    expect_error(run("tractus grow shrub --girth=2 -o x.glb"), 2, "there is no option --girth;");
+    expect_error(run("tractus derive brich --count"), 1,
+                 "there is no model brich (did you mean birch?)");
+    expect_error(run("tractus leaves count okk --steps 2"), 1,
+                 "there is no leaf okk (did you mean oak?)");
+    EXPECT_FALSE(exists("x.glb"));
+}
+
+TEST_F(Usage, HelpShowsNoNamesOfItsParser)
+{
+    for (auto const& command : kCommands) {
+        auto const help = run("tractus " + command + " --help").out;
+        for (char const* const name : { "INT:", "TEXT:", "FLOAT:", "FILE:FILE", "ubcommand" })
+            EXPECT_EQ(help.find(name), std::string::npos) << name << '\n' << help;
+    }
+}
+
+TEST_F(Usage, ALeafIsFoundBesideAFolderOfItsName)
+{
+    EXPECT_EQ(run("mkdir oak && tractus leaves count oak --steps 2").exit_code, 0);
+}
+
+TEST_F(Usage, AReplayHasAFolderOfItsOwnAndWritesOverNobodysFiles)
+{
+    ASSERT_EQ(
+        run("tractus record --simulate hand.toml --plant small.l -o hand.tractus-log").exit_code,
+        0);
+    auto const replay = std::string("tractus replay hand.tractus-log --plant small.l --count 1 ");
+    EXPECT_EQ(run(replay).exit_code, 0);
+    EXPECT_TRUE(exists("hand-plants/collection.glb"));
+    EXPECT_EQ(run(replay).exit_code, 0); // Its own files may be made anew.
+    EXPECT_FALSE(exists("report.txt"));
+    run("mkdir mine && echo mine >mine/base.png");
+    expect_error(run(replay + "-o mine"), 1, "mine/base.png is there");
+    EXPECT_EQ(run("cat mine/base.png").out, "mine\n");
+    EXPECT_EQ(run(replay + "-o mine --force").exit_code, 0);
+}
+
 TEST_F(Usage, AWindowReplaysOrDraws)
 {
     expect_error(run("tractus window hand.tractus-log --record x.tractus-log"), 1,

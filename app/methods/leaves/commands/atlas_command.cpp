@@ -175,7 +175,7 @@ void add_atlas_options(CLI::App& leaves, options::Action& action)
     add_page_options(leaves, *arguments);
     add_leaf_options(leaves, *arguments);
     leaves.footer(
-        "Without a subcommand: pages of leaves for game engines. Each leaf has a square;\n"
+        "Without a command: pages of leaves for game engines. Each leaf has a square;\n"
         "colours go on round it. The folder gets page-0-color.png and so on, shapes\n"
         "cut out round the leaves in page-0.glb, and leaves.json, which says what lies\n"
         "where.");
