@@ -204,7 +204,9 @@ int run_command_line(int argc, char const* const* argv, tools::Methods const& me
 
     try {
         root.parse(reversed_arguments(argc, argv));
-    } catch (CLI::CallForHelp const&) {
+    } catch (CLI::CallForHelp const& help) {
+        if (!root.remaining(true).empty()) // Help with a command that is none.
+            return fail_usage(root, usage_error(root, help));
         action = [&] { return terminal::print_out(root.help()); };
     } catch (CLI::CallForVersion const&) {
         action = [&] { return terminal::print_out(root.version() + "\n"); };

@@ -271,8 +271,6 @@ Result<void> grow_plant(GrowArguments const& arguments, tools::Methods const& me
 {
     if (!arguments.output.empty())
         TRY(check_writable(arguments.output));
-    else if (!arguments.report || arguments.ages > 0 || arguments.frames > 0)
-        return fail(Fault::User, "give the file to write, with -o FILE");
     auto [scene, name, is_session] = TRY(load_plant(arguments, methods));
     scene = TRY(with_growth(arguments.growth, std::move(scene)));
     if (auto const drawing = options::drawing_options(arguments.drawing, methods))
@@ -361,6 +359,9 @@ void add_grow_command(CLI::App& root, options::Action& action, tools::Methods co
         "or with --seed another variation. With --growth the seed also says how a model\n"
         "grows. The same model, drawing and seed always give the same file.");
     command->callback([arguments, methods, &action] {
+        bool const writes = !arguments->report || arguments->ages > 0 || arguments->frames > 0;
+        if (writes && arguments->output.empty())
+            throw CLI::RequiredError("--output");
         action = [arguments, methods] { return grow_plant(*arguments, methods); };
     });
 }
