@@ -1,5 +1,6 @@
 #include "calib/height_fit_doubt.h"
 
+#include "calib/height_fit_range.h"
 #include "calib/height_model_fit.h"
 #include "calib/track_bend_fit.h"
 
@@ -110,6 +111,73 @@ std::optional<HeightFitDoubt> doubt_about_travel(Captures captures)
         travel_mm) };
 }
 
+// Whether captures lie farther beside their law than a ruler that is read as was said.
+bool is_apart(HeightFit const& fit, Captures captures, HeightFitOptions const& options)
+{
+    return fit.apart_mm > kMostErrors
+        * error_beside_bend_mm(captures, options.ruler_error_mm, options.linearity_percent);
+}
+
+// The least of the usual data sheets' linearities with which all captures agree, where it is more
+// than what was told.
+std::optional<double> linearity_that_explains_percent(Captures captures,
+                                                      HeightFitOptions const& options)
+{
+    for (double const percent : { 0.5, 1.0, 2.0 }) {
+        if (percent <= options.linearity_percent)
+            continue;
+        auto bent = options;
+        bent.linearity_percent = percent;
+        auto const fit = fit_height(captures, bent);
+        if (fit && fit->slipped.empty() && !is_apart(*fit, captures, bent)
+            && check_range(*fit, captures, bent))
+            return percent;
+    }
+    return std::nullopt;
+}
+
+// What else than a capture may be wrong, as the second half of a sentence.
+std::string advice_on_track(Captures captures, HeightFitOptions const& options)
+{
+    auto const percent = linearity_that_explains_percent(captures, options);
+    if (!percent)
+        return {};
+    return fmt::format("; if all were measured right, the potentiometer's track is not straight or "
+                       "its converter loads it: then use --linearity {:g}",
+                       *percent);
+}
+
+HeightFitDoubt doubt_about_law(HeightFit const& fit, Captures captures,
+                               HeightFitOptions const& options)
+{
+    auto const set = disagreeing(
+        captures,
+        error_beside_bend_mm(captures, options.ruler_error_mm, options.linearity_percent));
+    if (set.empty())
+        return { fmt::format("the captures lie {:.1f} mm beside the best model, {:.0f} times the "
+                             "ruler's error, and none stands out: check what was typed, then the "
+                             "string and its spool",
+                             fit.apart_mm, fit.apart_mm / options.ruler_error_mm) };
+    auto const* const them = set.size() > 1 ? "them" : "it";
+    return { fmt::format(
+                 "{} {} with the others, which are {:.1f} mm beside any model together with "
+                 "{}: measure {} again",
+                 listed(captures, set), set.size() > 1 ? "disagree" : "disagrees", fit.apart_mm,
+                 them, them),
+             set };
+}
+
+HeightFitDoubt doubt_about_slips(HeightFit const& fit, Captures captures)
+{
+    bool const are_many = fit.slipped.size() > 1;
+    return { fmt::format(
+                 "{} {} with the others, which are too few to tell who is right: measure {} "
+                 "again",
+                 listed(captures, fit.slipped), are_many ? "disagree" : "disagrees",
+                 are_many ? "them" : "it"),
+             fit.slipped };
+}
+
 } // namespace
 
 std::optional<HeightFitDoubt> doubt_about(HeightFit const& fit, Captures captures,
@@ -119,35 +187,14 @@ std::optional<HeightFitDoubt> doubt_about(HeightFit const& fit, Captures capture
         return doubt;
     auto const used = captures.size() - fit.slipped.size();
     auto const parameters = static_cast<std::size_t>(parameters_of(fit.model).size());
-    double const error_mm
-        = error_beside_bend_mm(captures, options.ruler_error_mm, options.linearity_percent);
-    if (fit.apart_mm > kMostErrors * error_mm) {
-        auto const set = disagreeing(captures, error_mm);
-        auto const errors = fit.apart_mm / options.ruler_error_mm;
-        if (set.empty())
-            return HeightFitDoubt { fmt::format(
-                "the captures lie {:.1f} mm beside the best model, {:.0f} times the ruler's error, "
-                "and none stands out: check what was typed, then the string and its spool",
-                fit.apart_mm, errors) };
-        return HeightFitDoubt {
-            fmt::format("{} {} with the others, which are {:.1f} mm beside any model together with "
-                        "{}: measure {} again",
-                        listed(captures, set), set.size() > 1 ? "disagree" : "disagrees",
-                        fit.apart_mm, set.size() > 1 ? "them" : "it",
-                        set.size() > 1 ? "them" : "it"),
-            set
-        };
-    }
-    if (!fit.slipped.empty() && used < parameters + kFreedomAfterSlips)
-        return HeightFitDoubt {
-            fmt::format("{} {} with the others, which are too few to tell who is right: measure "
-                        "{} again",
-                        listed(captures, fit.slipped),
-                        fit.slipped.size() > 1 ? "disagree" : "disagrees",
-                        fit.slipped.size() > 1 ? "them" : "it"),
-            fit.slipped
-        };
-    return std::nullopt;
+    std::optional<HeightFitDoubt> doubt;
+    if (is_apart(fit, captures, options))
+        doubt = doubt_about_law(fit, captures, options);
+    else if (!fit.slipped.empty() && used < parameters + kFreedomAfterSlips)
+        doubt = doubt_about_slips(fit, captures);
+    if (doubt)
+        doubt->reason += advice_on_track(captures, options);
+    return doubt;
 }
 
 } // namespace tractus::calib

@@ -13,7 +13,9 @@ namespace tractus::calib {
 
 // Why the rig that a fit gives had better not be kept.
 struct HeightFitDoubt {
-    std::string reason; // One sentence: what is wrong with the captures.
+    // One sentence: what is wrong with the captures, and which linearity of the potentiometer would
+    // make all of them right, if one of a usual data sheet does.
+    std::string reason;
 
     // The captures that disagree with the others, rising: to be measured again. Empty if none can
     // be told from the rest.
