@@ -48,12 +48,18 @@ Columns columns_of(Captures captures)
     return columns;
 }
 
-// Model less ruler; no value where the model does not hold.
+// Model less ruler, and the doubt about the law's ends; no value where the model does not hold.
 std::optional<Eigen::VectorXd> differences(HeightModel const& model, Captures captures)
 {
+    constexpr double kWorthOfDoubt_mm = 0.3; // A usual error of a ruler.
     if (!is_valid(model))
         return std::nullopt;
-    Eigen::VectorXd result(static_cast<Eigen::Index>(captures.size()));
+    auto const doubt = doubt_at_ends(model, span_to_hold(captures));
+    if (!doubt)
+        return std::nullopt;
+    auto const size = static_cast<Eigen::Index>(captures.size());
+    Eigen::VectorXd result(size + 1);
+    result[size] = *doubt * kWorthOfDoubt_mm;
     for (std::size_t i = 0; i < captures.size(); ++i) {
         auto const height = height_mm(model, captures[i].counts);
         if (!height)
@@ -117,7 +123,7 @@ std::optional<ModelFit> fit_string_from_below(Captures captures)
     double const span_mm = columns.heights.maxCoeff() - columns.heights.minCoeff();
     std::vector<std::pair<double, StringHeight>> starts;
     for (double const offset : { 0.08, 0.3, 0.8, 2.0 })
-        for (double const rise : { 0.02, 0.2, 0.7, 2.0 })
+        for (double const rise : { 0.15, 0.3, 0.7, 2.0 }) // More than the law has to go on.
             if (auto const start = string_through(columns, offset * span_mm, rise * span_mm))
                 if (auto const misfit = sum_of_squares(*start, captures))
                     starts.emplace_back(*misfit, *start);
@@ -194,6 +200,31 @@ std::optional<ModelFit> fit_monotone(Captures captures, MonotoneKnots const& kno
     if (!is_valid(start))
         return std::nullopt;
     return fit_from(start, captures);
+}
+
+HeightSpan span_to_hold(Captures captures)
+{
+    constexpr double kBeyond = 0.1;
+    auto const [low, high]
+        = std::minmax_element(captures.begin(), captures.end(),
+                              [](auto const& a, auto const& b) { return a.ruler_mm < b.ruler_mm; });
+    double const beyond_mm = kBeyond * (high->ruler_mm - low->ruler_mm);
+    return { low->ruler_mm - beyond_mm, high->ruler_mm + beyond_mm };
+}
+
+std::optional<double> doubt_at_ends(HeightModel const& model, HeightSpan const& span)
+{
+    constexpr double kClear
+        = 0.06; // Of the span: a string's end as far from a right angle is fine.
+    auto const* string = std::get_if<StringHeight>(&model);
+    if (!string)
+        return 0;
+    double const rise_mm = string->spool == StringHeight::Spool::Below
+        ? span.low_mm + string->base_mm
+        : -span.high_mm - string->base_mm;
+    if (!(rise_mm > 0))
+        return std::nullopt;
+    return std::max(0.0, kClear * (span.high_mm - span.low_mm) / rise_mm - 1);
 }
 
 Eigen::VectorXd height_gradient(HeightModel const& model, double counts)

@@ -47,6 +47,22 @@ std::optional<ModelFit> fit_string(std::span<HeightCapture const> captures);
 std::optional<ModelFit> fit_monotone(std::span<HeightCapture const> captures,
                                      MonotoneKnots const& knots);
 
+// The heights over which a law has to hold: those of captures by the ruler, and a tenth of their
+// span beyond either end, since a carriage seldom stops where the ruler did.
+struct HeightSpan {
+    double low_mm = 0;
+    double high_mm = 0;
+};
+
+// The span of at least one capture.
+HeightSpan span_to_hold(std::span<HeightCapture const> captures);
+
+// How much a string's law is to be doubted because it ends close to the span, in standard
+// deviations: 0 while string and carriage's way are far from a right angle over the whole span, 1
+// where the string's end comes within a fiftieth of the span's height of it, and so on. A spool
+// stands clear of the way. No value if the law ends within the span; 0 for other laws.
+std::optional<double> doubt_at_ends(HeightModel const& model, HeightSpan const& span);
+
 // The derivative of a model's height at a reading by its parameters, then by the shifts of its
 // track's bend.
 Eigen::VectorXd height_gradient(HeightModel const& model, double counts);

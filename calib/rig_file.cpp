@@ -1,6 +1,7 @@
 #include "calib/rig_file.h"
 
 #include "calib/calibration_record_file.h"
+#include "calib/height_fit_range.h"
 #include "calib/height_model_file.h"
 #include "calib/toml_table.h"
 #include "engine/base/file.h"
@@ -255,10 +256,23 @@ static Result<void> keep_previous(std::filesystem::path const& path)
     return write_file(backup, bytes);
 }
 
+// Whether the text means the rig that it was printed from, as whoever reads it next sees it.
+static Result<void> check_printed(std::string const& text, std::filesystem::path const& path)
+{
+    auto const again = parse_rig(text, path.string());
+    if (!again)
+        return fail(again.error().fault,
+                    fmt::format("{} was not written, since nobody could read it: {}", path.string(),
+                                again.error().message));
+    return check_calibrated_range(*again);
+}
+
 Result<void> save_rig(Rig const& rig, std::filesystem::path const& path)
 {
+    auto const text = print_rig(rig);
+    TRY(check_printed(text, path));
     TRY(keep_previous(path));
-    return write_file(path, print_rig(rig));
+    return write_file(path, text);
 }
 
 } // namespace tractus::calib

@@ -25,7 +25,9 @@ std::string print_rig(Rig const& rig);
 Result<Rig> load_rig(std::filesystem::path const& path);
 
 // Writes the file at once or not at all; the one that was there is kept beside it, with ".bak"
-// behind its name. Fails like write_file().
+// behind its name. The text is read back first: a rig that nobody could read, or that has no height
+// for a reading in its calibrated range, is not written, and the sentence says why. Fails like
+// write_file() besides.
 Result<void> save_rig(Rig const& rig, std::filesystem::path const& path);
 
 } // namespace tractus::calib

@@ -117,7 +117,7 @@ bool have_both_sides(Captures captures)
 }
 
 // Misfits in errors of the ruler, and what is known before: `numbers` of what is beside the law,
-// and that a string's spool stands somewhere near the table.
+// and that a string's spool stands somewhere near the table, and clear of the carriage's way.
 std::optional<Eigen::VectorXd> misfits(HeightModel const& model, Eigen::VectorXd const& numbers,
                                        double play_mm, Captures captures, double ruler_error_mm)
 {
@@ -125,7 +125,10 @@ std::optional<Eigen::VectorXd> misfits(HeightModel const& model, Eigen::VectorXd
         return std::nullopt;
     auto const count = static_cast<Eigen::Index>(captures.size());
     double const half_play_mm = play_mm > 0 ? play_mm / 2 * numbers[numbers.size() - 1] : 0;
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(count + numbers.size() + 2);
+    auto const doubt = doubt_at_ends(model, span_to_hold(captures));
+    if (!doubt)
+        return std::nullopt;
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(count + numbers.size() + 3);
     for (Eigen::Index i = 0; i < count; ++i) {
         auto const& capture = captures[static_cast<std::size_t>(i)];
         auto const height = height_mm(model, capture.counts);
@@ -137,6 +140,7 @@ std::optional<Eigen::VectorXd> misfits(HeightModel const& model, Eigen::VectorXd
     if (auto const* string = std::get_if<StringHeight>(&model)) {
         result[count + numbers.size()] = string->offset_mm / kSpoolNear_mm;
         result[count + numbers.size() + 1] = string->base_mm / kSpoolBelow_mm;
+        result[count + numbers.size() + 2] = *doubt;
     }
     return result;
 }

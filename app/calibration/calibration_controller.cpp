@@ -1,6 +1,7 @@
 #include "app/calibration/calibration_controller.h"
 
 #include "app/calibration/calibration_report.h"
+#include "calib/height_fit_range.h"
 #include "drivers/height_decoders.h"
 #include "drivers/tablets/pen_decoders.h"
 
@@ -297,6 +298,7 @@ Result<CalibrationOutcome> CalibrationController::finish_height(std::string cons
     auto const doubt = calib::doubt_about(fit, captures_, options_.height);
     if (doubt && !options_.is_forced)
         return fail(Fault::User, doubt->reason + " (--force keeps the fit all the same)");
+    TRY(calib::check_range(fit, captures_, options_.height));
     calib::HeightCalibration const calibration { .fit = std::move(fit),
                                                  .captures = captures_,
                                                  .options = options_.height,

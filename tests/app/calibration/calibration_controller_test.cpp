@@ -6,6 +6,7 @@
 #include "calib/rig_file.h"
 #include "drivers/logs/log.h"
 #include "tests/app/simple_rig.h"
+#include "tests/corpus.h"
 
 #include <cmath>
 #include <fmt/core.h>
@@ -436,6 +437,21 @@ TEST(CalibrationController, TakesATouchThatPressesForNoRest)
     hold_pen(controller, 1000, 1100, false);
     hold_pen(controller, 1100, 2000, true);
     EXPECT_TRUE(controller.take_pen_rest());
+}
+
+// Five captures of a string that hangs plumb, whose readings once gave a string that ended at the
+// lowest of them.
+TEST(PlumbStringLog, GivesARigThatIsReadAndHasAllHeights)
+{
+    REQUIRE_CORPUS();
+    auto const log = drivers::read_log(corpus() / "faults" / "unreadable.tractus-log").value();
+    auto const outcome = calibrate_from_log(log, {}, kDate).value();
+    auto const rig = calib::parse_rig(calib::print_rig(outcome.rig), "my.rig.toml").value();
+    for (double height_mm = -39; height_mm <= 439; height_mm += 1) {
+        auto const counts = calib::counts_at_height(rig.height_model, height_mm);
+        ASSERT_TRUE(counts) << height_mm;
+        EXPECT_NEAR(calib::height_mm(rig.height_model, *counts).value_or(-1e9), height_mm, 1e-3);
+    }
 }
 
 } // namespace
