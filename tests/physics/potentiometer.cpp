@@ -9,7 +9,6 @@ namespace tractus::physics {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kFirstPart = 0.08; // Share of the track, at height zero.
 
 } // namespace
 
@@ -49,7 +48,8 @@ void Potentiometer::befall(double slip_mm, double move_mm)
 // there.
 double Potentiometer::length(double height_mm) const
 {
-    double const rise_mm = geometry_.base_mm + height_mm;
+    double const rise_mm
+        = geometry_.is_spool_above ? geometry_.base_mm - height_mm : geometry_.base_mm + height_mm;
     double const straight_mm = std::hypot(rise_mm, geometry_.offset_mm);
     double const radius_mm = faults_.pulley_radius_mm;
     if (radius_mm == 0)
@@ -70,8 +70,10 @@ double Potentiometer::bend(double part) const
 
 double Potentiometer::counts(double height_mm) const
 {
-    double const wound = kFirstPart + (length(height_mm) - shortest_mm_) / geometry_.track_mm;
-    double const part = wound + faults_.nonlinearity * bend(wound);
+    double const wound
+        = geometry_.first_part + (length(height_mm) - shortest_mm_) / geometry_.track_mm;
+    double const along = wound + faults_.nonlinearity * bend(wound);
+    double const part = geometry_.counts_down ? 1 - along : along;
     // A voltage divider whose lower half the converter's input bridges.
     double const loaded = part / (1 + faults_.loading * part * (1 - part));
     return geometry_.full_scale * loaded;

@@ -28,8 +28,11 @@ struct Faults {
 struct Geometry {
     double offset_mm = 100;
     double base_mm = 100;
-    double track_mm = 600; // String that the whole potentiometer takes up.
+    double track_mm = 600;    // String that the whole potentiometer takes up.
+    double first_part = 0.08; // Share of the track that is used up at height zero.
     int full_scale = 4095;
+    bool is_spool_above = false; // base_mm is then how far the spool is above height zero.
+    bool counts_down = false;    // The potentiometer's outer wires are swapped.
 };
 
 class Potentiometer {
