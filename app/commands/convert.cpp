@@ -2,12 +2,13 @@
 
 #include "app/io/stroke_file.h"
 #include "app/options/checks.h"
+#include "app/options/recordings_help.h"
 #include "app/options/shared_options.h"
 #include "app/station/log_replay.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "calib/rig_file.h"
-#include "drivers/logs/foreign_log.h"
+#include "drivers/logs/log.h"
 #include "drivers/logs/log_writer.h"
 #include "engine/base/file.h"
 
@@ -194,7 +195,7 @@ Result<void> convert(ConvertArguments const& arguments)
     TRY(check_writable(arguments.output));
     if (io::is_stroke_file(arguments.input) && wants_strokes(arguments))
         return convert_to_strokes(arguments, TRY(io::load_strokes(arguments.input)));
-    auto log = TRY(drivers::read_any_log(arguments.input));
+    auto log = TRY(drivers::read_log(arguments.input));
     if (auto const ids = parse_ids(arguments.ids))
         for (auto& info : log.devices) {
             info.vendor_id = ids->first;
@@ -225,9 +226,9 @@ void add_convert_command(CLI::App& root, options::Action& action, tools::Methods
         "convert", "Turn a recording into another program's format, or into curves");
     command
         ->add_option("IN", arguments->input,
-                     "A .tractus-log or hid-recorder file, what usbhid-dump printed, or what "
-                     "\"libinput record --with-hidraw\" wrote; which, its first lines tell. For "
-                     "curves strokes in space, too: .tilt, .strokes or .txt")
+                     fmt::format("A recording: {}; which, its first lines tell. For curves strokes "
+                                 "in space, too: .tilt, .strokes or .txt",
+                                 options::kRecordings))
         ->required();
     command->add_option("-o,--output", arguments->output, "The file to write")
         ->type_name("FILE")

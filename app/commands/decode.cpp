@@ -1,5 +1,6 @@
 #include "app/commands/decode.h"
 
+#include "app/options/recordings_help.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "drivers/device_kind.h"
@@ -307,7 +308,7 @@ void add_decode_command(CLI::App& root, options::Action& action)
         "the device does not say. --raw adds the counts as the device reports them, y\n"
         "downwards.");
     auto options = std::make_shared<Options>(); // Shared by the parser's options and the action.
-    command->add_option("LOG", options->log, "A .tractus-log, or anybody's hid-recorder file")
+    command->add_option("LOG", options->log, fmt::format("A recording: {}", options::kRecordings))
         ->required();
     auto* const csv = command->add_flag("--csv", options->csv, "Print one row per pen sample");
     command->add_flag("--raw", options->raw, "Add the device's own counts to each row")->needs(csv);

@@ -6,10 +6,11 @@
 #include "app/diagnosis/udev_rules.h"
 #include "app/files/user_folder.h"
 #include "app/options/checks.h"
+#include "app/options/recordings_help.h"
 #include "app/terminal/console.h"
 #include "app/terminal/terminal.h"
 #include "calib/rig_file.h"
-#include "drivers/logs/foreign_log.h"
+#include "drivers/logs/log.h"
 #include "drivers/tablets/pen_decoders.h"
 #include "engine/base/file.h"
 
@@ -147,7 +148,7 @@ Result<void> examine_machine(DoctorArguments const& arguments,
 
 Result<void> examine_log(std::string const& path, std::vector<diagnosis::Finding>& findings)
 {
-    auto const log = TRY(drivers::read_any_log(path));
+    auto const log = TRY(drivers::read_log(path));
     std::vector<diagnosis::DeviceMonitor> monitors;
     for (auto const& info : log.devices)
         monitors.emplace_back(info);
@@ -274,7 +275,9 @@ void add_doctor_command(CLI::App& root, options::Action& action)
     auto* const command = root.add_subcommand(
         "doctor", "Find out why a tablet or sensor does not work, and what to do about it");
     auto* const log = command->add_option("LOG", arguments->log,
-                                          "A recording to examine in place of the machine");
+                                          fmt::format("A recording to examine in place of the "
+                                                      "machine: {}",
+                                                      options::kRecordings));
     auto* const device
         = command
               ->add_option("--device", arguments->devices,

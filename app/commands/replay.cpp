@@ -5,11 +5,13 @@
 #include "app/options/checks.h"
 #include "app/options/glb_options.h"
 #include "app/options/growth_options.h"
+#include "app/options/recordings_help.h"
 #include "app/options/shared_options.h"
 #include "app/terminal/console.h"
 #include "app/terminal/progress.h"
 #include "engine/base/file.h"
 
+#include <fmt/core.h>
 #include <memory>
 
 namespace tractus::commands {
@@ -29,8 +31,9 @@ void add_replay_command(CLI::App& root, options::Action& action, tools::Methods 
         "Replay a recorded drawing onto a plant model and make a collection of varied plants");
     command
         ->add_option("LOG", arguments->job.drawing.log,
-                     "The drawing: a .tractus-log, anybody's hid-recorder file, or strokes in "
-                     "space: .tilt (Open Brush), .strokes or .txt")
+                     fmt::format("The drawing: {}; or strokes in space: .tilt (Open Brush), "
+                                 ".strokes or .txt",
+                                 options::kRecordings))
         ->required();
     options::add_plant_option(*command, arguments->model);
     options::add_rig_option(*command, arguments->rig);

@@ -3,6 +3,7 @@
 #include "app/document/model_cost.h"
 #include "app/files/resources.h"
 #include "app/io/model_file.h"
+#include "app/options/recordings_help.h"
 #include "app/play/simulated_recording.h"
 #include "app/terminal/console.h"
 #include "drivers/logs/log_source.h"
@@ -49,8 +50,7 @@ play::DevicePlay::Then what_then(SimPlayArguments const& arguments)
 void add_sim_play_options(CLI::App& command, SimPlayArguments& arguments)
 {
     auto* const log = command.add_option(
-        "LOG", arguments.log,
-        "The recording to play: a .tractus-log, or anybody's hid-recorder file");
+        "LOG", arguments.log, fmt::format("The recording to play: {}", options::kRecordings));
     auto* const simulate
         = command
               .add_option("--simulate", arguments.script,

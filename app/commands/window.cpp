@@ -423,9 +423,8 @@ void add_window_command(CLI::App& root, options::Action& action, tools::Methods 
     command->add_option(
         "FILE", arguments->file,
         "A session (.tractus) to go on with; a plant to draw on, as of --plant; or a drawing to "
-        "replay, a .tractus-log or anybody's hid-recorder file; without it, one draws: with the "
-        "tablets and "
-        "the height sensor that are found, and with the mouse in place of what is "
+        "replay, any recording that \"tractus replay\" takes; without it, one draws: with the "
+        "tablets and the height sensor that are found, and with the mouse in place of what is "
         "missing");
     add_drawing_options(*command, *arguments);
     options::add_plant_option(*command, arguments->model)->required(false);

@@ -1,5 +1,6 @@
 #include "app/io/stroke_file.h"
 
+#include "drivers/logs/foreign_log.h"
 #include "engine/base/file.h"
 #include "engine/export/stroke_glb.h"
 #include "engine/stroke/read_tilt.h"
@@ -12,7 +13,9 @@ namespace tractus::io {
 bool is_stroke_file(std::filesystem::path const& path)
 {
     auto const ending = path.extension();
-    return ending == ".tilt" || ending == ".strokes" || ending == ".txt";
+    if (ending == ".txt")
+        return !drivers::guess_file_format(path);
+    return ending == ".tilt" || ending == ".strokes";
 }
 
 Result<std::vector<Stroke>> load_strokes(std::filesystem::path const& path)

@@ -12,7 +12,8 @@
 namespace tractus::io {
 
 // True for files that hold strokes in space instead of the reports of devices: .tilt (Open Brush,
-// Tilt Brush), .strokes and .txt (stroke_text.h). By the ending alone.
+// Tilt Brush), .strokes and .txt (stroke_text.h). By the ending, but for a .txt whose first lines
+// are of a recording (drivers/logs/foreign_log.h).
 bool is_stroke_file(std::filesystem::path const& path);
 
 // The strokes in such a file. Fails, as the user's fault, if it cannot be read or is no such file.

@@ -1,6 +1,9 @@
 #include "app/options/drawing_options.h"
 
+#include "app/options/recordings_help.h"
 #include "app/options/shared_options.h"
+
+#include <fmt/core.h>
 
 namespace tractus::options {
 
@@ -9,9 +12,9 @@ void add_drawing_options(CLI::App& command, DrawingArguments& drawing, std::stri
     auto* const log
         = command
               .add_option("--drawing", drawing.log,
-                          "What was drawn, kept by every plant: a .tractus-log, anybody's "
-                          "hid-recorder file, .tilt, .strokes or .txt; without it, "
-                              + without)
+                          fmt::format("What was drawn, kept by every plant: {}; or strokes in "
+                                      "space, .tilt, .strokes or .txt; without it, {}",
+                                      kRecordings, without))
               ->type_name("LOG");
     add_rig_option(command, drawing.rig)->needs(log);
     add_height_option(command, drawing.height)->needs(log);

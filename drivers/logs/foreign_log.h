@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <istream>
+#include <optional>
 #include <string_view>
 
 namespace tractus::drivers {
@@ -27,22 +28,30 @@ Result<Log> parse_usbhid_dump(std::istream& in, std::string_view name);
 // Whether a line is the first of such a block.
 bool begins_usbhid_dump_block(std::string_view line);
 
-// The HID part of what `libinput record --with-hidraw` writes (YAML): the report descriptor of each
-// device ("hid") and the raw reports among its events. Input events are skipped: they are what the
-// kernel made of the reports. Fails, as the user's fault, if it is not YAML, or if no device has
-// raw reports.
+// What `libinput record` writes, best with --with-hidraw (YAML): the report descriptor of each
+// device ("hid") and the raw reports among its events. Where there are no raw reports of a pen, its
+// input events stand for them (drivers/reports/event_pen.h). Fails, as the user's fault, if it is
+// not YAML, or if no device has raw reports and none is a pen.
 Result<Log> parse_libinput_record(std::istream& in, std::string_view name);
+
+// What evemu-record writes of a pen, versions 1.0 to 1.3: the kernel's input events, which become
+// reports of a HID pen (drivers/reports/event_pen.h). Fails, as the user's fault, if the device is
+// no pen.
+Result<Log> parse_evemu(std::istream& in, std::string_view name);
+
+// Whether a line is the first that tells such a recording from a hid-recorder file.
+bool begins_evemu_recording(std::string_view line);
 
 enum class LogFormat {
     TractusLog, // Hid-recorder's too, of which it is a superset.
     UsbhidDump,
     LibinputRecord,
+    Evemu,
 };
 
-// Tells from the first lines; what is neither of the others counts as a log of ours.
-LogFormat guess_log_format(std::string_view text);
-
-// A recording in any of the formats. Fails like the reader of its format.
-Result<Log> read_any_log(std::filesystem::path const& path);
+// Tells from the first lines of a text, or of a regular file. No value where none of them tells, or
+// none can be read.
+std::optional<LogFormat> guess_log_format(std::string_view text);
+std::optional<LogFormat> guess_file_format(std::filesystem::path const& path);
 
 } // namespace tractus::drivers

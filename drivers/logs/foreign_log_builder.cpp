@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fmt/core.h>
 #include <utility>
+#include <vector>
 
 namespace tractus::drivers {
 
@@ -47,8 +48,38 @@ Result<std::size_t> ForeignLogBuilder::add_device(DeviceInfo info)
     return log_.devices.size() - 1;
 }
 
+void ForeignLogBuilder::remove_device(std::size_t device)
+{
+    log_.devices.erase(log_.devices.begin() + static_cast<std::ptrdiff_t>(device));
+    std::erase_if(log_.records, [&](auto const& record) { return record.device == device; });
+    for (auto& record : log_.records)
+        if (record.device > device)
+            --record.device;
+}
+
+// A report whose time goes back stays behind those of its device that came before it.
+void ForeignLogBuilder::sort_by_time()
+{
+    std::vector<Timestamp> latest(log_.devices.size(), Timestamp::min());
+    std::vector<std::pair<Timestamp, LogRecord>> places;
+    places.reserve(log_.records.size());
+    for (auto const& record : log_.records) {
+        auto& time = latest[record.device];
+        time = std::max(time, record.time);
+        places.emplace_back(time, record);
+    }
+    auto const is_earlier = [](auto const& a, auto const& b) { return a.first < b.first; };
+    if (std::is_sorted(places.begin(), places.end(), is_earlier))
+        return;
+    std::stable_sort(places.begin(), places.end(), is_earlier);
+    std::transform(places.begin(), places.end(), log_.records.begin(),
+                   [](auto const& place) { return place.second; });
+}
+
 Log ForeignLogBuilder::take()
 {
+    if (log_.devices.size() > 1)
+        sort_by_time();
     auto const first
         = std::min_element(log_.records.begin(), log_.records.end(),
                            [](auto const& a, auto const& b) { return a.time < b.time; });

@@ -27,10 +27,17 @@ public:
     // computer has.
     Result<std::size_t> add_device(DeviceInfo info);
 
-    // The log, with its first report at 0.
+    // Takes a device and its reports away; the indices of those behind it go down by one.
+    void remove_device(std::size_t device);
+
+    // The log, with its first report at 0. Reports of several devices, which some programs write
+    // one device after another, stand in the order of their times; those of one device as they
+    // came.
     Log take();
 
 private:
+    void sort_by_time();
+
     Log log_;
 };
 

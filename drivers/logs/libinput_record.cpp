@@ -1,11 +1,15 @@
 #include "drivers/logs/foreign_log.h"
 #include "drivers/logs/foreign_log_builder.h"
 #include "drivers/logs/line_splitter.h"
+#include "drivers/reports/event_pen.h"
 
+#include <algorithm>
 #include <charconv>
 #include <fmt/core.h>
+#include <linux/input-event-codes.h>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,6 +61,14 @@ Result<std::int64_t> number_in(std::string_view text)
     return value;
 }
 
+// The input events of the device that is read, should there be no raw reports.
+struct RecordedEvents {
+    EventAbilities abilities {};
+    std::optional<EventPen> pen {};       // Once an event has come, of a pen.
+    std::optional<std::size_t> device {}; // Index in the log's devices, once it has sent one.
+    std::vector<std::int64_t> numbers {}; // Those of the list that is read.
+};
+
 // Walks through the recording value by value, so that none of it stays in memory but the reports.
 class RecordReader {
 public:
@@ -87,7 +99,11 @@ public:
         }
     }
 
-    Log take() { return builder_.take(); }
+    Log take()
+    {
+        remove_seen_twice();
+        return builder_.take();
+    }
 
 private:
     // One list or map that is open.
@@ -113,6 +129,12 @@ private:
     {
         if (is_at({ "devices", "", "events", "", "hid" }))
             TRY(end_report());
+        else if (is_at({ "devices", "", "events", "", "evdev", "" }))
+            TRY(end_input_event());
+        else if (is_in_map_of({ "devices", "", "evdev", "codes" }))
+            TRY(end_codes(levels_[4].key));
+        else if (is_in_map_of({ "devices", "", "evdev", "absinfo" }))
+            TRY(end_axis(levels_[4].key));
         else if (is_at({ "devices", "" }))
             end_device();
         levels_.pop_back();
@@ -139,6 +161,18 @@ private:
             ++level;
         }
         return true;
+    }
+
+    // Whether the innermost list is a value in the map there, whatever its key is.
+    bool is_in_map_of(std::initializer_list<std::string_view> path) const
+    {
+        auto const depth = path.size() + 1;
+        return levels_.size() == depth + 1 && levels_[depth - 1].kind == Level::Kind::Map
+            && std::equal(path.begin(), path.end(), levels_.begin(),
+                          [](std::string_view key, Level const& level) {
+                              return (level.kind == Level::Kind::List) == key.empty()
+                                  && (key.empty() || level.key == key);
+                          });
     }
 
     Result<void> take_scalar(std::string_view value)
@@ -171,17 +205,21 @@ private:
         else if (levels_.size() == 7 && levels_[5].key.starts_with("hidraw")
                  && is_at({ "devices", "", "events", "", "hid", levels_[5].key }))
             return append(reports_[levels_[5].key], value, kMaxBlockBytes, 0xff);
+        else if (is_at({ "devices", "", "events", "", "evdev", "" })
+                 || is_in_map_of({ "devices", "", "evdev", "codes" })
+                 || is_in_map_of({ "devices", "", "evdev", "absinfo" }))
+            return append(events_.numbers, value, KEY_CNT, kMaxSeconds, -kMaxSeconds);
         return {};
     }
 
     // Leaves out values beyond `most`.
     template<typename Value>
     static Result<void> append(std::vector<Value>& values, std::string_view text, std::size_t most,
-                               std::int64_t largest)
+                               std::int64_t largest, std::int64_t least = 0)
     {
         auto const number = TRY(number_in(text));
-        if (number < 0 || number > largest)
-            return fail(Fault::User, fmt::format("{} is not in 0 to {}", number, largest));
+        if (number < least || number > largest)
+            return fail(Fault::User, fmt::format("{} is not in {} to {}", number, least, largest));
         if (values.size() < most)
             values.push_back(static_cast<Value>(number));
         return {};
@@ -203,6 +241,58 @@ private:
         return {};
     }
 
+    // "1: [320, 330]": a type of events and the codes of it that the device has.
+    Result<void> end_codes(std::string const& type)
+    {
+        auto const codes = std::exchange(events_.numbers, {});
+        if (TRY(number_in(type)) == EV_KEY)
+            for (auto const code : codes)
+                events_.abilities.keys.insert(static_cast<std::uint16_t>(code));
+        return {};
+    }
+
+    // "0: [0, 15200, 4, 0, 100]": an axis and its minimum, maximum, fuzz, flat and resolution.
+    Result<void> end_axis(std::string const& code)
+    {
+        auto numbers = std::exchange(events_.numbers, {});
+        numbers.resize(5);
+        auto const value = [&](std::size_t i) { return saturated(numbers[i]); };
+        events_.abilities.axes[static_cast<std::uint16_t>(TRY(number_in(code)))]
+            = { .minimum = value(0), .maximum = value(1), .resolution = value(4) };
+        return {};
+    }
+
+    static std::int32_t saturated(std::int64_t number)
+    {
+        using Limits = std::numeric_limits<std::int32_t>;
+        return static_cast<std::int32_t>(
+            std::clamp<std::int64_t>(number, Limits::min(), Limits::max()));
+    }
+
+    // "[0, 1250, 3, 0, 12]": seconds, microseconds, type, code and value.
+    Result<void> end_input_event()
+    {
+        constexpr std::size_t kEventNumbers = 5;
+        auto const numbers = std::exchange(events_.numbers, {});
+        if (numbers.size() != kEventNumbers || numbers[0] < 0 || numbers[1] < 0)
+            return fail(Fault::User,
+                        "an input event is not five numbers: seconds, microseconds, "
+                        "type, code and value");
+        if (!nodes_.empty() || !is_event_pen(events_.abilities))
+            return {};
+        if (!events_.pen)
+            events_.pen.emplace(events_.abilities);
+        auto const when = timestamp_ns((numbers[0] * 1'000'000 + numbers[1]) * 1000);
+        auto const report
+            = events_.pen->push(static_cast<std::uint16_t>(numbers[2]),
+                                static_cast<std::uint16_t>(numbers[3]), saturated(numbers[4]));
+        if (report.empty())
+            return {};
+        if (!events_.device)
+            events_.device = TRY(builder_.add_device({}));
+        return builder_.append_report(line_, *events_.device, when, report);
+    }
+
     void end_device()
     {
         ids_.resize(3);
@@ -211,9 +301,30 @@ private:
         info_.product_id = ids_[2];
         for (auto const& [node, device] : nodes_)
             builder_.log().devices[device] = info_;
+        if (events_.device) {
+            info_.report_descriptor = describe_event_pen(events_.abilities);
+            info_.physical_path = event_pen_path("");
+            builder_.log().devices[*events_.device] = info_;
+        }
         nodes_.clear();
         ids_.clear();
         info_ = {};
+        events_ = {};
+    }
+
+    // Raw reports count for more than the events that the kernel made of them, which may stand with
+    // another of the input devices that a hidraw node feeds.
+    void remove_seen_twice()
+    {
+        auto const& devices = builder_.log().devices;
+        for (auto i = devices.size(); i-- > 0;)
+            if (has_event_pen_reports(devices[i])
+                && std::ranges::any_of(devices, [&](DeviceInfo const& other) {
+                       return !has_event_pen_reports(other) && other.bus == devices[i].bus
+                           && other.vendor_id == devices[i].vendor_id
+                           && other.product_id == devices[i].product_id;
+                   }))
+                builder_.remove_device(i);
     }
 
     static constexpr std::size_t kMaxLevels = 100;
@@ -221,6 +332,7 @@ private:
     static constexpr std::size_t kMaxBlockBytes = std::size_t { 1 } << 16;
     static constexpr std::int64_t kMaxSeconds = 9'000'000'000;
 
+    RecordedEvents events_;
     ForeignLogBuilder builder_;
     std::vector<Level> levels_;
     DeviceInfo info_; // The device that is read.
@@ -267,8 +379,8 @@ Result<Log> parse_libinput_record(std::istream& in, std::string_view name)
     auto log = reader.take();
     if (log.devices.empty())
         return fail(Fault::User,
-                    fmt::format("{} has no raw reports: record it with \"libinput record "
-                                "--with-hidraw\"",
+                    fmt::format("{} has no raw reports, and no input events of a pen: record it "
+                                "with \"libinput record --with-hidraw\"",
                                 name));
     return log;
 }

@@ -45,4 +45,14 @@ Result<void> LineSplitter::end()
     return take_(std::exchange(begun_, {}));
 }
 
+Result<void> feed_lines(std::istream& in, std::string_view name,
+                        std::function<Result<void>(std::string_view line)> take)
+{
+    LineSplitter lines(std::string(name), std::move(take));
+    std::string piece(std::size_t { 1 } << 16, '\0');
+    while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0)
+        TRY(lines.feed(std::string_view(piece).substr(0, static_cast<std::size_t>(in.gcount()))));
+    return lines.end();
+}
+
 } // namespace tractus::drivers

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <istream>
 #include <string>
 #include <string_view>
 
@@ -31,5 +32,9 @@ private:
     std::string begun_; // Beginning of a line that the last piece did not end.
     std::size_t lines_ = 0;
 };
+
+// Cuts all that a stream gives into lines, likewise.
+Result<void> feed_lines(std::istream& in, std::string_view name,
+                        std::function<Result<void>(std::string_view line)> take);
 
 } // namespace tractus::drivers

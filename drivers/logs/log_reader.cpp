@@ -22,27 +22,16 @@ Result<Log> parse_log(std::string_view text, std::string_view name)
     return reader.take_log();
 }
 
-Result<Log> read_log(std::filesystem::path const& path)
+Result<Log> read_log_file(std::filesystem::path const& path)
 {
-    std::error_code no_file;
-    bool const may_be_read_again = std::filesystem::is_regular_file(path, no_file);
     // Opened before it is read, so that what takes its name meanwhile is not taken for it.
-    auto rest = std::make_shared<LogRest>(
-        may_be_read_again ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : -1);
-    LogText text(path.string(), may_be_read_again ? kMostLogBytes : kMostPipedLogBytes);
-    if (may_be_read_again)
-        text.expect(
-            std::min<std::size_t>(std::filesystem::file_size(path, no_file), kMostLogBytes * 2));
-    auto const take_piece = [&](std::string_view piece) -> Result<void> {
-        TRY(text.feed(piece));
-        if (text.rest() && !may_be_read_again)
-            return fail(Fault::User,
-                        fmt::format("{} is no file, and more comes from it than is kept in memory: "
-                                    "save it in a file first",
-                                    path.string()));
-        return {};
-    };
-    TRY(read_file_in_pieces(path, std::numeric_limits<std::size_t>::max(), take_piece));
+    auto rest = std::make_shared<LogRest>(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    LogText text(path.string(), kMostLogBytes);
+    std::error_code no_file;
+    text.expect(
+        std::min<std::size_t>(std::filesystem::file_size(path, no_file), kMostLogBytes * 2));
+    TRY(read_file_in_pieces(path, std::numeric_limits<std::size_t>::max(),
+                            [&](std::string_view piece) { return text.feed(piece); }));
     TRY(text.end());
     bool const is_in_memory = !text.rest();
     rest->place = text.rest().value_or(LogPlace {});

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -101,5 +102,8 @@ private:
     bool is_begin_ = true;            // Nothing has come.
     bool is_whole_ = true;            // Does the line end with a line break?
 };
+
+// Reads the log in a regular file, as read_log() does.
+Result<Log> read_log_file(std::filesystem::path const& path);
 
 } // namespace tractus::drivers

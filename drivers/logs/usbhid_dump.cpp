@@ -145,6 +145,8 @@ private:
         auto const device = TRY(builder_.add_device(
             { .name = fmt::format("USB interface {}", head.interface_name),
               .location = fmt::format("{}:{}", builder_.log().name, head.interface_name),
+              .physical_path = fmt::format("usb-{}/input{}", head.interface_name.substr(0, 7),
+                                           head.interface_number),
               .interface_number = head.interface_number }));
         devices_[head.interface_name] = device;
         return device;
@@ -168,12 +170,7 @@ bool begins_usbhid_dump_block(std::string_view line)
 Result<Log> parse_usbhid_dump(std::istream& in, std::string_view name)
 {
     DumpReader reader(name);
-    LineSplitter lines(std::string(name),
-                       [&](std::string_view line) { return reader.take_line(line); });
-    std::string piece(std::size_t { 1 } << 16, '\0');
-    while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0)
-        TRY(lines.feed(std::string_view(piece).substr(0, static_cast<std::size_t>(in.gcount()))));
-    TRY(lines.end());
+    TRY(feed_lines(in, name, [&](std::string_view line) { return reader.take_line(line); }));
     return reader.take_log();
 }
 

@@ -87,6 +87,18 @@ TEST(KernelAgreement, SeesTheSameStatesOfAnNtrigPen)
     for (auto const& [x, y, tip] : ours)
         EXPECT_TRUE(kernel.contains({ x, y, tip })) << "only here: " << x << ' ' << y << ' ' << tip;
     RecordProperty("states", static_cast<int>(kernel.size()));
+
+    // The kernel's own words are a recording, too.
+    auto const recorded = read_log(folder / "n-trig_1b96_1000.pen.kernel-3.10.ev");
+    ASSERT_TRUE(recorded) << recorded.error().message;
+    auto const replayed = our_states(*recorded);
+    auto const is_there = [](auto const& states, State const& state) {
+        return states.contains(state) || std::get<1>(state) == 0; // Before its place was told.
+    };
+    for (auto const& state : replayed)
+        EXPECT_TRUE(is_there(kernel, state)) << std::get<0>(state) << ' ' << std::get<1>(state);
+    for (auto const& state : kernel)
+        EXPECT_TRUE(is_there(replayed, state)) << std::get<0>(state) << ' ' << std::get<1>(state);
 }
 
 } // namespace

@@ -1,7 +1,13 @@
 #include "drivers/logs/log.h"
 #include "tests/app/command_line/workshop.h"
 
+#include <algorithm>
+#include <array>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
+#include <initializer_list>
+#include <span>
+#include <string>
 
 namespace tractus {
 namespace {
@@ -49,6 +55,97 @@ TEST_F(ConvertCommand, ReadsWhatLibinputRecordWrites)
           "  - hid:\n      time: [0, 1]\n      hidraw0: [ 0x01 ]\n");
     EXPECT_EQ(run("tractus convert record.yml -o pen.hid").exit_code, 0);
     EXPECT_EQ(read("pen.hid"), "R: 1 c0\nN: pen\nP: \nI: 3 0001 0002\nE: 000000.000000 1 01\n");
+}
+
+// Two strokes of a pen as input events, each printed by `event`: time in us, type, code, value.
+template<typename Event> std::string two_strokes(Event event)
+{
+    std::string text;
+    int time_us = 1'000'000;
+    auto const frame = [&](std::initializer_list<std::array<int, 3>> events) {
+        for (auto const& [type, code, value] : events)
+            text += event(time_us, type, code, value);
+        text += event(time_us, 0, 0, 0);
+        time_us += 5'000;
+    };
+    for (int stroke = 0; stroke < 2; ++stroke) {
+        frame({ { 1, 320, 1 }, { 3, 0, 5'000 + 4'000 * stroke }, { 3, 1, 6'000 } });
+        frame({ { 1, 330, 1 }, { 3, 24, 500 } });
+        for (int i = 1; i < 100; ++i)
+            frame({ { 3, 0, 5'000 + 4'000 * stroke + 20 * i }, { 3, 1, 6'000 - 30 * i } });
+        frame({ { 1, 330, 0 }, { 3, 24, 0 } });
+        frame({ { 1, 320, 0 } });
+    }
+    return text;
+}
+
+std::string evemu_of_two_strokes()
+{
+    std::string text = "# EVEMU 1.3\nN: Pen\nI: 0018 1b96 1000 0000\n";
+    for (int i = 0; i < 5; ++i)
+        text += "B: 01 00 00 00 00 00 00 00 00\n";
+    text += "B: 01 01 04 00 00 00 00 00 00\nA: 00 0 20000 0 0 100\nA: 01 0 12000 0 0 100\n"
+            "A: 18 0 1023 0 0 0\n";
+    return text + two_strokes([](int time_us, int type, int code, int value) {
+               return fmt::format("E: 13705985{:02}.{:06} {:04x} {:04x} {}\n", time_us / 1'000'000,
+                                  time_us % 1'000'000, type, code, value);
+           });
+}
+
+std::string libinput_record_of_two_strokes()
+{
+    return "version: 1\nndevices: 1\nlibinput: {version: 1}\ndevices:\n- node: /dev/input/event5\n"
+           "  evdev:\n    name: Pen\n    id: [24, 7062, 4096, 0]\n"
+           "    codes: {1: [320, 330], 3: [0, 1, 24]}\n    absinfo:\n"
+           "      0: [0, 20000, 0, 0, 100]\n      1: [0, 12000, 0, 0, 100]\n"
+           "      24: [0, 1023, 0, 0, 0]\n  events:\n  - evdev:\n"
+        + two_strokes([](int time_us, int type, int code, int value) {
+               return fmt::format("    - [{}, {}, {}, {}, {}]\n", time_us / 1'000'000,
+                                  time_us % 1'000'000, type, code, value);
+           });
+}
+
+// The same as usbhid-dump would print it, were it a HID device.
+std::string usbhid_dump_of(drivers::Log const& log)
+{
+    auto const block = [](char const* kind, double time_s, std::span<std::byte const> bytes) {
+        std::string text = fmt::format("001:002:000:{}             {:.6f}\n", kind, time_s);
+        for (auto const byte : bytes)
+            text += fmt::format(" {:02X}", std::to_integer<int>(byte));
+        return text + "\n\n";
+    };
+    auto text = block("DESCRIPTOR", 1, log.devices.at(0).report_descriptor);
+    for (auto const& record : log.records)
+        text += block("STREAM", 1370598501 + to_seconds(record.time), log.report(record));
+    return text;
+}
+
+TEST_F(ConvertCommand, IsNotNeededToReadWhatOtherProgramsRecord)
+{
+    write("pen.ev", evemu_of_two_strokes());
+    write("pen.yml", libinput_record_of_two_strokes());
+    ASSERT_EQ(run("tractus convert pen.ev -o pen.tractus-log").exit_code, 0);
+    write("pen.txt", usbhid_dump_of(drivers::parse_log(read("pen.tractus-log"), "pen").value()));
+    auto const rows = run("tractus decode --csv pen.tractus-log");
+    EXPECT_EQ(rows.exit_code, 0) << rows.err;
+    EXPECT_EQ(std::ranges::count(rows.out, '\n'), 1 + 2 * 103);
+    auto const strokes = run("tractus stream --strokes --height 120 pen.tractus-log");
+    EXPECT_EQ(strokes.exit_code, 0) << strokes.err;
+    for (std::string const file : { "pen.ev", "pen.yml", "pen.txt" }) {
+        auto const decoded = run("tractus decode --csv " + file);
+        EXPECT_EQ(decoded.exit_code, 0) << decoded.err;
+        EXPECT_EQ(decoded.out, rows.out) << file;
+        auto const streamed
+            = run("cat " + file + " | tractus stream --strokes --height 120 /dev/stdin");
+        EXPECT_EQ(streamed.out, strokes.out) << file << streamed.err;
+        auto const examined = run("tractus doctor " + file);
+        EXPECT_EQ(examined.exit_code, 0) << examined.out << examined.err;
+    }
+    auto const replayed
+        = run("tractus replay pen.txt --plant small.l --height 120 --count 1 -o plants");
+    EXPECT_EQ(replayed.exit_code, 0)
+        << replayed.err << "its name is that of a file of strokes, too";
+    EXPECT_NE(replayed.out.find("pen samples           206"), std::string::npos) << replayed.out;
 }
 
 TEST_F(ConvertCommand, SaysWhatItCannotDo)
