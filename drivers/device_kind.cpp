@@ -1,10 +1,15 @@
 #include "drivers/device_kind.h"
 
 #include "drivers/height_decoders.h"
+#include "drivers/reports/device_address.h"
 #include "drivers/reports/height_decoder.h"
+#include "drivers/sensors/iio_channel.h"
+#include "drivers/sensors/serial_line.h"
 #include "drivers/tablets/pen_decoders.h"
 
 #include <fmt/core.h>
+#include <utility>
+#include <variant>
 
 namespace tractus::drivers {
 
@@ -26,8 +31,27 @@ static std::string describe_pen(PenTraits const& traits)
     return text;
 }
 
+// A serial line or an analogue input that nobody has named as a height sensor; empty for others.
+static std::string describe_unnamed(DeviceInfo const& info)
+{
+    auto const address = parse_device_address(info.location);
+    if (!address || is_serial_line(info) || is_iio_channel(info))
+        return {};
+    if (std::holds_alternative<SerialAddress>(*address))
+        return fmt::format("serial line; a height sensor on it is read if it is named, such as "
+                           "--device {}@115200,max=1023",
+                           info.location);
+    if (std::holds_alternative<IioAddress>(*address))
+        return fmt::format("industrial I/O channel; read as a height sensor if it is named, "
+                           "--device {}",
+                           info.location);
+    return {};
+}
+
 DeviceDescription describe_device(DeviceInfo const& info)
 {
+    if (auto text = describe_unnamed(info); !text.empty())
+        return { .kind = DeviceKind::Other, .text = std::move(text) };
     auto const pen = make_pen_decoder(info);
     if (pen)
         return { .kind = DeviceKind::Pen, .text = describe_pen((*pen)->traits()) };

@@ -4,9 +4,11 @@
 #include "drivers/gpio/gpio_encoder.h"
 #include "drivers/links/hid_source.h"
 #include "drivers/reports/device_address.h"
+#include "drivers/sensors/iio_channel.h"
 #include "drivers/sensors/labjack_u3.h"
 #include "drivers/sensors/linak_desk.h"
 #include "drivers/sensors/mcp2221a.h"
+#include "drivers/sensors/serial_line.h"
 #include "drivers/sensors/usb_height_sensor.h"
 #include "drivers/sensors/usb_sensor_list.h"
 #include "drivers/tablets/open_tablet.h"
@@ -35,8 +37,8 @@ std::vector<DeviceInfo> list_devices()
 {
     std::lock_guard const lock(library_mutex());
     auto devices = enumerate_hid();
-    auto sensors = list_usb_height_sensors();
-    std::move(sensors.begin(), sensors.end(), std::back_inserter(devices));
+    for (auto&& more : { list_usb_height_sensors(), list_serial_lines(), list_iio_channels() })
+        devices.insert(devices.end(), more.begin(), more.end());
     return devices;
 }
 
@@ -55,6 +57,10 @@ static Result<DeviceInfo> find_at_address(std::string_view text)
         return describe_gpio_adc(std::string(text));
     if (std::holds_alternative<GpioEncoderAddress>(address))
         return describe_gpio_encoder(std::string(text));
+    if (std::holds_alternative<SerialAddress>(address))
+        return describe_serial_line(std::string(text));
+    if (std::holds_alternative<IioAddress>(address))
+        return describe_iio_channel(std::string(text));
     auto devices = list_device_addresses();
     auto const found = std::find_if(devices.begin(), devices.end(),
                                     [&](auto const& info) { return info.location == text; });
@@ -81,6 +87,10 @@ Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info)
     if (std::holds_alternative<UsbAddress>(address))
         return is_labjack_u3(info) ? open_labjack_u3(std::move(info))
                                    : open_usb_height_sensor(std::move(info));
+    if (std::holds_alternative<SerialAddress>(address))
+        return open_serial_line(std::move(info));
+    if (std::holds_alternative<IioAddress>(address))
+        return open_iio_channel(std::move(info));
     if (is_mcp2221a(info))
         return open_mcp2221a(std::move(info));
     if (!info.settings.empty())

@@ -11,8 +11,9 @@
 namespace tractus::drivers {
 
 // Every device that can be found without being told where: HID devices by their hidraw nodes, then
-// the USB devices that are height sensors. What is on GPIO lines cannot be found, and is named by
-// its address. Needs no permission. Safe to call from any thread.
+// the USB devices that are height sensors, serial lines over USB, and channels of industrial I/O.
+// What is on GPIO lines cannot be found, and is named by its address. Needs no permission. Safe to
+// call from any thread.
 std::vector<DeviceInfo> list_devices();
 
 // Lists devices by every address that can be opened: a tablet on USB stands there by its node and,
@@ -29,6 +30,8 @@ std::vector<DeviceInfo> list_device_addresses();
 //   usb:1-2@AIN3              LabJack U3: the wiper's input, AIN0 to AIN15; AIN0 by itself
 //   usb:1-2@2000us,internal   the station's own kind: the time between readings, and the reference,
 //                             supply or internal; what the sensor has by itself
+//   /dev/ttyACM0@9600,max=1023  a line of numbers: drivers/sensors/serial_line.h
+//   iio:ads1015:voltage0@max=2047  drivers/sensors/iio_channel.h
 Result<DeviceInfo> find_device(std::string_view address);
 
 // Opens a device with the driver that its location and ids ask for. Safe to call from any thread,

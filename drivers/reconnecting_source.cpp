@@ -171,7 +171,7 @@ void ReconnectingSource::wait_for_it(Duration timeout)
 bool ReconnectingSource::is_told_of_it() const
 {
     auto const address = parse_device_address(listed_.location);
-    return events_ && !refused_since_ && address && !is_on_gpio(*address);
+    return events_ && !refused_since_ && address && !is_only_named(*address);
 }
 
 void ReconnectingSource::look_for_it()
@@ -195,9 +195,9 @@ void ReconnectingSource::try_to_find_it()
         return;
     }
     refuse({}); // It is not there.
-    // A converter on GPIO lines, which no list names, stands where it stood, if anywhere.
+    // What no list need name stands where it stood, if anywhere.
     auto const address = parse_device_address(listed_.location);
-    if (address && is_on_gpio(*address))
+    if (address && is_only_named(*address))
         try_to_open(listed_);
 }
 

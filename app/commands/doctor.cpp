@@ -58,6 +58,8 @@ diagnosis::Finding all_is_well(diagnosis::DeviceReading const& reading)
         .what = fmt::format("{}; {} reports, {:.0f} per second.", reading.description.text,
                             reading.reports, reading.pace.rate_hz)
     };
+    if (auto const line = diagnosis::newest_line(reading); !line.empty())
+        finding.what += fmt::format(" The newest line: \"{}\".", line);
     auto const pen = drivers::make_pen_decoder(reading.info);
     finding.lacks_size = pen && (*pen)->traits().is_size_assumed;
     if (finding.lacks_size)
@@ -243,6 +245,18 @@ Result<void> ask_for_sides(std::string const& tablet, std::string const& rig_fil
     return {};
 }
 
+Result<void> print(DoctorArguments const& arguments,
+                   std::vector<diagnosis::Finding> const& findings)
+{
+    if (arguments.as_json)
+        return terminal::print_out(diagnosis::print_findings_json(findings));
+    TRY(terminal::print_out(diagnosis::print_findings(findings)));
+    auto const unmeasured = std::ranges::find_if(findings, &diagnosis::Finding::lacks_size);
+    if (unmeasured == findings.end() || !terminal::is_terminal())
+        return {};
+    return ask_for_sides(unmeasured->subject, arguments.rig_file);
+}
+
 Result<void> run(DoctorArguments const& arguments)
 {
     if (!arguments.surface.empty())
@@ -258,13 +272,14 @@ Result<void> run(DoctorArguments const& arguments)
     } else {
         TRY(examine_machine(arguments, findings));
     }
-    if (arguments.as_json)
-        return terminal::print_out(diagnosis::print_findings_json(findings));
-    TRY(terminal::print_out(diagnosis::print_findings(findings)));
-    auto const unmeasured = std::ranges::find_if(findings, &diagnosis::Finding::lacks_size);
-    if (unmeasured == findings.end() || !terminal::is_terminal())
+    TRY(print(arguments, findings));
+    auto const count = std::ranges::count_if(
+        findings, [](auto const& finding) { return finding.kind != diagnosis::FindingKind::Fine; });
+    if (count == 0)
         return {};
-    return ask_for_sides(unmeasured->subject, arguments.rig_file);
+    return fail(Fault::User,
+                fmt::format("{} {} found, with the remedy for each", count,
+                            count == 1 ? "problem was" : "problems were"));
 }
 
 } // namespace
@@ -320,7 +335,7 @@ void add_doctor_command(CLI::App& root, options::Action& action)
         "Looks at nodes and permissions, at the kernel's drivers and at libraries; then\n"
         "listens for tablets in mouse mode or with unknown reports, for a sensor on a rail,\n"
         "stuck, jumping or silent, and for clocks that jump. Each finding comes with its\n"
-        "remedy.");
+        "remedy. Exits with 1 if it found a problem.");
     command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }
 

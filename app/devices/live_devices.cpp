@@ -18,8 +18,8 @@ static constexpr std::string_view kSimulated = "simulated";
 std::string_view device_name_help()
 {
     return "an address that \"tractus devices\" lists (/dev/hidrawN, libusb:BUS-PORTS:INTERFACE, "
-           "usb:BUS-PORTS), gpio:CHIP:CLK,DIN,DOUT,CS:mcp3208:CHANNEL, a log's file name, or "
-           "simulated";
+           "usb:BUS-PORTS, /dev/ttyACM0@BAUD,max=NUMBER, iio:DEVICE:CHANNEL), "
+           "gpio:CHIP:CLK,DIN,DOUT,CS:mcp3208:CHANNEL, a log's file name, or simulated";
 }
 
 std::vector<drivers::DeviceInfo> find_pens_and_height_sensors()

@@ -5,9 +5,12 @@
 #include "drivers/library_versions.h"
 #include "drivers/reports/device_address.h"
 #include "drivers/reports/report_descriptor.h"
+#include "drivers/sensors/iio_channel.h"
 #include "drivers/sensors/linak_desk.h"
 #include "drivers/sensors/mcp2221a.h"
+#include "drivers/sensors/serial_line.h"
 #include "drivers/tablets/tablet_lookup.h"
+#include "engine/base/printable.h"
 
 #include <algorithm>
 #include <cstring>
@@ -287,16 +290,21 @@ std::vector<Finding> diagnose_system(SystemFacts const& facts)
     return findings;
 }
 
+static std::vector<std::string> desk_remedy()
+{
+    return { "See that the cable is in the desk's control box, and the box has mains.",
+             "Hold the desk's own down key until it is at its lowest, and for ten seconds more: it "
+             "finds its place again.",
+             "Close other programs that use the cable." };
+}
+
 // The cable answers, and the desk behind it does not, or has lost its place.
 static Finding desk_refusal(drivers::DeviceInfo const& info, Error const& error)
 {
     return { .kind = FindingKind::HeightFault,
              .subject = who(info),
              .what = fmt::format("It may be read, but tells no height: {}.", error.message),
-             .remedy = { "See that the cable is in the desk's control box, and the box has mains.",
-                         "Hold the desk's own down key until it is at its lowest, and for ten "
-                         "seconds more: it finds its place again.",
-                         "Close other programs that use the cable." } };
+             .remedy = desk_remedy() };
 }
 
 Finding diagnose_refusal(drivers::DeviceInfo const& info, Error const& error)
@@ -319,6 +327,12 @@ static std::vector<std::string> broken_report_remedy(drivers::DeviceInfo const& 
             "Where it happens again: shorter and screened wires, 1 nF from each line to "
             "ground, and real-time priority for the station (firmware-notes/encoder.md)."
         };
+    if (drivers::is_linak_desk(info))
+        return desk_remedy();
+    if (drivers::is_serial_line(info))
+        return { "The baud rate has to be the board's, as in --device /dev/ttyACM0@115200.",
+                 "A line has to hold one number: height: 512, or 512. firmware-notes/serial.md has "
+                 "sketches that print it." };
     return { "A few are lost packets: try a shorter cable, no hub. "
              "Many: record them, and report it." };
 }
@@ -358,6 +372,16 @@ std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration list
               .remedy = { "Unplug it and plug it in again; then look at its power "
                           "and its firmware." } });
     return findings;
+}
+
+std::string newest_line(DeviceReading const& reading)
+{
+    bool const is_text
+        = drivers::is_serial_line(reading.info) || drivers::is_iio_channel(reading.info);
+    if (!is_text || !reading.last)
+        return {};
+    auto const bytes = reading.last->bytes();
+    return printable({ reinterpret_cast<char const*>(bytes.data()), bytes.size() });
 }
 
 static Duration clock_time(clockid_t clock)

@@ -6,6 +6,7 @@
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 
+#include <string>
 #include <vector>
 
 namespace tractus::diagnosis {
@@ -21,6 +22,10 @@ Finding diagnose_refusal(drivers::DeviceInfo const& info, Error const& error);
 // reports, a sensor's faults, times that go backwards. `listened` is how long it was listened to.
 // Empty if nothing is the matter.
 std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration listened);
+
+// The newest report of a sensor that sends text, as a terminal may show it; empty for others, and
+// while there is none.
+std::string newest_line(DeviceReading const& reading);
 
 // The machine's clocks at one instant.
 struct ClockReading {

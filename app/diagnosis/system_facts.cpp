@@ -171,6 +171,10 @@ int opening_error(drivers::DeviceInfo const& info, fs::path const& root)
         return chip_error(gpio->chip);
     if (auto const* const encoder = std::get_if<drivers::GpioEncoderAddress>(&*address))
         return chip_error(encoder->chip);
+    if (auto const* const serial = std::get_if<drivers::SerialAddress>(&*address))
+        return access_error(root / fs::path(serial->node).relative_path());
+    if (std::holds_alternative<drivers::IioAddress>(*address))
+        return 0; // Everybody may read these.
     auto const* const usb = std::get_if<drivers::UsbAddress>(&*address);
     auto const& port = usb ? usb->port : std::get<drivers::LibusbAddress>(*address).port;
     auto const folder = root / "sys/bus/usb/devices" / drivers::print_usb_port(port);

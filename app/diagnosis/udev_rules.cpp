@@ -90,6 +90,10 @@ std::string udev_rule_for(drivers::DeviceInfo const& info)
     auto const address = drivers::parse_device_address(info.location);
     if (address && drivers::is_on_gpio(*address))
         return "SUBSYSTEM==\"gpio\", KERNEL==\"gpiochip*\", TAG+=\"uaccess\"";
+    if (address && std::holds_alternative<drivers::SerialAddress>(*address))
+        return fmt::format("SUBSYSTEM==\"tty\", ATTRS{{idVendor}}==\"{:04x}\", "
+                           "ATTRS{{idProduct}}==\"{:04x}\", TAG+=\"uaccess\"",
+                           info.vendor_id, info.product_id);
     if (address && !std::holds_alternative<drivers::HidrawAddress>(*address))
         return fmt::format("SUBSYSTEM==\"usb\", ATTR{{idVendor}}==\"{:04x}\", "
                            "ATTR{{idProduct}}==\"{:04x}\", TAG+=\"uaccess\"",

@@ -1,5 +1,6 @@
 #include "drivers/reports/device_address.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <fmt/core.h>
@@ -135,6 +136,26 @@ Result<DeviceAddress> parse_gpio(std::string_view text, std::string_view rest)
                          .channel = static_cast<unsigned>(*channel) };
 }
 
+Result<DeviceAddress> parse_iio(std::string_view text, std::string_view rest)
+{
+    auto const channel = take_last(rest, ':');
+    auto const is_name = [](std::string_view part) {
+        return !part.empty() && part.find('/') == std::string_view::npos && part != "..";
+    };
+    if (!is_name(channel) || !is_name(rest))
+        return not_an_address(text, "iio:DEVICE:CHANNEL, such as iio:device0:voltage1");
+    return IioAddress { .device = std::string(rest), .channel = std::string(channel) };
+}
+
+bool is_serial_node(std::string_view text)
+{
+    static constexpr std::array<std::string_view, 3> kSerialNodes { "/dev/tty", "/dev/serial/",
+                                                                    "/dev/pts/" };
+    return std::any_of(kSerialNodes.begin(), kSerialNodes.end(), [&](std::string_view begin) {
+        return text.starts_with(begin) && text.size() > begin.size();
+    });
+}
+
 std::string print(HidrawAddress const& address)
 {
     return address.node;
@@ -163,24 +184,38 @@ std::string print(GpioEncoderAddress const& address)
                        kQuadrature);
 }
 
+std::string print(SerialAddress const& address)
+{
+    return address.node;
+}
+
+std::string print(IioAddress const& address)
+{
+    return fmt::format("iio:{}:{}", address.device, address.channel);
+}
+
 } // namespace
 
 Result<DeviceAddress> parse_device_address(std::string_view text)
 {
     using Parser = Result<DeviceAddress> (*)(std::string_view, std::string_view);
-    static constexpr std::array<std::pair<std::string_view, Parser>, 3> kParsers { {
+    static constexpr std::array<std::pair<std::string_view, Parser>, 4> kParsers { {
         { "libusb:", parse_libusb },
         { "usb:", parse_usb },
         { "gpio:", parse_gpio },
+        { "iio:", parse_iio },
     } };
     for (auto const& [prefix, parser] : kParsers)
         if (text.starts_with(prefix))
             return parser(text, text.substr(prefix.size()));
     if (text.starts_with(kNodes) && number(text.substr(kNodes.size())))
         return HidrawAddress { std::string(text) };
+    if (is_serial_node(text))
+        return SerialAddress { std::string(text) };
     return not_an_address(
         text,
-        "/dev/hidrawN, libusb:BUS-PORTS:INTERFACE, usb:BUS-PORTS, "
+        "/dev/hidrawN, libusb:BUS-PORTS:INTERFACE, usb:BUS-PORTS, /dev/ttyACM0 and the like, "
+        "iio:DEVICE:CHANNEL, "
         "gpio:CHIP:CLK,DIN,DOUT,CS:CONVERTER:CHANNEL or gpio:CHIP:A,B:quadrature");
 }
 

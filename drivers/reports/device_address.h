@@ -69,8 +69,32 @@ struct GpioEncoderAddress {
     bool operator==(GpioEncoderAddress const&) const = default;
 };
 
-using DeviceAddress
-    = std::variant<HidrawAddress, LibusbAddress, UsbAddress, GpioAddress, GpioEncoderAddress>;
+// "/dev/ttyACM0", "/dev/serial/by-id/usb-…": a serial line, or a pseudo-terminal, "/dev/pts/3".
+struct SerialAddress {
+    std::string node {};
+
+    bool operator==(SerialAddress const&) const = default;
+};
+
+// "iio:device0:voltage1": a channel of the kernel's industrial I/O.
+struct IioAddress {
+    std::string device {};  // Its number, "device0", or its own name, "ads1115".
+    std::string channel {}; // As its files in sysfs have it: "voltage1", "distance".
+
+    bool operator==(IioAddress const&) const = default;
+};
+
+using DeviceAddress = std::variant<HidrawAddress, LibusbAddress, UsbAddress, GpioAddress,
+                                   GpioEncoderAddress, SerialAddress, IioAddress>;
+
+// Whether such devices are read only where they are named: of a GPIO chip's lines nobody knows what
+// is on them, and a serial line or an analogue input may be anything.
+inline bool is_only_named(DeviceAddress const& address)
+{
+    return !std::holds_alternative<HidrawAddress>(address)
+        && !std::holds_alternative<LibusbAddress>(address)
+        && !std::holds_alternative<UsbAddress>(address);
+}
 
 // Whether it is on lines of a GPIO chip: such devices cannot be found, only named.
 inline bool is_on_gpio(DeviceAddress const& address)

@@ -28,6 +28,25 @@ TEST_F(DiagnosisCommands, DoctorExaminesALog)
     EXPECT_EQ(outcome.out.find("problem"), std::string::npos) << outcome.out;
 }
 
+TEST_F(DiagnosisCommands, DoctorFailsWhereItFindsAProblem)
+{
+    // An Intuos in mouse mode.
+    std::string log
+        = "R: 50 05 01 09 02 a1 01 85 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 "
+          "75 01 81 02 95 05 81 03 05 01 09 30 09 31 15 81 25 7f 75 08 95 02 81 06 c0 c0 "
+          "N: tablet\nI: 3 056a 037a\n";
+    log.insert(log.find("N:"), 1, '\n');
+    for (int i = 0; i < 50; ++i)
+        log += fmt::format("E: 0.{:03} 4 01 00 05 05\n", 8 * i);
+    write("pen.hid", log);
+    for (std::string const options : { "", "--json " }) {
+        auto const outcome = run("tractus doctor " + options + "pen.hid");
+        EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+        EXPECT_NE(outcome.out.find("mouse"), std::string::npos) << outcome.out;
+        EXPECT_EQ(outcome.err, "error: 1 problem was found, with the remedy for each\n");
+    }
+}
+
 TEST_F(DiagnosisCommands, DoctorPrintsJson)
 {
     write("pen.hid", "R: 1 c0\nN: tablet\nI: 3 056a fffe\n");

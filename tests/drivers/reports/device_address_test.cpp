@@ -10,7 +10,9 @@ TEST(DeviceAddress, ReadsWhatItPrints)
     for (auto const* const text :
          { "/dev/hidraw3", "libusb:1-2.3:0", "usb:2-1", "usb:1-1.2.3.4.5.6.7",
            "gpio:gpiochip0:11,10,9,8:mcp3208:0", "gpio:CP2112 at 10c4:ea90:0,1,2,3:mcp3008:7",
-           "gpio:gpiochip0:17,27:quadrature", "gpio:a:b:0,1:quadrature" }) {
+           "gpio:gpiochip0:17,27:quadrature", "gpio:a:b:0,1:quadrature", "/dev/ttyACM0",
+           "/dev/serial/by-id/usb-Arduino-if00", "/dev/pts/3", "iio:device0:voltage1",
+           "iio:ads1015:voltage0-voltage1" }) {
         auto const address = parse_device_address(text);
         ASSERT_TRUE(address) << address.error().message;
         EXPECT_EQ(print_device_address(*address), text);
@@ -42,6 +44,11 @@ TEST(DeviceAddress, RefusesWhatIsNone)
                                     "/dev/hidraw",
                                     "/dev/hidraw3x",
                                     "/dev/input/event3",
+                                    "/dev/tty",
+                                    "iio:device0",
+                                    "iio::voltage0",
+                                    "iio:../x:voltage0",
+                                    "iio:device0:../../etc",
                                     "hidraw3",
                                     "libusb:1-2",
                                     "libusb:1-2:",

@@ -36,7 +36,7 @@ share_with_a_program() {
 share_with_the_kernel() {
     insmod /modules.d/hid-mcp2221.ko
     wait_until grep -q 'has gone' messages
-    tractus doctor --seconds 0 >findings 2>&1
+    tractus doctor --seconds 0 >findings 2>&1 || true # It finds the driver.
     cat findings
     grep -q 'blacklist hid_mcp2221' findings
     rmmod hid_mcp2221
