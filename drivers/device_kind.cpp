@@ -2,6 +2,7 @@
 
 #include "drivers/height_decoders.h"
 #include "drivers/reports/device_address.h"
+#include "drivers/reports/event_pen.h"
 #include "drivers/reports/height_decoder.h"
 #include "drivers/sensors/iio_channel.h"
 #include "drivers/sensors/serial_line.h"
@@ -31,9 +32,14 @@ static std::string describe_pen(PenTraits const& traits)
     return text;
 }
 
-// A serial line or an analogue input that nobody has named as a height sensor; empty for others.
+// A serial line or an analogue input that nobody has named as a height sensor, and a pen that may
+// not be read; empty for others.
 static std::string describe_unnamed(DeviceInfo const& info)
 {
+    if (has_event_pen_reports(info) && info.report_descriptor.empty())
+        return "pen that gives input events, which you may not read: sudo adduser $USER input, "
+               "then "
+               "log in again";
     auto const address = parse_device_address(info.location);
     if (!address || is_serial_line(info) || is_iio_channel(info))
         return {};

@@ -20,8 +20,7 @@ struct DeviceDescription {
     std::string text {};
 };
 
-// Tells from the report descriptor alone; of a serial line or an analogue input, which may be
-// anything, that it is read only where it is named.
+// Tells from the report descriptor alone.
 DeviceDescription describe_device(DeviceInfo const&);
 
 } // namespace tractus::drivers

@@ -2,6 +2,7 @@
 
 #include "drivers/gpio/gpio_adc.h"
 #include "drivers/gpio/gpio_encoder.h"
+#include "drivers/links/event_source.h"
 #include "drivers/links/hid_source.h"
 #include "drivers/reports/device_address.h"
 #include "drivers/sensors/iio_channel.h"
@@ -37,7 +38,8 @@ std::vector<DeviceInfo> list_devices()
 {
     std::lock_guard const lock(library_mutex());
     auto devices = enumerate_hid();
-    for (auto&& more : { list_usb_height_sensors(), list_serial_lines(), list_iio_channels() })
+    for (auto&& more :
+         { list_event_pens(), list_usb_height_sensors(), list_serial_lines(), list_iio_channels() })
         devices.insert(devices.end(), more.begin(), more.end());
     return devices;
 }
@@ -97,6 +99,8 @@ Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info)
         return fail(Fault::User,
                     fmt::format("{} at {} has no settings: leave @{} away", info.name,
                                 info.location, info.settings));
+    if (std::holds_alternative<EventAddress>(address))
+        return open_event_pen(std::move(info));
     if (std::holds_alternative<GpioAddress>(address))
         return open_gpio_adc(std::move(info));
     if (std::holds_alternative<GpioEncoderAddress>(address))

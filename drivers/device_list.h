@@ -10,7 +10,8 @@
 
 namespace tractus::drivers {
 
-// Every device that can be found without being told where: HID devices by their hidraw nodes, then
+// Every device that can be found without being told where: HID devices by their hidraw nodes, pens
+// that have none by their event nodes, then
 // the USB devices that are height sensors, serial lines over USB, and channels of industrial I/O.
 // What is on GPIO lines cannot be found, and is named by its address. Needs no permission. Safe to
 // call from any thread.

@@ -173,6 +173,8 @@ int opening_error(drivers::DeviceInfo const& info, fs::path const& root)
         return chip_error(encoder->chip);
     if (auto const* const serial = std::get_if<drivers::SerialAddress>(&*address))
         return access_error(root / fs::path(serial->node).relative_path());
+    if (auto const* const event = std::get_if<drivers::EventAddress>(&*address))
+        return access_error(root / fs::path(event->node).relative_path());
     if (std::holds_alternative<drivers::IioAddress>(*address))
         return 0; // Everybody may read these.
     auto const* const usb = std::get_if<drivers::UsbAddress>(&*address);

@@ -66,7 +66,7 @@ std::unique_ptr<DeviceEvents> listen_to_udev()
         udev_monitor_new_from_netlink(context.get(), "udev"));
     if (!monitor)
         return nullptr;
-    for (auto const* const subsystem : { "hidraw", "usb", "tty", "iio" })
+    for (auto const* const subsystem : { "hidraw", "usb", "tty", "iio", "input" })
         if (udev_monitor_filter_add_match_subsystem_devtype(monitor.get(), subsystem, nullptr) < 0)
             return nullptr;
     if (udev_monitor_enable_receiving(monitor.get()) < 0)

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxPorts = 7; // USB 2.0 section 4.1.1: seven tiers.
 constexpr std::string_view kNodes = "/dev/hidraw";
+constexpr std::string_view kEventNodes = "/dev/input/event";
 constexpr std::string_view kQuadrature = ":quadrature";
 
 tl::unexpected<Error> not_an_address(std::string_view text, std::string_view expected)
@@ -189,6 +190,11 @@ std::string print(SerialAddress const& address)
     return address.node;
 }
 
+std::string print(EventAddress const& address)
+{
+    return address.node;
+}
+
 std::string print(IioAddress const& address)
 {
     return fmt::format("iio:{}:{}", address.device, address.channel);
@@ -210,11 +216,14 @@ Result<DeviceAddress> parse_device_address(std::string_view text)
             return parser(text, text.substr(prefix.size()));
     if (text.starts_with(kNodes) && number(text.substr(kNodes.size())))
         return HidrawAddress { std::string(text) };
+    if (text.starts_with(kEventNodes) && number(text.substr(kEventNodes.size())))
+        return EventAddress { std::string(text) };
     if (is_serial_node(text))
         return SerialAddress { std::string(text) };
     return not_an_address(
         text,
         "/dev/hidrawN, libusb:BUS-PORTS:INTERFACE, usb:BUS-PORTS, /dev/ttyACM0 and the like, "
+        "/dev/input/eventN, "
         "iio:DEVICE:CHANNEL, "
         "gpio:CHIP:CLK,DIN,DOUT,CS:CONVERTER:CHANNEL or gpio:CHIP:A,B:quadrature");
 }

@@ -84,14 +84,22 @@ struct IioAddress {
     bool operator==(IioAddress const&) const = default;
 };
 
+// "/dev/input/event5": a pen that Linux gives as input events alone.
+struct EventAddress {
+    std::string node {};
+
+    bool operator==(EventAddress const&) const = default;
+};
+
 using DeviceAddress = std::variant<HidrawAddress, LibusbAddress, UsbAddress, GpioAddress,
-                                   GpioEncoderAddress, SerialAddress, IioAddress>;
+                                   GpioEncoderAddress, SerialAddress, IioAddress, EventAddress>;
 
 // Whether such devices are read only where they are named: of a GPIO chip's lines nobody knows what
 // is on them, and a serial line or an analogue input may be anything.
 inline bool is_only_named(DeviceAddress const& address)
 {
     return !std::holds_alternative<HidrawAddress>(address)
+        && !std::holds_alternative<EventAddress>(address)
         && !std::holds_alternative<LibusbAddress>(address)
         && !std::holds_alternative<UsbAddress>(address);
 }

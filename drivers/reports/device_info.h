@@ -18,8 +18,8 @@ struct DeviceInfo {
     std::string serial_number {}; // USB string; may be empty, and the same in all of its kind.
 
     // Where it is opened: an address that the command line takes, see drivers/device_address.h
-    // ("/dev/hidraw3", "libusb:1-2.3:0", "usb:1-2", "gpio:gpiochip0:11,10,9,8:mcp3208:0",
-    // "/dev/ttyACM0", "iio:device0:voltage0"); or where it came from: "FILE:device 1", "simulated".
+    // ("/dev/hidraw3", "libusb:1-2.3:0", "usb:1-2", "gpio:gpiochip0:11,10,9,8:mcp3208:0"); or where
+    // it came from: "FILE:device 1", "simulated".
     std::string location {};
 
     // Wishes of its user, behind the @ of an address: "GP2,4.096V" (drivers/device_list.h). Empty

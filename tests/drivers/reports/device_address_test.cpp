@@ -11,8 +11,8 @@ TEST(DeviceAddress, ReadsWhatItPrints)
          { "/dev/hidraw3", "libusb:1-2.3:0", "usb:2-1", "usb:1-1.2.3.4.5.6.7",
            "gpio:gpiochip0:11,10,9,8:mcp3208:0", "gpio:CP2112 at 10c4:ea90:0,1,2,3:mcp3008:7",
            "gpio:gpiochip0:17,27:quadrature", "gpio:a:b:0,1:quadrature", "/dev/ttyACM0",
-           "/dev/serial/by-id/usb-Arduino-if00", "/dev/pts/3", "iio:device0:voltage1",
-           "iio:ads1015:voltage0-voltage1" }) {
+           "/dev/serial/by-id/usb-Arduino-if00", "/dev/pts/3", "/dev/input/event5",
+           "iio:device0:voltage1", "iio:ads1015:voltage0-voltage1" }) {
         auto const address = parse_device_address(text);
         ASSERT_TRUE(address) << address.error().message;
         EXPECT_EQ(print_device_address(*address), text);
@@ -43,7 +43,8 @@ TEST(DeviceAddress, RefusesWhatIsNone)
     for (auto const* const text : { "",
                                     "/dev/hidraw",
                                     "/dev/hidraw3x",
-                                    "/dev/input/event3",
+                                    "/dev/input/event",
+                                    "/dev/input/mouse0",
                                     "/dev/tty",
                                     "iio:device0",
                                     "iio::voltage0",
