@@ -24,6 +24,7 @@
 #include "app/methods/plants/move_plant_tool.h"
 #include "app/methods/plants/remove_plant_tool.h"
 #include "app/methods/plants/take_off_tool.h"
+#include "app/methods/self_organising/growth_brush_tool.h"
 #include "app/methods/silhouettes/arrange_tool.h"
 #include "app/methods/silhouettes/crown_tool.h"
 #include "app/methods/silhouettes/erase_crown_tool.h"
@@ -74,6 +75,7 @@ constexpr std::array kTools {
     &silhouette::EraseCrownTool::kKind,
     &silhouette::ArrangeTool::kKind,
     &silhouette::EraseOutlineTool::kKind,
+    &self_organising::GrowthBrushTool::kKind,
     &lines::LineTool::kKind,
     &lines::LinePatternTool::kKind,
     &lines::LayerNodesTool::kKind,

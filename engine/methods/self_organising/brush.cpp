@@ -117,8 +117,10 @@ std::size_t balls_until(BrushSweep const& sweep, int year)
 {
     auto const& balls = sweep.balls;
     double const share = static_cast<double>(year) / sweep.years;
-    double const seconds = balls.back().seconds - balls.front().seconds;
-    if (year == sweep.years)
+    double const seconds = sweep.seconds_per_year > 0
+        ? sweep.seconds_per_year * sweep.years
+        : balls.back().seconds - balls.front().seconds;
+    if (year == sweep.years && sweep.seconds_per_year <= 0)
         return balls.size();
     if (!(seconds > 0)) // A stroke without times.
         return static_cast<std::size_t>(std::ceil(share * static_cast<double>(balls.size())));

@@ -17,10 +17,11 @@ struct BrushBall {
 };
 
 // A stroke of the brush: the ball sows markers of free space where it comes, and the tree grows a
-// number of years while it moves, evenly by its time (TreeSketch: Longay et al. 2012).
+// number of years while it moves (TreeSketch: Longay et al. 2012).
 struct BrushSweep {
     std::vector<BrushBall> balls {};
     int years = 1;
+    double seconds_per_year = 0; // 0: the years divide the sweep's time evenly.
     // True: only buds grow that are in the ball, or no farther from it than they perceive. False:
     // all buds grow wherever the brush has been.
     bool waits_outside = false;

@@ -24,7 +24,8 @@ bool same_part(LifePart const& one, LifePart const& other)
     return one.years == other.years && one.stroke.tips.id() == other.stroke.tips.id()
         && one.least_radius_mm == other.least_radius_mm
         && one.most_radius_mm == other.most_radius_mm && one.waits_outside == other.waits_outside
-        && one.stands_at_mm == other.stands_at_mm && one.scale == other.scale;
+        && one.seconds_per_year == other.seconds_per_year && one.stands_at_mm == other.stands_at_mm
+        && one.scale == other.scale;
 }
 
 bool same(GrownTree const& one, GrownTree const& other)
@@ -60,6 +61,7 @@ Result<BrushSweep> sweep_of(GrownTree const& tree, LifePart const& part, std::si
     auto const tips = TRY(part.stroke.tips.in_memory());
     BrushSweep sweep {
         .years = part.years,
+        .seconds_per_year = part.seconds_per_year,
         .waits_outside = part.waits_outside,
         .seed = Random({ tree.seed, 0x5157, static_cast<std::uint32_t>(number) }).next_u64()
     };
@@ -90,6 +92,7 @@ void list_part(scene::Fields& fields, LifePart& part)
     fields.field("least_radius", &part.least_radius_mm);
     fields.field("most_radius", &part.most_radius_mm);
     fields.field("waits_outside", &part.waits_outside);
+    fields.sparse_field("seconds_per_year", &part.seconds_per_year);
     fields.numbers(part.stroke);
 }
 
@@ -99,6 +102,9 @@ Result<void> check_life(LifePart const& part)
         return fail(Fault::User,
                     fmt::format("a tree grows for 1 to {} years, and {} are asked for", kMostYears,
                                 part.years));
+    if (!(part.seconds_per_year >= 0 && std::isfinite(part.seconds_per_year)))
+        return fail(Fault::User,
+                    fmt::format("a year cannot take {} seconds of the pen", part.seconds_per_year));
     bool const has_radius = part.least_radius_mm > 0 && part.most_radius_mm > 0
         && std::isfinite(part.least_radius_mm) && std::isfinite(part.most_radius_mm);
     if (!part.stroke.tips.empty() && !has_radius)

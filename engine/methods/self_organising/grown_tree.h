@@ -18,7 +18,8 @@ struct LifePart {
     // The ball's radius on the desk, at no pressure and at full pressure.
     double least_radius_mm = 8;
     double most_radius_mm = 40;
-    bool waits_outside = false; // See BrushSweep.
+    bool waits_outside = false;  // See BrushSweep.
+    double seconds_per_year = 0; // Of the pen's time; 0: the years divide the stroke evenly.
     // Where the tree stood and how many world millimetres a plant millimetre was when the stroke
     // was drawn. Set by the edits.
     Vec3 stands_at_mm = Vec3::Zero();

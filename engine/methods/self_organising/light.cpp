@@ -31,21 +31,28 @@ Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const
 {
     constexpr double kSame = 1e-12; // Shades that differ by less are equal.
     double const cosine = std::cos(radians(laws.perception_angle_deg) / 2);
+    // Most cells end at bounds with room for rounding, before the exact questions are asked.
+    double const farthest = laws.perception_radius * laws.perception_radius * (1 + 1e-9);
+    double const narrowest = cosine > 0 ? cosine * cosine * (1 - 1e-9) : 0;
     auto const reach = static_cast<std::int64_t>(std::ceil(laws.perception_radius / laws.cell));
     auto const [x, y, z] = cell_at(position, laws.cell);
-    double const farthest = laws.perception_radius * laws.perception_radius * (1 + 1e-9);
+    auto const offset = [&](std::int64_t number, double from) {
+        return (static_cast<double>(number) + 0.5) * laws.cell - from;
+    };
     double least = std::numeric_limits<double>::infinity();
     Vec3 best = Vec3::Zero();
     for (auto k = z + reach; k >= z - reach; --k)
-        for (auto j = y - reach; j <= y + reach; ++j)
+        for (auto j = y - reach; j <= y + reach; ++j) {
+            double const up = offset(k, position.z());
+            double const aside = offset(j, position.y());
+            if (aside * aside + up * up > farthest)
+                continue;
             for (auto i = x - reach; i <= x + reach; ++i) {
-                Vec3 const centre((static_cast<double>(i) + 0.5) * laws.cell,
-                                  (static_cast<double>(j) + 0.5) * laws.cell,
-                                  (static_cast<double>(k) + 0.5) * laws.cell);
-                Vec3 const way = centre - position;
+                Vec3 const way(offset(i, position.x()), aside, up);
                 double const along = dot(way, direction);
                 double const squared = dot(way, way);
-                if (squared > farthest || (along <= 0 && cosine > 0)) // Most end here.
+                if (squared > farthest
+                    || (cosine > 0 && (along <= 0 || along * along < squared * narrowest)))
                     continue;
                 double const distance = std::sqrt(squared);
                 bool const is_perceived = distance > 0 && distance <= laws.perception_radius
@@ -57,6 +64,7 @@ Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const
                     best = way * (1 / distance);
                 }
             }
+        }
     return best;
 }
 

@@ -1,6 +1,7 @@
 // Every habit, grown by itself, against what foresters measure of such trees.
 
 #include "app/methods/self_organising/habit_file.h"
+#include "app/methods/self_organising/habit_text.h"
 #include "engine/methods/self_organising/life.h"
 #include "engine/methods/self_organising/tree_plant.h"
 #include "engine/plant/tree_measures.h"

@@ -1,0 +1,93 @@
+#include "app/methods/self_organising/growth_brush_tool.h"
+#include "app/tools/stroke_previewer.h"
+#include "engine/methods/self_organising/tree_plant.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace tractus::self_organising {
+
+namespace {
+
+class GrowthBrushPreviewer final : public tools::StrokePreviewer {
+public:
+    std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
+    {
+        auto const& tool = *stroke.tool.get<GrowthBrushTool>();
+        Stroke const ink { std::vector(stroke.ink.begin(), stroke.ink.end()) };
+        bool const is_at_once
+            = tool.what != GrowthBrushTool::What::GoOn && tool.what != GrowthBrushTool::What::New;
+        auto life = is_at_once ? Result<BrushedLife>(BrushedLife {})
+                               : brushed_life(tool, ink, *stroke.scene);
+        if (is_at_once || !life)
+            return {};
+        // The tree is another one only when a year is over.
+        if (shown_scene_ == stroke.scene && shown_years_ == life->part.years
+            && began_ == ink.tips.front().time)
+            return shown_lines_;
+        auto lines = grow(tool, *std::move(life), *stroke.scene);
+        shown_scene_ = stroke.scene;
+        began_ = ink.tips.front().time;
+        shown_lines_ = lines;
+        return lines;
+    }
+
+private:
+    std::vector<tools::SkeletonLine> grow(GrowthBrushTool const& tool, BrushedLife life,
+                                          scene::Scene const& scene)
+    {
+        shown_years_ = life.part.years;
+        auto const scale = scene.state.scale.value_or(LifePart {}.scale);
+        GrownTree tree;
+        Vec3 stands_at_mm = scene.drawn->stands_at_mm;
+        if (life.plant != 0) {
+            tree = *grown_tree_of(scene.drawn->source);
+        } else {
+            tree.habit = habit_of(tool.species);
+            tree.seed = 1 + scene.plants.size();
+            stands_at_mm = life.part.stroke.tips.front().position_mm;
+        }
+        life.part.scale = scale;
+        life.part.stands_at_mm = stands_at_mm;
+        tree.life.push_back(std::move(life.part));
+        tree.habit.leaf_years = 0; // The skeleton at once; leaves come when the pen is lifted.
+        auto const grown = grow_tree(tree);
+        if (!grown)
+            return {};
+        auto const plant = plant_of(*grown, tree.habit, tree.seed).plant;
+        scene::DeskPlacement const from { .scale = scale, .origin_mm = stands_at_mm };
+        std::vector<tools::SkeletonLine> lines;
+        for (auto const& axis : plant.axes)
+            lines.push_back(line_of(plant, axis, from, scene.placement));
+        return lines;
+    }
+
+    static tools::SkeletonLine line_of(Plant const& plant, Axis const& axis,
+                                       scene::DeskPlacement const& from,
+                                       scene::DeskPlacement const& to)
+    {
+        tools::SkeletonLine line;
+        line.state = tools::SkeletonLine::State::Assigned;
+        line.width_mm
+            = 2 * plant.node_radius_mm[axis.first_node] * static_cast<float>(from.scale / to.scale);
+        for (auto const& node_mm : plant.positions(axis))
+            line.points_mm.push_back(to.plant_of_world(from.world_of_plant(node_mm)).cast<float>());
+        return line;
+    }
+
+    // What was shown last, and of which moment.
+    std::shared_ptr<scene::Scene const> shown_scene_; // Shared with the document, which may go on.
+    int shown_years_ = 0;
+    Timestamp began_ {};
+    std::vector<tools::SkeletonLine> shown_lines_;
+};
+
+} // namespace
+
+std::unique_ptr<tools::StrokePreviewer> growth_brush_previewer()
+{
+    return std::make_unique<GrowthBrushPreviewer>();
+}
+
+} // namespace tractus::self_organising

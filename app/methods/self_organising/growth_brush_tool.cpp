@@ -1,0 +1,188 @@
+#include "app/methods/self_organising/growth_brush_tool.h"
+
+#include "app/methods/self_organising/habit_text.h"
+#include "engine/base/check.h"
+#include "engine/methods/self_organising/life.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace tractus::self_organising {
+
+namespace {
+
+using What = GrowthBrushTool::What;
+
+// In the order of Species. The words are the habits' names.
+constexpr std::array<tools::OptionWord, 16> kHabitWords { {
+    { "oak", "Oak" },
+    { "beech", "Beech" },
+    { "lime", "Lime" },
+    { "maple", "Maple" },
+    { "ash", "Ash" },
+    { "cherry", "Cherry" },
+    { "birch", "Birch" },
+    { "alder", "Alder" },
+    { "plane", "Plane" },
+    { "poplar", "Poplar" },
+    { "willow", "Willow" },
+    { "apple", "Apple" },
+    { "pine", "Pine" },
+    { "spruce", "Spruce" },
+    { "fir", "Fir" },
+    { "larch", "Larch" },
+} };
+
+// In the order of What.
+constexpr std::array<tools::OptionWord, 6> kWhatWords { {
+    { "go_on", "Go on" },
+    { "new", "New tree" },
+    { "year", "A year by itself", nullptr, true },
+    { "ten_years", "Ten years", nullptr, true },
+    { "habit", "To this tree", nullptr, true },
+    { "reseed", "Another one", nullptr, true },
+} };
+
+void visit(tools::OptionVisitor& visitor, GrowthBrushTool& tool)
+{
+    visitor.choice(
+        { .words = kHabitWords, .offered = tools::WordOption::Offered::Cards, .label = "Habit" },
+        tool.species);
+    visitor.number({ "years_per_s", "", 0.5, 20, 0.5, "Years a second" }, tool.years_per_s);
+    visitor.number({ "least_radius", "mm", 1, 100, 1, "Light" }, tool.least_radius_mm);
+    visitor.number({ "radius", "mm", 2, 200, 2, "Pressed" }, tool.most_radius_mm);
+    visitor.choice({ kWhatWords }, tool.what);
+}
+
+Result<GrownTree const*> active_tree(scene::Scene const& scene)
+{
+    auto const* const tree = grown_tree_of(scene.drawn->source);
+    if (!tree)
+        return fail(
+            Fault::User,
+            "the plant that takes what is drawn has not grown by itself or under the brush: "
+            "choose one that has, or draw one");
+    return tree;
+}
+
+// Whether a stroke begins so near to the active plant's wood that it is meant for that.
+bool begins_on_plant(Stroke const& stroke, double radius_mm, scene::Scene const& scene)
+{
+    constexpr double kNear = 1.5; // In radii of the brush.
+    Vec3 const at_mm = scene.placement.plant_of_world(stroke.tips.front().position_mm);
+    double const near_mm = kNear * radius_mm / scene.placement.scale;
+    auto const& nodes = scene.base->node_position_mm;
+    return std::any_of(nodes.begin(), nodes.end(), [&](Vec3 const& node_mm) {
+        return (node_mm - at_mm).squaredNorm() <= near_mm * near_mm;
+    });
+}
+
+Result<std::vector<scene::Edit>> grow_by_itself(GrowthBrushTool const& tool,
+                                                scene::Scene const& scene)
+{
+    LifePart const part { .years = tool.what == What::Year ? 1 : 10 };
+    if (scene.plants.empty())
+        return std::vector<scene::Edit> { PlantTree { .habit = habit_of(tool.species),
+                                                      .first = part } };
+    TRY(active_tree(scene));
+    return std::vector<scene::Edit> { GrowOn { scene.drawn->id, part } };
+}
+
+Result<std::vector<scene::Edit>> change_habit(GrowthBrushTool const& tool,
+                                              scene::Scene const& scene)
+{
+    auto const* const tree = TRY(active_tree(scene));
+    bool const is_other_chance = tool.what == What::Reseed;
+    return std::vector<scene::Edit> { ChangeHabit {
+        scene.drawn->id, is_other_chance ? tree->habit : habit_of(tool.species),
+        tree->seed + (is_other_chance ? 1 : 0) } };
+}
+
+Result<std::vector<scene::Edit>> mean(tools::Tool const& tool, Stroke const& stroke,
+                                      scene::Scene const& scene)
+{
+    auto const& options = *tool.get<GrowthBrushTool>();
+    if (options.what == What::Year || options.what == What::TenYears)
+        return grow_by_itself(options, scene);
+    if (options.what == What::Habit || options.what == What::Reseed)
+        return change_habit(options, scene);
+    auto life = TRY(brushed_life(options, stroke, scene));
+    if (life.plant != 0)
+        return std::vector<scene::Edit> { GrowOn { life.plant, std::move(life.part) } };
+    return std::vector<scene::Edit> { PlantTree {
+        .habit = habit_of(options.species),
+        .seed = 1 + scene.plants.size(), // No two trees of a drawing are alike.
+        .first = std::move(life.part) } };
+}
+
+std::string describe_grown(tools::Tool const&, scene::Scene const& after)
+{
+    auto const* const tree = grown_tree_of(after.drawn->source);
+    if (!tree)
+        return {};
+    int years = 0;
+    for (auto const& part : tree->life)
+        years += part.years;
+    return fmt::format("The {} has grown {} years: {} branches, {} leaves", tree->habit.name, years,
+                       after.base->axes.size(), after.base->organs.size());
+}
+
+} // namespace
+
+Habit habit_of(GrowthBrushTool::Species species)
+{
+    std::string_view const name = kHabitWords[static_cast<std::size_t>(species)].word;
+    for (auto const& known : habit_texts())
+        if (known.name == name) {
+            auto habit = parse_habit(known.text, known.name);
+            CHECK(habit.has_value());
+            return *std::move(habit);
+        }
+    CHECK(false);
+    return {};
+}
+
+Result<BrushedLife> brushed_life(GrowthBrushTool const& tool, Stroke const& stroke,
+                                 scene::Scene const& scene)
+{
+    auto const tips = TRY(stroke.tips.in_memory());
+    if (tips.empty())
+        return fail(Fault::User, "the stroke is empty: draw where the tree shall grow");
+    double const seconds = to_seconds(tips.back().time - tips.front().time);
+    BrushedLife life { .part = { .years = static_cast<int>(std::clamp(
+                                     std::floor(seconds * tool.years_per_s), 1.0, 100.0)),
+                                 .stroke = stroke,
+                                 .least_radius_mm = tool.least_radius_mm,
+                                 .most_radius_mm = tool.most_radius_mm,
+                                 .waits_outside = true,
+                                 .seconds_per_year = 1 / tool.years_per_s } };
+    bool const is_tree = !scene.plants.empty() && grown_tree_of(scene.drawn->source);
+    if (tool.what == What::GoOn && is_tree && begins_on_plant(stroke, tool.most_radius_mm, scene))
+        life.plant = scene.drawn->id;
+    return life;
+}
+
+constexpr tools::ToolKind GrowthBrushTool::kKind {
+    .word = "growth_brush",
+    .label = "Growth brush",
+    .title = "A tree grows into what the brush sweeps",
+    .done = "A tree has grown under the brush",
+    .help
+    = "a tree of a species grows into the volume that the pen sweeps as a ball, as wide as it "
+      "is pressed, so many years a second: a new one, or the active one where the stroke "
+      "begins on it; at once a year or ten by itself, another species in the same volume, or "
+      "another tree of this one",
+    .group = "Sketch",
+    .method = "Growth brush",
+    .options = tools::options_type<GrowthBrushTool, visit>(),
+    .mean = mean,
+    .said = describe_grown,
+    .previewer = growth_brush_previewer,
+};
+
+} // namespace tractus::self_organising
