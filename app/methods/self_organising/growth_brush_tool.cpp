@@ -1,6 +1,7 @@
 #include "app/methods/self_organising/growth_brush_tool.h"
 
 #include "app/methods/self_organising/habit_text.h"
+#include "app/tools/erase_tool.h"
 #include "engine/base/check.h"
 #include "engine/methods/self_organising/life.h"
 
@@ -183,6 +184,7 @@ constexpr tools::ToolKind GrowthBrushTool::kKind {
     .mean = mean,
     .said = describe_grown,
     .previewer = growth_brush_previewer,
+    .other_end = { &tools::EraseTool::kKind },
 };
 
 } // namespace tractus::self_organising

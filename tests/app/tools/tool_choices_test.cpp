@@ -46,14 +46,16 @@ TEST(ToolChoices, LeadBackToTheMethodThatWasInHandLast)
 TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
 {
     auto const tools = methods::all_methods().tools;
-    EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "arrange"))),
-              "Along a stroke, From an outline*, From lines, A leaf, | Go on, New tree, "
-              "Carry a style, Split a bump, Join bumps, Leaf, | To this tree!, Another one!, "
-              "Crown in space, Erase in space, | Around the trunk*, Around branches, "
-              "| Next!, Even!, Spiral!, "
-              "Decussate!, Whorls!, Two rows!, Horizontal!, | In a whorl 3##whorl, Erase, ");
+    EXPECT_EQ(
+        buttons(Tool(*find_tool_kind(tools, "arrange"))),
+        "Along a stroke, From an outline*, Growth brush, From lines, A leaf, | Go on, New tree, "
+        "Carry a style, Split a bump, Join bumps, Leaf, | To this tree!, Another one!, "
+        "Crown in space, Erase in space, | Around the trunk*, Around branches, "
+        "| Next!, Even!, Spiral!, "
+        "Decussate!, Whorls!, Two rows!, Horizontal!, | In a whorl 3##whorl, Erase, ");
     EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "line_role"))),
-              "Along a stroke, From an outline, From lines*, A leaf, | Line, Another stem, Another "
+              "Along a stroke, From an outline, Growth brush, From lines*, A leaf, | Line, Another "
+              "stem, Another "
               "plant, | "
               "Next pattern!, Sizes around!, Turn organs!, Back to the pattern!, | Nodes of a "
               "layer, | It is an "
