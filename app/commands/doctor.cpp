@@ -96,6 +96,7 @@ void judge(std::vector<diagnosis::DeviceMonitor> const& monitors, Duration liste
             found.push_back(all_is_well(reading));
         append(findings, std::move(found));
     }
+    append(findings, diagnosis::diagnose_together(readings));
 }
 
 // Listens to the devices while a hand moves the pen.
@@ -273,10 +274,10 @@ Result<void> run(DoctorArguments const& arguments)
         TRY(examine_machine(arguments, findings));
     }
     TRY(print(arguments, findings));
+    if (!diagnosis::has_trouble(findings))
+        return {};
     auto const count = std::ranges::count_if(
         findings, [](auto const& finding) { return finding.kind != diagnosis::FindingKind::Fine; });
-    if (count == 0)
-        return {};
     return fail(Fault::User,
                 fmt::format("{} {} found, with the remedy for each", count,
                             count == 1 ? "problem was" : "problems were"));
@@ -334,8 +335,8 @@ void add_doctor_command(CLI::App& root, options::Action& action)
     command->footer(
         "Looks at nodes and permissions, at the kernel's drivers and at libraries; then\n"
         "listens for tablets in mouse mode or with unknown reports, for a sensor on a rail,\n"
-        "stuck, jumping or silent, and for clocks that jump. Each finding comes with its\n"
-        "remedy. Exits with 1 if it found a problem.");
+        "stuck, jumping or silent, for a pen that never lifts, and for clocks that jump. Each\n"
+        "finding comes with its remedy. Exits with 1 if it found a problem.");
     command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }
 

@@ -34,9 +34,12 @@ std::vector<diagnosis::DeviceReading> LiveDiagnosis::readings() const
 std::vector<diagnosis::Finding> LiveDiagnosis::findings() const
 {
     auto findings = of_machine_;
-    for (auto const& monitor : monitors_)
-        for (auto& finding : diagnosis::diagnose_device(monitor.reading(), now_ - begin_))
+    auto const all = readings();
+    for (auto const& reading : all)
+        for (auto& finding : diagnosis::diagnose_device(reading, now_ - begin_))
             findings.push_back(std::move(finding));
+    for (auto& finding : diagnosis::diagnose_together(all))
+        findings.push_back(std::move(finding));
     return findings;
 }
 

@@ -43,13 +43,20 @@ void DeviceMonitor::push(drivers::RawReport const& report)
         begin_ = report.received;
     reading_.is_away = false;
     ++reading_.reports;
-    ++reading_.first_bytes[std::to_integer<std::uint8_t>(report.storage[0])];
+    auto& of_id = reading_.report_ids[std::to_integer<std::uint8_t>(report.storage[0])];
+    if (of_id.reports++ == 0)
+        of_id.first = report.received;
+    of_id.last = report.received;
     watch_pace(report.received);
     reading_.last = report;
+    auto const samples_before = reading_.samples;
     if (pen_)
         push_pen(report);
     else if (height_)
         push_height(report);
+    of_id.samples += reading_.samples - samples_before;
+    if (reading_.samples != samples_before)
+        reading_.last_sample = report.received;
 }
 
 void DeviceMonitor::push_pen(drivers::RawReport const& report)
@@ -58,8 +65,37 @@ void DeviceMonitor::push_pen(drivers::RawReport const& report)
     if (auto const decoded = pen_->decode(report, pens_); !decoded)
         count_broken(decoded.error());
     reading_.samples += pens_.size();
-    for (auto const& sample : pens_)
+    for (auto const& sample : pens_) {
+        follow(sample);
         show(sample);
+    }
+}
+
+void DeviceMonitor::follow(drivers::PenSample const& sample)
+{
+    auto& pen = reading_.pen;
+    bool const begins = sample.touching && !was_touching_;
+    was_touching_ = sample.touching;
+    if (!sample.touching) {
+        pen.hovering += sample.in_range;
+        return;
+    }
+    ++pen.touching;
+    if (sample.pressure) {
+        pen.pressures.resize(PenReading::kPressureSteps);
+        auto const step = static_cast<std::size_t>(*sample.pressure * PenReading::kPressureSteps);
+        ++pen.pressures[std::min(step, PenReading::kPressureSteps - 1)];
+    }
+    Vec2 const place = sample.position_mm.cwiseQuotient(pen_->traits().size_mm);
+    if (begins) {
+        keeps_touch_ = pen.touches.size() < PenReading::kMostTouches;
+        if (keeps_touch_)
+            pen.touches.push_back({ .begin = sample.time, .begin_place = place });
+    }
+    if (keeps_touch_) {
+        pen.touches.back().end = sample.time;
+        pen.touches.back().end_place = place;
+    }
 }
 
 void DeviceMonitor::push_height(drivers::RawReport const& report)

@@ -6,6 +6,7 @@
 #include "drivers/reports/pen_decoder.h"
 #include "drivers/reports/report_source.h"
 #include "engine/base/time.h"
+#include "engine/base/vectors.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,35 @@ struct ReportPace {
     Duration longest_interval {};
 };
 
+// What a device sent under one report id.
+struct ReportIdReading {
+    std::size_t reports = 0;
+    std::size_t samples = 0; // Samples of a pen.
+    Timestamp first {};      // Time of the first report …
+    Timestamp last {};       // … and of the last.
+};
+
+// A touch of the pen, from its first sample to its last. Places are shares of the tablet's active
+// area, so that two formats of one tablet agree on them.
+struct PenTouch {
+    Timestamp begin {};
+    Timestamp end {};
+    Vec2 begin_place = Vec2::Zero();
+    Vec2 end_place = Vec2::Zero();
+};
+
+// What a pen did, for judging its tip.
+struct PenReading {
+    static constexpr std::size_t kPressureSteps = 100; // Of 1 %.
+    static constexpr std::size_t kMostTouches = 200;
+
+    std::size_t hovering = 0; // Samples in range that do not touch.
+    std::size_t touching = 0;
+    // Touching samples by pressure; empty where the device tells none.
+    std::vector<std::size_t> pressures {};
+    std::vector<PenTouch> touches {}; // The first kMostTouches of them.
+};
+
 // Facts about what one device has sent so far, and what became of it.
 struct DeviceReading {
     drivers::DeviceInfo info {};
@@ -39,8 +69,10 @@ struct DeviceReading {
     std::string first_broken {};
     std::size_t departures = 0;
     std::size_t backward_times = 0; // Reports older than the one before.
-    // How many reports there were of each first byte (the report id, if the device uses ids).
-    std::map<std::uint8_t, std::size_t> first_bytes {};
+    // By first byte (the report id, if the device uses ids).
+    std::map<std::uint8_t, ReportIdReading> report_ids {};
+    PenReading pen {};
+    std::optional<Timestamp> last_sample {}; // Time of the newest sample.
     ReportPace pace {};
 
     std::optional<drivers::RawReport> last {};
@@ -66,6 +98,7 @@ public:
 
 private:
     void push_pen(drivers::RawReport const& report);
+    void follow(drivers::PenSample const& sample);
     void push_height(drivers::RawReport const& report);
     void show(drivers::PenSample const& sample);
     void show(drivers::HeightSample const& sample);
@@ -79,7 +112,9 @@ private:
     std::optional<Timestamp> begin_;
     std::vector<drivers::HeightSample> heights_; // Kept for its memory.
     std::vector<drivers::PenSample> pens_;       // Likewise.
-    std::deque<Timestamp> recent_;               // Times of the last second's reports.
+    bool was_touching_ = false;
+    bool keeps_touch_ = false;     // Whether the touch under way is among PenReading::touches.
+    std::deque<Timestamp> recent_; // Times of the last second's reports.
 };
 
 } // namespace tractus::diagnosis

@@ -1,15 +1,13 @@
 #include "app/diagnosis/diagnose.h"
 
+#include "app/diagnosis/tablet_findings.h"
 #include "app/diagnosis/udev_rules.h"
 #include "drivers/gpio/gpio_encoder.h"
 #include "drivers/library_versions.h"
-#include "drivers/reports/device_address.h"
-#include "drivers/reports/report_descriptor.h"
 #include "drivers/sensors/iio_channel.h"
 #include "drivers/sensors/linak_desk.h"
 #include "drivers/sensors/mcp2221a.h"
 #include "drivers/sensors/serial_line.h"
-#include "drivers/tablets/tablet_lookup.h"
 #include "engine/base/printable.h"
 
 #include <algorithm>
@@ -17,6 +15,7 @@
 #include <ctime>
 #include <fmt/core.h>
 #include <set>
+#include <utility>
 
 namespace tractus::diagnosis {
 
@@ -24,34 +23,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kHidClass = 3;                      // USB: human interface devices.
-constexpr drivers::HidUsage kMouse = 0x0001'0002; // HID Usage Tables, Generic Desktop, Mouse.
-constexpr std::size_t kEnoughReports = 20;        // To judge what a device sends.
-
-std::string who(drivers::DeviceInfo const& info)
-{
-    return fmt::format("{} ({:04x}:{:04x}) at {}", info.name.empty() ? "a device" : info.name,
-                       info.vendor_id, info.product_id, info.location);
-}
-
-// A tablet that is known, or another device of somebody who makes tablets. Not the makers of chips,
-// whose ids some tablets bear: they make everything.
-bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
-{
-    static std::set<std::uint16_t> const makers = [] {
-        std::set<std::uint16_t> ids;
-        for (auto const& tablet : drivers::known_tablets())
-            for (auto const& identifier : tablet.identifiers)
-                ids.insert(identifier.vendor_id);
-        constexpr std::uint16_t kStMicroelectronics = 0x0483;
-        constexpr std::uint16_t kCambridgeSiliconRadio = 0x0a12;
-        ids.erase(kStMicroelectronics);
-        ids.erase(kCambridgeSiliconRadio);
-        return ids;
-    }();
-    return makers.contains(vendor_id)
-        || drivers::find_tablet({ .vendor_id = vendor_id, .product_id = product_id }).has_value();
-}
+constexpr int kHidClass = 3; // USB: human interface devices.
 
 // Says first what works for this device: the rules that we bring, if they name it or its usage.
 std::vector<std::string> how_to_permit(drivers::DeviceInfo const& info)
@@ -75,26 +47,10 @@ std::vector<std::string> how_to_permit(drivers::DeviceInfo const& info)
 Finding not_permitted(DeviceFacts const& device)
 {
     return { .kind = FindingKind::NotPermitted,
-             .subject = who(device.info),
+             .subject = device_subject(device.info),
              .what = fmt::format("The device is there, but you may not read and write it ({}).",
                                  std::strerror(device.open_error)),
              .remedy = how_to_permit(device.info) };
-}
-
-// Says what a tablet that nobody knows should be asked for.
-std::vector<std::string> how_to_describe_it(drivers::DeviceInfo const& info)
-{
-    // A recording's device has no address.
-    auto const address = drivers::parse_device_address(info.location) ? info.location : "DEVICE";
-    return {
-        "A pen's report has to hold: x and y (16 or 24 bits each), pressure (8 to 16 bits), and",
-        "bits for \"in range\", \"tip\" and each button; often tilt (two signed bytes) as well.",
-        fmt::format("See whether its bytes change with the pen: tractus watch {}", address),
-        "Record it, so that its format can be added: draw a slow line along each edge, press from",
-        "light to hard, tilt the pen, press each button, turn the pen over, lift it:",
-        fmt::format("tractus record -o my-tablet.tractus-log --seconds 30 --device {}", address),
-        "Try its other nodes, too: tractus devices",
-    };
 }
 
 // The only driver of the kernel that keeps a device of ours for itself.
@@ -137,7 +93,7 @@ void diagnose_unknown(SystemFacts const& facts, std::vector<Finding>& findings)
             || !with_pen.insert({ info.vendor_id, info.product_id }).second)
             continue;
         findings.push_back({ .kind = FindingKind::UnknownTablet,
-                             .subject = who(info),
+                             .subject = device_subject(info),
                              .what = fmt::format("It is a tablet, but none of its nodes carries a "
                                                  "pen that is known: {}.",
                                                  device.description.text),
@@ -172,81 +128,6 @@ void diagnose_usb(UsbDeviceFacts const& device, std::vector<Finding>& findings)
                           fmt::format("Or read it past the kernel: --device libusb:{}:{}",
                                       device.port, interface.number) } });
     }
-}
-
-bool is_in_mouse_collection(drivers::HidReportDescriptor const& descriptor,
-                            drivers::HidField const& field)
-{
-    for (auto collection = field.collection; collection;
-         collection = descriptor.collections[*collection].parent)
-        if (descriptor.collections[*collection].usage == kMouse)
-            return true;
-    return false;
-}
-
-// Whether all that came are reports of a mouse.
-bool sends_mouse_reports(DeviceReading const& reading)
-{
-    auto const descriptor = drivers::parse_report_descriptor(reading.info.report_descriptor);
-    if (!descriptor)
-        return false;
-    std::set<std::uint8_t> mouse_ids;
-    for (auto const& field : descriptor->fields)
-        if (field.kind == drivers::HidReportKind::Input
-            && is_in_mouse_collection(*descriptor, field))
-            mouse_ids.insert(field.report_id);
-    return !mouse_ids.empty()
-        && std::all_of(reading.first_bytes.begin(), reading.first_bytes.end(),
-                       [&](auto const& entry) {
-                           return mouse_ids.contains(0) || mouse_ids.contains(entry.first);
-                       });
-}
-
-Finding mouse_mode(DeviceReading const& reading)
-{
-    return { .kind = FindingKind::MouseMode,
-             .subject = who(reading.info),
-             .what = fmt::format("All of its {} reports are a mouse's: the tablet has not been "
-                                 "switched to its full mode, or has lost it.",
-                                 reading.reports),
-             .remedy
-             = { "Unplug it and plug it in again while tractus runs: it is switched when it "
-                 "is opened.",
-                 "If that does not help: sudo modprobe -r wacom hid_uclogic; then plug it "
-                 "in again.",
-                 "Or read it past the kernel: --device libusb:BUS-PORTS:INTERFACE" } };
-}
-
-Finding pen_is_silent(DeviceReading const& reading)
-{
-    return { .kind = FindingKind::Silent,
-             .subject = who(reading.info),
-             .what
-             = fmt::format("It sends reports ({} so far), but none of them is of a pen: keys, "
-                           "fingers and a mouse on the tablet send some, too.",
-                           reading.reports),
-             .remedy = { "Bring the pen closer than a centimetre to the surface, and move it.",
-                         "If that is what you did, the pen is of another tablet, or its battery is "
-                         "empty where it has one." } };
-}
-
-void diagnose_pen(DeviceReading const& reading, std::vector<Finding>& findings)
-{
-    bool const known = is_tablet(reading.info.vendor_id, reading.info.product_id);
-    if (reading.samples > 0 || reading.reports < kEnoughReports
-        || (reading.description.kind != drivers::DeviceKind::Pen && !known))
-        return;
-    if (sends_mouse_reports(reading))
-        findings.push_back(mouse_mode(reading));
-    else if (reading.description.kind == drivers::DeviceKind::Pen)
-        findings.push_back(pen_is_silent(reading));
-    else
-        findings.push_back({ .kind = FindingKind::UnknownTablet,
-                             .subject = who(reading.info),
-                             .what = fmt::format("It sends reports ({} so far), but none of them "
-                                                 "is a pen's as we know it.",
-                                                 reading.reports),
-                             .remedy = how_to_describe_it(reading.info) });
 }
 
 } // namespace
@@ -286,33 +167,30 @@ std::vector<Finding> diagnose_system(SystemFacts const& facts)
                                          "20",
                                          "Try another cable and another socket: some cables carry "
                                          "power alone.",
-                                         "Until then draw with the mouse: tractus window" } });
+                                         "Without one, tractus runs on a simulated tablet: tractus "
+                                         "window" } });
     return findings;
 }
 
-static std::vector<std::string> desk_remedy()
-{
-    return { "See that the cable is in the desk's control box, and the box has mains.",
-             "Hold the desk's own down key until it is at its lowest, and for ten seconds more: it "
-             "finds its place again.",
-             "Close other programs that use the cable." };
-}
-
 // The cable answers, and the desk behind it does not, or has lost its place.
-static Finding desk_refusal(drivers::DeviceInfo const& info, Error const& error)
+static Finding desk_is_lost(drivers::DeviceInfo const& info, std::string what)
 {
     return { .kind = FindingKind::HeightFault,
-             .subject = who(info),
-             .what = fmt::format("It may be read, but tells no height: {}.", error.message),
-             .remedy = desk_remedy() };
+             .subject = device_subject(info),
+             .what = std::move(what),
+             .remedy = { "See that the cable is in the desk's control box, and the box has mains.",
+                         "Hold the desk's own down key until it is at its lowest, and for ten "
+                         "seconds more: it finds its place again.",
+                         "Close other programs that use the cable." } };
 }
 
 Finding diagnose_refusal(drivers::DeviceInfo const& info, Error const& error)
 {
     if (drivers::is_linak_desk(info))
-        return desk_refusal(info, error);
+        return desk_is_lost(info,
+                            fmt::format("It may be read, but tells no height: {}.", error.message));
     return { .kind = FindingKind::DriverInTheWay,
-             .subject = who(info),
+             .subject = device_subject(info),
              .what = fmt::format("It may be read, but could not be opened: {}.", error.message),
              .remedy = { "Close other programs that use it (a second tractus, OpenTabletDriver, a "
                          "maker's own driver).",
@@ -327,8 +205,6 @@ static std::vector<std::string> broken_report_remedy(drivers::DeviceInfo const& 
             "Where it happens again: shorter and screened wires, 1 nF from each line to "
             "ground, and real-time priority for the station (firmware-notes/encoder.md)."
         };
-    if (drivers::is_linak_desk(info))
-        return desk_remedy();
     if (drivers::is_serial_line(info))
         return { "The baud rate has to be the board's, as in --device /dev/ttyACM0@115200.",
                  "A line has to hold one number: height: 512, or 512. firmware-notes/serial.md has "
@@ -337,26 +213,32 @@ static std::vector<std::string> broken_report_remedy(drivers::DeviceInfo const& 
              "Many: record them, and report it." };
 }
 
+static Finding broken_reports(DeviceReading const& reading)
+{
+    auto what = fmt::format("{} of {} reports are not as they should be; the first: {}.",
+                            reading.broken_reports, reading.reports, reading.first_broken);
+    if (drivers::is_linak_desk(reading.info))
+        return desk_is_lost(reading.info, std::move(what));
+    return { .kind = FindingKind::BrokenReports,
+             .subject = device_subject(reading.info),
+             .what = std::move(what),
+             .remedy = broken_report_remedy(reading.info) };
+}
+
 std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration listened)
 {
     std::vector<Finding> findings;
     diagnose_pen(reading, findings);
     if (reading.broken_reports > 0)
-        findings.push_back(
-            { .kind = FindingKind::BrokenReports,
-              .subject = who(reading.info),
-              .what = fmt::format("{} of {} reports are not as they should be; the "
-                                  "first: {}.",
-                                  reading.broken_reports, reading.reports, reading.first_broken),
-              .remedy = broken_report_remedy(reading.info) });
+        findings.push_back(broken_reports(reading));
     for (auto const& sentence : reading.height_faults)
         findings.push_back({ .kind = FindingKind::HeightFault,
-                             .subject = who(reading.info),
+                             .subject = device_subject(reading.info),
                              .what = sentence,
                              .remedy = { "See firmware-notes/ for its wiring." } });
     if (reading.backward_times > 0)
         findings.push_back({ .kind = FindingKind::ClockJump,
-                             .subject = who(reading.info),
+                             .subject = device_subject(reading.info),
                              .what = fmt::format("{} of {} reports are older than the one before "
                                                  "them: the clock that stamped them jumped.",
                                                  reading.backward_times, reading.reports),
@@ -367,7 +249,7 @@ std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration list
         && listened >= std::chrono::seconds(1))
         findings.push_back(
             { .kind = FindingKind::Silent,
-              .subject = who(reading.info),
+              .subject = device_subject(reading.info),
               .what = fmt::format("Nothing came from it in {:.1f} s.", to_seconds(listened)),
               .remedy = { "Unplug it and plug it in again; then look at its power "
                           "and its firmware." } });
@@ -382,6 +264,13 @@ std::string newest_line(DeviceReading const& reading)
         return {};
     auto const bytes = reading.last->bytes();
     return printable({ reinterpret_cast<char const*>(bytes.data()), bytes.size() });
+}
+
+std::vector<Finding> diagnose_together(std::span<DeviceReading const> readings)
+{
+    std::vector<Finding> findings;
+    diagnose_nodes(readings, findings);
+    return findings;
 }
 
 static Duration clock_time(clockid_t clock)

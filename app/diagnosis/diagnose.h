@@ -6,6 +6,7 @@
 #include "engine/base/result.h"
 #include "engine/base/time.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,18 @@ std::vector<Finding> diagnose_system(SystemFacts const& facts);
 // A device that the system permits, but that could not be opened.
 Finding diagnose_refusal(drivers::DeviceInfo const& info, Error const& error);
 
-// Returns what a device's reports show: a tablet in mouse mode or with unknown reports, broken
-// reports, a sensor's faults, times that go backwards. `listened` is how long it was listened to.
-// Empty if nothing is the matter.
+// Returns what a device's reports show: a tablet in mouse mode or with unknown reports, a pen that
+// never lifts, broken reports, a sensor's faults, times that go backwards. `listened` is how long
+// it was listened to. Empty if nothing is the matter.
 std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration listened);
 
 // The newest report of a sensor that sends text, as a terminal may show it; empty for others, and
 // while there is none.
 std::string newest_line(DeviceReading const& reading);
+
+// Returns what the nodes of one tablet show together: touches that come on two of them, a mode that
+// is lost where another node takes over. Empty if nothing is the matter.
+std::vector<Finding> diagnose_together(std::span<DeviceReading const> readings);
 
 // The machine's clocks at one instant.
 struct ClockReading {

@@ -1,5 +1,6 @@
 #include "app/diagnosis/finding.h"
 
+#include <algorithm>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -24,6 +25,10 @@ std::string_view name_of(FindingKind kind)
         return "unknown-tablet";
     case FindingKind::BrokenReports:
         return "broken-reports";
+    case FindingKind::PenNeverLifts:
+        return "pen-never-lifts";
+    case FindingKind::SentTwice:
+        return "sent-twice";
     case FindingKind::Silent:
         return "silent";
     case FindingKind::HeightFault:
@@ -34,6 +39,12 @@ std::string_view name_of(FindingKind kind)
         return "old-library";
     }
     return "fine";
+}
+
+bool has_trouble(std::span<Finding const> findings)
+{
+    return std::ranges::any_of(
+        findings, [](Finding const& finding) { return finding.kind != FindingKind::Fine; });
 }
 
 std::string print_findings(std::span<Finding const> findings)

@@ -17,6 +17,8 @@ enum class FindingKind {
     MouseMode,      // A tablet that reports a mouse's movements.
     UnknownTablet,  // A tablet whose reports nobody has described to us.
     BrokenReports,  // Reports that are not as the device announces them.
+    PenNeverLifts,  // A pen that touches whenever it is in range.
+    SentTwice,      // A tablet that sends each report on two nodes.
     Silent,         // Nothing comes.
     HeightFault,    // The height sensor is on a rail, stuck, jumps or falls silent.
     ClockJump,      // Times are not what they should be.
@@ -36,6 +38,9 @@ struct Finding {
     std::vector<std::string> remedy {};
     bool lacks_size = false; // A tablet that works, and does not tell the size of its surface.
 };
+
+// Whether any of them is a trouble.
+bool has_trouble(std::span<Finding const> findings);
 
 // Findings as a person reads them, and as JSON.
 std::string print_findings(std::span<Finding const> findings);

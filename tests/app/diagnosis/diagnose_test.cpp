@@ -5,7 +5,11 @@
 #include "tests/drivers/devices.h"
 
 #include <cerrno>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace tractus::diagnosis {
 namespace {
@@ -231,6 +235,171 @@ TEST(DiagnoseDevice, NamesTimesThatGoBackwards)
     monitor.push(report_at_ms(10, kTouching));
     monitor.push(report_at_ms(5, kTouching));
     EXPECT_EQ(kinds(diagnose_device(monitor.reading(), {})), Names { "clock-jump" });
+}
+
+// Report of simple_pen() that touches, or hovers, at a place in counts with a pressure of 2047.
+std::string pen_report(bool touches, int x, int pressure)
+{
+    return fmt::format("02 {} {:02x} {:02x} 88 13 {:02x} {:02x} 00 00", touches ? "21" : "20",
+                       x & 0xff, x >> 8, pressure & 0xff, pressure >> 8);
+}
+
+// Strokes of 40 reports, ten apart; between them the pen hovers, or presses with `resting`.
+DeviceReading reading_of_strokes(bool lifts, int resting, int pressing)
+{
+    DeviceMonitor monitor(drivers::simple_pen());
+    for (int i = 0; i < 270; ++i) {
+        bool const draws = i % 50 >= 10;
+        monitor.push(
+            report_at_ms(8 * i, pen_report(draws || !lifts, 40 * i, draws ? pressing : resting)));
+    }
+    return monitor.reading();
+}
+
+TEST(DiagnoseDevice, NamesAPenThatNeverLifts)
+{
+    auto const findings = diagnose_device(reading_of_strokes(false, 40, 900), {});
+    ASSERT_EQ(kinds(findings), Names { "pen-never-lifts" });
+    EXPECT_TRUE(mentions(findings[0], "all of its 270 samples touch"));
+    EXPECT_TRUE(mentions(findings[0], "pressure_threshold = 0.05")) << findings[0].remedy[0];
+    EXPECT_EQ(kinds(diagnose_device(reading_of_strokes(false, 40, 40), {})),
+              Names { "pen-never-lifts" });
+    EXPECT_EQ(kinds(diagnose_device(reading_of_strokes(true, 0, 900), {})), Names {});
+    EXPECT_EQ(kinds(diagnose_device(reading_of_strokes(false, 900, 900), {})), Names {})
+        << "one long stroke";
+}
+
+// simple_pen() with a mouse's report 1 beside the pen's.
+drivers::DeviceInfo pen_with_mouse()
+{
+    auto info = drivers::simple_pen();
+    auto const mouse
+        = drivers::bytes("05 01 09 02 a1 01 85 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 "
+                         "03 75 01 81 02 95 05 81 03 05 01 09 30 09 31 15 81 25 7f 75 08 95 02 "
+                         "81 06 c0 c0");
+    info.report_descriptor.insert(info.report_descriptor.end(), mouse.begin(), mouse.end());
+    return info;
+}
+
+TEST(DiagnoseDevice, NamesAModeThatIsLostInMidRecording)
+{
+    auto const findings_of = [](std::vector<std::pair<char const*, int>> const& parts) {
+        DeviceMonitor monitor(pen_with_mouse());
+        int time_ms = 0;
+        for (auto const& [report, count] : parts)
+            for (int i = 0; i < count; ++i)
+                monitor.push(report_at_ms(time_ms += 8, report));
+        return diagnose_device(monitor.reading(), {});
+    };
+    constexpr char const* kHovering = "02 20 10 27 88 13 00 00 00 00";
+    constexpr char const* kMoving = "01 00 05 05";
+    auto const findings = findings_of({ { kHovering, 100 }, { kMoving, 50 } });
+    ASSERT_EQ(kinds(findings), Names { "mouse-mode" });
+    EXPECT_TRUE(mentions(findings[0], "At 0.8 s it lost its full mode"));
+    EXPECT_EQ(kinds(findings_of({ { kMoving, 50 }, { kHovering, 100 } })), Names {})
+        << "it was switched";
+    EXPECT_EQ(kinds(findings_of({ { kHovering, 50 }, { kMoving, 50 }, { kHovering, 50 } })),
+              Names {})
+        << "a wheel beside the pen";
+    EXPECT_EQ(kinds(findings_of({ { kHovering, 100 }, { kMoving, 10 } })), Names {});
+}
+
+TEST(DiagnoseDevice, NamesTheDriverThatSwitchesATabletOfGenius)
+{
+    // What they are until hid_kye has switched them: a mouse with absolute places and a pressure.
+    drivers::DeviceInfo info { .name = "EasyPen", .vendor_id = 0x0458, .product_id = 0x5013 };
+    info.report_descriptor
+        = drivers::bytes("05 01 09 02 a1 01 85 11 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 "
+                         "75 01 81 02 95 05 81 01 05 01 09 30 09 31 26 ff 7f 95 02 75 10 81 02 05 "
+                         "0d 09 30 26 ff 03 95 01 81 02 c0 c0");
+    auto const reading = reading_after(info, "11 01 10 10 10 10 00 02", 50);
+    EXPECT_EQ(reading.samples, 50u);
+    auto const findings = diagnose_device(reading, {});
+    ASSERT_EQ(kinds(findings), Names { "mouse-mode" });
+    EXPECT_TRUE(mentions(findings[0], "modprobe hid_kye"));
+    info.vendor_id = 0x256c; // Others draw well so.
+    EXPECT_EQ(kinds(diagnose_device(reading_after(info, "11 01 10 10 10 10 00 02", 50), {})),
+              Names {});
+    info.vendor_id = 0x0458;
+    info.product_id = 0x0185; // A mouse of theirs.
+    info.report_descriptor.resize(info.report_descriptor.size() - 12);
+    info.report_descriptor.insert(info.report_descriptor.end(), 2, std::byte { 0xc0 });
+    EXPECT_EQ(kinds(diagnose_device(reading_after(info, "11 01 10 10 10 10", 50), {})), Names {});
+}
+
+TEST(DiagnoseDevice, SaysHowADeskFindsItsPlaceAgainInMidRecording)
+{
+    drivers::DeviceInfo const desk { .name = "USB Control Link",
+                                     .vendor_id = 0x12d3,
+                                     .product_id = 0x0002 };
+    auto lost = std::string("04 38");
+    for (int i = 0; i < 62; ++i)
+        lost += " 00";
+    auto const findings = diagnose_device(reading_after(desk, lost, 50), {});
+    ASSERT_FALSE(findings.empty());
+    EXPECT_EQ(name_of(findings[0].kind), "height-fault");
+    EXPECT_TRUE(mentions(findings[0], "own down key"));
+    EXPECT_FALSE(mentions(findings[0], "shorter cable"));
+}
+
+// Readings of two nodes; the second sends what the first does, `later_ms` after it and moved by
+// some counts.
+std::vector<DeviceReading> readings_of_two_nodes(drivers::DeviceInfo second, int later_ms,
+                                                 int moved)
+{
+    auto const first = drivers::simple_pen();
+    DeviceMonitor a(first);
+    DeviceMonitor b(second);
+    for (int i = 0; i < 300; ++i) {
+        bool const touches = i % 50 >= 10;
+        a.push(report_at_ms(8 * i, pen_report(touches, 40 * i, 900)));
+        b.push(report_at_ms(8 * i + later_ms, pen_report(touches, 40 * i + moved, 900)));
+    }
+    return { a.reading(), b.reading() };
+}
+
+TEST(DiagnoseTogether, NamesATabletThatSendsEachReportTwice)
+{
+    auto twin = drivers::simple_pen();
+    twin.location = "/dev/hidraw7";
+    twin.physical_path = "usb-0000:00:14.0-1/input2";
+    auto const findings = diagnose_together(readings_of_two_nodes(twin, 2, 5));
+    ASSERT_EQ(kinds(findings), Names { "sent-twice" });
+    EXPECT_TRUE(mentions(findings[0], "/dev/hidraw7"));
+    EXPECT_EQ(kinds(diagnose_together(readings_of_two_nodes(twin, 2, 3000))), Names {})
+        << "two hands on one large tablet";
+    EXPECT_EQ(kinds(diagnose_together(readings_of_two_nodes(twin, 120, 5))), Names {});
+    twin.physical_path = "usb-0000:00:14.0-2/input0";
+    EXPECT_EQ(kinds(diagnose_together(readings_of_two_nodes(twin, 2, 5))), Names {})
+        << "another tablet of the same kind";
+}
+
+TEST(DiagnoseTogether, NamesAModeThatIsLostWhereAnotherNodeTakesOver)
+{
+    // A Huion in its full mode: reports of its maker's own on interface 0, a mouse on interface 1.
+    drivers::DeviceInfo const full { .name = "Huion HS610",
+                                     .physical_path = "usb-1/input0",
+                                     .interface_number = 0,
+                                     .vendor_id = 0x256c,
+                                     .product_id = 0x006d,
+                                     .strings = { { 200, "" }, { 201, "HUION_T194_190116" } } };
+    auto lesser = pen_with_mouse();
+    lesser.vendor_id = full.vendor_id;
+    lesser.product_id = full.product_id;
+    lesser.physical_path = "usb-1/input1";
+    auto const findings_of = [&](int full_begin_ms, int lesser_begin_ms) {
+        DeviceMonitor a(full);
+        DeviceMonitor b(lesser);
+        for (int i = 0; i < 60; ++i) {
+            a.push(report_at_ms(full_begin_ms + 8 * i, "08 80 10 10 10 10 00 00 00 00 00 00"));
+            b.push(report_at_ms(lesser_begin_ms + 8 * i, "01 00 05 05"));
+        }
+        EXPECT_EQ(a.reading().samples, 60u);
+        return diagnose_together(std::vector { a.reading(), b.reading() });
+    };
+    EXPECT_EQ(kinds(findings_of(0, 1000)), Names { "mouse-mode" });
+    EXPECT_EQ(kinds(findings_of(1000, 0)), Names {}) << "it was switched";
+    EXPECT_EQ(kinds(findings_of(0, 100)), Names {}) << "both at once";
 }
 
 TEST(DiagnoseRefusal, KeepsTheReason)
