@@ -163,6 +163,9 @@ Result<GestureScript> parse_gesture_script(std::string_view text, std::string co
     if (root.has("seed"))
         script.seed = static_cast<std::uint64_t>(
             TRY(root.integer("seed", calib::NumberRange::NotNegative)));
+    if (root.has("tools"))
+        script.tools
+            = static_cast<GestureScript::Tools>(TRY(root.word("tools", { "newest", "older" })));
     TRY(parse_lean(root, script));
     for (auto& table : TRY(root.tables("gesture")))
         script.gestures.push_back(TRY(parse_gesture(table)));

@@ -22,6 +22,8 @@ namespace tractus::sim {
 //
 //     version = 1
 //     seed = 7                    # Of the hand's tremor and the sensors' noise; 1 if left out.
+//     tools = "older"             # Tools mean what their words alone say in a log; if left out or
+//                                 # "newest", what a person takes in hand now.
 //     coil_height_mm = 9          # The tablet sees the pen so far above its nib; 0 if left out.
 //     lean_deg = [30, -20]        # How the pen is held, to +x and +y; as HandOptions if left out.
 //     leaned_around_deg = [25, 20]  # And how far it is leaned around that; 0 if left out.
@@ -87,6 +89,9 @@ struct Gesture {
 
 struct GestureScript {
     std::uint64_t seed = 1;
+    // Older: the recording has the tools' words as they stand here. Newest: also those that make
+    // them the tools that a person takes in hand now.
+    enum class Tools { Newest, Older } tools = Tools::Newest;
     double coil_height_mm = 0;
     std::optional<Vec2> lean_deg {};
     Vec2 leaned_around_deg = Vec2::Zero();

@@ -268,8 +268,8 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
     (void)controller_->take_done(); // Steps from before are not of the recording.
     recorded_from_stroke_ = controller_->document().stroke_count();
     auto const tools = station_.tools_to_go_on_with();
-    // A replay begins with the first tool, so that need not be written.
-    if (tools != std::vector { tools::Tool(*station_options_.tools.front()) })
+    // A replay begins with the first tool as its word says it, so that need not be written.
+    if (tools != std::vector { tools::tool_of_word(*station_options_.tools.front()) })
         for (auto const& tool : tools) {
             auto const words = tools::words_for(tool);
             recorder_->write_tool(now, words.name, words.arguments);

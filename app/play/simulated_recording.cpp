@@ -43,8 +43,14 @@ Result<std::vector<Vec2>> shown_axis(Plant const& plant, Vec2 const& tablet_size
 }
 
 void write_reports(drivers::LogWriter& log, sim::SimulatedRun const& run, sim::Hand const& hand,
-                   sim::GestureScript const& script)
+                   sim::GestureScript const& script, tools::ToolKinds tools)
 {
+    auto const write_tool = [&](Timestamp time, sim::Gesture const& gesture) {
+        log.write_tool(time, gesture.tool,
+                       script.tools == sim::GestureScript::Tools::Older
+                           ? gesture.words
+                           : tools::words_in_hand(tools, gesture.tool, gesture.words));
+    };
     auto gesture = script.gestures.begin();
     std::size_t stroke = 0;
     // What is done at once is done when the hand chooses the tool of the stroke behind it.
@@ -52,7 +58,7 @@ void write_reports(drivers::LogWriter& log, sim::SimulatedRun const& run, sim::H
         for (; stroke < hand.strokes().size() && hand.strokes()[stroke].chosen <= time; ++stroke)
             for (bool draws = false; !draws; ++gesture) {
                 draws = !std::holds_alternative<sim::AtOnce>(gesture->path);
-                log.write_tool(hand.strokes()[stroke].chosen, gesture->tool, gesture->words);
+                write_tool(hand.strokes()[stroke].chosen, *gesture);
             }
     };
     Timestamp last {};
@@ -62,7 +68,7 @@ void write_reports(drivers::LogWriter& log, sim::SimulatedRun const& run, sim::H
         log.write_report(arrived.device, last, arrived.report->bytes());
     }
     for (; gesture != script.gestures.end(); ++gesture)
-        log.write_tool(last, gesture->tool, gesture->words);
+        write_tool(last, *gesture);
 }
 
 Result<void> check_tools(sim::GestureScript const& script, tools::ToolKinds tools)
@@ -105,7 +111,7 @@ Result<void> write_simulated_recording(std::ostream& out, sim::GestureScript con
     header.devices = { run.tablet.info, run.height.info };
     header.rig_text = calib::print_rig(run.rig);
     drivers::LogWriter log(out, header);
-    write_reports(log, run, hand, script);
+    write_reports(log, run, hand, script, tools);
     return log.flush();
 }
 

@@ -83,6 +83,8 @@ Result<LogReplay> LogReplay::create(drivers::Log const& log, ReplayOptions const
     auto const pen = find_pen(log);
     StationOptions station_options;
     station_options.tools = options.methods.tools;
+    if (!station_options.tools.empty())
+        station_options.tool = tools::tool_of_word(*station_options.tools.front());
     station_options.layers = options.methods.layers;
     station_options.rig = TRY(choose_rig(log, pen, options));
     if (options.height)

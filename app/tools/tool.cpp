@@ -114,14 +114,6 @@ public:
     void number(NumberOption const&, double&) override { }
 };
 
-// The tool that a log means without arguments. A person may begin with another one, where a kind
-// has got options that older logs do not know.
-Tool without_arguments(ToolKind const& kind)
-{
-    FirstWords first;
-    return Tool(kind).changed_by(first);
-}
-
 // Finds the option that a word of a log is about, and sets it.
 class ArgumentReader final : public OptionVisitor {
 public:
@@ -391,6 +383,31 @@ ToolKind const* find_tool_kind(ToolKinds kinds, std::string_view word)
     return found == kinds.end() ? nullptr : *found;
 }
 
+// A person may begin with another one, where a kind has got options that older logs do not know.
+Tool tool_of_word(ToolKind const& kind)
+{
+    FirstWords first;
+    return Tool(kind).changed_by(first);
+}
+
+std::string words_in_hand(ToolKinds kinds, std::string_view name, std::string_view arguments)
+{
+    std::string words(arguments);
+    auto const* const kind = find_tool_kind(kinds, name);
+    if (!kind)
+        return words;
+    auto const is_named = [&](OptionWord const& word) {
+        return fmt::format(" {} ", arguments).find(fmt::format(" {} ", word.word))
+            != std::string::npos;
+    };
+    for (auto const& [option, value] : chosen_words(Tool(*kind)))
+        if (option.offered == WordOption::Offered::Never
+            && std::none_of(option.words.begin(), option.words.end(), is_named))
+            words += fmt::format("{}{}", words.empty() ? "" : " ",
+                                 option.words[static_cast<std::size_t>(value)].word);
+    return words;
+}
+
 Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view arguments)
 {
     auto const* const kind = find_tool_kind(kinds, name);
@@ -401,7 +418,7 @@ Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view
         return fail(Fault::User,
                     fmt::format("there is no tool \"{}\": there are {}", name, list_words(words)));
     }
-    auto tool = without_arguments(*kind);
+    auto tool = tool_of_word(*kind);
     bool is_now = false;
     while (!arguments.empty()) {
         auto const word = arguments.substr(0, arguments.find(' '));
@@ -417,7 +434,7 @@ Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view
 
 ToolWords words_for(Tool const& tool)
 {
-    ArgumentWriter writer(values_of(without_arguments(tool.kind())));
+    ArgumentWriter writer(values_of(tool_of_word(tool.kind())));
     tool.show(writer);
     if (tool.kind().surface == Surface::Skeleton) {
         auto angle = tool.angle();

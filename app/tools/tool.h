@@ -115,6 +115,13 @@ std::optional<double> read_number(NumberOption const& option, std::string_view t
 // arguments there are.
 Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view arguments);
 
+// What a log without tool lines means: the kind as its word alone says it in a log.
+Tool tool_of_word(ToolKind const& kind);
+
+// `arguments`, which parse_tool knows, with the words that they need to mean the tool as a person
+// takes it in hand now: those of options that no button offers, unless they are among them.
+std::string words_in_hand(ToolKinds kinds, std::string_view name, std::string_view arguments);
+
 // The words for a tool, as parse_tool reads them.
 struct ToolWords {
     std::string name;

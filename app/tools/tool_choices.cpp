@@ -99,16 +99,18 @@ void Meanings::add_kind(ToolKind const& kind)
     auto const numbers = chosen_numbers(tool);
     begins_group_ |= kind.begins_group_of_buttons;
     bool const has_word = std::any_of(options.begin(), options.end(), [&](ChosenWord const& word) {
-        return is_in_hand || word.option.offered == WordOption::Offered::Always;
+        using enum WordOption::Offered;
+        auto const offered = word.option.offered;
+        return offered == Always || (is_in_hand && offered != Never && offered != BesideLabel);
     });
     if (!has_word)
         add(kind.label, kind.at_once ? tool.done_at_once() : tool);
     for (std::size_t i = 0; i < options.size(); ++i) {
         using enum WordOption::Offered;
         auto const offered = options[i].option.offered;
-        if (offered != Always && !is_in_hand)
+        if (offered == Never || (offered != Always && !is_in_hand))
             continue;
-        begins_group_ |= i > 0;
+        begins_group_ |= i > 0 || offered == BesideLabel;
         if (offered == InTurn || offered == BesideGlyph)
             add_next_word(tool, options[i], i);
         else if (offered == Cards)

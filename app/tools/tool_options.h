@@ -18,10 +18,12 @@ struct OptionWord {
 struct WordOption {
     std::span<OptionWord const> words;
     enum class Offered {
-        Always, // Its words have buttons as soon as a tool of the group is in hand,
-        InHand, // or when the tool itself is; until then its label has one, if no word has.
-        InTurn, // Likewise, but one button for all, "Surface: in space", which takes the next one,
+        Always,      // Its words have buttons as soon as a tool of the group is in hand,
+        InHand,      // or when the tool itself is; until then its label has one, if no word has.
+        BesideLabel, // Likewise, beside the label's button, which stays,
+        InTurn, // as InHand, but one button for all, "Surface: in space", which takes the next one,
         BesideGlyph, // as long as the kind's glyph is seen,
+        Never,       // never: how new strokes are understood, where older logs mean it otherwise,
         Cards,       // or "Rule: Opposite", which opens them as cards, beside a person's own
                      // (tool_cards.h).
     } offered

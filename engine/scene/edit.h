@@ -110,7 +110,8 @@ struct Associate {
     variation::Propagation propagation = variation::Propagation::Selected;
     variation::StrokeFit fit = variation::StrokeFit::Start;
     double detail_weight = 1; // See Association.
-    ItemId id = 0;            // Of the stroke of the first path; 0: it has none yet.
+    variation::StrokeLaying laying = variation::StrokeLaying::LeastTwist;
+    ItemId id = 0; // Of the stroke of the first path; 0: it has none yet.
 };
 
 // Which of the things drawn so far an edit is about.

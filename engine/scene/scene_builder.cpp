@@ -201,7 +201,8 @@ void SceneBuilder::find_strokes(BuiltPlant& plant, BuiltPlant const* before)
                              .stroke = drawn.what.stroke,
                              .propagation = drawn.what.propagation,
                              .fit = drawn.what.fit,
-                             .detail_weight = drawn.what.detail_weight };
+                             .detail_weight = drawn.what.detail_weight,
+                             .laying = drawn.what.laying };
         association.what.is_orphaned = association.what.path.empty();
         return association;
     };

@@ -19,6 +19,7 @@ namespace {
 // In the order of the enumerations' values.
 constexpr std::array kPropagations { "selected", "descendants", "both" };
 constexpr std::array kFits { "start", "chord", "world" };
+constexpr std::array kLayings { "least_twist", "heading" };
 
 struct AddressHash {
     std::size_t operator()(PathAddress const& path) const
@@ -180,6 +181,7 @@ void list(Fields& fields, Associate& edit)
     fields.word("propagation", edit.propagation, kPropagations);
     fields.word("fit", edit.fit, kFits);
     fields.field("kept_hand", &edit.detail_weight);
+    fields.word("laying", edit.laying, kLayings);
     fields.id(edit.id);
     fields.numbers(edit.stroke);
 }
@@ -191,7 +193,7 @@ Result<DocumentState> applied(DocumentState state, Associate const& edit, SceneB
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
     variation::ShapingStroke const stroke { edit.stroke, edit.propagation, edit.fit,
-                                            edit.detail_weight };
+                                            edit.detail_weight, edit.laying };
     // Refused here, at its own edit, rather than later when the plant is grown.
     TRY(variation::check_shaping_stroke(stroke));
     auto const edit_number = edit_of_item(take_id(state, edit.id));

@@ -15,6 +15,7 @@ public:
     // Measures at least one point, all finite.
     explicit ArcLength(std::span<Vec3 const> points);
 
+    std::span<Vec3 const> points() const { return points_; }
     double length_mm() const { return length_to_mm_.back(); }
 
     // The point at `fraction` of the length, 0 the first point and 1 the last; outside of that the

@@ -21,8 +21,8 @@ enum class Propagation {
 // How a stroke is laid along a branch. Segment lengths and topology stay in any case, and so does
 // the branch's base; the stroke is followed by arc length.
 enum class StrokeFit {
-    // The stroke is turned, with least twist, so that it starts (its first twentieth does, since
-    // single samples tremble) in the direction in which the branch starts in the base plant.
+    // The stroke is turned (StrokeLaying says how) so that it starts in the direction in which the
+    // branch starts in the base plant. Its first twentieth does, since single samples tremble.
     Start,
     // As Start, but so that it leads from its first point to its last in the direction from the
     // branch's base to its tip: the tip stays where it was seen from the base, only nearer or
@@ -33,12 +33,24 @@ enum class StrokeFit {
     World,
 };
 
+// How a stroke that is fitted by its start or its chord gets its direction.
+enum class StrokeLaying {
+    // By the least rotation, and along descendants in the base frames of the branches. What the
+    // hand drew hanging may come out rising, so this is only for what was drawn before the other
+    // law was there: sessions and logs that do not say how are read so.
+    LeastTwist,
+    // By heading and pitch (stroke_laying.h): what hangs as it is drawn hangs along each branch. A
+    // trunk, and any axis that stands on nothing, takes the stroke as it lies in the world.
+    HeadingAndPitch,
+};
+
 // A stroke that shapes branches, whichever they are.
 struct ShapingStroke {
     Stroke stroke {}; // As in Association, as the next ones.
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
     double detail_weight = 1;
+    StrokeLaying laying = StrokeLaying::LeastTwist;
 };
 
 // "These branches shall have this shape."
@@ -49,6 +61,7 @@ struct Association {
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
     double detail_weight = 1; // How much of the hand's tremor stays, 0 to 1: see smooth_hand.
+    StrokeLaying laying = StrokeLaying::LeastTwist;
 
     // The plant has lost the path, so the stroke shapes nothing. Kept, since the branch may come
     // back.
@@ -76,9 +89,11 @@ Result<void> check_shaping_stroke(ShapingStroke const& stroke);
 // divide the path give the directions. What the path's first segment stands on may itself be bent;
 // the path rides on it as it rode in the base plant, unless the stroke is laid as in the world.
 //
-// A descendant axis takes the same stroke in its own base frame (RestShape), as the path takes it
-// in its own. So what bends the path towards its parent bends all descendants towards theirs, and
-// each branch starts as it did in the base plant. As in the world, all of them point as was drawn.
+// By heading and pitch, each descendant axis takes the stroke in the vertical plane of its own
+// direction, where what bears it has carried it. By least twist it takes it in its own base frame
+// (RestShape), as the path takes it in its own: what bends the path towards its parent bends all
+// descendants towards theirs. Either way each branch starts as it did in the base plant. As in the
+// world, all of them point as was drawn.
 //
 // Whatever has no stroke keeps its base shape and is carried along rigidly: axes without
 // association, and the rest of an axis after a path's end. Where associations meet on a segment the

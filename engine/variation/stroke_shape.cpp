@@ -135,10 +135,45 @@ std::vector<Joint> joints_along(std::span<SegmentId const> path, RestShape const
     return joints;
 }
 
+// The path as the stroke is laid along it by heading and pitch.
+void show_along_path(std::span<SegmentId const> path, RestShape const& rest, ArcLength const& curve,
+                     StrokeShape& stroke)
+{
+    std::vector<double> lengths_mm;
+    std::vector<Quat> frames;
+    for (auto const segment : path) {
+        lengths_mm.push_back(rest.length_mm[segment]);
+        frames.push_back(rest.frame[segment]);
+    }
+    double const share = start_share(lengths_mm, stroke.first_turn);
+    auto const shown = shown_stroke(curve, lengths_mm, stroke.fit, share);
+    stroke.path_aim = aim_of_stroke(shown.direction, stroke.reach);
+    stroke.path_direction = branch_direction(frames, lengths_mm, stroke.fit, share);
+    for (std::size_t i = 0; i < path.size(); ++i)
+        stroke.joints.push_back({ .kind = Joint::Kind::Laid,
+                                  .direction = shown.directions[i],
+                                  .in_path = static_cast<std::uint32_t>(i) });
+}
+
 // How a curve that leads in the direction `from` lies along what leads to `to` in the base plant.
 Quat laid(StrokeFit fit, Vec3 const& from, Vec3 const& to)
 {
     return fit == StrokeFit::World ? Quat::Identity() : least_rotation(from, to);
+}
+
+// The same by least twist, or as in the world.
+void follow_path(Plant const& plant, RestShape const& rest, Association const& association,
+                 ArcLength const& curve, StrokeShape& stroke)
+{
+    auto const& path = association.path;
+    Quat const& base = rest.frame[path.front()];
+    Vec3 to = tangent_of(base);
+    if (stroke.fit == StrokeFit::Chord)
+        to = chord_direction(plant, path.front(), path.back(), to);
+    stroke.to_path = laid(stroke.fit, direction_of(curve, stroke.fit), to);
+    stroke.from_path = base.conjugate() * stroke.to_path;
+    if (association.propagation != Propagation::Descendants)
+        stroke.joints = joints_along(path, rest, stroke, curve);
 }
 
 } // namespace
@@ -169,14 +204,17 @@ Result<StrokeShape> shape_of(Plant const& plant, RestShape const& rest,
     TRY(check_path(plant, path));
     auto curve = TRY(curve_of(association.stroke, association.fit, association.detail_weight));
 
-    Quat const& base = rest.frame[path.front()];
-    Vec3 to = tangent_of(base);
-    if (stroke.fit == StrokeFit::Chord)
-        to = chord_direction(plant, path.front(), path.back(), to);
-    stroke.to_path = laid(stroke.fit, direction_of(curve, stroke.fit), to);
-    stroke.from_path = base.conjugate() * stroke.to_path;
-    if (association.propagation != Propagation::Descendants)
-        stroke.joints = joints_along(path, rest, stroke, curve);
+    stroke.is_laid_by_heading = association.laying == StrokeLaying::HeadingAndPitch
+        && association.fit != StrokeFit::World;
+    if (stroke.is_laid_by_heading) {
+        stroke.reach = farthest_reach(curve.points());
+        if (stroke.fit == StrokeFit::Start)
+            stroke.first_turn = first_turn_share(curve);
+        if (association.propagation != Propagation::Descendants)
+            show_along_path(path, rest, curve, stroke);
+    } else {
+        follow_path(plant, rest, association, curve, stroke);
+    }
     if (association.propagation != Propagation::Selected)
         stroke.curve = std::make_shared<ArcLength const>(std::move(curve));
     return stroke;

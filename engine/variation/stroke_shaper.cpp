@@ -17,7 +17,8 @@ static bool same(Association const& a, Association const& b)
         return tip.position_mm == other.position_mm;
     };
     if (a.path != b.path || a.propagation != b.propagation || a.fit != b.fit
-        || a.detail_weight != b.detail_weight || a.is_orphaned != b.is_orphaned)
+        || a.detail_weight != b.detail_weight || a.laying != b.laying
+        || a.is_orphaned != b.is_orphaned)
         return false;
     if (a.stroke.tips.id() == b.stroke.tips.id())
         return true;
@@ -109,7 +110,9 @@ void StrokeShaper::assign_path(std::uint32_t number)
             joints_.emplace_back(axis->segment_count);
         }
         source.changed = number + 1;
-        joints_[source.joints][path[i] - axis->first_segment] = joints[i];
+        auto& joint = joints_[source.joints][path[i] - axis->first_segment];
+        joint = joints[i];
+        joint.stroke = number;
     }
 }
 
@@ -140,12 +143,13 @@ std::vector<bool> StrokeShaper::find_dirty(std::span<Source const> before,
     return dirty;
 }
 
-Quat StrokeShaper::turn_of_parent(Axis const& axis) const
+// From the base plant to here; none for what stands on nothing.
+Quat StrokeShaper::turn_of_segment(SegmentId segment) const
 {
-    if (axis.parent_segment == kNone)
+    if (segment == kNone)
         return Quat::Identity();
-    auto const& bent = shape_.frame[axis.parent_segment];
-    auto const& rest = rest_.frame[axis.parent_segment];
+    auto const& bent = shape_.frame[segment];
+    auto const& rest = rest_.frame[segment];
     // Exactly nothing where nothing bends it: what was laid before must leave no rounding errors.
     return bent.coeffs() == rest.coeffs() ? Quat::Identity() : bent * rest.conjugate();
 }
@@ -154,7 +158,7 @@ void StrokeShaper::lay(AxisId id)
 {
     auto const& axis = plant_.axes[id];
     auto const& source = sources_[id];
-    Quat const turn = turn_of_parent(axis);
+    Quat const turn = turn_of_segment(axis.parent_segment);
     auto const frames = std::span(shape_.frame).subspan(axis.first_segment, axis.segment_count);
     if (source.joints != kNone)
         return lay_joints(id, turn);
@@ -166,10 +170,85 @@ void StrokeShaper::lay(AxisId id)
         frames[i] = is_turned ? renormalised(turn * rest[i]) : rest[i];
 }
 
+// The heading of a segment as the plant is bent. Where it is upright that of what bears its axis
+// counts, and so on down; `otherwise` where nothing else says anything.
+Vec2 StrokeShaper::heading_from(SegmentId segment, Vec2 const& otherwise) const
+{
+    if (segment == kNone)
+        return otherwise;
+    Vec3 const direction = tangent_of(shape_.frame[segment]);
+    auto const below = plant_.axes[axis_of(plant_, segment)].parent_segment;
+    return branch_heading(direction, heading_from(below, otherwise));
+}
+
+// Number `in_path` of the stroke's path is shaped by it, and not by a later one.
+bool StrokeShaper::is_laid(std::uint32_t stroke, std::size_t in_path) const
+{
+    auto const segment = associations_[stroke].path[in_path];
+    auto const id = axis_of(plant_, segment);
+    if (sources_[id].joints == kNone) // A later stroke was propagated to the whole axis.
+        return false;
+    auto const& joint = joints_[sources_[id].joints][segment - plant_.axes[id].first_segment];
+    return joint.kind == Joint::Kind::Laid && joint.stroke == stroke && joint.in_path == in_path;
+}
+
+// How a stroke lies along its path, whose base is carried by what bears it; from number `in_path`
+// on, which it shapes. Where a later stroke has shaped what is below that, it rides on this.
+Quat StrokeShaper::laid_along_path(std::uint32_t number, std::size_t in_path) const
+{
+    auto const& path = associations_[number].path;
+    auto const& stroke = strokes_[number];
+    auto const below = parent_segment(plant_, path.front());
+    auto const& axis = plant_.axes[axis_of(plant_, path.front())];
+    Quat laid = Quat::Identity();
+    if (axis.parent_segment != kNone) {
+        Vec3 const direction = (turn_of_segment(below) * stroke.path_direction).normalized();
+        auto const heading
+            = branch_heading(direction, heading_from(below, stroke.path_aim.heading));
+        laid = lay_by_heading(stroke.path_aim, { direction, heading });
+    }
+    while (in_path > 0 && is_laid(number, in_path - 1))
+        --in_path;
+    if (in_path == 0)
+        return laid;
+    Vec3 const as_drawn = (laid * stroke.joints[in_path - 1].direction).normalized();
+    return least_rotation(as_drawn, tangent_of(shape_.frame[path[in_path - 1]])) * laid;
+}
+
+// The stroke along the whole axis, by heading and pitch. What bears the axis carries its base by
+// `turn`.
+void StrokeShaper::lay_by_heading_along(AxisId id, StrokeShape const& stroke, Quat const& turn,
+                                        std::span<Quat> frames) const
+{
+    auto const& axis = plant_.axes[id];
+    auto const lengths_mm
+        = std::span(rest_.length_mm).subspan(axis.first_segment, axis.segment_count);
+    auto const rest = std::span(rest_.frame).subspan(axis.first_segment, axis.segment_count);
+    double const share = start_share(lengths_mm, stroke.first_turn);
+    auto const shown = shown_stroke(*stroke.curve, lengths_mm, stroke.fit, share);
+    Vec3 const direction
+        = (turn * branch_direction(rest, lengths_mm, stroke.fit, share)).normalized();
+    Vec2 below = Vec2::UnitX(); // Counts only near the vertical.
+    if (is_upright(direction))
+        below = heading_from(axis.parent_segment, reach_heading(rest, lengths_mm, turn));
+    auto const laid = lay_by_heading(aim_of_stroke(shown.direction, stroke.reach),
+                                     { direction, branch_heading(direction, below) });
+    Quat frame = renormalised(turn * rest.front());
+    Vec3 before = tangent_of(frame);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        Vec3 const to = (laid * shown.directions[i]).normalized();
+        frame = carried(frame, before, to);
+        before = to;
+        frames[i] = frame;
+    }
+}
+
 // The stroke along the whole axis, which is carried by `turn`.
 void StrokeShaper::lay_propagated(AxisId id, StrokeShape const& stroke, Quat const& turn,
                                   std::span<Quat> frames) const
 {
+    if (stroke.is_laid_by_heading)
+        return lay_by_heading_along(id, stroke, turn, frames);
     auto const& axis = plant_.axes[id];
     auto const* const length_mm = &rest_.length_mm[axis.first_segment];
     bool const is_world = stroke.fit == StrokeFit::World;
@@ -198,22 +277,35 @@ void StrokeShaper::lay_propagated(AxisId id, StrokeShape const& stroke, Quat con
     }
 }
 
+// The turn from the base plant that a segment needs to point in `direction`, without twist against
+// `below`, which was turned by `turned`; the base of a path has nothing below that counts.
+Quat StrokeShaper::follow_joint(SegmentId segment, SegmentId below, Vec3 const& direction,
+                                Quat const& turned) const
+{
+    Vec3 const base = tangent_of(rest_.frame[segment]);
+    Vec3 const base_before = below == kNone ? base : tangent_of(rest_.frame[below]);
+    return least_rotation((turned * base_before).normalized(), direction) * turned
+        * least_rotation(base_before, base).conjugate();
+}
+
 // Segment by segment, since paths shape some of them.
 void StrokeShaper::lay_joints(AxisId id, Quat const& turn)
 {
     auto const& axis = plant_.axes[id];
     auto const& source = sources_[id];
     auto const& joints = joints_[source.joints];
-    // Frames that were propagated to the axis, where nothing bears it.
+    // Frames that were propagated to the axis: where nothing bears it, or, by heading, where it is.
     std::vector<Quat> own(rest_.frame.begin() + axis.first_segment,
                           rest_.frame.begin() + axis.first_segment + axis.segment_count);
-    bool const is_world
-        = source.propagated != kNoStroke && strokes_[source.propagated].fit == StrokeFit::World;
-    if (source.propagated != kNoStroke)
-        lay_propagated(id, strokes_[source.propagated], Quat::Identity(), own);
+    bool const is_propagated = source.propagated != kNoStroke;
+    bool const is_world = is_propagated && strokes_[source.propagated].fit == StrokeFit::World;
+    bool const is_by_heading = is_propagated && strokes_[source.propagated].is_laid_by_heading;
+    Quat own_before = is_by_heading ? turn : Quat(Quat::Identity());
+    if (is_propagated)
+        lay_propagated(id, strokes_[source.propagated], own_before, own);
 
     Quat turned = turn; // Turn from the base plant, of the segment below.
-    Quat own_before = Quat::Identity();
+    Quat laid = Quat::Identity();
     for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
         Quat const& rest = rest_.frame[axis.first_segment + i];
         Quat const own_turn = own[i] * rest.conjugate();
@@ -223,7 +315,15 @@ void StrokeShaper::lay_joints(AxisId id, Quat const& turn)
             turned = least_rotation(rides, joint.direction) * turned;
         else if (joint.kind == Joint::Kind::Turn)
             turned = turned * joint.turn;
-        else if (is_world)
+        else if (joint.kind == Joint::Kind::Laid) {
+            bool const goes_on = i > 0 && joint.in_path > 0 && joints[i - 1].stroke == joint.stroke
+                && joints[i - 1].kind == Joint::Kind::Laid;
+            if (!goes_on)
+                laid = laid_along_path(joint.stroke, joint.in_path);
+            auto const segment = axis.first_segment + i;
+            auto const below = joint.in_path > 0 ? parent_segment(plant_, segment) : kNone;
+            turned = follow_joint(segment, below, (laid * joint.direction).normalized(), turned);
+        } else if (is_world)
             turned = least_rotation(rides, tangent_of(own[i])) * turned;
         else
             turned = turned * own_before.conjugate() * own_turn;

@@ -49,8 +49,15 @@ private:
     void lay(AxisId id);
     void lay_propagated(AxisId id, StrokeShape const& stroke, Quat const& turn,
                         std::span<Quat> frames) const;
+    void lay_by_heading_along(AxisId id, StrokeShape const& stroke, Quat const& turn,
+                              std::span<Quat> frames) const;
+    Quat laid_along_path(std::uint32_t number, std::size_t in_path) const;
+    bool is_laid(std::uint32_t stroke, std::size_t in_path) const;
+    Vec2 heading_from(SegmentId segment, Vec2 const& otherwise) const;
     void lay_joints(AxisId id, Quat const& turn);
-    Quat turn_of_parent(Axis const& axis) const;
+    Quat follow_joint(SegmentId segment, SegmentId below, Vec3 const& direction,
+                      Quat const& turned) const;
+    Quat turn_of_segment(SegmentId segment) const;
 
     Plant const& plant_;
     RestShape const& rest_;

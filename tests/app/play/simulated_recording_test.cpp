@@ -17,8 +17,17 @@ TEST(SimulatedRecording, HasTwoDevicesARigAndAToolForEachGesture)
     ASSERT_EQ(log.tools.size(), 3u);
     EXPECT_EQ(log.tools[0].tool, "select");
     EXPECT_EQ(log.tools[1].tool, "draw");
-    EXPECT_EQ(log.tools[1].arguments, "both");
+    EXPECT_EQ(log.tools[1].arguments, "both heading") << "as a person draws now";
     EXPECT_EQ(log.tools[2].tool, "indicate");
+}
+
+TEST(SimulatedRecording, HasTheToolsOfOlderLogsWhereItsScriptSaysSo)
+{
+    std::string older(kTrunkAndWind);
+    older.replace(older.find("seed = 3"), 8, "seed = 3\ntools = \"older\"");
+    auto const log = recorded_log(older);
+    EXPECT_EQ(log.tools[1].arguments, "both");
+    EXPECT_EQ(log.records, recorded_log().records);
 }
 
 TEST(SimulatedRecording, IsInOrderOfArrival)

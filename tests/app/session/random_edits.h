@@ -188,8 +188,11 @@ inline scene::Edit random_edit()
     case 2:
         return scene::Select { *rc::gen::arbitrary<variation::Selection>(), random_paths() };
     case 3:
-        return scene::Associate { random_stroke(), random_enum<variation::Propagation>(3),
-                                  random_enum<variation::StrokeFit>(3), random_double(),
+        return scene::Associate { random_stroke(),
+                                  random_enum<variation::Propagation>(3),
+                                  random_enum<variation::StrokeFit>(3),
+                                  random_double(),
+                                  random_enum<variation::StrokeLaying>(2),
                                   random_id() };
     case 4:
         return scene::Oversketch { random_items(), random_stroke() };

@@ -109,7 +109,7 @@ inline bool same(scene::Associate const& one, scene::Associate const& other)
 {
     return same(one.stroke, other.stroke) && one.propagation == other.propagation
         && one.fit == other.fit && same(one.detail_weight, other.detail_weight)
-        && one.id == other.id;
+        && one.laying == other.laying && one.id == other.id;
 }
 
 inline bool same(scene::Oversketch const& one, scene::Oversketch const& other)

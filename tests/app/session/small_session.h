@@ -55,7 +55,8 @@ inline bool same_scene(scene::Scene const& one, scene::Scene const& other)
         auto const& b = other.associations[i].what;
         equal = one.associations[i].id == other.associations[i].id && a.path == b.path
             && same(a.stroke, b.stroke) && a.propagation == b.propagation && a.fit == b.fit
-            && same(a.detail_weight, b.detail_weight) && a.is_orphaned == b.is_orphaned;
+            && same(a.detail_weight, b.detail_weight) && a.laying == b.laying
+            && a.is_orphaned == b.is_orphaned;
     }
     for (std::size_t i = 0; equal && i < one.indicators.size(); ++i)
         equal = same(one.indicators[i].what, other.indicators[i].what);

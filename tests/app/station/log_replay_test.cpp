@@ -24,10 +24,25 @@ TEST(LogReplay, DoesWhatTheHandDid)
     ASSERT_EQ(scene.associations.size(), 1u);
     EXPECT_EQ(scene.associations[0].what.path, segments_of(scene.base->axes[0]));
     EXPECT_EQ(scene.associations[0].what.propagation, variation::Propagation::Both);
+    EXPECT_EQ(scene.associations[0].what.laying, variation::StrokeLaying::HeadingAndPitch);
     ASSERT_EQ(scene.indicators.size(), 1u);
     EXPECT_NEAR((scene.indicators[0].what.end_mm - Vec3(30, 0, 110)).norm(), 0, 3);
     EXPECT_EQ(counts.reports, log.records.size());
     EXPECT_EQ(counts.broken_reports, 0u);
+}
+
+TEST(LogReplay, LaysTheStrokesOfOlderLogsAsTheyWereLaid)
+{
+    auto log = recorded_log();
+    log.tools[1].arguments = "both";
+    auto const older = replayed(log).scene;
+    ASSERT_EQ(older.associations.size(), 1u);
+    EXPECT_EQ(older.associations[0].what.laying, variation::StrokeLaying::LeastTwist);
+    log.tools.clear(); // Nobody says what the pen means: it draws, branch by branch.
+    auto const without = replayed(log).scene;
+    ASSERT_EQ(without.associations.size(), 3u);
+    for (std::size_t i = 0; i < without.associations.size(); ++i)
+        EXPECT_EQ(without.associations[i].what.laying, variation::StrokeLaying::LeastTwist);
 }
 
 TEST(LogReplay, GivesTheSameInStepsAsAtOnce)

@@ -83,8 +83,10 @@ TEST(ToolChoices, AskForNumbers)
 TEST(ToolChoices, OfferAllThatTheToolInHandMayMean)
 {
     auto const tools = methods::all_methods().tools;
-    EXPECT_EQ(buttons(Tool(*tools[0])),
-              "Branch by branch*, Selected, All it bears, Both, | Redraw, Smooth!, Take away!, ");
+    EXPECT_EQ(
+        buttons(Tool(*tools[0])),
+        "Branch by branch*, | From its base*, Base to tip, As it lies, Selected, All it bears, "
+        "Both, | Redraw, Smooth!, Take away!, ");
     EXPECT_EQ(
         buttons(DrawTool { variation::Propagation::Both, variation::StrokeFit::World }),
         "Branch by branch, Selected, All it bears, Both*, | From its base, Base to tip, As it "

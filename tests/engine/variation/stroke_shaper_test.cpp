@@ -43,6 +43,18 @@ std::vector<Association> some_associations(Plant const& plant)
           .propagation = Propagation::Both,
           .fit = StrokeFit::World },
         { .path = path(12), .stroke = hook(4), .fit = StrokeFit::Chord },
+        { .path = path(5),
+          .stroke = hook(5),
+          .propagation = Propagation::Both,
+          .laying = StrokeLaying::HeadingAndPitch },
+        { .path = { path(5)[1], path(5)[2] },
+          .stroke = hook(2),
+          .laying = StrokeLaying::HeadingAndPitch },
+        { .path = path(2),
+          .stroke = hook(1),
+          .propagation = Propagation::Descendants,
+          .fit = StrokeFit::Chord,
+          .laying = StrokeLaying::HeadingAndPitch },
     };
 }
 
