@@ -8,6 +8,7 @@
 #include "engine/base/file.h"
 #include "engine/base/random.h"
 #include "engine/mesh/level_of_detail.h"
+#include "engine/plant/join_plants.h"
 #include "engine/variation/growth.h"
 #include "engine/variation/growth_preset.h"
 
@@ -16,6 +17,7 @@
 #include <fmt/core.h>
 #include <functional>
 #include <numbers>
+#include <set>
 
 namespace tractus::batch {
 
@@ -72,7 +74,9 @@ private:
     CollectionOptions const& options_;
     terminal::Progress& progress_;
     CollectionReport report_;
+    std::set<std::uint32_t> underground_; // Plants with segments below the ground.
     Plant young_;
+    Plant turned_;                          // As it stands, for the sheet.
     std::optional<PictureThread> pictures_; // Where pictures are wanted.
     std::optional<Error> picture_error_;
 };
@@ -87,7 +91,11 @@ Result<CollectionReport> Collection::run()
         pictures_.emplace(TRY(PictureThread::create()));
     auto const scene = TRY(load());
     auto grower = TRY(CollectionGrower::create(scene, options_.construction));
+    if (options_.growth.along_ground)
+        grower.keep_above_ground();
     TRY(compare(grower));
+    grower.make_individuals(
+        { .branches = options_.individuality.branches, .size = options_.individuality.size });
     auto const places = place_plants(options_, spacing_mm(grower));
     bool const one_file = options_.output.extension() == ".glb";
     auto const plants
@@ -98,6 +106,10 @@ Result<CollectionReport> Collection::run()
         report_.notes.push_back(fmt::format("{} of the plants could not be built otherwise than "
                                             "they were drawn: they differ by their growth alone",
                                             grower.failed_count()));
+    if (!underground_.empty())
+        report_.notes.push_back(fmt::format("{} of {} plants have branches below the ground: "
+                                            "--along-ground bends them along it",
+                                            underground_.size(), plants.size()));
     report_.manifest = manifest_path(options_);
     auto const write
         = [&](std::ostream& out) { return write_manifest(out, options_, report_, plants); };
@@ -124,7 +136,8 @@ Result<scene::Scene> Collection::load()
     return std::move(drawing.scene);
 }
 
-// Plants whose segments are others cannot be compared node by node.
+// Plants are compared node by node: of their sizes and turned, but each with all branches once.
+// Plants whose segments are others cannot be compared.
 Result<void> Collection::compare(CollectionGrower& grower)
 {
     auto const drawn = TRY(grower.drawn());
@@ -136,7 +149,8 @@ Result<void> Collection::compare(CollectionGrower& grower)
     progress_.begin("comparing the plants", count);
     variation::Diversity diversity(drawn);
     for (std::size_t i = 0; i < count; ++i) {
-        diversity.add(grower.grow(key(i)));
+        diversity.add(
+            variation::sized_and_turned(grower.grow(key(i)), key(i), options_.individuality));
         progress_.step();
     }
     report_.between_plants = diversity.between_plants();
@@ -158,6 +172,8 @@ double Collection::spacing_mm(CollectionGrower& grower)
 Plant const& Collection::grow(CollectionGrower& grower, PlantPlace const& place)
 {
     auto const& grown = grower.grow(key(place.index), place.age);
+    if (grower.underground() > 0)
+        underground_.insert(place.index);
     if (place.age == 1)
         return grown;
     young_ = variation::without_unborn(grown);
@@ -284,7 +300,12 @@ Result<void> Collection::write_sheet(CollectionGrower& grower,
 {
     SheetPlants const plants {
         places.size(),
-        [&](std::size_t i) -> Plant const& { return grow(grower, places[i]); },
+        [&](std::size_t i) -> Plant const& {
+            turned_ = {};
+            auto const about_z = Eigen::AngleAxisd(places[i].rotation_rad, Vec3::UnitZ());
+            append_part(turned_, grow(grower, places[i]), { .turn = Quat(about_z) });
+            return turned_;
+        },
         [&](std::size_t i) {
             auto const& [index, age, position_mm, rotation_rad] = places[i];
             return age == 1 ? fmt::format("{}", index + 1)
@@ -323,8 +344,8 @@ std::vector<PlantPlace> place_plants(CollectionOptions const& options, double sp
             double const reach_mm = kScatter * spacing_mm;
             place.position_mm.x() += random.uniform(-reach_mm, reach_mm);
             place.position_mm.y() += random.uniform(-reach_mm, reach_mm);
-            place.rotation_rad = random.uniform(0, 2 * std::numbers::pi);
         }
+        place.rotation_rad = random.uniform(0, options.individuality.turn * 2 * std::numbers::pi);
         places.push_back(place);
     }
     return places;

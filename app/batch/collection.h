@@ -6,6 +6,7 @@
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/make_mesh.h"
 #include "engine/variation/diversity.h"
+#include "engine/variation/individual.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -25,8 +26,8 @@ struct Shard {
 
 // How the plants of a collection stand.
 enum class Stand {
-    Grid,    // Stands in rows, all facing one way.
-    Scatter, // Out of line and turned, as if they had grown there; none within another's place.
+    Grid,    // In rows.
+    Scatter, // Out of line, as if they had grown there; none within another's place.
 };
 
 // Ages, above 0 and at most 1, from the youngest to the oldest; each plant's is drawn evenly from
@@ -46,6 +47,8 @@ struct CollectionOptions {
     // How much each plant is another one than what was drawn before it grows: the arrangement of an
     // outlined tree's branches, the angles of a rule, construction lines (SourceVariation::spread).
     double construction = 0;
+    // How much plants of one bed differ beside their growth.
+    variation::Individuality individuality { .branches = 0.08, .size = 0.12, .turn = 1 };
     AgeRange ages {};
     std::uint64_t seed = 1;
     std::size_t count = 12; // Plants in all shards together; at least 1.

@@ -1,6 +1,7 @@
 #include "app/batch/collection_grower.h"
 
 #include "engine/scene/varied_scene.h"
+#include "engine/variation/ground.h"
 
 #include <utility>
 
@@ -11,6 +12,10 @@ Result<std::unique_ptr<CollectionGrower::Planned>> CollectionGrower::planned(sce
     auto result = std::make_unique<Planned>(std::move(scene));
     result->plan
         = std::make_unique<variation::GrowthPlan const>(TRY(scene::plan_growth(result->scene)));
+    std::vector<std::vector<SegmentId>> drawn;
+    for (auto const& association : scene::shaping_associations(result->scene))
+        drawn.push_back(association.path.vector());
+    result->kept = variation::axes_below_paths(result->plan->base, drawn);
     result->grower = std::make_unique<variation::Grower>(*result->plan);
     return result;
 }
@@ -31,11 +36,26 @@ Result<Plant> CollectionGrower::drawn() const
     return variation::Grower(plan).grow({});
 }
 
+Plant const& CollectionGrower::grown(Planned& planned, variation::PlantKey const& key, double age)
+{
+    auto const* plant = &planned.grower->grow(key, age);
+    if (is_above_ground_) {
+        bent_ = *plant;
+        variation::bend_along_ground(bent_, planned.plan->base);
+        plant = &bent_;
+    }
+    underground_ = variation::segments_underground(*plant, planned.plan->base).size();
+    if (individuality_ == variation::Individuality {})
+        return *plant;
+    individual_ = variation::individual(*plant, key, individuality_, planned.kept);
+    return individual_;
+}
+
 // A plant of several ages, or levels of detail, is built once.
 Plant const& CollectionGrower::grow(variation::PlantKey const& key, double age)
 {
     if (construction_ == 0)
-        return shared_->grower->grow(key, age);
+        return grown(*shared_, key, age);
     bool const is_same = key_ && key_->seed == key.seed && key_->plant_index == key.plant_index;
     if (!is_same) {
         key_ = key;
@@ -46,7 +66,7 @@ Plant const& CollectionGrower::grow(variation::PlantKey const& key, double age)
         failed_count_ += !made;
         varied_ = made ? *std::move(made) : nullptr;
     }
-    return (varied_ ? varied_ : shared_)->grower->grow(key, age);
+    return grown(varied_ ? *varied_ : *shared_, key, age);
 }
 
 } // namespace tractus::batch

@@ -42,6 +42,9 @@ Result<void> write_manifest(std::ostream& out, CollectionOptions const& options,
     };
     if (options.drawing)
         head["drawing"] = options.drawing->log.filename().string();
+    head["individuality"] = { { "branches", options.individuality.branches },
+                              { "size", options.individuality.size },
+                              { "turn", options.individuality.turn } };
     if (options.construction > 0)
         head["construction"] = options.construction;
     if (auto const& season = options.growth.season)

@@ -22,8 +22,9 @@ struct GrowthOptions {
     // See growth_presets(). Without it a session's plants grow as the session says, and others as
     // "usual".
     std::optional<std::string> preset {};
-    double variability = 1; // See at_variability().
-    std::string leaves {};  // See dressing_edits(); empty: as a session or a model says.
+    double variability = 1;    // See at_variability().
+    bool along_ground = false; // See bend_along_ground().
+    std::string leaves {};     // See dressing_edits(); empty: as a session or a model says.
     std::optional<scene::Season> season {}; // No value: as a session says, and else without one.
 };
 

@@ -46,6 +46,9 @@ public:
     static Result<Sequence> create(scene::Scene const& scene, JobOptions const& options)
     {
         Sequence sequence(options, TRY(PlantGroup::create(scene)));
+        if (options.growth.along_ground)
+            sequence.group_.keep_above_ground();
+        sequence.group_.make_individuals(options.individuality);
         if (options.all_seasons)
             for (auto const* name : { "spring", "summer", "autumn", "winter" }) {
                 auto season = options.growth.season.value_or(scene::Season());
@@ -71,6 +74,9 @@ public:
             ? group_.grow({ options_->seed, static_cast<std::uint32_t>(index) }, options_->age)
             : season(index).plant;
     }
+
+    // Whether the last variation given has branches below the ground.
+    bool has_underground() const { return group_.underground() > 0; }
 
 private:
     struct InSeason {
@@ -199,15 +205,21 @@ Result<void> Job::make_collection(scene::Scene const& scene)
     progress_.begin("growing the collection", options_.variations);
     render::Framing framing({}, kTile.aspect()); // Shows all at one scale.
     Bounds frame;
+    std::size_t underground = 0;
     // What has fallen in other seasons lies far around.
     for (std::size_t i = 0; i < options_.variations; ++i) {
         auto const mesh = mesh::make_mesh(plant(i)); // Leaves and petals stand out.
+        underground += plants.has_underground() ? 1 : 0;
         framing.add(mesh);
         auto const box = mesh::bounds(mesh);
         frame.add(box.min_mm);
         frame.add(box.max_mm);
         progress_.step();
     }
+    if (underground > 0)
+        report_.notes.push_back(fmt::format("{} of {} plants have branches below the ground: "
+                                            "--along-ground bends them along it",
+                                            underground, options_.variations));
 
     progress_.begin("drawing the collection", count);
     std::vector<render::SheetTile> tiles;

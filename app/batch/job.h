@@ -5,6 +5,7 @@
 #include "engine/base/result.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/make_mesh.h"
+#include "engine/variation/individual.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,8 @@ struct JobOptions {
     std::size_t variations = 12;        // Plants in the collection; at least 1.
     std::filesystem::path folder = "."; // Made if it is not there.
     GrowthOptions growth {};
+    // How much plants of one bed differ beside their growth.
+    variation::Individuality individuality { .branches = 0.08, .size = 0.12, .turn = 1 };
     double age = 1;             // Age of all plants; see Grower::grow().
     bool all_seasons = false;   // Also the drawing itself in four seasons.
     exports::GlbOptions glb {}; // Options of the collection's file, as the next one.
@@ -52,8 +55,8 @@ struct JobReport : DrawingReport {
 // has no OpenGL.
 Result<JobReport> run_job(JobOptions const& options, terminal::Progress& progress);
 
-// Fails, as the user's fault, if the folder already has files of the names that a job writes, and no
-// report of an earlier job beside them: they would be somebody else's.
+// Fails, as the user's fault, if the folder already has files of the names that a job writes, and
+// no report of an earlier job beside them: they would be somebody else's.
 Result<void> check_job_folder(std::filesystem::path const& folder);
 
 // The report as lines for a person to read, as they stand in report.txt.

@@ -1,6 +1,7 @@
 #include "app/batch/plant_group.h"
 
 #include "engine/plant/join_plants.h"
+#include "engine/variation/ground.h"
 #include "engine/variation/growth.h"
 
 #include <utility>
@@ -32,9 +33,13 @@ Result<PlantGroup> PlantGroup::create(scene::Scene const& scene)
         auto plan = std::make_unique<variation::GrowthPlan const>(TRY(scene::plan_growth(*plant)));
         variation::Grower grower(*plan);
         auto const base_mm = plant->placement.world_of_plant(Vec3::Zero());
-        group.members_.push_back(
-            std::make_unique<Member>(Member { std::move(plan), std::move(grower), plant->growth,
-                                              shown.front()->placement.plant_of_world(base_mm) }));
+        std::vector<std::vector<SegmentId>> drawn;
+        for (auto const& association : scene::shaping_associations(*plant))
+            drawn.push_back(association.path.vector());
+        auto kept = variation::axes_below_paths(plan->base, drawn);
+        group.members_.push_back(std::make_unique<Member>(
+            Member { std::move(plan), std::move(grower), plant->growth,
+                     shown.front()->placement.plant_of_world(base_mm), std::move(kept) }));
     }
     return group;
 }
@@ -47,13 +52,43 @@ static Plant const& at_age(Plant const& grown, double age, Plant& young)
     return young;
 }
 
-Plant PlantGroup::as_set() const
+// The whole plant of a member; `bent` is room for it.
+Plant const& PlantGroup::grown(Member& member, variation::PlantKey const& key, double age,
+                               Plant& bent)
 {
+    auto const* plant = &member.grower.grow(key, age);
+    if (is_above_ground_) {
+        bent = *plant;
+        variation::bend_along_ground(bent, member.plan->base);
+        plant = &bent;
+    }
+    underground_ += variation::segments_underground(*plant, member.plan->base).size();
+    return *plant;
+}
+
+// The plant of a member in a collection; `plant` is room for it. Growth has one key for all
+// members, as ever; as individuals they have their own.
+Plant const& PlantGroup::of_collection(std::size_t number, variation::PlantKey key, double age,
+                                       Plant& plant)
+{
+    auto& member = *members_[number];
+    auto const& whole = grown(member, key, age, plant);
+    if (individuality_ == variation::Individuality {})
+        return whole;
+    key.seed ^= static_cast<std::uint64_t>(number) << 48;
+    plant = variation::individual(whole, key, individuality_, member.kept);
+    return plant;
+}
+
+Plant PlantGroup::as_set()
+{
+    underground_ = 0;
     Plant all;
+    Plant bent;
     for (auto const& member : members_) {
         auto const& [parameters, seed, variability, age] = member->growth;
         Plant young;
-        auto const& plant = at_age(member->grower.grow({ seed, 0 }, age), age, young);
+        auto const& plant = at_age(grown(*member, { seed, 0 }, age, bent), age, young);
         if (member == members_.front())
             all = plant;
         else
@@ -64,21 +99,21 @@ Plant PlantGroup::as_set() const
 
 Plant const& PlantGroup::grow(variation::PlantKey const& key, double age)
 {
-    Plant young;
-    auto const& first = members_.front()->grower.grow(key, age);
+    underground_ = 0;
     if (members_.size() == 1 && age >= 1)
-        return first;
-    whole_ = at_age(first, age, young);
-    for (std::size_t i = 1; i < members_.size(); ++i) {
-        auto& [plan, grower, growth, moved_mm] = *members_[i];
-        append_plant(whole_, at_age(grower.grow(key, age), age, young), moved_mm);
-    }
+        return of_collection(0, key, age, whole_);
+    Plant young;
+    Plant bent;
+    whole_ = at_age(of_collection(0, key, age, bent), age, young);
+    for (std::size_t i = 1; i < members_.size(); ++i)
+        append_plant(whole_, at_age(of_collection(i, key, age, bent), age, young),
+                     members_[i]->moved_mm);
     return whole_;
 }
 
 Result<Plant> shown_plants(scene::Scene const& scene)
 {
-    auto const group = TRY(PlantGroup::create(scene));
+    auto group = TRY(PlantGroup::create(scene));
     return group.as_set();
 }
 

@@ -22,6 +22,7 @@
 #include "engine/export/glb_growth.h"
 #include "engine/mesh/make_mesh.h"
 #include "engine/scene/scene.h"
+#include "engine/variation/ground.h"
 #include "engine/variation/growth.h"
 #include "engine/variation/growth_preset.h"
 
@@ -50,7 +51,8 @@ struct GrowArguments {
 
     bool is_varied() const
     {
-        return growth.preset || growth.variability != 1 || !drawing.log.empty();
+        return growth.preset || growth.variability != 1 || growth.along_ground
+            || !drawing.log.empty();
     }
     bool is_for_a_model() const
     {
@@ -67,6 +69,36 @@ std::filesystem::path frame_path(std::filesystem::path const& output, std::size_
                                   std::to_string(frames).size(), output.extension().string());
     return output.parent_path() / name;
 }
+
+// A plant at several ages, one after the other.
+class AgeingPlant {
+public:
+    AgeingPlant(variation::GrowthPlan const& plan, scene::Scene const& scene, bool along_ground)
+        : plan_(plan)
+        , grower_(plan)
+        , key_ { scene.growth.seed, 0 }
+        , along_ground_(along_ground)
+    {
+    }
+
+    // Holds until the next call.
+    Plant const& grow(double age = 1)
+    {
+        auto const& grown = grower_.grow(key_, age);
+        if (!along_ground_)
+            return grown;
+        bent_ = grown;
+        variation::bend_along_ground(bent_, plan_.base);
+        return bent_;
+    }
+
+private:
+    variation::GrowthPlan const& plan_;
+    variation::Grower grower_;
+    variation::PlantKey key_;
+    bool along_ground_;
+    Plant bent_;
+};
 
 Result<variation::GrowthPlan> plan_animation(scene::Scene const& scene, std::string const& name)
 {
@@ -95,17 +127,16 @@ Result<void> write_sequence(GrowArguments const& arguments, scene::Scene const& 
                             std::string const& name)
 {
     auto const plan = TRY(plan_animation(scene, name));
-    variation::Grower grower(plan);
-    variation::PlantKey const key { scene.growth.seed, 0 };
+    AgeingPlant ageing(plan, scene, arguments.growth.along_ground);
     auto file = arguments.file;
     if (arguments.output.extension() == ".png") {
         render::Framing framing({}, batch::PictureSize().aspect());
-        framing.add(mesh::make_mesh(grower.grow(key)));
+        framing.add(mesh::make_mesh(ageing.grow()));
         file.camera = framing.camera(); // One for all ages: it sees the whole plant.
     }
     for (std::size_t i = 1; i <= arguments.frames; ++i) {
         double const age = age_of(i, arguments.frames);
-        auto const plant = variation::without_unborn(grower.grow(key, age));
+        auto const plant = variation::without_unborn(ageing.grow(age));
         auto const path = frame_path(arguments.output, i, arguments.frames);
         auto const triangles = TRY(batch::write_plant_file(plant, name, path, file));
         TRY(terminal::print_out(fmt::format("{}: age {:.3f}, {}\n", path.string(), age,
@@ -124,14 +155,13 @@ Result<void> write_animation(GrowArguments const& arguments, scene::Scene const&
                                 "files, one for each age",
                                 arguments.output.string(), arguments.output.extension().string()));
     auto const plan = TRY(plan_animation(scene, name));
-    variation::Grower grower(plan);
-    variation::PlantKey const key { scene.growth.seed, 0 };
-    Plant const whole = grower.grow(key);
+    AgeingPlant ageing(plan, scene, arguments.growth.along_ground);
+    Plant const whole = ageing.grow();
     mesh::AgedMesh const mesh(whole);
     exports::GrowthFilm film { .name = name, .mesh = &mesh, .seconds = arguments.seconds };
     for (std::size_t i = 1; i <= arguments.ages; ++i)
         film.ages.push_back(age_of(i, arguments.ages));
-    film.plant_at = [&](double age) -> Plant const& { return grower.grow(key, age); };
+    film.plant_at = [&](double age) -> Plant const& { return ageing.grow(age); };
     exports::GlbSummary summary;
     auto const write = [&](std::ostream& out) -> Result<void> {
         summary = TRY(exports::write_glb(out, film));
@@ -155,6 +185,32 @@ Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::
         = TRY(batch::write_plant_file(plant, name, arguments.output, arguments.file));
     return terminal::print_out(fmt::format("{}: {}\n", arguments.output.string(),
                                            said_of(plant, triangles, arguments.output)));
+}
+
+Result<void> write_varied(GrowArguments const& arguments, scene::Scene const& scene,
+                          std::string const& name)
+{
+    auto group = TRY(batch::PlantGroup::create(scene));
+    if (arguments.growth.along_ground)
+        group.keep_above_ground();
+    auto const plant = group.as_set();
+    if (auto const below = variation::describe_underground(group.underground(), plant);
+        !below.empty())
+        terminal::print_warning(
+            fmt::format("{}: {}: --along-ground bends branches along it", name, below));
+    return write_one(arguments, plant, name);
+}
+
+// What is drawn counts only where growth follows it.
+void warn_of_ignored_indicators(scene::Scene const& scene)
+{
+    auto const& growth = scene.growth;
+    if (scene.indicators.empty() || growth.parameters.indicator_gain * growth.variability != 0)
+        return;
+    terminal::print_warning(fmt::format(
+        "the drawing has {} motion indicator{}, which plants that grow \"as drawn\" do not follow: "
+        "add --growth usual",
+        scene.indicators.size(), scene.indicators.size() == 1 ? "" : "s"));
 }
 
 // A session says itself how its plant is derived; another seed is another variation of it.
@@ -275,13 +331,14 @@ Result<void> grow_plant(GrowArguments const& arguments, tools::Methods const& me
     scene = TRY(with_growth(arguments.growth, std::move(scene)));
     if (auto const drawing = options::drawing_options(arguments.drawing, methods))
         scene = TRY(add_drawing(*drawing, std::move(scene), name));
+    warn_of_ignored_indicators(scene);
     if (arguments.ages > 0)
         return write_animation(arguments, scene, name);
     if (arguments.frames > 0)
         return write_sequence(arguments, scene, name);
     if (!is_session && !arguments.is_varied())
         return write_one(arguments, *scene.in_season, name);
-    return write_one(arguments, TRY(batch::shown_plants(scene)), name);
+    return write_varied(arguments, scene, name);
 }
 
 void add_habit_options(CLI::App& command, GrowArguments& arguments)

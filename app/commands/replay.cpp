@@ -50,6 +50,7 @@ void add_replay_command(CLI::App& root, options::Action& action, tools::Methods 
         ->check(options::whole_number(1, 100))
         ->capture_default_str();
     options::add_growth_options(*command, arguments->job.growth, "usual, or as in a session");
+    options::add_individuality_options(*command, arguments->job.individuality);
     options::add_age_option(*command, arguments->job.age);
     command->add_flag("--seasons", arguments->job.all_seasons,
                       "Show what was drawn also in spring, summer, autumn and winter");

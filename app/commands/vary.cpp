@@ -137,10 +137,11 @@ void add_vary_command(CLI::App& root, options::Action& action, tools::Methods co
         ->capture_default_str();
     command
         ->add_option("--spread", arguments->stand,
-                     "How they stand: grid, in rows, or scatter, turned and out of line")
+                     "How they stand: grid, in rows, or scatter, out of line")
         ->check(options::one_of({ "grid", "scatter" }))
         ->type_name("HOW")
         ->capture_default_str();
+    options::add_individuality_options(*command, arguments->collection.individuality);
     add_output_options(*command, *arguments);
     command->footer(
         "A manifest in JSON says of each plant how to make it again and where it stands.\n"

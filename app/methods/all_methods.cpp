@@ -41,6 +41,7 @@
 #include "app/tools/oversketch_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/smooth_tool.h"
+#include "app/tools/underground.h"
 #include "engine/methods/construction_lines/bring_organ.h"
 #include "engine/methods/construction_lines/erase_line.h"
 #include "engine/methods/construction_lines/organ_edits.h"
@@ -97,12 +98,12 @@ constexpr std::array kTools {
 };
 
 constexpr std::array kLayers {
-    &silhouette::kTrianglesLayer,   &silhouette::kSeenLayer,     &silhouette::kOutlineLayer,
-    &silhouette::kTrunkLayer,       &lines::kStemLayer,          &lines::kBoundaryLayer,
-    &lines::kInclinationLayer,      &lines::kOtherStemLayer,     &lines::kOtherBoundaryLayer,
-    &lines::kOtherInclinationLayer, &lines::kUnsureLayer,        &lines::kOrganLayer,
-    &lines::kLinesToDrawLayer,      &leaf::kLeafOutlineLayer,    &leaf::kLeafVeinLayer,
-    &leaf::kLeafOtherLayer,         &indicators::kIndicatorLayer
+    &silhouette::kTrianglesLayer,   &silhouette::kSeenLayer,      &silhouette::kOutlineLayer,
+    &silhouette::kTrunkLayer,       &lines::kStemLayer,           &lines::kBoundaryLayer,
+    &lines::kInclinationLayer,      &lines::kOtherStemLayer,      &lines::kOtherBoundaryLayer,
+    &lines::kOtherInclinationLayer, &lines::kUnsureLayer,         &lines::kOrganLayer,
+    &lines::kLinesToDrawLayer,      &leaf::kLeafOutlineLayer,     &leaf::kLeafVeinLayer,
+    &leaf::kLeafOtherLayer,         &indicators::kIndicatorLayer, &tools::kUndergroundLayer
 };
 
 std::vector<scene::EditKind const*> edit_kinds()

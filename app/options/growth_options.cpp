@@ -36,6 +36,8 @@ void add_growth_options(CLI::App& command, batch::GrowthOptions& growth, std::st
         ->type_name("X")
         ->check(number(0, 4))
         ->capture_default_str();
+    command.add_flag("--along-ground", growth.along_ground,
+                     "Bend branches along the ground that would grow into it; roots stay");
     names.clear();
     for (auto const& kind : methods::leaf_kinds())
         names.push_back(kind.name);
@@ -46,6 +48,30 @@ void add_growth_options(CLI::App& command, batch::GrowthOptions& growth, std::st
                                 fmt::join(names, ", ")))
         ->type_name("NAME");
     add_season_options(command, growth.season);
+}
+
+void add_individuality_options(CLI::App& command, variation::Individuality& how)
+{
+    command
+        .add_option("--branches", how.branches,
+                    "Share of the branches that a plant lacks, and of those that it has twice; "
+                    "branches that were drawn stay; 0 for none")
+        ->type_name("X")
+        ->check(number(0, 0.5))
+        ->capture_default_str();
+    command
+        .add_option("--size", how.size,
+                    "Share by which plants are larger or smaller, at most; 0 for all of one size")
+        ->type_name("X")
+        ->check(number(0, 0.5))
+        ->capture_default_str();
+    command
+        .add_option("--turn", how.turn,
+                    "Share of a full turn by which plants are turned, at most; 0 lets all face one "
+                    "way")
+        ->type_name("X")
+        ->check(number(0, 1))
+        ->capture_default_str();
 }
 
 void add_season_options(CLI::App& command, std::optional<scene::Season>& season)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/batch/drawing.h"
+#include "engine/variation/individual.h"
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -13,6 +14,10 @@ namespace tractus::options {
 // as the command.
 void add_growth_options(CLI::App& command, batch::GrowthOptions& growth,
                         std::string const& without);
+
+// "--branches X", "--size X" and "--turn X": how much the plants of a collection are individuals.
+// `how` must live as long as the command.
+void add_individuality_options(CLI::App& command, variation::Individuality& how);
 
 // "--season WHEN" and "--fallen X": the time of the year. `season` must live as long as the
 // command.

@@ -18,6 +18,9 @@ public:
     Vec3 begin_of(SegmentId segment) const;
     Vec3 end_of(SegmentId segment) const;
 
+    // All nodes of the base plant. Plant frame.
+    std::vector<Vec3> const& nodes_mm() const { return nodes_mm_; }
+
     // Turns what rides on the segment from where it is at rest; exactly nothing where the segment
     // is as it was.
     Quat turn_of(SegmentId segment) const;

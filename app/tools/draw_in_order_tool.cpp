@@ -1,7 +1,9 @@
 #include "app/tools/draw_in_order_tool.h"
 
 #include "app/tools/branch_previewer.h"
+#include "app/tools/draw_tool.h"
 #include "app/tools/erase_tool.h"
+#include "app/tools/underground.h"
 #include "engine/plant/join_axes.h"
 #include "engine/scene/edit.h"
 
@@ -19,17 +21,23 @@ static std::vector<SegmentId> next_branch(scene::Scene const& scene)
     return segments_of(scene.base->axes[order[scene.associations.size() % order.size()]]);
 }
 
-static Result<std::vector<scene::Edit>> draw_in_order(Tool const&, Stroke const& stroke,
+static Result<std::vector<scene::Edit>> draw_in_order(Tool const& tool, Stroke const& stroke,
                                                       scene::Scene const& scene)
 {
+    auto const& options = *tool.get<DrawInOrderTool>();
     auto next = next_branch(scene);
     if (next.empty())
         return fail(Fault::User,
                     "the plant has no branches for a stroke to shape: load another model");
     return std::vector<scene::Edit> {
         scene::select_paths(scene, { std::move(next) }),
-        scene::Associate { stroke, variation::Propagation::Selected },
+        scene::Associate { .stroke = stroke, .fit = options.fit, .laying = options.laying },
     };
+}
+
+static void visit(OptionVisitor& visitor, DrawInOrderTool& tool)
+{
+    visit_laying(visitor, WordOption::Offered::BesideLabel, tool.fit, tool.laying);
 }
 
 constexpr ToolKind DrawInOrderTool::kKind {
@@ -37,12 +45,13 @@ constexpr ToolKind DrawInOrderTool::kKind {
     .label = "Branch by branch",
     .title = "Draw, branch by branch",
     .done = "The stroke shapes the branch",
-    .help = "each stroke shapes the next branch, the trunk first",
+    .help = "each stroke shapes the next branch, the trunk first; fitted as with draw",
     .group = "Draw",
     .icon = "19354279 7993 9381",
     .key = 'D',
-    .options = options_type<DrawInOrderTool>(),
+    .options = options_type<DrawInOrderTool, visit>(),
     .mean = draw_in_order,
+    .said = say_underground,
     .previewer = branch_previewer,
     .aims_at = next_branch,
     .other_end = { &EraseTool::kKind },

@@ -1,12 +1,16 @@
 #pragma once
 
 #include "app/tools/tool.h"
+#include "engine/variation/association.h"
 
 namespace tractus::tools {
 
 // Each stroke shapes the next axis, the trunk first.
 struct DrawInOrderTool {
     static ToolKind const kKind;
+
+    variation::StrokeFit fit = variation::StrokeFit::Start;
+    variation::StrokeLaying laying = variation::StrokeLaying::HeadingAndPitch;
 };
 
 } // namespace tractus::tools

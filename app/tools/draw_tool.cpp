@@ -2,6 +2,7 @@
 
 #include "app/tools/branch_previewer.h"
 #include "app/tools/erase_tool.h"
+#include "app/tools/underground.h"
 #include "engine/scene/edit.h"
 
 #include <array>
@@ -24,10 +25,16 @@ constexpr std::array<OptionWord, 3> kFitWords { {
     { "world", "As it lies" },
 } };
 
+// and of StrokeLaying. Logs from before there was another law have no word for it.
+constexpr std::array<OptionWord, 2> kLayingWords { {
+    { "least_twist", "Least twist" },
+    { "heading", "By heading" },
+} };
+
 void visit(OptionVisitor& visitor, DrawTool& tool)
 {
     visitor.choice({ kPropagationWords }, tool.propagation);
-    visitor.choice({ kFitWords, WordOption::Offered::InHand }, tool.fit);
+    visit_laying(visitor, WordOption::Offered::InHand, tool.fit, tool.laying);
 }
 
 Result<std::vector<scene::Edit>> draw_selected(Tool const& tool, Stroke const& stroke,
@@ -37,23 +44,34 @@ Result<std::vector<scene::Edit>> draw_selected(Tool const& tool, Stroke const& s
     if (scene.selection.empty())
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
-    return std::vector<scene::Edit> { scene::Associate { stroke, options.propagation,
-                                                         options.fit } };
+    return std::vector<scene::Edit> { scene::Associate { .stroke = stroke,
+                                                         .propagation = options.propagation,
+                                                         .fit = options.fit,
+                                                         .laying = options.laying } };
 }
 
 } // namespace
+
+void visit_laying(OptionVisitor& visitor, WordOption::Offered offered, variation::StrokeFit& fit,
+                  variation::StrokeLaying& laying)
+{
+    visitor.choice({ kFitWords, offered }, fit);
+    visitor.choice({ kLayingWords, WordOption::Offered::Never }, laying);
+}
 
 constexpr ToolKind DrawTool::kKind {
     .word = "draw",
     .label = "Draw",
     .title = "Draw",
     .done = "The stroke shapes the branch",
-    .help = "shapes the selected branch, all that it bears, or both; the stroke is turned so that "
-            "it starts as the branch did, to lead from its first point to its last as the branch "
-            "did, or not at all",
+    .help = "shapes the selected branch, all that it bears, or both; the stroke is turned to each "
+            "branch's heading and pitched so that it starts as the branch did, or leads from its "
+            "first point to its last as the branch did, or is not turned at all; a trunk takes it "
+            "as it was drawn",
     .group = "Draw",
     .options = options_type<DrawTool, visit>(),
     .mean = draw_selected,
+    .said = say_underground,
     .previewer = branch_previewer,
     .other_end = { &EraseTool::kKind },
 };

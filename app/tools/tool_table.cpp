@@ -8,11 +8,14 @@ namespace tractus::tools {
 
 namespace {
 
-// What each option may be: the words but for that which none means, or a name and a range.
+// What each option may be: the words but for that which none means, or a name and a range. Options
+// that nobody chooses are left out.
 class OptionLister final : public OptionVisitor {
 public:
     void word(WordOption const& option, int&) override
     {
+        if (option.offered == WordOption::Offered::Never)
+            return;
         auto& words = options.emplace_back();
         for (std::size_t i = 1; i < option.words.size(); ++i)
             words.emplace_back(option.words[i].word);

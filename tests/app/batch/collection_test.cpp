@@ -58,12 +58,21 @@ TEST(Collection, ScatteredPlantsKeepTheirDistanceAndAges)
     EXPECT_GT(oldest, 0.73);
 }
 
-TEST(Collection, InAGridPlantsFaceOneWay)
+TEST(Collection, InAGridPlantsStandInRowsAndFaceAnyWay)
 {
-    auto const all = places(5, {}, Stand::Grid);
+    auto const all = places(60, {}, Stand::Grid);
     EXPECT_EQ(all[1].position_mm, Vec3(100, 0, 0));
-    EXPECT_EQ(all[3].position_mm, Vec3(0, -100, 0));
-    for (auto const& place : all)
+    EXPECT_EQ(all[9].position_mm, Vec3(0, -100, 0));
+    double least = 7;
+    double most = 0;
+    for (auto const& place : all) {
+        least = std::min(least, place.rotation_rad);
+        most = std::max(most, place.rotation_rad);
+    }
+    EXPECT_LT(least, 0.3);
+    EXPECT_GT(most, 6);
+    CollectionOptions one_way { .individuality = {}, .count = 5 };
+    for (auto const& place : place_plants(one_way, 100))
         EXPECT_EQ(place.rotation_rad, 0);
 }
 

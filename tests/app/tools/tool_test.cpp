@@ -12,6 +12,7 @@
 #include "app/tools/oversketch_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/smooth_tool.h"
+#include "app/tools/underground.h"
 #include "engine/plant/join_axes.h"
 #include "engine/scene/scene_shaper.h"
 #include "engine/variation/place_nodes.h"
@@ -144,6 +145,45 @@ TEST(DrawTool, ShapesWhatIsSelected)
     auto const edits = edits_of(DrawTool { variation::Propagation::Both }, stroke, scene);
     ASSERT_TRUE(edits);
     EXPECT_EQ((*edits)[0].get<scene::Associate>()->propagation, variation::Propagation::Both);
+}
+
+TEST(DrawTool, LaysByHeadingInHandAndByLeastTwistInOlderLogs)
+{
+    using variation::StrokeLaying;
+    EXPECT_EQ(DrawTool {}.laying, StrokeLaying::HeadingAndPitch);
+    EXPECT_EQ(DrawInOrderTool {}.laying, StrokeLaying::HeadingAndPitch);
+    EXPECT_EQ(words_for(DrawTool { variation::Propagation::Both }).arguments, "both heading");
+    EXPECT_EQ(parse_tool(tools(), "draw", "both")->get<DrawTool>()->laying,
+              StrokeLaying::LeastTwist);
+    EXPECT_EQ(tool_of_word(DrawInOrderTool::kKind).get<DrawInOrderTool>()->laying,
+              StrokeLaying::LeastTwist);
+    EXPECT_EQ(words_in_hand(tools(), "draw", "both chord"), "both chord heading");
+    EXPECT_EQ(words_in_hand(tools(), "draw", "both least_twist"), "both least_twist");
+    EXPECT_EQ(words_in_hand(tools(), "draw_in_order", ""), "heading");
+    EXPECT_EQ(words_in_hand(tools(), "select", "path"), "path");
+    auto scene = small_scene();
+    select(scene, { segments_of(scene.base->axes[1]) });
+    auto const stroke = stroke_through({ { 0, 0, 0 }, { 60, 0, -30 } });
+    auto const edits = edits_of(DrawTool {}, stroke, scene);
+    ASSERT_TRUE(edits);
+    EXPECT_EQ((*edits)[0].get<scene::Associate>()->laying, StrokeLaying::HeadingAndPitch);
+}
+
+TEST(DrawTool, SaysWhatItHasBentBelowTheGround)
+{
+    auto scene = small_scene();
+    select(scene, { segments_of(scene.base->axes[0]) });
+    auto const drawn = [&](Vec3 const& end) {
+        auto const edits = edits_of(DrawTool {}, stroke_through({ { 0, 0, 0 }, end }), scene);
+        return scene::after(*edits, scene);
+    };
+    EXPECT_EQ(say_underground(DrawTool {}, drawn({ 10, 0, 100 })), "");
+    auto const below = drawn({ 10, 0, -100 });
+    EXPECT_TRUE(say_underground(DrawTool {}, below).starts_with("The stroke shapes the branch; "));
+    EXPECT_NE(say_underground(DrawTool {}, below).find("are below the ground"), std::string::npos);
+    auto const lines = kUndergroundLayer.lines(below);
+    ASSERT_FALSE(lines.empty());
+    EXPECT_LT(lines.front().back().z(), below.placement.world_of_plant(Vec3::Zero()).z());
 }
 
 TEST(IndicateTool, TakesTheEndsOfTheStroke)

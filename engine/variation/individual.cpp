@@ -1,0 +1,220 @@
+#include "engine/variation/individual.h"
+
+#include "engine/base/check.h"
+#include "engine/base/random.h"
+#include "engine/plant/join_plants.h"
+#include "engine/stroke/frames.h"
+#include "engine/variation/subtree.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace tractus::variation {
+
+namespace {
+
+constexpr std::uint32_t kWhole = 0x696E6400;    // The random stream of sizes and turns,
+constexpr std::uint32_t kBranches = 0x696E6401; // and that of branches, for each by its axis.
+
+// What becomes of a lateral branch.
+struct Fate {
+    bool is_lost = false;
+    bool is_doubled = false;
+    int away = 0;          // Of its double: how many segments along what bears both,
+    double turned_rad = 0; // and how far around it.
+};
+
+Fate fate_of(AxisId id, PlantKey const& key, double share)
+{
+    // A stream has one number for whom it is for: plant and axis in one.
+    Random random(
+        { key.seed ^ (static_cast<std::uint64_t>(id) << 32), kBranches, key.plant_index });
+    double const chance = random.uniform();
+    Fate fate;
+    fate.is_lost = chance < share;
+    fate.is_doubled = chance >= 1 - share;
+    fate.away = static_cast<int>(random.next_u32() % 5) - 2;
+    fate.turned_rad = random.uniform(0.25, 0.75) * 2 * kPi;
+    return fate;
+}
+
+Vec3 direction_of(Plant const& plant, Axis const& axis, SegmentId segment)
+{
+    auto const node = axis.first_node + (segment - axis.first_segment);
+    Vec3 const step = plant.node_position_mm[node + 1] - plant.node_position_mm[node];
+    double const length = step.norm();
+    return length > 0 ? Vec3(step / length) : Vec3(Vec3::UnitZ());
+}
+
+NodeId tip_of(Axis const& axis, SegmentId segment)
+{
+    return axis.first_node + (segment - axis.first_segment) + 1;
+}
+
+// Puts copies of branches beside them.
+class Doubler {
+public:
+    explicit Doubler(Plant& plant)
+        : plant_(plant)
+    {
+    }
+
+    void add(AxisId id, Fate const& fate)
+    {
+        auto const root = plant_.axes[id];
+        auto const bearer = plant_.axes[root.parent_axis];
+        auto const place = static_cast<std::int64_t>(root.parent_segment) + fate.away;
+        std::int64_t const first = bearer.first_segment;
+        auto const seat = static_cast<SegmentId>(
+            std::clamp(place, first, first + static_cast<std::int64_t>(bearer.segment_count) - 1));
+        from_mm_ = plant_.node_position_mm[tip_of(bearer, root.parent_segment)];
+        to_mm_ = plant_.node_position_mm[tip_of(bearer, seat)];
+        Vec3 const along = direction_of(plant_, bearer, seat);
+        turn_ = Quat(Eigen::AngleAxisd(fate.turned_rad, along))
+            * least_rotation(direction_of(plant_, bearer, root.parent_segment), along);
+        segments_.clear();
+        for (auto const& [axis, first_segment] : subtree_of(plant_, root.first_segment))
+            copy_axis(plant_.axes[axis], axis == id ? seat : kNone, root.parent_axis);
+        copy_riders();
+    }
+
+private:
+    Vec3 moved(Vec3 const& place_mm) const { return to_mm_ + turn_ * (place_mm - from_mm_); }
+
+    void copy_axis(Axis axis, SegmentId seat, AxisId bearer)
+    {
+        auto const from = axis;
+        axis.first_node = static_cast<NodeId>(plant_.node_position_mm.size());
+        axis.first_segment = static_cast<SegmentId>(plant_.segment_count());
+        axis.parent_segment = seat != kNone ? seat : segments_.at(from.parent_segment);
+        axis.parent_axis = seat != kNone ? bearer : axis_of(plant_, axis.parent_segment);
+        for (NodeId i = 0; i <= from.segment_count; ++i) {
+            auto const node = from.first_node + i;
+            plant_.node_position_mm.push_back(moved(plant_.node_position_mm[node]));
+            plant_.node_radius_mm.push_back(plant_.node_radius_mm[node]);
+            if (!plant_.node_section.empty()) {
+                auto section = plant_.node_section[node];
+                section.normal = turn_.cast<float>() * section.normal;
+                plant_.node_section.push_back(section);
+            }
+        }
+        for (std::uint32_t i = 0; i < from.segment_count; ++i) {
+            segments_.emplace(from.first_segment + i, axis.first_segment + i);
+            plant_.segment_material.push_back(plant_.segment_material[from.first_segment + i]);
+        }
+        plant_.axes.push_back(axis);
+    }
+
+    void copy_riders()
+    {
+        auto const organs = plant_.organs.size();
+        for (std::size_t i = 0; i < organs; ++i)
+            if (auto const found = segments_.find(plant_.organs[i].segment);
+                found != segments_.end()) {
+                auto organ = plant_.organs[i];
+                organ.segment = found->second;
+                organ.position_mm = moved(organ.position_mm);
+                organ.orientation = (turn_ * organ.orientation).normalized();
+                plant_.organs.push_back(std::move(organ));
+            }
+        auto const polygons = plant_.polygons.size();
+        for (std::size_t i = 0; i < polygons; ++i)
+            if (auto const found = segments_.find(plant_.polygons[i].segment);
+                found != segments_.end()) {
+                auto polygon = plant_.polygons[i];
+                polygon.segment = found->second;
+                auto const first = polygon.first_vertex;
+                polygon.first_vertex
+                    = static_cast<std::uint32_t>(plant_.polygon_vertices_mm.size());
+                for (std::uint32_t n = 0; n < polygon.vertex_count; ++n) {
+                    Vec3 const vertex_mm = moved(plant_.polygon_vertices_mm[first + n]);
+                    plant_.polygon_vertices_mm.push_back(vertex_mm);
+                }
+                plant_.polygons.push_back(polygon);
+            }
+    }
+
+    Plant& plant_;
+    Vec3 from_mm_ = Vec3::Zero();
+    Vec3 to_mm_ = Vec3::Zero();
+    Quat turn_ = Quat::Identity();
+    std::unordered_map<SegmentId, SegmentId> segments_; // Of the last copy: by those copied.
+};
+
+void resize(Plant& plant, double scale)
+{
+    auto const factor = static_cast<float>(scale);
+    for (auto& node_mm : plant.node_position_mm)
+        node_mm *= scale;
+    for (auto& radius_mm : plant.node_radius_mm)
+        radius_mm *= factor;
+    for (auto& organ : plant.organs) {
+        organ.position_mm *= scale;
+        organ.scale *= factor;
+    }
+    for (auto& vertex_mm : plant.polygon_vertices_mm)
+        vertex_mm *= scale;
+}
+
+Plant other_branches(Plant const& grown, PlantKey const& key, double share,
+                     std::vector<bool> const& kept)
+{
+    Plant plant = grown;
+    Doubler doubler(plant);
+    std::vector<bool> is_lost(grown.segment_count());
+    for (AxisId id = 0; id < grown.axes.size(); ++id) {
+        auto const& axis = grown.axes[id];
+        if (axis.parent_segment == kNone)
+            continue;
+        auto const fate = fate_of(id, key, share);
+        if (fate.is_doubled)
+            doubler.add(id, fate);
+        if (fate.is_lost && !kept[id])
+            is_lost[axis.first_segment] = true;
+    }
+    is_lost.resize(plant.segment_count());
+    Plant shown;
+    append_part(shown, plant, {}, is_lost);
+    return shown;
+}
+
+} // namespace
+
+std::vector<bool> axes_below_paths(Plant const& plant,
+                                   std::vector<std::vector<SegmentId>> const& paths)
+{
+    std::vector<bool> is_below(plant.axes.size());
+    for (auto const& path : paths)
+        for (auto const segment : path)
+            is_below[axis_of(plant, segment)] = true;
+    for (AxisId id = static_cast<AxisId>(plant.axes.size()); id-- > 0;) // Children come later.
+        if (is_below[id] && plant.axes[id].parent_axis != kNone)
+            is_below[plant.axes[id].parent_axis] = true;
+    return is_below;
+}
+
+Plant sized_and_turned(Plant const& grown, PlantKey const& key, Individuality const& how)
+{
+    Random random({ key.seed, kWhole, key.plant_index });
+    double const scale = 1 + how.size * random.uniform(-1, 1);
+    double const turn_rad = how.turn * random.uniform() * 2 * kPi;
+    Plant plant = grown;
+    if (how.size > 0)
+        resize(plant, scale);
+    if (!(how.turn > 0))
+        return plant;
+    Plant turned;
+    append_part(turned, plant, { .turn = Quat(Eigen::AngleAxisd(turn_rad, Vec3::UnitZ())) });
+    return turned;
+}
+
+Plant individual(Plant const& grown, PlantKey const& key, Individuality const& how,
+                 std::vector<bool> const& kept)
+{
+    CHECK(kept.size() == grown.axes.size());
+    if (!(how.branches > 0))
+        return sized_and_turned(grown, key, how);
+    return sized_and_turned(other_branches(grown, key, how.branches, kept), key, how);
+}
+
+} // namespace tractus::variation

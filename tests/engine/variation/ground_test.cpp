@@ -1,0 +1,81 @@
+#include "engine/variation/ground.h"
+
+#include "engine/plant/join_axes.h"
+#include "engine/variation/growth.h"
+#include "tests/engine/stroke/strokes.h"
+#include "tests/engine/variation/plants.h"
+
+#include <gtest/gtest.h>
+
+namespace tractus::variation {
+namespace {
+
+// A trunk with a root below it and, at its top, a branch that bears a twig; a leaf on each of them.
+Plant rooted_plant()
+{
+    Plant plant;
+    plant.organ_shapes = { OrganShape {} };
+    add_axis(plant, straight({ 0, 0, 0 }, { 0, 0, 100 }, 2));
+    add_axis(plant, straight({ 0, 0, 50 }, { 150, 0, 50 }, 6), 0, 0);
+    add_axis(plant, straight({ 150, 0, 50 }, { 150, 40, 50 }, 2), 1, 7);
+    add_axis(plant, straight({ 0, 0, 0 }, { 60, 0, -80 }, 2)); // The root.
+    plant.organs = { Organ { .segment = 7, .position_mm = { 150, 0, 50 } },
+                     Organ { .segment = 11, .position_mm = { 60, 0, -80 } } };
+    return plant;
+}
+
+// The branch hangs straight down from half way along it.
+Plant hanging(Plant const& base)
+{
+    return grow({ .plant = base,
+                  .associations
+                  = { { .path = segments_of(base.axes[1]),
+                        .stroke = stroke_of({ { 0, 0, 0 }, { 75, 0, 0 }, { 75, 0, -75 } }),
+                        .laying = StrokeLaying::HeadingAndPitch } },
+                  .parameters = { .strength = 0 } })
+        .value();
+}
+
+TEST(Ground, CountsWhatStrokesHaveBentBelowItAndNotRoots)
+{
+    auto const base = rooted_plant();
+    EXPECT_TRUE(segments_underground(base, base).empty());
+    auto const bent = hanging(base);
+    // From 50 mm up, with 25 mm to a segment, the last of the branch, and the twig.
+    EXPECT_EQ(segments_underground(bent, base), (std::vector<SegmentId> { 7, 8, 9 }));
+    EXPECT_EQ(describe_underground(3, base), "3 of 12 segments are below the ground");
+    EXPECT_EQ(describe_underground(1, base), "1 of 12 segments is below the ground");
+    EXPECT_EQ(describe_underground(0, base), "");
+}
+
+TEST(Ground, BendsBranchesAlongItAndLeavesRoots)
+{
+    auto const base = rooted_plant();
+    auto const before = hanging(base);
+    auto bent = before;
+    bend_along_ground(bent, base);
+    check_plant(bent);
+    EXPECT_TRUE(segments_underground(bent, base).empty());
+    for (SegmentId segment = 0; segment < base.segment_count(); ++segment) {
+        auto const nodes = nodes_of(base, segment);
+        auto const length = [&](Plant const& plant) {
+            return (plant.node_position_mm[nodes.tip] - plant.node_position_mm[nodes.base]).norm();
+        };
+        EXPECT_NEAR(length(bent), length(base), 1e-9) << segment;
+    }
+    // The root and all that is above the ground stay, and their organs with them.
+    for (NodeId const node : { 0u, 1u, 2u, 3u, 4u, 5u, 6u, 13u, 14u, 15u })
+        EXPECT_EQ(bent.node_position_mm[node], before.node_position_mm[node]) << node;
+    EXPECT_EQ(bent.organs[1].position_mm, before.organs[1].position_mm);
+    // The tip lies on the ground with its underside; the leaf is on it still.
+    Vec3 const tip = bent.node_position_mm[9];
+    EXPECT_NEAR(tip.z(), bent.node_radius_mm[9], 1e-9);
+    EXPECT_LT((bent.organs[0].position_mm - tip).norm(), 1e-9);
+    // What stands above the ground is left to the last bit.
+    auto same = base;
+    bend_along_ground(same, base);
+    EXPECT_EQ(same.node_position_mm, base.node_position_mm);
+}
+
+} // namespace
+} // namespace tractus::variation
