@@ -7,7 +7,7 @@ TEST(ToolsCommand, ListsAllToolsOrOne)
 {
     auto const all = run({ "tools" });
     EXPECT_EQ(all.exit_code, 0) << all.err;
-    EXPECT_EQ(all.out.substr(0, 24), "draw_in_order  (key D)\n ");
+    EXPECT_EQ(all.out.substr(0, 38), "draw_in_order [chord|world]  (key D)\n ");
     auto const one = run({ "tools", "erase" });
     EXPECT_EQ(one.out.substr(0, 22), "erase [part]  (key E)\n");
 }

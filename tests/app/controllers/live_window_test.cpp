@@ -63,8 +63,10 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     auto const log = drivers::read_log(path).value();
     EXPECT_EQ(log.records.size(), 21u);
     EXPECT_EQ(log.records.back().size, 0u);
-    ASSERT_EQ(log.tools.size(), 1u);
-    EXPECT_EQ(log.tools[0].tool, "indicate");
+    ASSERT_EQ(log.tools.size(), 2u);
+    EXPECT_EQ(log.tools[0].tool, "draw_in_order");
+    EXPECT_EQ(log.tools[0].arguments, "heading") << "by which law it draws";
+    EXPECT_EQ(log.tools[1].tool, "indicate");
     EXPECT_TRUE(calib::parse_rig(log.rig_text, "log"));
     fs::remove(path);
 }
@@ -113,10 +115,11 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     EXPECT_EQ(drawn.growth.seed, 42u);
     ASSERT_EQ(drawn.associations.size(), 1u);
     auto const log = drivers::read_log(path).value();
-    ASSERT_EQ(log.tools.size(), 7u);
-    EXPECT_EQ(log.tools[0].tool, "step");
-    EXPECT_EQ(log.tools[3].tool, "undo");
-    EXPECT_EQ(log.tools[3].arguments, "1");
+    ASSERT_EQ(log.tools.size(), 8u);
+    EXPECT_EQ(log.tools[0].tool, "draw_in_order");
+    EXPECT_EQ(log.tools[1].tool, "step");
+    EXPECT_EQ(log.tools[4].tool, "undo");
+    EXPECT_EQ(log.tools[4].arguments, "1");
     station::ReplayOptions replay_options { .methods = methods::all_methods() };
     replay_options.height = calib::parse_height_scenario("0").value();
     auto const [counts, scene, strokes] = replayed(log, replay_options);
