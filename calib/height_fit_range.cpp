@@ -9,7 +9,7 @@ namespace tractus::calib {
 
 namespace {
 
-constexpr int kSteps = 100;
+constexpr int kRangeSteps = 100;
 constexpr double kLeastKnown_mm = 3; // A standard error beyond this says that a height is unknown.
 constexpr double kKnownInRulers = 5; // As many errors of the ruler are allowed where that is more.
 
@@ -25,8 +25,8 @@ std::optional<BrokenAt> find_break(HeightModel const& model, ReadingRange const&
     double const last_mm = height_mm(model, range.high).value_or(0);
     double const direction = last_mm > first_mm ? 1 : -1;
     std::optional<double> before_mm;
-    for (int step = 0; step <= kSteps; ++step) {
-        double const counts = range.low + range.width() * step / kSteps;
+    for (int step = 0; step <= kRangeSteps; ++step) {
+        double const counts = range.low + range.width() * step / kRangeSteps;
         auto const here_mm = height_mm(model, counts);
         if (!here_mm)
             return BrokenAt { .counts = counts };
@@ -68,8 +68,9 @@ Result<void> check_ends(HeightFit const& fit, HeightSpan const& span)
 Result<void> check_errors(HeightFit const& fit, double ruler_error_mm)
 {
     double const most_mm = std::max(kLeastKnown_mm, kKnownInRulers * ruler_error_mm);
-    for (int step = 0; step <= kSteps; ++step) {
-        double const counts = fit.low_counts + (fit.high_counts - fit.low_counts) * step / kSteps;
+    for (int step = 0; step <= kRangeSteps; ++step) {
+        double const counts
+            = fit.low_counts + (fit.high_counts - fit.low_counts) * step / kRangeSteps;
         double const error_mm = height_error_mm(fit, counts);
         if (!(error_mm <= most_mm))
             return fail(Fault::User,

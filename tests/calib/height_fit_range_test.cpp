@@ -12,10 +12,10 @@
 namespace tractus::calib {
 namespace {
 
-std::vector<double> const kFive { 0, 60, 160, 280, 400 };
+std::vector<double> const kFiveHeights_mm { 0, 60, 160, 280, 400 };
 
-std::vector<HeightCapture> captures_of(HeightModel const& sensor,
-                                       std::vector<double> const& heights_mm)
+std::vector<HeightCapture> exact_captures(HeightModel const& sensor,
+                                          std::vector<double> const& heights_mm)
 {
     std::vector<HeightCapture> captures;
     for (double const mm : heights_mm)
@@ -25,50 +25,50 @@ std::vector<HeightCapture> captures_of(HeightModel const& sensor,
     return captures;
 }
 
-std::string refusal_of(HeightFit const& fit, std::vector<HeightCapture> const& captures)
+std::string refused_range(HeightFit const& fit, std::vector<HeightCapture> const& captures)
 {
     auto const checked = check_range(fit, captures, {});
     return checked ? "" : checked.error().message;
 }
 
-StringHeight const kAslant {
+StringHeight const kAslantString {
     .mm_per_count = 0.15, .zero_length_mm = 100, .offset_mm = 120, .base_mm = 90
 };
 
 TEST(HeightFitRange, HasNothingAgainstAStringThatGoesOnBeyondTheCaptures)
 {
-    auto const captures = captures_of(kAslant, kFive);
-    EXPECT_EQ(refusal_of(fit_height(captures).value(), captures), "");
+    auto const captures = exact_captures(kAslantString, kFiveHeights_mm);
+    EXPECT_EQ(refused_range(fit_height(captures).value(), captures), "");
 }
 
 TEST(HeightFitRange, RefusesALawThatEndsLessThanATenthBeyondTheCaptures)
 {
-    auto const captures = captures_of(kAslant, kFive);
+    auto const captures = exact_captures(kAslantString, kFiveHeights_mm);
     auto fit = fit_height(captures, { .kind = HeightModelKind::String }).value();
     auto& string = std::get<StringHeight>(fit.model);
     string.base_mm = 39; // The law ends at -39 mm.
-    EXPECT_NE(refusal_of(fit, captures).find("law ends before -40 mm"), std::string::npos)
-        << refusal_of(fit, captures);
+    EXPECT_NE(refused_range(fit, captures).find("law ends before -40 mm"), std::string::npos)
+        << refused_range(fit, captures);
     string.base_mm = 41;
-    EXPECT_EQ(refusal_of(fit, captures), "");
+    EXPECT_EQ(refused_range(fit, captures), "");
 }
 
 TEST(HeightFitRange, RefusesALawThatHasNoHeightForACapture)
 {
-    auto const captures = captures_of(kAslant, kFive);
+    auto const captures = exact_captures(kAslantString, kFiveHeights_mm);
     auto fit = fit_height(captures, { .kind = HeightModelKind::String }).value();
     std::get<StringHeight>(fit.model).offset_mm = 170;
-    EXPECT_NE(refusal_of(fit, captures).find("ends at a reading of"), std::string::npos)
-        << refusal_of(fit, captures);
+    EXPECT_NE(refused_range(fit, captures).find("ends at a reading of"), std::string::npos)
+        << refused_range(fit, captures);
 }
 
 TEST(HeightFitRange, RefusesHeightsThatTheCapturesLeaveOpen)
 {
-    auto const captures = captures_of(kAslant, kFive);
+    auto const captures = exact_captures(kAslantString, kFiveHeights_mm);
     auto fit = fit_height(captures, { .kind = HeightModelKind::String }).value();
     fit.covariance *= 1e4;
-    EXPECT_NE(refusal_of(fit, captures).find("capture more heights near it"), std::string::npos)
-        << refusal_of(fit, captures);
+    EXPECT_NE(refused_range(fit, captures).find("capture more heights near it"), std::string::npos)
+        << refused_range(fit, captures);
 }
 
 // Heights of a rig over its calibrated range, and a tenth of their span beyond.
@@ -102,9 +102,9 @@ HeightModel random_sensor(std::mt19937_64& dice)
 }
 
 // By a ruler's error of 0.3 mm and a track that bends by a sine or two of a millimetre.
-std::vector<HeightCapture> measured(HeightModel const& sensor, std::mt19937_64& dice)
+std::vector<HeightCapture> measured_captures(HeightModel const& sensor, std::mt19937_64& dice)
 {
-    auto captures = captures_of(sensor, kFive);
+    auto captures = exact_captures(sensor, kFiveHeights_mm);
     std::normal_distribution<double> normal;
     double const first = 5 * normal(dice);
     double const second = 3 * normal(dice);
@@ -119,10 +119,10 @@ std::vector<HeightCapture> measured(HeightModel const& sensor, std::mt19937_64& 
 TEST(HeightFitRange, IsWholeInEveryRigThatIsKept)
 {
     int kept = 0;
-    constexpr unsigned kRigs = 60;
-    for (unsigned seed = 1; seed <= kRigs; ++seed) {
+    constexpr unsigned kDrawnRigs = 60;
+    for (unsigned seed = 1; seed <= kDrawnRigs; ++seed) {
         std::mt19937_64 dice(seed);
-        auto const captures = measured(random_sensor(dice), dice);
+        auto const captures = measured_captures(random_sensor(dice), dice);
         auto const fit = fit_height(captures);
         if (!fit || doubt_about(*fit, captures, {}) || !check_range(*fit, captures, {}))
             continue;
@@ -133,7 +133,7 @@ TEST(HeightFitRange, IsWholeInEveryRigThatIsKept)
         EXPECT_TRUE(has_all_heights(*again)) << "seed " << seed;
         ++kept;
     }
-    EXPECT_GE(kept, static_cast<int>(kRigs * 8 / 10)); // Captures so bent may well be doubted.
+    EXPECT_GE(kept, static_cast<int>(kDrawnRigs * 8 / 10)); // Captures so bent may well be doubted.
 }
 
 TEST(HeightFitRange, NothingIsWrittenThatNobodyCouldRead)
