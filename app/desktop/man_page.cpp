@@ -1,11 +1,13 @@
 #include "app/desktop/man_page.h"
 
+#include "app/options/examples.h"
 #include "app/options/help.h"
 
 #include <algorithm>
 #include <cctype>
 #include <fmt/core.h>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace tractus::desktop {
@@ -114,6 +116,21 @@ std::string entries(CLI::App const& command, char const* heading)
     return text;
 }
 
+// Examples of a command and of those below it.
+std::string example_section(CLI::App const& command)
+{
+    auto lines = options::examples_of(command);
+    for (auto const* each : commands_below(command))
+        for (auto& line : options::examples_of(*each))
+            lines.push_back(std::move(line));
+    if (lines.empty())
+        return {};
+    std::string text = ".SH EXAMPLES\n.nf\n";
+    for (auto const& line : lines)
+        text += escaped(line) + "\n";
+    return text + ".fi\n";
+}
+
 std::string upper_case(std::string text)
 {
     std::transform(text.begin(), text.end(), text.begin(),
@@ -170,7 +187,7 @@ std::string command_man_page(CLI::App const& command)
             text += ".PP\n" + paragraphs(each->get_footer());
         text += entries(*each, ".SS");
     }
-    return text + ".SH SEE ALSO\n.BR tractus (1)\n";
+    return text + example_section(command) + ".SH SEE ALSO\n.BR tractus (1)\n";
 }
 
 } // namespace tractus::desktop

@@ -1,5 +1,7 @@
 #include "app/options/help.h"
 
+#include "app/options/examples.h"
+
 #include <fmt/core.h>
 #include <set>
 #include <sstream>
@@ -89,6 +91,17 @@ std::string HelpFormatter::make_subcommand(CLI::App const* command) const
     std::stringstream out;
     CLI::detail::format_help(out, names, wrapped(command->get_description()), get_column_width());
     return out.str();
+}
+
+std::string HelpFormatter::make_footer(CLI::App const* command) const
+{
+    auto text = CLI::Formatter::make_footer(command);
+    auto const lines = examples_of(*command);
+    if (!lines.empty())
+        text += text.empty() ? "Examples:\n" : "\nExamples:\n";
+    for (auto const& line : lines)
+        text += "  " + line + "\n";
+    return text;
 }
 
 } // namespace tractus::options

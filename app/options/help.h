@@ -6,7 +6,7 @@
 namespace tractus::options {
 
 // How --help looks: one column of options, one of sentences, within 80 columns, with defaults and
-// what goes with what at the end of each sentence.
+// what goes with what at the end of each sentence; examples at the end of all.
 class HelpFormatter final : public CLI::Formatter {
 public:
     HelpFormatter();
@@ -14,6 +14,7 @@ public:
     std::string make_option_opts(CLI::Option const* option) const override;
     std::string make_option_desc(CLI::Option const* option) const override;
     std::string make_subcommand(CLI::App const* command) const override;
+    std::string make_footer(CLI::App const* command) const override;
 };
 
 // The name of an option's value, "PIXELS". CLI11 itself puts the value's type before what a check
