@@ -4,7 +4,7 @@ file(REMOVE_RECURSE ${PREFIX})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX}
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 foreach(file bin/tractus lib/udev/rules.d/70-tractus.rules share/tractus/models/shrub.l
-        share/tractus/demo/shrub.tractus-log)
+        share/tractus/habits/oak.habit share/tractus/demo/shrub.tractus-log)
     if(NOT EXISTS ${PREFIX}/${file})
         message(SEND_ERROR "${file} was not installed")
     endif()
