@@ -171,6 +171,7 @@ Result<void> grow_along(GrowingTree& tree, BrushSweep const& sweep, Habit const&
             surroundings.region = Region { ball.centre, ball.radius + laws.perception_radius };
         TRY(grow_step(tree, surroundings, laws));
     }
+    tree.is_brushed = true;
     auto const laws = laws_in_year(habit, tree.step);
     set_wood(tree, diameters(tree, laws), sag_laws(habit));
     return {};

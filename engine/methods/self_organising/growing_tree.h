@@ -47,6 +47,7 @@ struct GrowingTree {
     std::vector<double> dead_wood; // One per node: sum of d^e over the branches shed there.
     std::vector<Vec3> bent_by; // One per node: the moment, kg mm, that its bend is set by (sag.h).
     std::uint16_t step = 0;    // How many steps it has grown.
+    bool is_brushed = false; // A brush led its last steps: twigs that found no more space live on.
 
     std::size_t size() const { return links.size(); }
     std::span<Lateral const> laterals_of(std::size_t node) const

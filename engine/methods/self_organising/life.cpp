@@ -26,6 +26,7 @@ Result<StepCount> grow_year(GrowingTree& tree, Surroundings& surroundings, Habit
         highest = std::max(highest, place.position.z());
     laws.ground = ground + habit.clear_share * (highest - ground);
     auto const count = TRY(grow_step(tree, surroundings, laws));
+    tree.is_brushed = false;
     sag(tree, diameters(tree, laws), sag_laws(habit));
     return count;
 }

@@ -42,7 +42,7 @@ public:
                     add_axis(i, lateral.node);
         name_axes();
         for (std::uint32_t i = 1; i < tree_.size(); ++i)
-            if (tree_.step - tree_.links[i].step < habit_.leaf_years)
+            if (is_leafy(i))
                 add_leaves(i);
         return std::move(made_);
     }
@@ -136,6 +136,14 @@ private:
             if (key != 0 && known_keys_.insert(key).second)
                 return key;
         }
+    }
+
+    bool is_leafy(std::uint32_t node) const
+    {
+        constexpr double kRounding = 1.0001;
+        bool const is_twig = diameters_[node] <= habit_.twig_mm * kRounding;
+        return tree_.step - tree_.links[node].step < habit_.leaf_years
+            || (tree_.is_brushed && is_twig && habit_.leaf_years > 0);
     }
 
     // Leaves stand along the internode, by the divergence of the axis.

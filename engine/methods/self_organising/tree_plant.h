@@ -14,8 +14,8 @@ struct TreePlant {
 };
 
 // A grown tree as a plant, in millimetres from its base: wood, and leaves on the shoots of the last
-// Habit::leaf_years. The plant passes check_plant(); it has no axes where the tree has no
-// internodes. `seed` decides how leaves differ.
+// Habit::leaf_years, and on all twigs where a brush has led it. The plant passes check_plant(); it
+// has no axes where the tree has no internodes. `seed` decides how leaves differ.
 TreePlant plant_of(GrowingTree const& tree, Habit const& habit, std::uint64_t seed);
 
 } // namespace tractus::self_organising

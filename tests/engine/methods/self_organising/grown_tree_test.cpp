@@ -106,6 +106,21 @@ TEST(GrownTree, StandsWhereTheBrushCameDown)
     EXPECT_LT(box.max_mm.z(), 2500);
 }
 
+TEST(GrownTree, BearsLeavesOnAllItsTwigsUnderTheBrush)
+{
+    auto const scene = after({ along_stroke() });
+    std::set<SegmentId> leafy;
+    for (auto const& organ : scene.base->organs)
+        leafy.insert(organ.segment);
+    for (auto const& axis : scene.base->axes)
+        EXPECT_TRUE(leafy.contains(axis.first_segment + axis.segment_count - 1)
+                    || std::any_of(scene.base->axes.begin(), scene.base->axes.end(),
+                                   [&](Axis const& other) {
+                                       return other.parent_segment
+                                           == axis.first_segment + axis.segment_count - 1;
+                                   }));
+}
+
 TEST(GrownTree, IsTheSameOnOneThread)
 {
     for (auto const& edit : { by_itself(), along_stroke() }) {
