@@ -74,6 +74,18 @@ static Report print_stems(std::span<MeasuredStem const> stems)
     return list;
 }
 
+static Report print_roles(LineDrawing const& drawing)
+{
+    Report list = Report::array();
+    for (std::size_t i = 0; i < drawing.roles.size(); ++i) {
+        if (auto const line = drawing.lines_of_strokes[i])
+            list.push_back({ { "role", drawing.roles[i] }, { "of", *line + 1 } });
+        else
+            list.push_back(drawing.roles[i]);
+    }
+    return list;
+}
+
 std::string print_report(std::span<MeasuredStem const> stems, Plant const& plant,
                          LineDrawing const& drawing)
 {
@@ -90,8 +102,12 @@ std::string print_report(std::span<MeasuredStem const> stems, Plant const& plant
     report["notes"] = notes;
     if (stems.size() > 1)
         report["stems"] = print_stems(stems);
-    if (!drawing.roles.empty())
-        report["roles"] = drawing.roles;
+    if (!drawing.roles.empty()) {
+        report["roles"] = print_roles(drawing);
+        report["unplaced"] = Report::array();
+        for (auto const stroke : drawing.unplaced)
+            report["unplaced"].push_back(stroke + 1);
+    }
     if (!drawing.roles.empty() && stems.size() > 1)
         for (auto const stem : drawing.stems_of_strokes)
             report["stroke_stems"].push_back(stem + 1);

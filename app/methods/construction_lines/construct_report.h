@@ -21,7 +21,11 @@ namespace tractus::lines {
 //                the right.
 //   leaf_tips    [[u, v, w], …]: where the plant that the model gives has its organs' tips,
 //                millimetres in the sketch, node after node
-//   roles        what strokes were taken for, in their order, if they did not say so
+//   roles        what strokes were taken for, in their order, if they did not say so: "stem",
+//                "left", "right", "inclination", "half inclination", "outline" (both boundaries),
+//                "around" or "unsure"; of a stroke that makes a line with an earlier one, as a
+//                piece or a correction of it, {"role": "left", "of": 2}, that one's number from 1
+//   unplaced     [N, …]: the numbers, from 1, of strokes that are no line of the sketch
 //   notes        what had to be guessed
 //
 // A plant of several stems has the first five members of its first stem, and besides:

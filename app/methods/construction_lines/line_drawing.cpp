@@ -3,6 +3,7 @@
 #include "app/methods/construction_lines/organ_library.h"
 #include "engine/methods/construction_lines/around_stem.h"
 #include "engine/methods/construction_lines/capture_line.h"
+#include "engine/methods/construction_lines/explain_sketch.h"
 #include "engine/methods/construction_lines/recognise_stems.h"
 #include "engine/stroke/polyline.h"
 
@@ -54,56 +55,148 @@ void add_stem(std::vector<StemLines>& stems, LineSketch sketch)
     stems.push_back({ .sketch = std::move(sketch), .parent = parent });
 }
 
-std::string note_of(RecognisedLine const& line, std::size_t number)
-{
-    if (line.role == Role::Unsure)
-        return fmt::format("stroke {} is left out: {}", number, line.reason);
-    return fmt::format("stroke {} is drawn in place of stroke {}: {}", number, *line.replaces + 1,
-                       name_of(line.role));
-}
+// Reads the strokes of a file.
+class StrokeReader {
+public:
+    StrokeReader(LineSketchFile const& file, Smoothing smoothing)
+        : file_(file)
+        , smoothing_(smoothing)
+    {
+    }
 
-Result<LineDrawing> recognise_strokes(LineSketchFile const& file, Smoothing smoothing)
-{
-    std::size_t point_count = 0;
-    for (auto const& stroke : file.strokes)
-        point_count += stroke.size();
-    TRY(check_point_count(point_count));
-    StemRecogniser recogniser;
-    LineDrawing drawing;
-    std::vector<Vec3> stem_before; // With whose length the next strokes' depths are compared.
-    std::vector<std::vector<int>> nodes_of_stems { file.sketch.nodes_per_layer };
-    for (auto const& stroke : file.strokes) {
-        auto const number = drawing.roles.size() + 1;
-        auto points = without_repeats(stroke);
-        if (points.size() < 2)
-            return fail(Fault::User, fmt::format("stroke {} is only a dot: leave it out", number));
-        if (smoothing == Smoothing::Hand)
-            points = without_repeats(capture_line(points));
-        auto const stem = file.stem_strokes.find(number - 1);
-        auto says = StemRecogniser::Says::Nothing;
-        if (stem != file.stem_strokes.end())
-            says = StemRecogniser::Says::AnotherStem;
-        else if (depth_of(points, stem_before) > kFlat)
-            says = StemRecogniser::Says::InSpace;
-        auto const& known = recogniser.add(points, says);
-        if (known.line.role == Role::Stem)
-            stem_before = points;
-        if (stem != file.stem_strokes.end()) {
-            nodes_of_stems.resize(known.stem + 1);
-            nodes_of_stems[known.stem] = stem->second;
+    Result<LineDrawing> read()
+    {
+        std::size_t point_count = 0;
+        for (auto const& stroke : file_.strokes)
+            point_count += stroke.size();
+        TRY(check_point_count(point_count));
+        auto const count = file_.strokes.size();
+        drawing_.roles.assign(count, name_of(Role::Unsure));
+        drawing_.stems_of_strokes.assign(count, 0);
+        drawing_.lines_of_strokes.assign(count, std::nullopt);
+        TRY(find_stems());
+        drawing_.stems = recogniser_.stems();
+        for (std::size_t i = 0; i < drawing_.stems.size(); ++i)
+            explain(i);
+        std::sort(drawing_.unplaced.begin(), drawing_.unplaced.end());
+        return std::move(drawing_);
+    }
+
+private:
+    // To which stem each stroke belongs, and which of them are in space.
+    Result<void> find_stems()
+    {
+        std::vector<Vec3> stem_before; // With whose length the next strokes' depths are compared.
+        nodes_of_stems_ = { file_.sketch.nodes_per_layer };
+        for (std::size_t i = 0; i < file_.strokes.size(); ++i) {
+            auto points = without_repeats(file_.strokes[i]);
+            if (points.size() < 2) {
+                leave_out(i, "it is only a dot");
+                continue;
+            }
+            auto const stem = file_.stem_strokes.find(i);
+            auto says = StemRecogniser::Says::Nothing;
+            if (stem != file_.stem_strokes.end())
+                says = StemRecogniser::Says::AnotherStem;
+            else if (depth_of(points, stem_before) > kFlat)
+                says = StemRecogniser::Says::InSpace;
+            auto const& known = recogniser_.add(points, says);
+            if (known.line.role == Role::Stem)
+                stem_before = points;
+            if (stem != file_.stem_strokes.end()) {
+                nodes_of_stems_.resize(known.stem + 1);
+                nodes_of_stems_[known.stem] = stem->second;
+            }
+            drawing_.stems_of_strokes[i] = known.stem;
+            placed_.push_back({ i, std::move(points), known });
         }
-        drawing.roles.push_back(name_of(known.line.role));
-        drawing.stems_of_strokes.push_back(known.stem);
-        if (known.line.role == Role::Unsure || known.line.replaces)
-            drawing.notes.push_back(note_of(known.line, number));
+        if (placed_.empty())
+            return fail(Fault::User, "stroke 1 is only a dot: leave it out");
+        return {};
     }
-    drawing.stems = recogniser.stems();
-    for (std::size_t i = 0; i < drawing.stems.size(); ++i) {
-        drawing.stems[i].sketch.nodes_per_layer = nodes_of_stems[i];
-        drawing.stems[i].sketch.organs_per_layer = file.layers;
+
+    void leave_out(std::size_t stroke, std::string const& reason)
+    {
+        drawing_.unplaced.push_back(stroke);
+        drawing_.notes.push_back(fmt::format("stroke {} is left out: {}", stroke + 1, reason));
     }
-    return drawing;
-}
+
+    // All strokes of a stem together.
+    void explain(std::size_t stem)
+    {
+        std::vector<StrokeToExplain> strokes;
+        std::vector<std::size_t> numbers;
+        bool const is_one_of_several = drawing_.stems.size() > 1;
+        for (auto const& [number, points, known] : placed_) {
+            if (known.stem != stem)
+                continue;
+            StrokeToExplain stroke { .points = points,
+                                     .is_by_hand = smoothing_ == Smoothing::Hand };
+            if (known.line.role == Role::Around
+                || (is_one_of_several && known.line.role == Role::Stem))
+                stroke.said = known.line.role;
+            strokes.push_back(std::move(stroke));
+            numbers.push_back(number);
+        }
+        auto explanation = std::move(explain_sketch(strokes).front());
+        for (std::size_t i = 0; i < strokes.size(); ++i)
+            name(numbers, explanation.strokes[i], numbers[i]);
+        auto& sketch = drawing_.stems[stem].sketch;
+        sketch = std::move(explanation.sketch);
+        sketch.organs_per_layer = file_.layers;
+        sketch.nodes_per_layer = nodes_for(sketch, stem);
+    }
+
+    void name(std::vector<std::size_t> const& numbers, ExplainedStroke const& stroke,
+              std::size_t number)
+    {
+        drawing_.roles[number] = name_of(stroke.role);
+        if (stroke.role == Role::Unsure)
+            return leave_out(number, stroke.reason);
+        if (stroke.is_turned_round)
+            drawing_.notes.push_back(fmt::format(
+                "stroke {} was drawn from the stem's top: it is turned round", number + 1));
+        if (!stroke.of)
+            return;
+        auto const first = numbers[*stroke.of];
+        drawing_.lines_of_strokes[number] = first;
+        drawing_.notes.push_back(fmt::format("stroke {} is a part of the line of stroke {}: {}",
+                                             number + 1, first + 1, name_of(stroke.role)));
+    }
+
+    // One for each layer: who draws strokes cannot know how many layers they make.
+    std::vector<int> nodes_for(LineSketch const& sketch, std::size_t stem)
+    {
+        constexpr int kNodes = 8; // As a pen draws them.
+        auto const& given = nodes_of_stems_[stem];
+        auto const layers = std::max<std::size_t>(2, sketch.inclinations.size()) - 1;
+        if (given.empty())
+            return std::vector<int>(layers, kNodes);
+        if (given.size() == layers)
+            return given;
+        std::vector<int> nodes;
+        for (std::size_t i = 0; i < layers; ++i)
+            nodes.push_back(given[std::min(i, given.size() - 1)]);
+        drawing_.notes.push_back(
+            fmt::format("the strokes make {} layers, and there are numbers of nodes for {}: the "
+                        "layers have {} from below",
+                        layers, given.size(), fmt::join(nodes, ", ")));
+        return nodes;
+    }
+
+    struct Placed {
+        std::size_t number = 0;
+        std::vector<Vec3> points;
+        KnownLine known {};
+    };
+
+    LineSketchFile const& file_;
+    Smoothing smoothing_;
+    StemRecogniser recogniser_;
+    LineDrawing drawing_;
+    std::vector<Placed> placed_;
+    std::vector<std::vector<int>> nodes_of_stems_;
+};
 
 namespace fs = std::filesystem;
 
@@ -193,7 +286,7 @@ Result<ComposedSketch> load_composed(fs::path const& path, LineSketchFile const&
 Result<LineDrawing> prepare_drawing(LineSketchFile const& file, Smoothing smoothing)
 {
     if (!file.strokes.empty())
-        return recognise_strokes(file, smoothing);
+        return StrokeReader(file, smoothing).read();
     LineDrawing drawing;
     auto const add = [&](LineSketch const& sketch) {
         add_stem(drawing.stems, smoothing == Smoothing::Hand ? captured(sketch) : sketch);

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,16 @@ struct LineDrawing {
     std::vector<StemLines> stems;
     std::vector<std::string> roles; // Of strokes that did not say what they are, in their order,
     std::vector<std::size_t> stems_of_strokes; // and the number of the stem of each.
+    // Of each the first stroke of the line that both make, or in whose place it stands; no value:
+    // it makes a line by itself.
+    std::vector<std::optional<std::size_t>> lines_of_strokes;
+    // Strokes that are no line of the sketch, in order.
+    std::vector<std::size_t> unplaced;
     std::vector<std::string> notes; // Strokes that do not count, and why; a sentence each.
 };
 
-// Fails, as the user's fault, for a stroke that is only a dot.
+// Strokes are explained together (explain_sketch.h), those of several stems stem by stem. Fails, as
+// the user's fault, where all strokes are only dots.
 Result<LineDrawing> prepare_drawing(LineSketchFile const& file, Smoothing smoothing);
 
 // The sketch of a file with those that its organs are, whose files are read, too. `stems` are the

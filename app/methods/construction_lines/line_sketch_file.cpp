@@ -172,6 +172,8 @@ Result<void> read_stems(json const& file, LineSketchFile& result)
 
 Result<void> read_first_nodes(json const& file, LineSketch& sketch)
 {
+    if (!has_value(file, "nodes_per_layer") && has_value(file, "strokes"))
+        return {}; // As many as a pen's lines have.
     if (!has_value(file, "nodes_per_layer"))
         return fail(Fault::User,
                     "nodes_per_layer is missing: give the number of nodes of each layer "

@@ -18,8 +18,8 @@ using scene::name_of; // Of items.
 namespace {
 
 // In the order of the enumeration's values.
-constexpr std::array kRoles { "stem",   "left",  "right", "inclination", "half_inclination",
-                              "unsure", "around" };
+constexpr std::array kRoles { "stem",   "left",   "right",  "inclination", "half_inclination",
+                              "unsure", "around", "outline" };
 
 Result<void> check_nodes(int nodes)
 {

@@ -137,6 +137,8 @@ std::string name_of(Role role)
         return "half inclination";
     case Role::Around:
         return "around";
+    case Role::Outline:
+        return "outline";
     case Role::Unsure:
         break;
     }

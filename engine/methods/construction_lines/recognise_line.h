@@ -19,6 +19,7 @@ enum class Role {
     HalfInclination, // From the stem to one side: counts on both until its other half is drawn.
     Unsure,          // None of them: it has no effect until somebody says what it is.
     Around,          // A boundary in space, at its azimuth around the stem.
+    Outline,         // Both boundaries in one stroke, around the stem's top (explain_sketch.h).
 };
 
 // The role's word, in small letters.

@@ -26,6 +26,7 @@ Rank rank_of(RecognisedLine const& line)
     case Role::HalfInclination:
         return Rank::AtStem;
     case Role::Unsure:
+    case Role::Outline: // One by one no stroke is taken for both.
         break;
     }
     return Rank::Unknown;

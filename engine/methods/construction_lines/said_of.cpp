@@ -34,6 +34,8 @@ std::string what_it_is(Role role)
         return "half an inclination line";
     case Role::Around:
         return "a boundary in space";
+    case Role::Outline:
+        return "the outline, which is both boundaries";
     case Role::Unsure:
         break;
     }

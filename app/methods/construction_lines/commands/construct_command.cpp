@@ -62,7 +62,9 @@ using Stems = std::vector<lines::MeasuredStem>;
 
 Result<Stems> measure(ConstructArguments const& arguments, lines::LineDrawing const& drawing)
 {
-    auto result = TRY(lines::measure_stems(drawing.stems));
+    // Of strokes what there is makes a plant.
+    auto const missing = drawing.roles.empty() ? lines::Missing::Refused : lines::Missing::Guessed;
+    auto result = TRY(lines::measure_stems(drawing.stems, missing));
     for (auto const& notes : { drawing.notes, lines::notes_of(result) })
         for (auto const& note : notes)
             terminal::print_warning(fmt::format("{}: {}", arguments.sketch.string(), note));
@@ -249,6 +251,8 @@ void add_construct_command(CLI::App& root, options::Action& action, tools::Metho
         "\"left\", \"right\", \"midrib\", \"section\", \"color\" and \"texture\", the name of a "
         "PNG "
         "file;\n"
+        "\"strokes\": in place of all lines, what was drawn, in any order, pieces and corrections "
+        "too;\n"
         "\"stems\": more stems of the "
         "plant, objects of \"stem\" and, if what grows "
         "on the "
