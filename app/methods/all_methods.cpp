@@ -122,9 +122,9 @@ std::vector<scene::EditKind const*> edit_kinds()
     all.insert(all.end(),
                { &lines::AddLine::kKind, &lines::SetLayerNodes::kKind,
                  &lines::SetLinePattern::kKind, &lines::SetLineRole::kKind,
-                 &lines::RedrawLine::kKind, &lines::BendStem::kKind, &lines::DrawOrgan::kKind,
-                 &lines::SetLayerOrgan::kKind, &lines::EraseLine::kKind, &lines::BringOrgan::kKind,
-                 &lines::PaintOrgan::kKind });
+                 &lines::RedrawLine::kKind, &lines::BendStem::kKind, &lines::TurnLine::kKind,
+                 &lines::DrawOrgan::kKind, &lines::SetLayerOrgan::kKind, &lines::EraseLine::kKind,
+                 &lines::BringOrgan::kKind, &lines::PaintOrgan::kKind });
     all.insert(all.end(),
                { &leaf::AddLeafLine::kKind, &leaf::EraseLeafLine::kKind, &leaf::FormLeaf::kKind });
     all.insert(all.end(),

@@ -12,7 +12,7 @@ namespace {
 
 using enum lines::Role;
 
-constexpr std::array<tools::OptionWord, 7> kRoleWords { {
+constexpr std::array<tools::OptionWord, 9> kRoleWords { {
     { "inclination", "It is an inclination" },
     { "half", "Half of one" },
     { "left", "Left" },
@@ -20,15 +20,21 @@ constexpr std::array<tools::OptionWord, 7> kRoleWords { {
     { "around", "Around" },
     { "stem", "Stem" },
     { "none", "No line" },
+    { "outline", "Outline" },
+    { "turned", "Turn round" },
 } };
-constexpr std::array kRoles { Inclination, HalfInclination, Left, Right, Around, Stem, Unsure };
+constexpr std::array kRoles { Inclination, HalfInclination, Left,   Right, Around,
+                              Stem,        Unsure,          Outline };
+constexpr int kTurned = 8; // Behind the roles.
+static_assert(kRoles.size() == kTurned && kRoleWords.size() == kTurned + 1);
 
 void visit(tools::OptionVisitor& visitor, LineRoleTool& tool)
 {
     auto const* const found = std::find(kRoles.begin(), kRoles.end(), tool.role);
-    int number = static_cast<int>(found - kRoles.begin());
+    int number = tool.turn_round ? kTurned : static_cast<int>(found - kRoles.begin());
     visitor.word({ kRoleWords, tools::WordOption::Offered::InHand }, number);
-    tool.role = kRoles[static_cast<std::size_t>(number)];
+    tool.turn_round = number == kTurned;
+    tool.role = tool.turn_round ? LineRoleTool().role : kRoles[static_cast<std::size_t>(number)];
 }
 
 Result<std::vector<scene::Edit>> set_role(tools::Tool const& tool, Stroke const& stroke,
@@ -38,8 +44,10 @@ Result<std::vector<scene::Edit>> set_role(tools::Tool const& tool, Stroke const&
     auto const line = lines::line_at(active.sketch, touched_mm(active, stroke));
     if (!line)
         return fail(Fault::User, "there is no construction line here: touch one of the sketch");
-    return std::vector<scene::Edit> { lines::SetLineRole { active.plant, *line,
-                                                           tool.get<LineRoleTool>()->role } };
+    auto const& options = *tool.get<LineRoleTool>();
+    if (options.turn_round)
+        return std::vector<scene::Edit> { lines::TurnLine { active.plant, *line } };
+    return std::vector<scene::Edit> { lines::SetLineRole { active.plant, *line, options.role } };
 }
 
 } // namespace
@@ -49,7 +57,9 @@ constexpr tools::ToolKind LineRoleTool::kKind {
     .label = "What a line is",
     .title = "Say what a line is",
     .done = "The line is what you say",
-    .help = "says what the line of a sketch under the stroke's end is",
+    .help
+    = "says what the line of a sketch under the stroke's end is, or turns it round: of a stem top "
+      "and foot are exchanged",
     .group = "Sketch",
     .method = "From lines",
     .begins_group_of_buttons = true,

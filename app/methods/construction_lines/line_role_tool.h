@@ -10,6 +10,7 @@ struct LineRoleTool {
     static tools::ToolKind const kKind;
 
     lines::Role role = lines::Role::Inclination;
+    bool turn_round = false; // Instead of a role the line gets the other direction.
 };
 
 } // namespace tractus::lines

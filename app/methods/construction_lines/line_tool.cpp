@@ -34,6 +34,12 @@ constexpr std::array<tools::OptionWord, 3> kDepthWords { {
     { "pressure", "pressure, stem" },
 } };
 
+// In the order of lines::Reading. Logs of before lines were read together do not say it.
+constexpr std::array<tools::OptionWord, 2> kReadingWords { {
+    { "one_by_one", "one by one" },
+    { "together", "together" },
+} };
+
 void visit(tools::OptionVisitor& visitor, LineTool& tool)
 {
     visitor.choice({ kPlantWords }, tool.plant);
@@ -41,6 +47,9 @@ void visit(tools::OptionVisitor& visitor, LineTool& tool)
     visitor.choice(
         { .words = kDepthWords, .offered = tools::WordOption::Offered::InTurn, .label = "Depth" },
         tool.depth_by);
+    visitor.choice(
+        { .words = kReadingWords, .offered = tools::WordOption::Offered::InTurn, .label = "Read" },
+        tool.reading);
     visitor.number({ "nodes", "", 0, lines::kMostNodesInLayer, 1, "Nodes" }, tool.nodes);
     visitor.number({ "divergence", "degrees", -360, 360, 0.5, "Divergence" }, tool.divergence_deg);
     visitor.number({ "organs", "", 2, 24, 1, "Organs" }, tool.organs);
@@ -70,6 +79,7 @@ lines::AddLine line_drawn(LineTool const& tool, Stroke const& stroke, scene::Sce
     lines::AddLine edit;
     edit.stroke = stroke;
     edit.depth_by = tool.depth_by;
+    edit.reading = tool.reading;
     edit.nodes = static_cast<int>(std::lround(tool.nodes));
     edit.pattern = pattern_of(tool);
     if (tool.plant != LineTool::Plant::NewStem && lines::active_pen_sketch(scene.state)) {
@@ -104,7 +114,8 @@ constexpr tools::ToolKind LineTool::kKind {
       "layer between two inclination lines has so many nodes, and a plant that begins has "
       "this pattern, with a divergence in degrees of spirals and so many organs of whorls; by "
       "the surface's height the stem has a depth and a boundary is in space, else the stem "
-      "alone has one, or has it by the pen's pressure",
+      "alone has one, or has it by the pen's pressure; lines are read together, so that pieces, "
+      "corrections and outlines count, or one by one as they come",
     .group = "Sketch",
     .method = "From lines",
     .icon = "5951 292351 898351 245684",

@@ -17,6 +17,7 @@ struct LineTool {
     };
     Plant plant = Plant::GoOn;
     lines::DepthBy depth_by = lines::DepthBy::Height;
+    lines::Reading reading = lines::Reading::Together;
     double nodes = 8; // In the layer above the line.
     // Of a plant that begins.
     lines::Pattern::Kind pattern = lines::Pattern::Kind::Distichous;

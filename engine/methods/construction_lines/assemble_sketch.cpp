@@ -103,7 +103,7 @@ public:
             name(i);
         for (std::size_t i = 0; i < parts_.size(); ++i)
             if (strokes_[i].said == Role::Around)
-                result_.sketch.around.push_back(strokes_[i].points);
+                result_.sketch.around.push_back(lines_[i]);
         check_lines();
         return std::move(result_);
     }
@@ -311,11 +311,10 @@ private:
             auto& left = is_left ? half : rest;
             auto& right = is_left ? rest : half;
             Polyline line(left.rbegin(), left.rend());
-            if (is_half(across)) { // They begin beside the stem, as far apart as the hand was.
-                Vec2 const foot = axis_.point((across.at + other->at) / 2);
-                line.emplace_back(foot.x(), foot.y(), 0);
+            if (is_half(across)) // They begin beside the stem, as far apart as the hand was.
                 across.at = (across.at + other->at) / 2;
-            }
+            Vec2 const foot = axis_.point(across.at);
+            line.emplace_back(foot.x(), foot.y(), 0);
             line.insert(line.end(), right.begin(), right.end());
             if (!is_half(across))
                 result_.strokes[other->made.strokes.front()].of = across.made.strokes.front();
@@ -340,6 +339,15 @@ private:
     // A line that crosses the stem once: it goes straight where it crosses back and forth.
     Polyline whole(Across const& across) const
     {
+        int changes = 0;
+        double side = 0;
+        for (auto const& point : across.made.line) {
+            double const now = beside(point);
+            changes += side * now < 0 ? 1 : 0;
+            side = now == 0 ? side : now;
+        }
+        if (changes < 2)
+            return across.made.line;
         auto const left = half_of(across.made.line, Across::Reach::Left);
         auto const right = half_of(across.made.line, Across::Reach::Right);
         Polyline line(left.rbegin(), left.rend());

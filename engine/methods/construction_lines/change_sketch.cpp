@@ -1,6 +1,7 @@
 #include "engine/methods/construction_lines/change_sketch.h"
 
 #include "engine/methods/construction_lines/line_edits.h"
+#include "engine/methods/construction_lines/read_pen_sketch.h"
 #include "engine/scene/edit.h"
 
 #include <algorithm>
@@ -11,8 +12,14 @@
 
 namespace tractus::lines {
 
-static Vec2 begin_on_sheet(SketchLine const& line)
+Vec2 foot_on_sheet(PenSketch const& sketch)
 {
+    // A stem that is read together may be turned round, corrected, and have hooks.
+    if (is_read_together(sketch))
+        if (auto const reading = read_pen_sketch(sketch); reading && !reading->stems.empty())
+            if (auto const& stem = reading->stems.front().sketch.stem; !stem.empty())
+                return stem.front().head<2>();
+    auto const& line = first_stem(sketch);
     return line.sheet.on_sheet(begin_on_tablet(line));
 }
 
@@ -49,9 +56,9 @@ void put_sketch(scene::DocumentState& state, FoundSketch found)
 {
     auto const& before = *state.plants[found.number];
     auto const sheet = sheet_of(before, state.scale);
-    auto const& stem = first_stem(found.sketch);
-    bool const is_other = stem.id != first_stem(*pen_sketch(before)).id;
-    Vec2 const foot_mm = sheet.on_tablet(begin_on_sheet(stem));
+    bool const is_other = is_read_together(found.sketch)
+        || first_stem(found.sketch).id != first_stem(*pen_sketch(before)).id;
+    Vec2 const foot_mm = sheet.on_tablet(foot_on_sheet(found.sketch));
     scene::change_plant(state, found.number, [&](scene::PlantState& plant) {
         if (is_other && plant.paper_mm) {
             plant.stands_at_mm.x() += foot_mm.x() - plant.paper_mm->x();
@@ -119,7 +126,7 @@ SheetPlacement sheet_of(scene::PlantState const& plant, std::optional<double> sc
 {
     auto const& sketch = *pen_sketch(plant);
     double const size = sketch.scale / scale.value_or(sketch.scale);
-    Vec2 const foot_mm = begin_on_sheet(first_stem(sketch));
+    Vec2 const foot_mm = foot_on_sheet(sketch);
     return { foot_mm - size * plant.paper_mm.value_or(foot_mm), size };
 }
 

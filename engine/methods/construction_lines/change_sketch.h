@@ -30,6 +30,9 @@ Result<SketchLine*> find_layer(PenSketch& sketch, scene::ItemId line);
 // Where the pen came down for a line, on the tablet then.
 Vec2 begin_on_tablet(SketchLine const& line);
 
+// Where the foot of the first stem is.
+Vec2 foot_on_sheet(PenSketch const& sketch);
+
 void list(scene::Fields& fields, Pattern& pattern);
 
 // Fails, as the user's fault, for numbers out of their range.

@@ -2,6 +2,7 @@
 
 #include "engine/methods/construction_lines/change_sketch.h"
 #include "engine/methods/construction_lines/line_edits.h"
+#include "engine/methods/construction_lines/read_pen_sketch.h"
 #include "engine/scene/make_edit_kind.h"
 
 #include <algorithm>
@@ -81,6 +82,16 @@ Result<PenSketch> without_organ_line(PenSketch sketch, SketchOrgan organ, scene:
     return sketch;
 }
 
+// Of a stem that several lines have made.
+bool is_piece_of_stem(PenSketch const& sketch, SketchLine const& line)
+{
+    auto const count
+        = std::count_if(sketch.lines.begin(), sketch.lines.end(), [&](SketchLine const& each) {
+              return each.role == Role::Stem && each.stem == line.stem;
+          });
+    return is_read_together(sketch) && count > 1;
+}
+
 void list(scene::Fields& fields, EraseLine& edit)
 {
     fields.field("plant", &edit.plant);
@@ -118,11 +129,12 @@ Result<PenSketch> without_line(PenSketch sketch, scene::ItemId line)
     } else if (!found) {
         return fail(Fault::User,
                     fmt::format("the sketch has no line {} any more", scene::name_of(line)));
-    } else if (found->role == Role::Stem) {
+    } else if (found->role == Role::Stem && !is_piece_of_stem(sketch, *found)) {
         sketch = TRY(without_stem(sketch, found->stem));
     } else {
         std::erase_if(sketch.lines, [&](SketchLine const& each) { return each.id == line; });
     }
+    sketch = TRY(with_roles_read(std::move(sketch)));
     TRY(model_of(sketch));
     return sketch;
 }

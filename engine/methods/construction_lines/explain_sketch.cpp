@@ -152,6 +152,7 @@ private:
     {
         double best_junction = 0;
         double clash = 0;
+        bool is_loose = false; // A part drawn again leaves the line and meets it.
         for (std::size_t k = 0; k < parts_.size(); ++k) {
             if (k == i)
                 continue;
@@ -161,10 +162,23 @@ private:
                 double const overlap = std::min(lies_[i].highest, lies_[k].highest)
                     - std::max(lies_[i].lowest, lies_[k].lowest);
                 clash = std::max(clash, overlap);
+                double const range = lies_[i].highest - lies_[i].lowest;
+                is_loose = is_loose
+                    || (range < 0.5 * (lies_[k].highest - lies_[k].lowest) && overlap > 0.7 * range
+                        && !meets(lies_[i].first(), lies_[k]) && !meets(lies_[i].last(), lies_[k]));
             }
         }
         // What is drawn twice is the rarer the less it is a correction.
-        return 0.35 * std::clamp(clash / 0.5, 0.0, 1.0) - 0.5 * best_junction;
+        return 0.35 * std::clamp(clash / 0.5, 0.0, 1.0) + (is_loose ? 0.8 : 0)
+            - (0.8 + 2 * small_piece(lies_[i])) * best_junction;
+    }
+
+    static bool meets(StemAxis::Place const& end, StrokeLie const& line)
+    {
+        constexpr double kNear = 0.08;
+        return std::any_of(line.places.begin(), line.places.end(), [&](StemAxis::Place const& at) {
+            return std::hypot(at.along - end.along, at.beside - end.beside) < kNear;
+        });
     }
 
     double other_half(std::size_t i) const
@@ -245,6 +259,8 @@ private:
 
 Polyline cleaned(StrokeToExplain const& stroke)
 {
+    if (stroke.is_clean)
+        return stroke.points;
     if (!stroke.is_by_hand || is_drawn_by_hand(stroke.points))
         return clean_hand_line(stroke.points);
     auto line = without_repeats(capture_line(stroke.points));

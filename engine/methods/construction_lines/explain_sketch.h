@@ -18,6 +18,7 @@ struct StrokeToExplain {
     // What a person has said that it is. No value: to be found out.
     std::optional<Role> said {};
     bool is_by_hand = false; // Also where its points are far apart: its tremor is taken out.
+    bool is_clean = false;   // Hooks and tremor have been taken out already.
     bool turn_round = false; // Of the stem: it begins where it would be taken to end.
 };
 

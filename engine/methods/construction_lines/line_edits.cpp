@@ -39,6 +39,9 @@ void list(scene::Fields& fields, AddLine& edit)
     int depth_by = static_cast<int>(edit.depth_by);
     fields.sparse_field("depth_by", &depth_by);
     edit.depth_by = static_cast<DepthBy>(std::clamp(depth_by, 0, 2));
+    int together = edit.reading == Reading::Together ? 1 : 0;
+    fields.sparse_field("together", &together);
+    edit.reading = together != 0 ? Reading::Together : Reading::OneByOne;
     fields.field("nodes", &edit.nodes);
     list(fields, edit.pattern);
     fields.field("scale", &edit.scale);
@@ -58,17 +61,21 @@ Result<scene::DocumentState> begun(scene::DocumentState state, AddLine const& ed
     SketchLine const stem { .id = scene::take_id(state, edit.id),
                             .stroke = edit.stroke,
                             .nodes = edit.nodes,
-                            .depth_by = edit.depth_by };
+                            .depth_by = edit.depth_by,
+                            .reading = edit.reading };
     auto sketch
         = TRY(with_line({ .lines = {}, .pattern = edit.pattern, .scale = edit.scale }, stem));
     if (!state.scale)
         state.scale = edit.scale;
+    // On a sheet that is as large as the tablet, as a plant's is in the beginning.
+    Vec2 const foot_mm = foot_on_sheet(sketch);
+    Vec3 const aside_mm(foot_mm.x() - begin_on_tablet(stem).x(), 0, 0);
     return scene::with_source(std::move(state),
                               { .name = "lines",
                                 .source = scene::PlantSource(kPenSketch, std::move(sketch)),
                                 .drawn = scene::Drawn::Beside,
-                                .stands_at_mm = edit.stands_at_mm,
-                                .paper_mm = begin_on_tablet(stem),
+                                .stands_at_mm = edit.stands_at_mm + aside_mm,
+                                .paper_mm = foot_mm,
                                 .id = stem.id });
 }
 
@@ -86,7 +93,8 @@ Result<scene::DocumentState> applied(scene::DocumentState state, AddLine const& 
                              .stroke = edit.stroke,
                              .sheet = sheet,
                              .nodes = edit.nodes,
-                             .depth_by = edit.depth_by }));
+                             .depth_by = edit.depth_by,
+                             .reading = edit.reading }));
     put_sketch(state, std::move(found));
     return state;
 }
@@ -203,6 +211,27 @@ std::string described(RedrawLine const& edit)
                        scene::name_of(edit.plant), scene::describe_stroke(edit.stroke));
 }
 
+void list(scene::Fields& fields, TurnLine& edit)
+{
+    fields.field("plant", &edit.plant);
+    fields.field("line", &edit.line);
+}
+
+Result<scene::DocumentState> applied(scene::DocumentState state, TurnLine const& edit,
+                                     scene::SceneBuilder&)
+{
+    auto found = TRY(find_sketch(state, edit.plant));
+    found.sketch = TRY(with_line_turned(std::move(found.sketch), edit.line));
+    put_sketch(state, std::move(found));
+    return state;
+}
+
+std::string described(TurnLine const& edit)
+{
+    return fmt::format("turns line {} of plant {} round", scene::name_of(edit.line),
+                       scene::name_of(edit.plant));
+}
+
 void list(scene::Fields& fields, BendStem& edit)
 {
     fields.field("plant", &edit.plant);
@@ -242,6 +271,9 @@ constexpr scene::EditKind SetLinePattern::kKind
 
 constexpr scene::EditKind RedrawLine::kKind
     = scene::make_edit_kind<RedrawLine, list, applied, described>("redraw_construction_line");
+
+constexpr scene::EditKind TurnLine::kKind
+    = scene::make_edit_kind<TurnLine, list, applied, described>("turn_construction_line");
 
 constexpr scene::EditKind BendStem::kKind
     = scene::make_edit_kind<BendStem, list, applied, described>("bend_stem");

@@ -20,6 +20,7 @@ struct AddLine {
     bool another_stem = false;
     // Sessions of before boundaries had a depth do not say it.
     DepthBy depth_by = DepthBy::StemsHeight;
+    Reading reading = Reading::OneByOne; // Sessions of before lines were read together say nothing.
     int nodes = 8; // In the layer above the line, if it bounds one; see SketchLine.
     // Of a plant that begins. Its scale as of sketch::GrowAlongStroke: world millimetres per plant
     // millimetre, which a document whose scale nobody has set keeps.
@@ -65,6 +66,14 @@ struct RedrawLine {
     scene::ItemId plant = 0;
     scene::ItemId line = 0;
     Stroke stroke {}; // World frame.
+};
+
+// Turns a line round: see with_line_turned().
+struct TurnLine {
+    static scene::EditKind const kKind;
+
+    scene::ItemId plant = 0;
+    scene::ItemId line = 0;
 };
 
 // Bends a stem: see with_heading().

@@ -1,6 +1,7 @@
 #include "engine/methods/construction_lines/pen_sketch.h"
 
 #include "engine/methods/construction_lines/around_stem.h"
+#include "engine/methods/construction_lines/read_pen_sketch.h"
 #include "engine/stroke/polyline.h"
 
 #include <algorithm>
@@ -26,37 +27,6 @@ Result<StemRecogniser> recogniser_of(PenSketch const& sketch)
     return recogniser;
 }
 
-// What the layer above a line bears.
-LayerOrgans organs_above(PenSketch const& sketch, SketchLine const& line)
-{
-    return { .pattern = line.pattern,
-             .organ = organ_number(sketch, line.organ.value_or(sketch.organ)) };
-}
-
-std::vector<StemLines> stems_of(StemRecogniser const& recogniser, PenSketch const& sketch)
-{
-    auto result = recogniser.stems();
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        auto const strokes = recogniser.inclination_strokes(i);
-        auto& nodes = result[i].sketch.nodes_above;
-        auto& organs = result[i].sketch.organs_above;
-        for (auto const stroke : strokes) {
-            nodes.push_back(sketch.lines[stroke].nodes);
-            organs.push_back(organs_above(sketch, sketch.lines[stroke]));
-        }
-        if (strokes.size() >= 2)
-            continue;
-        nodes = { 0 };
-        organs = { {} };
-        for (auto const& line : sketch.lines)
-            if (line.role == Role::Stem && line.stem == i) {
-                nodes = { line.nodes };
-                organs = { organs_above(sketch, line) };
-            }
-    }
-    return result;
-}
-
 void scale_lines(LineSketch& sketch, double factor)
 {
     for (auto& point : sketch.stem)
@@ -73,12 +43,14 @@ void scale_lines(LineSketch& sketch, double factor)
             point *= factor;
 }
 
+constexpr char const* kNoStem
+    = "the sketch would have no stem: say first which of its lines is the stem";
+
 Result<void> check_stem(LineSketch const& sketch)
 {
     constexpr double kShortest_mm = 10; // On the tablet, where a touch is not meant as a plant.
     if (sketch.stem.empty())
-        return fail(Fault::User,
-                    "the sketch would have no stem: say first which of its lines is the stem");
+        return fail(Fault::User, kNoStem);
     auto const length_mm = polyline_length_mm(sketch.stem);
     if (length_mm < kShortest_mm)
         return fail(
@@ -89,9 +61,10 @@ Result<void> check_stem(LineSketch const& sketch)
     return {};
 }
 
-// A sketch that gives a plant.
+// A sketch that gives a plant, its lines' roles as they are read.
 Result<PenSketch> checked(PenSketch sketch)
 {
+    sketch = TRY(with_roles_read(std::move(sketch)));
     auto const stems = TRY(stem_sketches(sketch));
     for (auto const& stem : stems)
         TRY(check_stem(stem.sketch));
@@ -181,6 +154,15 @@ static Result<PenSketch> with_stroke(PenSketch sketch, SketchLine line, StemReco
     line.role = known.line.role;
     line.stem = known.stem;
     line.parent = known.parent;
+    // Read together with the others it shows what it is, and what it replaces.
+    line.is_said = says == StemRecogniser::Says::AnotherStem;
+    bool const is_together
+        = line.reading == Reading::Together && (sketch.lines.empty() || is_read_together(sketch));
+    if (is_together) {
+        sketch.lines.push_back(std::move(line));
+        sketch = TRY(without_replaced(std::move(sketch)));
+        return checked(TRY(with_levels(std::move(sketch), known.stem)));
+    }
     if (auto const replaced = known.line.replaces) {
         line.nodes = sketch.lines[*replaced].nodes;
         line.pattern = sketch.lines[*replaced].pattern;
@@ -206,15 +188,23 @@ Result<PenSketch> with_role(PenSketch sketch, scene::ItemId line, Role role)
     TRY(check_line(sketch, line));
     bool const is_one = role == Role::Stem || role == Role::Left || role == Role::Right;
     auto const stem = find_line(sketch, line)->stem;
+    auto const stem_lines
+        = std::count_if(sketch.lines.begin(), sketch.lines.end(), [&](SketchLine const& each) {
+              return each.role == Role::Stem && each.stem == stem;
+          });
+    if (role != Role::Stem && find_line(sketch, line)->role == Role::Stem && stem_lines == 1)
+        return fail(Fault::User, kNoStem);
     std::optional<std::size_t> parent;
     for (auto& other : sketch.lines)
         if (is_one && other.role == role && other.stem == stem) {
             other.role = Role::Unsure;
+            other.is_said = false; // Read together it shows again what it is.
             parent = std::exchange(other.parent, std::nullopt);
         }
     for (auto& other : sketch.lines)
         if (other.id == line) {
             other.role = role;
+            other.is_said = true;
             other.parent = role == Role::Stem ? parent : std::nullopt;
         }
     return checked(TRY(with_levels(std::move(sketch), stem)));
@@ -226,12 +216,29 @@ Result<PenSketch> with_other_stroke(PenSketch sketch, scene::ItemId line, Stroke
     auto const found = std::find_if(sketch.lines.begin(), sketch.lines.end(),
                                     [&](SketchLine const& each) { return each.id == line; });
     found->stroke = std::move(stroke);
+    if (!is_read_together(sketch))
+        return checked(std::move(sketch));
+    // What it stands for now is in no pieces any more.
+    auto const number = static_cast<std::size_t>(found - sketch.lines.begin());
+    auto const before = TRY(read_pen_sketch(sketch));
+    for (std::size_t i = sketch.lines.size(); i-- > 0;)
+        if (before.strokes[i].of == number)
+            sketch.lines.erase(sketch.lines.begin() + static_cast<std::ptrdiff_t>(i));
+    return checked(std::move(sketch));
+}
+
+Result<PenSketch> with_line_turned(PenSketch sketch, scene::ItemId line)
+{
+    TRY(check_line(sketch, line));
+    for (auto& other : sketch.lines)
+        if (other.id == line)
+            other.turn_round = !other.turn_round;
     return checked(std::move(sketch));
 }
 
 Result<std::vector<StemLines>> stem_sketches(PenSketch const& sketch, Unit unit)
 {
-    auto result = stems_of(TRY(recogniser_of(sketch)), sketch);
+    auto result = TRY(read_pen_sketch(sketch)).stems;
     if (unit == Unit::Plant && sketch.scale != kModelScale)
         for (auto& stem : result)
             scale_lines(stem.sketch, kModelScale / sketch.scale);
@@ -285,10 +292,9 @@ std::size_t organ_number(PenSketch const& sketch, scene::ItemId organ)
 // Of a sketch of one stem.
 static Result<std::vector<Layer>> layers_of_one(PenSketch const& sketch)
 {
-    auto const recogniser = TRY(recogniser_of(sketch));
-    auto const lines = stems_of(recogniser, sketch).front().sketch;
-    auto const construction = TRY(measure_sketch(lines, Missing::Guessed));
-    auto const strokes = recogniser.inclination_strokes(0);
+    auto const reading = TRY(read_pen_sketch(sketch));
+    auto const construction = TRY(measure_sketch(reading.stems.front().sketch, Missing::Guessed));
+    auto const& strokes = reading.inclination_strokes.front();
     auto const& stem = first_stem(sketch);
     std::vector<Layer> layers;
     for (std::size_t i = 0; i + 1 < construction.inclinations.size(); ++i) {

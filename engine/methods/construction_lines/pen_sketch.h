@@ -39,7 +39,8 @@ struct PenSketch {
 extern scene::SourceKind const kPenSketch;
 
 // The sketch with one more line, whose role is found out from how it lies to the others
-// (LineRecogniser). It takes the place of one that it draws again, and that one's number of nodes.
+// (LineRecogniser), or, where they are read together, together with theirs (explain_sketch.h). It
+// takes the place of one that it draws again, and that one's number of nodes.
 // It is in space if its depth is to count and the surface has moved, while it was drawn, by more
 // than a twentieth of the length of the stem that was drawn last.
 //
@@ -59,6 +60,10 @@ Result<PenSketch> with_role(PenSketch sketch, scene::ItemId line, Role role);
 // The sketch in which a line has another stroke, drawn on the same sheet. Fails, as the user's
 // fault, for a line that is not there, and if it gives no plant.
 Result<PenSketch> with_other_stroke(PenSketch sketch, scene::ItemId line, Stroke stroke);
+
+// The sketch in which a line goes the other way: of a stem its top is its foot from then on, and
+// left and right are exchanged. Fails like with_role().
+Result<PenSketch> with_line_turned(PenSketch sketch, scene::ItemId line);
 
 // The lines that count, of each stem, as measure_stems() takes them with Missing::Guessed. In
 // millimetres of the sheet, or so that their plant is as large in the document as they were drawn.

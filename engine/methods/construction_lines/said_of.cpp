@@ -1,6 +1,7 @@
 #include "engine/methods/construction_lines/line_edits.h"
 
 #include "engine/methods/construction_lines/around_stem.h"
+#include "engine/methods/construction_lines/read_pen_sketch.h"
 
 #include <algorithm>
 #include <array>
@@ -104,6 +105,31 @@ std::string what_is_missing(PenSketch const& sketch)
     return lines ? what_is_missing(*lines) : "";
 }
 
+// The newest line among all of them.
+std::string describe_reading(PenSketch const& sketch, PenReading const& reading)
+{
+    auto const& line = sketch.lines.back();
+    auto const& stroke = reading.strokes.back();
+    if (line.role == Role::Unsure)
+        return fmt::format("It has no effect: {}", stroke.reason);
+    auto const what = line.role == Role::Stem ? what_stem_it_is(line) : what_it_is(line.role);
+    std::string text
+        = stroke.of ? fmt::format("This is a part of {}", what) : fmt::format("This is {}", what);
+    if (line.role == Role::Around)
+        text += side_of(sketch, line);
+    if (stroke.is_turned_round)
+        text += ", from its top to its foot, and is turned round: \"Turn round\" of What a line is "
+                "turns it back";
+    auto const missing = what_is_missing(sketch);
+    if (!missing.empty())
+        text += ": " + missing;
+    auto const& second = reading.second_thought;
+    if (!second.empty() && second.back() != line.role)
+        text += fmt::format(" (it might be {})",
+                            second.back() == Role::Unsure ? "nothing" : what_it_is(second.back()));
+    return text;
+}
+
 } // namespace
 
 std::string said_of(PenSketch const& sketch)
@@ -111,6 +137,9 @@ std::string said_of(PenSketch const& sketch)
     if (sketch.lines.empty())
         return "";
     auto const& line = sketch.lines.back();
+    if (is_read_together(sketch))
+        if (auto const reading = read_pen_sketch(sketch))
+            return describe_reading(sketch, *reading);
     if (line.role == Role::Unsure)
         return fmt::format("It has no effect: {}", reason_of(sketch));
     auto const missing = what_is_missing(sketch);

@@ -1,6 +1,7 @@
 #include "engine/methods/construction_lines/sketch_line.h"
 
 #include "engine/methods/construction_lines/capture_line.h"
+#include "engine/methods/construction_lines/hand_line.h"
 #include "engine/stroke/polyline.h"
 #include "engine/stroke/upright_sheet.h"
 
@@ -64,9 +65,13 @@ Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line)
     auto const drawn = distinct_points(without_repeats(places));
     if (!drawn)
         return dot();
-    auto points = without_repeats(capture_line(*drawn));
+    bool const is_together = line.reading == Reading::Together;
+    auto points = without_repeats(is_together && is_drawn_by_hand(*drawn) ? clean_hand_line(*drawn)
+                                                                          : capture_line(*drawn));
     if (points.size() < 2)
         return dot();
+    if (line.turn_round && !is_together)
+        std::reverse(points.begin(), points.end());
     return points;
 }
 

@@ -31,6 +31,12 @@ enum class DepthBy {
     Pressure,    // A stem's from the pen's pressure: where there is no sensor for the height.
 };
 
+// How a sketch tells what its lines are.
+enum class Reading {
+    OneByOne, // Each as it comes (LineRecogniser): sketches of before lines were read together.
+    Together, // All again with each new one (explain_sketch.h).
+};
+
 // A line of a sketch as a pen drew it.
 struct SketchLine {
     scene::ItemId id = 0;
@@ -50,16 +56,19 @@ struct SketchLine {
     // are, 0 for plain leaves; no value: as on the rest of the plant.
     std::optional<Pattern> pattern {};
     std::optional<scene::ItemId> organ {};
+    Reading reading = Reading::OneByOne; // A sketch is read together if all of its lines are.
+    bool is_said = false;                // Read together: somebody has said that it has this role.
+    bool turn_round = false; // It goes from where it ends to where it begins, or would be read so.
 };
 
 // Where the tips of a line are on the sheet, (u, v, depth), the hand's tremor taken out
-// (capture_line.h). Where the surface has moved by less than a twentieth of the line's length the
-// depth is 0; else it is the height above pen-down, or of a line that has a level above that. By
-// pressure a stem comes towards the viewer by half of its length on the sheet where the pen is
-// pressed with all of its range more than at its base; the mean of a twentieth of the stem counts,
-// and at its ends, where the pen comes down and is lifted, what is a twentieth from them. At
-// least two points, no two neighbours at one
-// place of the sheet. Fails, as the user's fault, for a dot.
+// (capture_line.h; of lines that are read together clean_hand_line(), which also cuts hooks). Where
+// the surface has moved by less than a twentieth of the line's length the depth is 0; else it is
+// the height above pen-down, or of a line that has a level above that. By pressure a stem comes
+// towards the viewer by half of its length on the sheet where the pen is pressed with all of its
+// range more than at its base; the mean of a twentieth of the stem counts, and at its ends, where
+// the pen comes down and is lifted, what is a twentieth from them. At least two points, no two
+// neighbours at one place of the sheet. Fails, as the user's fault, for a dot.
 Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line);
 
 } // namespace tractus::lines

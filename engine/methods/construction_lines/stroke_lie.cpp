@@ -88,7 +88,7 @@ double side_cost(StrokeLie const& lie, double side, double stem_mm)
     double const far_end = std::max(std::fabs(lie.first().beside), std::fabs(lie.last().beside));
     bool const from_stem = near_end < 0.06 && far_end > 0.9 * out && range < 0.6;
     return 0.1 + 1.2 * ramp(over, std::max(0.04, 2 / stem_mm), 0.12) + 0.25 * ramp(range, 0.6, 0.2)
-        + 0.5 * ramp(range, 0.12, 0.03) + 0.9 * ramp(lie.run_outside, 0.6, 0.3)
+        + 2.5 * small_piece(lie) + 0.9 * ramp(lie.run_outside, 0.6, 0.3)
         + 0.7 * ramp(lie.mean_beside, 0.07, 0.03) + (from_stem ? 0.5 : 0);
 }
 
@@ -126,6 +126,11 @@ double outline_cost(StrokeLie const& lie)
 }
 
 } // namespace
+
+double small_piece(StrokeLie const& lie)
+{
+    return ramp(lie.highest - lie.lowest, 0.15, 0.05);
+}
 
 // What of the way goes along the axis where the stroke is more than half as far from it as it gets.
 static double run_outside(StrokeLie const& lie)

@@ -54,6 +54,9 @@ struct StrokeLie {
 };
 StrokeLie lie_to_axis(DrawnLine const& stroke, StemAxis const& axis);
 
+// 0 to 1, where a stroke is so short along the axis that by itself it is no boundary.
+double small_piece(StrokeLie const& lie);
+
 // What a stroke can be in the explanation of a whole sketch.
 enum class Part { Stem, Left, Right, Inclination, Half, Outline, Piece, Nothing };
 constexpr std::size_t kPartCount = 8;

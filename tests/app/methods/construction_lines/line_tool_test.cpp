@@ -31,26 +31,29 @@ using lines::Role;
 
 TEST(LineTool, SaysItsOptionsInLogs)
 {
-    EXPECT_EQ(line_of(LineTool {}), "construction_line height");
-    EXPECT_EQ(line_of(LineTool { .depth_by = lines::DepthBy::StemsHeight }), "construction_line ")
+    EXPECT_EQ(line_of(LineTool {}), "construction_line height together");
+    EXPECT_EQ(line_of(LineTool { .depth_by = lines::DepthBy::StemsHeight,
+                                 .reading = lines::Reading::OneByOne }),
+              "construction_line ")
         << "as older logs mean it";
     EXPECT_EQ(line_of(LineTool { .depth_by = lines::DepthBy::Pressure }),
-              "construction_line pressure");
+              "construction_line pressure together");
     EXPECT_EQ(line_of(LineTool { .plant = LineTool::Plant::NewStem,
                                  .depth_by = lines::DepthBy::StemsHeight,
                                  .nodes = 12,
                                  .pattern = Pattern::Kind::Whorled,
                                  .divergence_deg = 99.5,
                                  .organs = 5 }),
-              "construction_line new_stem whorled nodes=12 divergence=99.5 organs=5");
+              "construction_line new_stem whorled together nodes=12 divergence=99.5 organs=5");
     EXPECT_EQ(line_of(LineTool { .plant = LineTool::Plant::AnotherStem }),
-              "construction_line another_stem height");
+              "construction_line another_stem height together");
     EXPECT_EQ(line_of(tools::Tool(LinePatternTool {}).done_at_once()), "line_pattern now");
     EXPECT_EQ(line_of(tools::Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once()),
               "layer_nodes fewer now");
     EXPECT_EQ(line_of(LayerNodesTool { .nodes = 30 }), "layer_nodes count=30");
-    EXPECT_EQ(line_of(LineRoleTool { Role::Left }), "line_role left");
-    EXPECT_EQ(line_of(LineRoleTool { Role::Around }), "line_role around");
+    EXPECT_EQ(line_of(LineRoleTool { .role = Role::Left }), "line_role left");
+    EXPECT_EQ(line_of(LineRoleTool { .role = Role::Around }), "line_role around");
+    EXPECT_EQ(line_of(LineRoleTool { .turn_round = true }), "line_role turned");
     EXPECT_NE(tools::parse_tool(methods::all_methods().tools, "construction_line", "nodes=501")
                   .error()
                   .message.find("from 0 to 500"),
@@ -297,7 +300,7 @@ to_mm = [90, 45, 50]
     auto log = recorded_log(kHand);
     for (auto& tool : log.tools) {
         tool.tool = "construction_line";
-        tool.arguments = "spiral nodes=7";
+        tool.arguments = "spiral together nodes=7";
     }
     return log;
 }
@@ -316,7 +319,8 @@ TEST_F(LineToolAndCommand, GiveTheSamePlantFromALog)
     auto const& plant = *replay.scene.base;
     ASSERT_EQ(plant.organs.size(), 8U);
     ASSERT_EQ(report["leaf_tips"].size(), 8U);
-    double const foot_mm = strokes[0].tips.front().position_mm.y();
+    auto const* const sketch = lines::active_pen_sketch(replay.scene.state);
+    double const foot_mm = lines::stem_sketches(*sketch)->front().sketch.stem.front().y();
     double const length_mm = report["stem_length"].get<double>();
     for (std::size_t i = 0; i < plant.organs.size(); ++i) {
         auto const& organ = plant.organs[i];
