@@ -100,7 +100,9 @@ std::vector<Lateral> attach(std::vector<Vec3> const& axis, DrawnTwig const& twig
             is_attached[i] = true;
         }
     };
-    attach_to(axis, std::nullopt, near_mm, 1);
+    // What begins on a lateral may end near the axis: only what touches that begins there.
+    double const touches_mm = std::max(1.5, 0.008 * polyline_length_mm(axis));
+    attach_to(axis, std::nullopt, touches_mm, 1);
     constexpr int kDeepest = 6;
     for (int depth = 2; depth <= kDeepest; ++depth)
         for (std::size_t i = 0; i < laterals.size(); ++i)

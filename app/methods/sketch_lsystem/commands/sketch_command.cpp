@@ -7,6 +7,7 @@
 #include "app/io/model_file.h"
 #include "app/io/stroke_file.h"
 #include "app/methods/sketch_lsystem/commands/model_rule_file.h"
+#include "app/methods/sketch_lsystem/commands/twig_file.h"
 #include "app/methods/sketch_lsystem/rule_file.h"
 #include "app/methods/sketch_lsystem/sketch_options.h"
 #include "app/methods/sketch_lsystem/sketch_report.h"
@@ -43,6 +44,7 @@ namespace fs = std::filesystem;
 struct SketchArguments {
     tools::Methods methods;
     fs::path stroke;
+    fs::path twig; // In place of a stroke and a rule.
     fs::path rule;
     fs::path folder;
     std::size_t number = 1; // Number of the stroke in its file.
@@ -228,8 +230,64 @@ Result<void> sketch_model(SketchArguments const& arguments, sketch::ModelRule mo
     return terminal::print_out(report);
 }
 
+void warn_of_misfit(SketchArguments const& arguments, sketch::TwigRule const& twig)
+{
+    if (!twig.is_rule())
+        terminal::print_warning(fmt::format(
+            "{}: no rule makes this twig: angles differ by {:.0f} degrees, lengths by {:.0f} %, "
+            "places by {:.0f} % of an internode, turns by {:.0f} degrees from the nearest one",
+            arguments.twig.string(), twig.angle_deviation_deg, 100 * twig.length_deviation,
+            100 * twig.spacing_deviation, twig.twist_deviation_deg));
+}
+
+// The rule's file, and the plant that it grows along the twig's axis.
+Result<void> grow_twig(SketchArguments arguments, sketch::DrawnTwig const& twig,
+                       sketch::Rule const& rule)
+{
+    TRY(check_writable(arguments.folder / "model.l"));
+    arguments.stroke = arguments.twig;
+    auto const name = arguments.twig.stem().string();
+    auto const base = arguments.folder / name;
+    auto const nodes_mm = sketch::resample_stroke(rule, twig.axis_mm);
+    if (nodes_mm.size() < 2)
+        return fail(Fault::User,
+                    fmt::format("{}: the axis ends below the first node: draw it to its tip",
+                                arguments.twig.string()));
+    auto const axis = sketch::draw_axis(rule, nodes_mm);
+    auto const leaves = arguments.bare ? sketch::Leaves::Bare : sketch::Leaves::Leafy;
+    auto const source = sketch::write_model(rule, axis, leaves, name);
+    TRY(write_file(fs::path(base).concat(".toml"), print_rule_file(rule)));
+    TRY(write_model_files(base, source));
+    if (arguments.report)
+        return {};
+    sketch::GrowAlongStroke drawn { .rule = rule,
+                                    .surface = StrokeSurface::Space,
+                                    .leaves = leaves };
+    for (auto const& point : twig.axis_mm)
+        drawn.stroke.tips.push_back({ .position_mm = point, .touching = true });
+    return write_plant(arguments, scene::LoadModel { .source = source }, base, drawn,
+                       axis.segments());
+}
+
+Result<void> sketch_from_twig(SketchArguments const& arguments)
+{
+    auto const twig = TRY(load_twig(arguments.twig));
+    auto const found = sketch::find_twig_rule(twig);
+    if (!found)
+        return fail(found.error().fault,
+                    fmt::format("{}: {}", arguments.twig.string(), found.error().message));
+    warn_of_misfit(arguments, *found);
+    if (!arguments.folder.empty())
+        TRY(grow_twig(arguments, twig, found->rule));
+    if (arguments.report)
+        return terminal::print_out(print_twig_report(*found));
+    return terminal::print_out(print_rule_file(found->rule));
+}
+
 Result<void> sketch_plant(SketchArguments const& arguments)
 {
+    if (!arguments.twig.empty())
+        return sketch_from_twig(arguments);
     TRY(check_writable(arguments.folder / "model.l"));
     auto model = TRY(read_model(arguments));
     return model.is_set() ? sketch_model(arguments, std::move(model)) : sketch_rule(arguments);
@@ -237,21 +295,35 @@ Result<void> sketch_plant(SketchArguments const& arguments)
 
 void add_options(CLI::App& command, SketchArguments& arguments)
 {
-    command
-        .add_option("STROKE", arguments.stroke,
-                    "A file of strokes (.txt with x y z in mm on each line, .tilt), or a recording")
-        ->type_name("STROKE")
-        ->required();
+    auto* const stroke
+        = command
+              .add_option(
+                  "STROKE", arguments.stroke,
+                  "A file of strokes (.txt with x y z in mm on each line, .tilt), or a recording")
+              ->type_name("STROKE")
+              ->required();
     command
         .add_option("--rule", arguments.rule,
                     "The rule, a small TOML file or a card (.card) from the window, or a model, an "
                     "L-system file (.l) or one of ours; without it the usual rule")
         ->type_name("RULE");
+    auto* const output
+        = command
+              .add_option("-o,--output", arguments.folder,
+                          "The folder for the plant's files; made if it is not there")
+              ->type_name("FOLDER")
+              ->required();
     command
-        .add_option("-o,--output", arguments.folder,
-                    "The folder for the plant's files; made if it is not there")
-        ->type_name("FOLDER")
-        ->required();
+        .add_option(
+            "--from-twig", arguments.twig,
+            "In place of a stroke and a rule a twig, {\"axis\": [[x, y], ...], \"laterals\": "
+            "[[[x, y], ...], ...]} in mm: finds the rule that makes it, and grows it along "
+            "the axis if there is an output")
+        ->type_name("FILE")
+        ->each([stroke, output](std::string const&) {
+            stroke->required(false);
+            output->required(false);
+        });
     command.add_option("--stroke", arguments.number, "Which of the strokes in the file")
         ->type_name("N")
         ->check(options::whole_number(1, 1'000'000))

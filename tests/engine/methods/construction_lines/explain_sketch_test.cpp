@@ -82,6 +82,47 @@ TEST(ExplainSketch, ReadsTwoHabitsAtATime)
     EXPECT_LE(wrong, 2) << "of " << count;
 }
 
+// For the night, and for the table in the manual: --gtest_also_run_disabled_tests. 40 sketches with
+// each habit, then pairs of them up to 1,000.
+TEST(ExplainSketch, DISABLED_CountsAThousandSketchesByHabit)
+{
+    constexpr int kEach = 40;
+    std::string table = "| habit | one by one | together |\n| --- | --- | --- |\n";
+    int total = 0;
+    int right = 0;
+    for (std::size_t i = 0; i < kHabitCount; ++i) {
+        int before = 0;
+        int now = 0;
+        for (std::uint64_t seed = 101; seed <= 100 + kEach; ++seed) {
+            auto const drawn = draw_with(seed, { static_cast<Habit>(i) });
+            before += misreading(drawn, read_one_by_one(drawn)).empty() ? 1 : 0;
+            now += misreading(drawn, read_as_whole(drawn)).empty() ? 1 : 0;
+        }
+        table += fmt::format("| {} | {} of {} | {} of {} |\n", kHabitNames[i], before, kEach, now,
+                             kEach);
+        total += kEach;
+        right += now;
+    }
+    EXPECT_GE(right, 0.95 * total);
+    Hand chooser(2);
+    int pairs = 0;
+    int right_before = 0;
+    int right_pairs = 0;
+    for (std::uint64_t seed = 1000; total + pairs < 1000; ++seed) {
+        auto const one = static_cast<Habit>(1 + chooser.below(kHabitCount - 1));
+        auto const other = static_cast<Habit>(1 + chooser.below(kHabitCount - 1));
+        if (!go_together(one, other))
+            continue;
+        auto const drawn = draw_with(seed, { one, other });
+        ++pairs;
+        right_before += misreading(drawn, read_one_by_one(drawn)).empty() ? 1 : 0;
+        right_pairs += misreading(drawn, read_as_whole(drawn)).empty() ? 1 : 0;
+    }
+    EXPECT_GE(right_pairs, 0.9 * pairs);
+    fmt::print("{}| two at a time | {} of {} | {} of {} |\n", table, right_before, pairs,
+               right_pairs, pairs);
+}
+
 TEST(ExplainSketch, NoHookTurnsALine)
 {
     EXPECT_EQ(misread({ Habit::Hooks }, 40), 0);
