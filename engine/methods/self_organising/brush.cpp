@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint32_t kSowStream = 0x50EE;
 constexpr double kCellInternodes = 1.26; // One marker for each two cubic internodes,
 constexpr double kMostInCell = 3;        // 0 to 2 in a cell.
-constexpr std::size_t kMostCells = 4'000'000;
+constexpr std::size_t kMostSownCells = 4'000'000;
 
 // A brush that is small beside the habit's internodes grows finer ones, so that some find room in
 // it.
@@ -63,13 +63,13 @@ public:
 private:
     Result<void> check_cells(double count) const
     {
-        if (count <= static_cast<double>(kMostCells))
+        if (count <= static_cast<double>(kMostSownCells))
             return {};
         return fail(
             Fault::User,
             fmt::format("the brush sweeps over more than {} cells of {:g} mm: draw smaller, "
                         "or give a habit with longer internodes",
-                        kMostCells, side_));
+                        kMostSownCells, side_));
     }
 
     Result<void> cover(Vec3 const& centre, double radius, std::vector<Vec3>& markers)
@@ -96,13 +96,14 @@ private:
         auto const word = [&](std::size_t a) { return static_cast<std::uint32_t>(cell[a]); };
         Random random(
             { sweep_.seed ^ (std::uint64_t { word(0) } << 32 | word(1)), kSowStream, word(2) });
+        Vec3 const corner { static_cast<double>(cell[0]), static_cast<double>(cell[1]),
+                            static_cast<double>(cell[2]) };
         auto const count = static_cast<int>(random.uniform(0, kMostInCell));
         for (int n = 0; n < count; ++n) {
             double const x = random.uniform();
             double const y = random.uniform();
             double const z = random.uniform();
-            markers.push_back(
-                (Vec3(double(cell[0]), double(cell[1]), double(cell[2])) + Vec3(x, y, z)) * side_);
+            markers.push_back((corner + Vec3(x, y, z)) * side_);
         }
     }
 
