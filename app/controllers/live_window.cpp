@@ -102,7 +102,7 @@ Result<void> LiveWindow::close()
     auto const written = controller_->finish_files();
     if (stream_) {
         static_cast<void>(stream_->end());
-        stream_->serve();
+        stream_->serve(options_.now());
         stream_.reset();
     }
     if (!kept) // The drawing is worth most.
@@ -186,9 +186,9 @@ void LiveWindow::tell_programs()
     moments_.insert(moments_.end(), moments.begin(), moments.end());
     if (!stream_)
         return;
-    stream_->serve(); // Who has come since is told, too.
+    stream_->serve(options_.now()); // Who has come since is told, too.
     static_cast<void>(stream_->tell(moments, station_, scene()));
-    stream_->serve();
+    stream_->serve(options_.now());
 }
 
 void LiveWindow::record_tool_changes()

@@ -47,9 +47,10 @@ private:
 // One program that reads.
 class LineReader {
 public:
-    LineReader(SocketDescriptor socket, std::string greeting)
+    LineReader(SocketDescriptor socket, std::string greeting, Timestamp now)
         : socket_(std::move(socket))
         , waiting_(std::move(greeting))
+        , last_taken_(now)
     {
     }
 
@@ -68,8 +69,9 @@ public:
     }
 
     // Sends what goes without waiting.
-    void send()
+    void send(Timestamp now)
     {
+        bool has_taken = sent_ == waiting_.size();
         while (sent_ < waiting_.size() && !is_gone_) {
             auto const count = ::send(socket_.number(), waiting_.data() + sent_,
                                       waiting_.size() - sent_, MSG_DONTWAIT | MSG_NOSIGNAL);
@@ -81,9 +83,16 @@ public:
                 is_gone_ = true;
             else
                 sent_ += static_cast<std::size_t>(count);
+            has_taken |= count > 0;
         }
         forget_sent();
+        if (has_taken)
+            last_taken_ = now;
+        is_stalled_ = now - last_taken_ >= LineServer::kPatience;
     }
+
+    // It has taken nothing of what waits for it for as long as anybody waits for it.
+    bool is_stalled() const { return is_stalled_; }
 
     // Whoever only closes what it writes to, as shells do, still reads.
     bool is_gone() const
@@ -108,6 +117,8 @@ private:
     std::string waiting_;
     std::size_t sent_ = 0; // Part of waiting_ that is sent.
     std::size_t left_out_ = 0;
+    Timestamp last_taken_; // When it last took something, or nothing waited for it.
+    bool is_stalled_ = false;
     bool is_gone_ = false;
 };
 
@@ -160,14 +171,14 @@ struct LineServer::Parts {
     SocketDescriptor socket;
     std::vector<LineReader> readers {};
 
-    void let_in()
+    void let_in(Timestamp now)
     {
         while (readers.size() < kMostReaders) {
             SocketDescriptor caller(
                 ::accept4(socket.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
             if (caller.number() < 0)
                 return;
-            readers.emplace_back(std::move(caller), greeting);
+            readers.emplace_back(std::move(caller), greeting, now);
         }
     }
 };
@@ -207,11 +218,11 @@ void LineServer::publish(std::string_view line, Importance importance)
         reader.add(line, importance);
 }
 
-void LineServer::serve()
+void LineServer::serve(Timestamp now)
 {
-    parts_->let_in();
+    parts_->let_in(now);
     for (auto& reader : parts_->readers)
-        reader.send();
+        reader.send(now);
     std::erase_if(parts_->readers, [](LineReader const& reader) { return reader.is_gone(); });
 }
 
@@ -224,7 +235,8 @@ std::size_t LineServer::waiting_bytes() const
 {
     std::size_t most = 0;
     for (auto const& reader : parts_->readers)
-        most = std::max(most, reader.waiting_bytes());
+        if (!reader.is_stalled())
+            most = std::max(most, reader.waiting_bytes());
     return most;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/base/time.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -21,6 +22,8 @@ public:
     static constexpr std::size_t kMostWaiting = std::size_t { 1 } << 20;
     // …and when so much does, it is cut off.
     static constexpr std::size_t kMostKept = std::size_t { 64 } << 20;
+    // A reader that takes nothing for so long is not waited for any more, until it reads again.
+    static constexpr Duration kPatience = std::chrono::seconds(5);
 
     // Listens at a file's name, which only its owner may use; a socket that an ended program has
     // left there makes room. Each reader begins with `greeting`. Fails, as the user's fault, if
@@ -41,12 +44,14 @@ public:
     // Gives a line to all who read now.
     void publish(std::string_view line, Importance importance);
 
-    // Lets readers in, gives them what they take now, and forgets those that have gone.
-    void serve();
+    // Lets readers in, gives them what they take now, and forgets those that have gone. `now` is
+    // read from one clock, any, and never decreases.
+    void serve(Timestamp now);
 
     std::size_t reader_count() const;
 
-    // Bytes that wait for the reader for whom the most do.
+    // Bytes that wait for the reader for whom the most do, without those who have taken nothing
+    // for kPatience.
     std::size_t waiting_bytes() const;
 
 private:

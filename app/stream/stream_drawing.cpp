@@ -24,10 +24,10 @@ template<typename Condition>
 static void serve_until(StreamOutput& output, play::Pace const& pace, std::atomic<bool> const& stop,
                         Condition const& holds)
 {
-    output.serve();
+    output.serve(pace.now());
     while (!holds() && !stop) {
         pace.wait(kStreamRest);
-        output.serve();
+        output.serve(pace.now());
     }
 }
 
@@ -44,11 +44,12 @@ static Result<void> stream_moment(station::LogReplay& replay, StreamOutput& outp
 }
 
 Result<void> stream_log(station::LogReplay& replay, StreamOutput& output,
-                        std::optional<double> speed, std::atomic<bool> const& stop)
+                        std::optional<double> speed, std::atomic<bool> const& stop, play::Pace pace)
 {
-    auto pace = play::pace_from_now(replay.begin());
     serve_until(output, pace, stop, [&] { return output.has_readers(); });
-    pace = play::pace_from_now(replay.begin(), speed.value_or(1));
+    pace.data_begin = replay.begin();
+    pace.real_begin = pace.now();
+    pace.speed = speed.value_or(1);
     while (!replay.is_over() && !stop) {
         if (speed)
             serve_until(output, pace, stop, [&] {
@@ -70,10 +71,10 @@ Result<void> stream_log(station::LogReplay& replay, StreamOutput& output,
 static void serve_rest(StreamOutput& output, devices::LiveRecordingOptions const& options)
 {
     auto const end = options.now() + Duration(1s);
-    output.serve();
+    output.serve(options.now());
     while (output.waiting_bytes() > 0 && options.now() < end) {
         options.rest(kStreamRest);
-        output.serve();
+        output.serve(options.now());
     }
 }
 
@@ -94,7 +95,7 @@ Result<void> stream_live(devices::LiveDevices& devices, station::Station& statio
         }
         station.pass_time(options.now());
         TRY(take(station, output));
-        output.serve();
+        output.serve(options.now());
         news.tell(devices);
         if (reports.empty() && goes_on)
             options.rest(kStreamRest);

@@ -79,10 +79,10 @@ Result<void> StreamOutput::tell_steps(Stroke const& stroke, tools::Tool const& t
     return {};
 }
 
-void StreamOutput::serve()
+void StreamOutput::serve(Timestamp now)
 {
     if (server_)
-        server_->serve();
+        server_->serve(now);
 }
 
 Result<void> StreamOutput::end()

@@ -38,8 +38,8 @@ public:
     Result<void> tell(std::span<station::PenMoment const> moments, station::Station const& station,
                       scene::Scene const& scene);
 
-    // Lets readers of the socket in and gives them what they take now.
-    void serve();
+    // Lets readers of the socket in and gives them what they take now: see LineServer::serve().
+    void serve(Timestamp now);
 
     // Says that the stream is over. Fails as `write` does.
     Result<void> end();
@@ -47,7 +47,7 @@ public:
     // Whether there is nobody to read: of a socket at which nobody has called.
     bool has_readers() const { return !server_ || server_->reader_count() > 0; }
 
-    // Bytes that wait for readers.
+    // Bytes that wait for readers: see LineServer::waiting_bytes().
     std::size_t waiting_bytes() const { return server_ ? server_->waiting_bytes() : 0; }
 
 private:

@@ -22,13 +22,13 @@ TEST_F(LineServerTest, GivesAllReadersTheSameLinesFromWhenTheyCame)
 {
     auto server = listen();
     LocalReader const first(path_);
-    server.serve();
+    server.serve({});
     server.publish("one\n", kKeep);
-    server.serve();
+    server.serve({});
     LocalReader const second(path_);
-    server.serve();
+    server.serve({});
     server.publish("two\n", kLeaveOut);
-    server.serve();
+    server.serve({});
     EXPECT_EQ(server.reader_count(), 2u);
     EXPECT_EQ(first.read_now(), "hello\none\ntwo\n");
     EXPECT_EQ(second.read_now(), "hello\ntwo\n");
@@ -38,11 +38,11 @@ TEST_F(LineServerTest, ForgetsAReaderThatHasGone)
 {
     auto server = listen();
     LocalReader reader(path_);
-    server.serve();
+    server.serve({});
     ASSERT_EQ(server.reader_count(), 1u);
     reader.leave();
     server.publish("one\n", kKeep);
-    server.serve(); // A signal for the broken pipe would end the test.
+    server.serve({}); // A signal for the broken pipe would end the test.
     EXPECT_EQ(server.reader_count(), 0u);
 }
 
@@ -50,9 +50,9 @@ TEST_F(LineServerTest, ForgetsAReaderThatHasGoneWhileThereWasNothingToSay)
 {
     auto server = listen();
     LocalReader reader(path_);
-    server.serve();
+    server.serve({});
     reader.leave();
-    server.serve();
+    server.serve({});
     EXPECT_EQ(server.reader_count(), 0u);
 }
 
@@ -61,9 +61,9 @@ TEST_F(LineServerTest, KeepsAReaderThatOnlyHasNothingToSay)
     auto server = listen();
     LocalReader const reader(path_);
     reader.close_writing();
-    server.serve();
+    server.serve({});
     server.publish("one\n", kKeep);
-    server.serve();
+    server.serve({});
     EXPECT_EQ(reader.read_now(), "hello\none\n");
 }
 
@@ -72,7 +72,7 @@ std::string read_all(LineServer& server, LocalReader const& reader)
 {
     std::string text;
     for (std::string part = "-"; !part.empty();) {
-        server.serve();
+        server.serve({});
         part = reader.read_now();
         text += part;
     }
@@ -83,12 +83,12 @@ TEST_F(LineServerTest, LeavesOutForASlowReaderWhatMayBeLeftOutAndSaysSo)
 {
     auto server = listen();
     LocalReader const reader(path_);
-    server.serve();
+    server.serve({});
     std::string const line(999, 'x');
     constexpr std::size_t kCount = 5000; // 5 MB, of which it reads nothing meanwhile.
     for (std::size_t i = 0; i < kCount; ++i) {
         server.publish(line + "\n", kLeaveOut);
-        server.serve();
+        server.serve({});
     }
     server.publish("stroke\n", kKeep);
     auto const text = read_all(server, reader);
@@ -105,7 +105,7 @@ TEST_F(LineServerTest, CutsOffWhoDoesNotReadAtAllAndGoesOnForOthers)
     auto server = listen();
     LocalReader const stuck(path_);
     LocalReader const other(path_);
-    server.serve();
+    server.serve({});
     std::string const stroke = std::string((1 << 20) - 1, 'x') + "\n";
     std::size_t read = 0;
     for (int i = 0; i < 70; ++i) {
@@ -116,18 +116,51 @@ TEST_F(LineServerTest, CutsOffWhoDoesNotReadAtAllAndGoesOnForOthers)
     EXPECT_GT(read, LineServer::kMostKept);
 }
 
+TEST_F(LineServerTest, DoesNotCountWhatWaitsForAReaderThatTakesNothing)
+{
+    auto server = listen();
+    LocalReader const stuck(path_);
+    LocalReader const other(path_);
+    Timestamp now = timestamp_ns(1'000'000'000);
+    server.serve(now);
+    std::string const line(std::size_t { 1 } << 20, 'x'); // More than a socket's buffer takes.
+    server.publish(line, kKeep);
+    server.serve(now);
+    auto const waiting = server.waiting_bytes();
+    EXPECT_GT(waiting, 0u);
+    now += LineServer::kPatience;
+    std::size_t read = 0;
+    while (read < line.size()) {
+        server.serve(now);
+        read += other.read_now().size();
+    }
+    EXPECT_EQ(server.waiting_bytes(), 0u);
+    EXPECT_EQ(server.reader_count(), 2u);
+    // It reads again, and has lost nothing.
+    auto const late = stuck.read_now();
+    server.serve(now);
+    EXPECT_GT(server.waiting_bytes(), 0u);
+    std::string rest;
+    for (std::string part = "-"; !part.empty();) {
+        part = stuck.read_now();
+        server.serve(now);
+        rest += part;
+    }
+    EXPECT_EQ(late.size() + rest.size(), line.size() + std::string("hello\n").size());
+}
+
 TEST_F(LineServerTest, TakesNoMoreReadersThanItSays)
 {
     auto server = listen();
     std::list<LocalReader> readers;
     for (std::size_t i = 0; i < LineServer::kMostReaders + 3; ++i) {
         readers.emplace_back(path_);
-        server.serve();
+        server.serve({});
     }
     EXPECT_EQ(server.reader_count(), LineServer::kMostReaders);
     readers.pop_front();
-    server.serve();
-    server.serve();
+    server.serve({});
+    server.serve({});
     EXPECT_EQ(server.reader_count(), LineServer::kMostReaders);
 }
 

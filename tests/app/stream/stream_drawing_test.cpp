@@ -3,12 +3,14 @@
 #include "app/methods/all_methods.h"
 #include "app/stream/stream_lines.h"
 #include "drivers/logs/log.h"
+#include "drivers/logs/log_writer.h"
 #include "tests/app/flat_station.h"
 #include "tests/app/stream/local_reader.h"
 #include "tests/file_bytes.h"
 
 #include <algorithm>
 #include <iterator>
+#include <sstream>
 
 namespace tractus::stream {
 namespace {
@@ -81,11 +83,11 @@ TEST_F(StreamSocket, NeverStopsTheDrawing)
         = StreamOutput::open_socket(path_, station.volume_mm(), StreamOutput::What::All).value();
     LocalReader const slow(path_);
     LocalReader gone(path_);
-    output.serve();
+    output.serve({});
     for (int i = 0; i < 2000; ++i) {
         draw_across(station, 1000 * i);
         ASSERT_TRUE(output.take(station, scene::Scene()));
-        output.serve();
+        output.serve({});
         if (i == 10)
             gone.leave();
     }
@@ -94,7 +96,7 @@ TEST_F(StreamSocket, NeverStopsTheDrawing)
     ASSERT_TRUE(output.end());
     std::string text;
     for (std::string part = "-"; !part.empty();) {
-        output.serve();
+        output.serve({});
         part = slow.read_now();
         text += part;
     }
@@ -105,6 +107,40 @@ TEST_F(StreamSocket, NeverStopsTheDrawing)
     EXPECT_EQ(strokes, 2000u);
     EXPECT_NE(text.find("{\"type\":\"lost\",\"tips\":"), std::string::npos);
     EXPECT_EQ(text.substr(text.size() - end_line().size()), end_line());
+}
+
+// One reader takes all and another nothing: the first gets the end. Time passes only by waiting.
+TEST_F(StreamSocket, EndsThoughAReaderNeverReads)
+{
+    std::ostringstream text;
+    drivers::LogWriter writer(text, { .devices = { drivers::simple_pen() } });
+    for (int i = 0; i < 20'000; ++i)
+        writer.write_report(kPen, at_ms(5 * i), pen_report(50 + i % 100, 50, i % 200 < 150));
+    ASSERT_TRUE(writer.flush());
+    auto const log = drivers::parse_log(text.str(), "long").value();
+    station::ReplayOptions options { .methods = methods::all_methods() };
+    options.height = calib::parse_height_scenario("100").value();
+    auto replay = station::LogReplay::create(log, options).value();
+    auto output
+        = StreamOutput::open_socket(path_, replay.station().volume_mm(), StreamOutput::What::All)
+              .value();
+    LocalReader const stuck(path_);
+    LocalReader const other(path_);
+    std::string read;
+    Timestamp now {};
+    play::Pace clock;
+    clock.now = [&] { return now; };
+    clock.wait = [&](Duration duration) {
+        now += duration;
+        read += other.read_now();
+    };
+    std::atomic<bool> const stop = false;
+    ASSERT_TRUE(stream_log(replay, output, std::nullopt, stop, clock));
+    read += other.read_now();
+    EXPECT_EQ(read.substr(read.size() - end_line().size()), end_line());
+    EXPECT_EQ(read.find("\"lost\""), std::string::npos) << "the log waits for who reads";
+    EXPECT_LT(now, Timestamp(2 * LineServer::kPatience)) << "and once for who does not";
+    EXPECT_NE(stuck.read_now(), "");
 }
 
 } // namespace
