@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <optional>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace tractus {
@@ -18,8 +19,12 @@ namespace fs = std::filesystem;
 Result<void> read_file_in_pieces(fs::path const& path, std::size_t max_bytes,
                                  std::function<Result<void>(std::string_view)> const& take)
 {
-    if (std::error_code ignored; fs::is_directory(path, ignored))
+    std::error_code ignored;
+    auto const type = fs::status(path, ignored).type();
+    if (type == fs::file_type::directory)
         return fail(Fault::User, fmt::format("cannot read {}: it is a folder", path.string()));
+    if (type == fs::file_type::character || type == fs::file_type::block) // /dev/zero has no end.
+        return fail(Fault::User, fmt::format("cannot read {}: it is a device", path.string()));
     std::ifstream in(path, std::ios::binary);
     if (!in)
         return fail(Fault::User,
@@ -180,6 +185,21 @@ Result<void> rename_on_disk(fs::path const& from, fs::path const& to)
     return {};
 }
 
+// Begins a file that will take another's place with the other's permissions, so that nobody can
+// read it who could not before: 0600 stays 0600. Where this fails, writing will say why.
+static void begin_with_permissions_of(fs::path const& path, fs::path const& written)
+{
+    struct stat before { };
+    if (::stat(path.c_str(), &before) != 0)
+        return;
+    mode_t const mode = before.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
+    int const file = ::open(written.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (file < 0)
+        return;
+    ::fchmod(file, mode | S_IWUSR); // Past the umask; the writer has to open it once more.
+    ::close(file);
+}
+
 // Writes to `written`, which becomes `path` by a rename unless it is the same.
 static Result<void> write_and_rename(fs::path const& path, fs::path const& written,
                                      std::function<Result<void>(std::ostream&)> const& write)
@@ -197,8 +217,10 @@ static Result<void> write_and_rename(fs::path const& path, fs::path const& writt
     };
 
     std::optional<Unfinished> unfinished;
-    if (written != path)
+    if (written != path) {
         unfinished.emplace(written);
+        begin_with_permissions_of(path, written);
+    }
     errno = 0;
     std::ofstream out(written, std::ios::binary | std::ios::trunc);
     if (!out)

@@ -55,6 +55,36 @@ protected:
     fs::path folder_;
 };
 
+TEST_F(File, KeepsThePermissionsOfWhatItReplaces)
+{
+    auto const path = folder_ / "private";
+    auto const permissions = [&] { return fs::status(path).permissions(); };
+    ASSERT_TRUE(write_file(path, "one"));
+    auto const usual = permissions();
+    for (auto const wanted : { fs::perms(0600), fs::perms(0640), fs::perms(0666), usual }) {
+        fs::permissions(path, wanted);
+        ASSERT_TRUE(write_file(path, "two"));
+        EXPECT_EQ(permissions(), wanted);
+        auto const seen_while_written = [&](std::ostream& out) -> Result<void> {
+            for (auto const& entry : fs::directory_iterator(folder_))
+                EXPECT_EQ(entry.status().permissions(), wanted) << entry.path();
+            out << "three";
+            return {};
+        };
+        ASSERT_TRUE(write_file(path, seen_while_written));
+        EXPECT_EQ(permissions(), wanted);
+        EXPECT_EQ(read_file(path).value(), "three");
+    }
+}
+
+TEST_F(File, ReadsNoDeviceAsItMayHaveNoEnd)
+{
+    auto const read = read_file("/dev/zero");
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().message, "cannot read /dev/zero: it is a device");
+    EXPECT_FALSE(read_file("/dev/null"));
+}
+
 TEST_F(File, WritesAndReadsBytes)
 {
     std::string const bytes("a\0b\n", 4);
