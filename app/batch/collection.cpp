@@ -29,6 +29,28 @@ constexpr double kSpacing = 1.15; // Spacing in their widths: leaves stand out, 
 constexpr double kScatter = 0.35; // Share of the spacing, at most, to each side.
 constexpr std::uint32_t kPlaces = 0x706C; // The random stream of ages and places.
 
+// The first plant of a shard; where it ends is where the next begins. Without a product that might
+// not fit.
+std::size_t first_plant(CollectionOptions const& options, std::size_t shard)
+{
+    auto const parts = options.shard.parts;
+    auto const before = shard - 1;
+    return options.count / parts * before + options.count % parts * before / parts;
+}
+
+Result<void> check_count(CollectionOptions const& options)
+{
+    auto const shard = options.shard.number;
+    auto const count = first_plant(options, shard + 1) - first_plant(options, shard);
+    if (count <= kMostPlantsInShard)
+        return {};
+    auto const parts = (options.count + kMostPlantsInShard - 1) / kMostPlantsInShard;
+    return fail(Fault::User,
+                fmt::format("{} plants are too many for one run, which makes {}: make them in "
+                            "parts, with --shard 1/{} and so on",
+                            count, kMostPlantsInShard, parts));
+}
+
 // One collection on its way: each member function is a stage.
 class Collection {
 public:
@@ -84,6 +106,7 @@ private:
 Result<CollectionReport> Collection::run()
 {
     // Checks come before the work.
+    TRY(check_count(options_));
     TRY(check_writable(manifest_path(options_)));
     if (!options_.sheet.empty())
         TRY(check_writable(options_.sheet));
@@ -142,7 +165,7 @@ Result<void> Collection::compare(CollectionGrower& grower)
 {
     auto const drawn = TRY(grower.drawn());
     auto const box = bounds(drawn);
-    report_.height_mm = box.max_mm.z() - box.min_mm.z();
+    report_.height_mm = box.empty() ? 0 : box.max_mm.z() - box.min_mm.z();
     if (!grower.has_one_topology())
         return {};
     auto const count = std::min(options_.count, kCompared);
@@ -164,7 +187,8 @@ double Collection::spacing_mm(CollectionGrower& grower)
     double width_mm = 1;
     for (std::size_t i = 0; i < std::min(options_.count, kMeasured); ++i) {
         auto const box = bounds(grower.grow(key(i)));
-        width_mm = std::max(width_mm, (box.max_mm - box.min_mm).head<2>().maxCoeff());
+        if (!box.empty())
+            width_mm = std::max(width_mm, (box.max_mm - box.min_mm).head<2>().maxCoeff());
     }
     return kSpacing * width_mm;
 }
@@ -325,16 +349,12 @@ Result<void> Collection::write_sheet(CollectionGrower& grower,
 
 std::vector<PlantPlace> place_plants(CollectionOptions const& options, double spacing_mm)
 {
-    // Where a part ends, without a product that might not fit.
-    auto const end_of = [&](std::size_t number) {
-        auto const parts = options.shard.parts;
-        return options.count / parts * number + options.count % parts * number / parts;
-    };
     // A field a little wider than deep.
     auto const row
         = static_cast<std::size_t>(std::ceil(std::sqrt(1.2 * static_cast<double>(options.count))));
     std::vector<PlantPlace> places;
-    for (std::size_t i = end_of(options.shard.number - 1); i < end_of(options.shard.number); ++i) {
+    auto const end = first_plant(options, options.shard.number + 1);
+    for (std::size_t i = first_plant(options, options.shard.number); i < end; ++i) {
         PlantPlace place { .index = static_cast<std::uint32_t>(i) };
         Random random({ options.seed, kPlaces, place.index });
         place.age = random.uniform(options.ages.youngest, options.ages.oldest);

@@ -39,6 +39,9 @@ struct AgeRange {
 
 constexpr std::size_t kMostDetails = 6;
 
+// Plants in one shard: their places and what the manifest says of them are kept in memory.
+constexpr std::size_t kMostPlantsInShard = 1'000'000;
+
 struct CollectionOptions {
     std::filesystem::path model {};
     scene::EditKinds kinds {};                // Kinds of its edits, if it is a session.
@@ -105,7 +108,8 @@ struct CollectionReport {
 // The bytes depend on the options alone, not on the number of threads. Memory holds a few plants,
 // whatever their number. Every file appears whole or not at all: when it is stopped or the disk is
 // full, what was written before stays. Fails as reading the plant and its drawing does, where a
-// file cannot be written, and where pictures are wanted and the system has no OpenGL.
+// file cannot be written, where pictures are wanted and the system has no OpenGL, and, as the
+// user's fault, where a shard has more than kMostPlantsInShard.
 Result<CollectionReport> make_collection(CollectionOptions const& options,
                                          terminal::Progress& progress);
 

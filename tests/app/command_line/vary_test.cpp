@@ -55,6 +55,12 @@ TEST_F(Vary, NoTwoPlantsAreAlikeUnlessTheyAreAsDrawn)
     EXPECT_NE(drawn.find("from what was drawn: 0.0 mm, +- 0.0 mm"), std::string::npos) << drawn;
 }
 
+TEST_F(Vary, ToldToMakeMoreThanOneRunCanSaysHowToShareThem)
+{
+    expect_error(run("tractus vary small.l --count 1000000000 -o many"), 1, "--shard 1/1000 ");
+    EXPECT_FALSE(exists("many/manifest.json"));
+}
+
 TEST_F(Vary, VariabilityIsKnownByItsOlderName)
 {
     record();
