@@ -1,7 +1,9 @@
 #include "app/window/host.h"
 
 #include "app/render/gl_objects.h"
+#include "app/terminal/error_text.h"
 #include "app/window/imgui_mouse.h"
+#include "app/window/stale_window_manager.h"
 #include "app/window/theme.h"
 
 #define GLFW_INCLUDE_NONE
@@ -94,6 +96,9 @@ Result<void> Host::open(WindowOptions const& options)
     if (std::getenv("XDG_RUNTIME_DIR") == nullptr)
         glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
+    if (remove_stale_window_manager())
+        terminal::print_warning("the display names a window manager that is gone: its note is "
+                                "taken away, and windows may have no frames");
     if (glfwInit() != GLFW_TRUE)
         return no_window("there is no display");
     library_ = true;

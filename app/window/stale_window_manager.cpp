@@ -1,0 +1,55 @@
+#include "app/window/stale_window_manager.h"
+
+#include <X11/Xatom.h>
+#include <X11/Xlib.h> // Last, and compiled alone: its macros are short common words.
+#include <optional>
+
+namespace tractus::window {
+
+static int ignore_error(::Display* /*display*/, XErrorEvent* /*error*/)
+{
+    return 0;
+}
+
+// The window that a window's property names; no value where either is not there.
+static std::optional<::Window> named_window(::Display* display, ::Window window, ::Atom property)
+{
+    ::Atom type = None;
+    int format = 0;
+    unsigned long count = 0;
+    unsigned long left = 0;
+    unsigned char* bytes = nullptr;
+    bool const is_read = XGetWindowProperty(display, window, property, 0, 1, False, XA_WINDOW,
+                                            &type, &format, &count, &left, &bytes)
+        == Success;
+    std::optional<::Window> named;
+    if (is_read && type == XA_WINDOW && format == 32 && count == 1)
+        named = *reinterpret_cast<::Window const*>(bytes);
+    if (bytes != nullptr)
+        XFree(bytes);
+    return named;
+}
+
+// A window manager's own window names itself, by which others see that it is alive. The server is
+// grabbed, so that none begins between the look and the removal.
+bool remove_stale_window_manager()
+{
+    auto* const display = XOpenDisplay(nullptr);
+    if (display == nullptr)
+        return false;
+    auto* const handler = XSetErrorHandler(ignore_error);
+    auto const property = XInternAtom(display, "_NET_SUPPORTING_WM_CHECK", False);
+    auto const root = DefaultRootWindow(display);
+    XGrabServer(display);
+    auto const manager = named_window(display, root, property);
+    bool const is_stale = manager && !named_window(display, *manager, property);
+    if (is_stale)
+        XDeleteProperty(display, root, property);
+    XUngrabServer(display);
+    XSync(display, False);
+    XSetErrorHandler(handler);
+    XCloseDisplay(display);
+    return is_stale;
+}
+
+} // namespace tractus::window
