@@ -55,6 +55,9 @@ TEST(UdevRules, PermitPensByUsageAndTabletsByMaker)
     EXPECT_TRUE(permits(0x05, 0x256c, 0x006d, "06 00 ff 09 01 a1 01 c0"));
     EXPECT_TRUE(permits(0x03, 0x0483, 0xa640, kMouse)); // A maker of chips.
     EXPECT_FALSE(permits(0x03, 0x0483, 0x5740, kMouse));
+    constexpr auto kKeyboard = "05 01 09 06 a1 01 c0";
+    EXPECT_TRUE(permits(0x03, 0x0458, 0x501a, "06 00 ff 09 01 a1 01 c0"));
+    EXPECT_FALSE(permits(0x03, 0x0458, 0x0708, kKeyboard)); // The same maker's keyboard.
 }
 
 } // namespace

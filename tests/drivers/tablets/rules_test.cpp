@@ -109,10 +109,11 @@ TEST(Rules, PermitByUsageNoDeviceOfTheCorpusThatIsNoPen)
     }
 }
 
-// Makers of chips have ids on very many devices that are no tablets.
-TEST(Rules, PermitNotAllDevicesOfMakersOfChips)
+// Makers of chips have ids on very many devices that are no tablets, and Genius makes keyboards:
+// what is typed on them must not be readable.
+TEST(Rules, PermitNotAllDevicesOfMakersOfOtherThings)
 {
-    std::vector<std::uint16_t> const vendor_ids { 0x0483, 0x0a12, 0x04d8, 0x1209 };
+    std::vector<std::uint16_t> const vendor_ids { 0x0458, 0x0483, 0x0a12, 0x04d8, 0x1209 };
     for (auto const& rule : read_rules())
         for (auto const vendor_id : vendor_ids)
             EXPECT_FALSE(names(rule.vendors, vendor_id) && rule.products.empty()) << rule.vendors;
