@@ -62,6 +62,8 @@ Result<FoldedSession> fold_session(session::SessionContents const& contents,
             unknown.add(all[end]);
         if (all[first].step > contents.step)
             break;
+        if (cost.is_stopped && cost.is_stopped())
+            return fail(Fault::User, "it takes too long to draw: it was stopped");
         auto const step = all.subspan(first, end - first);
         auto after = state_after(state, step, builder);
         if (!after && first == 0)

@@ -14,6 +14,7 @@
 #include "engine/scene/back_picture.h"
 
 #include <algorithm>
+#include <chrono>
 #include <fmt/core.h>
 #include <functional>
 #include <string>
@@ -25,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// That is looked at in passing.
+// What is looked at in passing: a file, and all that it takes to build its plants.
 constexpr std::uintmax_t kLargestFile_bytes = 32'000'000;
 constexpr double kLongest_s = 5;
 
@@ -161,7 +162,12 @@ std::optional<render::Image> CardPictures::draw(fs::path const& file, std::stop_
         auto const leaf = methods::plant_of_organ(file);
         return leaf ? draw(*leaf, stop) : std::nullopt;
     }
-    auto const scene = scene_of_plant(file, kinds_, { .max_seconds = kLongest_s });
+    document::ModelCost cost { .max_seconds = kLongest_s };
+    using Clock = std::chrono::steady_clock;
+    cost.is_stopped = [stop, end = Clock::now() + std::chrono::duration<double>(kLongest_s)] {
+        return stop.stop_requested() || Clock::now() >= end;
+    };
+    auto const scene = scene_of_plant(file, kinds_, cost);
     if (!scene || scene->plants.empty() || stop.stop_requested())
         return std::nullopt;
     auto const plant = batch::shown_plants(*scene);

@@ -53,12 +53,16 @@ scene::LoadOptions load_options(ModelCost const& cost)
     scene::LoadOptions options;
     options.limits.max_modules = cost.max_modules;
     options.limits.max_memory_bytes = cost.max_memory_mb << 20;
-    if (cost.max_seconds > 0) {
-        auto const end = Clock::now()
+    auto end = Clock::time_point::max();
+    if (cost.max_seconds > 0)
+        end = Clock::now()
             + std::chrono::duration_cast<Clock::duration>(
-                             std::chrono::duration<double>(cost.max_seconds));
-        options.limits.time = { [end] { return Clock::now() >= end; }, cost.max_seconds };
-    }
+                  std::chrono::duration<double>(cost.max_seconds));
+    if (cost.max_seconds > 0 || cost.is_stopped)
+        options.limits.time = { [end, is_stopped = cost.is_stopped] {
+                                   return Clock::now() >= end || (is_stopped && is_stopped());
+                               },
+                                cost.max_seconds };
     options.print = ModelPrinter();
     return options;
 }

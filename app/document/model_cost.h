@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
 namespace tractus::document {
 
@@ -17,6 +18,9 @@ struct ModelCost {
     std::size_t max_modules = lsystem::ModelLimits().max_modules;
     std::uint64_t max_memory_mb = machine_memory_mb() / 2; // The plant needs memory, too.
     double max_seconds = 600;                              // 0: as long as it takes.
+    // Asked while models run and between a session's steps: true stops, from any thread. Empty:
+    // nothing else stops them.
+    std::function<bool()> is_stopped {};
 };
 
 // How to run a model that may cost so much from now on. What it prints goes to standard error, up

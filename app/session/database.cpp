@@ -87,6 +87,7 @@ Result<bool> Statement::step()
 {
     if (error_ != SQLITE_OK)
         return database_->error(error_);
+    database_->begin_counting();
     int const code = sqlite3_step(statement_);
     if (code != SQLITE_ROW && code != SQLITE_DONE)
         return database_->error(code);
@@ -103,6 +104,20 @@ Result<void> Statement::run()
 void Statement::reset()
 {
     sqlite3_reset(statement_);
+}
+
+bool Statement::has_types(std::string_view types) const
+{
+    for (int column = 0; column < static_cast<int>(types.size()); ++column) {
+        int const type = sqlite3_column_type(statement_, column);
+        char const letter = type == SQLITE_INTEGER ? 'i'
+            : type == SQLITE_TEXT                  ? 't'
+            : type == SQLITE_BLOB                  ? 'b'
+                                                   : ' ';
+        if (letter != types[static_cast<std::size_t>(column)])
+            return false;
+    }
+    return true;
 }
 
 std::int64_t Statement::whole(int column) const
@@ -124,8 +139,47 @@ void Database::Close::operator()(sqlite3* database) const
 
 Database::Database(fs::path path, sqlite3* database)
     : path_(std::move(path))
+    , instructions_(std::make_unique<std::uint64_t>(0))
     , database_(database)
 {
+}
+
+// How many instructions go by between two looks at their number.
+static constexpr int kInstructionsCounted = 10'000;
+
+static int give_up_after_many(void* instructions)
+{
+    auto& count = *static_cast<std::uint64_t*>(instructions);
+    count += kInstructionsCounted;
+    return count > Database::kMostInstructions ? 1 : 0;
+}
+
+// What www.sqlite.org/security.html advises for files that somebody may have made to do harm.
+void Database::limit_what_files_may_do()
+{
+    auto* const handle = database_.get();
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    for (int const unwanted :
+         { SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_TRIGGER,
+           SQLITE_DBCONFIG_ENABLE_VIEW, SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION,
+           SQLITE_DBCONFIG_ENABLE_FKEY, SQLITE_DBCONFIG_DQS_DDL, SQLITE_DBCONFIG_DQS_DML })
+        sqlite3_db_config(handle, unwanted, 0, nullptr);
+    constexpr std::pair<int, int> kLimits[] {
+        { SQLITE_LIMIT_LENGTH, 512 << 20 },
+        { SQLITE_LIMIT_SQL_LENGTH, 100'000 },
+        { SQLITE_LIMIT_COLUMN, 16 },
+        { SQLITE_LIMIT_EXPR_DEPTH, 20 },
+        { SQLITE_LIMIT_COMPOUND_SELECT, 5 },
+        { SQLITE_LIMIT_FUNCTION_ARG, 16 },
+        { SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 50 },
+        { SQLITE_LIMIT_VARIABLE_NUMBER, 16 },
+        { SQLITE_LIMIT_TRIGGER_DEPTH, 1 },
+        { SQLITE_LIMIT_WORKER_THREADS, 0 },
+    };
+    for (auto const& [limit, value] : kLimits)
+        sqlite3_limit(handle, limit, value);
+    sqlite3_progress_handler(handle, kInstructionsCounted, give_up_after_many, instructions_.get());
+    (void)execute("PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0");
 }
 
 Result<Database> Database::open(fs::path const& path, Access access)
@@ -151,9 +205,7 @@ Result<Database> Database::open(fs::path const& path, Access access)
     if (code != SQLITE_OK)
         return database.error(code);
     sqlite3_busy_timeout(handle, kPatience_ms);
-    // A file that somebody has made to do harm: no functions and triggers of its own are run.
-    sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-    sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    database.limit_what_files_may_do();
     return database;
 }
 
@@ -168,6 +220,7 @@ Result<Statement> Database::prepare(char const* sql) const
 
 Result<void> Database::execute(std::string const& sql) const
 {
+    begin_counting();
     if (int const code = sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr);
         code != SQLITE_OK)
         return error(code);
@@ -197,6 +250,8 @@ Result<void> Database::back_up(fs::path const& copy) const
         if (int const code = sqlite3_backup_finish(backup); code != SQLITE_OK)
             return target.error(code);
     }
+    if (auto const original = fs::status(path_, failed); fs::is_regular_file(original))
+        fs::permissions(made, original.permissions(), failed);
     return rename_on_disk(made, copy);
 }
 
@@ -227,6 +282,8 @@ tl::unexpected<Error> Database::error(int code) const
                                     name));
     case SQLITE_FULL:
         return sentence(fmt::format("cannot write {}: there is no space left on its disk", name));
+    case SQLITE_INTERRUPT: // By give_up_after_many().
+        return sentence(fmt::format("{} cannot be read: it makes SQLite work without end", name));
     case SQLITE_NOMEM:
         return sentence(fmt::format("there is not enough memory to read {}", name));
     case SQLITE_IOERR:
@@ -234,6 +291,8 @@ tl::unexpected<Error> Database::error(int code) const
         return sentence(fmt::format(
             "cannot {} {}: {}", (code & 0xff) == SQLITE_CANTOPEN ? "open" : "read or write", name,
             system_error != 0 ? std::strerror(system_error) : sqlite3_errstr(code)));
+    case SQLITE_TOOBIG:
+        return sentence(fmt::format("cannot write {}: one edit has more than 512 MiB", name));
     default:
         // SQLITE_CORRUPT, and tables that are not as they should be.
         return sentence(

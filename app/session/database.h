@@ -33,6 +33,9 @@ public:
     // Back to before the first row, to be bound again.
     void reset();
 
+    // Whether the row's values are of these types: i for whole numbers, t for text, b for blobs.
+    bool has_types(std::string_view types) const;
+
     // Values of the row.
     std::int64_t whole(int column) const;
     std::string bytes(int column) const; // Text or blob; empty for null.
@@ -46,11 +49,16 @@ private:
     int error_ = 0; // Error of a bind.
 };
 
-// A SQLite file. Everything that fails does so in a sentence that names the file and says what to
-// do: what is no database, is damaged, is locked by another program, may not be written, or has no
-// room left.
+// A SQLite file, which may come from anybody: it runs no triggers, views and functions of its own,
+// and a statement that goes on and on is given up. Everything that fails does so in a sentence that
+// names the file and says what to do: what is no database, is damaged, is locked by another
+// program, may not be written, or has no room left.
 class Database {
 public:
+    // Instructions of SQLite's virtual machine from one row to the next; reading or writing one
+    // takes a few hundred.
+    static constexpr std::uint64_t kMostInstructions = 50'000'000;
+
     enum class Access {
         Read,  // Writes nothing, not even beside the file.
         Write, // The file is there.
@@ -77,13 +85,18 @@ public:
     tl::unexpected<Error> error(int code) const;
 
 private:
+    friend class Statement;
     struct Close {
         void operator()(sqlite3* database) const;
     };
 
     Database(std::filesystem::path path, sqlite3* database);
 
+    void limit_what_files_may_do();
+    void begin_counting() const { *instructions_ = 0; }
+
     std::filesystem::path path_;
+    std::unique_ptr<std::uint64_t> instructions_; // Since begin_counting(); SQLite has its address.
     std::unique_ptr<sqlite3, Close> database_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <filesystem>
 #include <fmt/core.h>
 #include <limits>
 #include <variant>
@@ -348,6 +349,21 @@ bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines)
         lines.push_back({ from_mm, in.vec3() });
     }
     return true;
+}
+
+bool leave_out_folders(Json& fields)
+{
+    bool is_changed = false;
+    for (auto const* const key : { "name", "model_name", "view_name" }) {
+        std::filesystem::path path;
+        if (std::string name; fields.contains(key) && read(fields[key], name))
+            path = name;
+        if (!path.is_absolute() || path.filename().empty())
+            continue;
+        fields[key] = written(path.filename().string());
+        is_changed = true;
+    }
+    return is_changed;
 }
 
 void FieldWriter::field(char const* name, scene::FieldRef value)

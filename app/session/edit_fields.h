@@ -78,6 +78,10 @@ std::string written_lines(std::vector<SkeletonPiece> const& lines);
 bool read_tips(std::string_view bytes, Stroke& stroke);
 bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines);
 
+// Cuts the fields that name the files of a plant ("name", "model_name", "view_name") down to the
+// last part of absolute paths. Returns whether there was one.
+bool leave_out_folders(Json& fields);
+
 // Writes fields one after the other.
 class FieldWriter final : public scene::Fields {
 public:
@@ -87,6 +91,8 @@ public:
     void numbers(Stroke& stroke) override { numbers_ = written_tips(stroke); }
     void numbers(std::vector<SkeletonPiece>& lines) override { numbers_ = written_lines(lines); }
     void bytes(std::string& file) override { numbers_ = file; }
+
+    void leave_out_folders() { static_cast<void>(session::leave_out_folders(json_)); }
 
     std::string json() const { return json_.dump(); }
     std::string take_numbers() { return std::move(numbers_); }

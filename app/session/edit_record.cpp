@@ -7,13 +7,29 @@
 
 namespace tractus::session {
 
+// Whether an edit of the kind names files that it was made from.
+static bool names_files(std::string_view kind)
+{
+    return kind.starts_with("load_") || kind == "grow_along_stroke";
+}
+
 EditRecord record_of(scene::Edit const& edit)
 {
     if (auto const* const unknown = edit.get<scene::UnknownEdit>())
         return { unknown->word, unknown->fields, unknown->numbers };
     FieldWriter writer;
     edit.show(writer);
+    if (names_files(edit.kind().word))
+        writer.leave_out_folders();
     return { edit.kind().word, writer.json(), writer.take_numbers() };
+}
+
+EditRecord without_folders(EditRecord record)
+{
+    auto json = names_files(record.kind) ? Json::parse(record.fields, nullptr, false) : Json();
+    if (json.is_object() && leave_out_folders(json))
+        record.fields = json.dump();
+    return record;
 }
 
 Result<scene::Edit> edit_of(EditRecord const& record, scene::EditKinds kinds)

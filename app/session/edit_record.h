@@ -21,10 +21,15 @@ struct EditRecord {
     std::string numbers;
 };
 
-// Converts an edit. In the JSON, numbers that are not finite are strings of 16 hexadecimal digits:
-// their bits. A string that is no UTF-8, as texts and names of files may be, is {"bytes": "…"} with
-// a character U+0000 to U+00FF for each byte.
+// Converts an edit. Of the files that a plant came from it has the names without their folders: a
+// session and a recording are given to others, whom the folders do not concern. In the JSON,
+// numbers that are not finite are strings of 16 hexadecimal digits: their bits. A string that is no
+// UTF-8, as texts and names of files may be, is {"bytes": "…"} with a character U+0000 to U+00FF
+// for each byte.
 EditRecord record_of(scene::Edit const& edit);
+
+// The record without such folders, as an older program may have written it.
+EditRecord without_folders(EditRecord record);
 
 // Refuses, in a sentence without the file's name, a kind that is none of `kinds`, a field that it
 // does not have, and what does not have its form. Fields that are missing are as they are by

@@ -17,6 +17,7 @@ using Standing = FoundRow::Standing;
 constexpr std::size_t kEditColumns = 7;
 constexpr std::size_t kEditColumnsOfFormat1 = 5; // Lacks time and checksum.
 constexpr std::size_t kMetaColumns = 2;
+constexpr std::size_t kMetaCopyColumns = 3; // Has a checksum.
 
 bool has_kinds(FoundRow const& row, std::initializer_list<Kind> kinds)
 {
@@ -56,7 +57,7 @@ public:
 
     void take(FoundRow&& found)
     {
-        if (found.columns.size() == kMetaColumns)
+        if (found.columns.size() == kMetaColumns || found.columns.size() == kMetaCopyColumns)
             return take_meta(found);
         auto const standing = found.standing;
         if (auto row = edit_row(std::move(found), kinds_))
@@ -68,7 +69,8 @@ public:
     ScannedSession finish() &&
     {
         ScannedSession session;
-        session.meta = std::move(meta_);
+        for (auto& [key, candidate] : meta_)
+            session.meta.emplace(key, std::move(candidate.text));
         std::int64_t last_listed = 0;
         for (auto const& [number, candidate] : edits_)
             if (candidate.standing == Standing::Listed)
@@ -104,24 +106,34 @@ private:
             best = { std::move(row), standing };
     }
 
+    // A value of meta, by how sure it is: those that a page lists before others, and among these
+    // those whose checksum is right. A copy whose checksum is wrong is none.
+    struct MetaCandidate {
+        std::string text;
+        std::pair<bool, bool> rank {}; // Whether it is listed, and whether it has a checksum.
+    };
+
     void take_meta(FoundRow const& found)
     {
-        constexpr std::array kKeys { "plant", "program", "created", "step" };
+        constexpr std::array kKeys { "plant", "name", "program", "created", "step" };
         auto const& key = found.columns[0];
         auto const& value = found.columns[1];
         if (key.kind != Kind::Text
             || std::find(kKeys.begin(), kKeys.end(), key.bytes) == kKeys.end())
             return;
-        auto const text = value.kind == Kind::Whole ? std::to_string(value.whole) : value.bytes;
-        if (found.standing == Standing::Listed)
-            meta_[key.bytes] = text;
-        else
-            meta_.try_emplace(key.bytes, text);
+        auto text = value.kind == Kind::Whole ? std::to_string(value.whole) : value.bytes;
+        bool const is_copy = found.columns.size() == kMetaCopyColumns;
+        if (is_copy && found.columns[2].whole != checksum_of_meta(key.bytes, text))
+            return;
+        std::pair const rank(found.standing == Standing::Listed, is_copy);
+        auto const [best, is_new] = meta_.try_emplace(key.bytes);
+        if (is_new || rank > best->second.rank || (rank.first && rank == best->second.rank))
+            best->second = { std::move(text), rank };
     }
 
     scene::EditKinds kinds_;
     std::map<std::int64_t, Candidate> edits_;
-    std::map<std::string, std::string> meta_;
+    std::map<std::string, MetaCandidate> meta_;
 };
 
 } // namespace
@@ -130,7 +142,7 @@ ScannedSession scan_pages(std::string_view file, std::string_view log, scene::Ed
 {
     auto const accepts = [](std::size_t columns) {
         return columns == kEditColumns || columns == kEditColumnsOfFormat1
-            || columns == kMetaColumns;
+            || columns == kMetaColumns || columns == kMetaCopyColumns;
     };
     // The size that the file says, if it is one, and the usual one; others where these find
     // nothing.

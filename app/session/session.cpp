@@ -1,5 +1,6 @@
 #include "app/session/session.h"
 
+#include "app/session/session_schema.h"
 #include "engine/base/check.h"
 #include "engine/scene/edit_ids.h"
 
@@ -17,7 +18,7 @@ namespace {
 // The journal is kept beside the file, and synced at each commit.
 Result<Database> open_to_write(fs::path const& path)
 {
-    auto database = TRY(Database::open(path, Database::Access::Write));
+    auto database = TRY(open_session(path, Database::Access::Write));
     TRY(database.execute("PRAGMA synchronous = FULL"));
     TRY(database.execute("PRAGMA cache_size = -256")); // KiB: it is written on, and seldom read.
     TRY(database.execute("BEGIN IMMEDIATE"));          // No other program writes from here on.

@@ -3,6 +3,7 @@
 #include "app/session/database.h"
 #include "app/session/new_session_file.h"
 #include "app/session/session_file.h"
+#include "app/session/session_schema.h"
 
 namespace tractus::session {
 
@@ -11,7 +12,7 @@ namespace fs = std::filesystem;
 std::string session_name(fs::path const& path)
 {
     auto const read = [&]() -> Result<std::string> {
-        auto const database = TRY(Database::open(path, Database::Access::Read));
+        auto const database = TRY(open_session(path, Database::Access::Read));
         auto name = TRY(database.prepare("SELECT value FROM meta WHERE key = 'name'"));
         return TRY(name.step()) ? name.bytes(0) : std::string();
     };
@@ -22,7 +23,7 @@ Result<void> copy_session(fs::path const& path, fs::path const& copy, std::strin
 {
     return make_session_file(copy, [&](fs::path const& made) -> Result<void> {
         // A connection of its own, since one that may write cannot be copied from.
-        auto const original = TRY(Database::open(path, Database::Access::Read));
+        auto const original = TRY(open_session(path, Database::Access::Read));
         TRY(original.back_up(made));
         auto const copied = TRY(Database::open(made, Database::Access::Write));
         TRY(copied.execute("BEGIN"));

@@ -1,9 +1,13 @@
 #include "app/session/session_file.h"
 
 #include "app/session/new_session_file.h"
+#include "app/session/session_schema.h"
 
 #include <fmt/core.h>
 #include <functional>
+#include <initializer_list>
+#include <sqlite3.h>
+#include <string_view>
 #include <utility>
 #include <zlib.h>
 
@@ -13,42 +17,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::int64_t kApplicationId = 0x54524143; // "TRAC"
+// A larger edit has no copy. A plant's and a stroke's are far smaller; a picture's may not be.
+constexpr std::size_t kMostCopied = std::size_t { 16 } << 20;
 
-tl::unexpected<Error> damaged(std::string const& name, std::string const& what)
+// CRC-32 of the parts. The end of each is part of it, so that nothing can go over from one part to
+// the next.
+std::int64_t checksum_of_parts(std::initializer_list<std::string_view> parts)
 {
-    return fail(
-        Fault::User,
-        fmt::format("{0} is damaged ({1}): \"tractus session repair {0} -o NEW.tractus\" brings "
-                    "back what is whole",
-                    name, what));
-}
-
-// The format's version, one that this program knows.
-Result<std::int64_t> read_format(Database const& database, std::string const& name)
-{
-    if (TRY(database.whole("PRAGMA application_id")) != kApplicationId)
-        return fail(Fault::User, fmt::format("{} is not a session of tractus", name));
-    auto const format = TRY(database.whole("PRAGMA user_version"));
-    if (format > kSessionFormat)
-        return fail(Fault::User,
-                    fmt::format("{} was written by a newer tractus (format {}, and this one knows "
-                                "up to {}): open it with that one",
-                                name, format, kSessionFormat));
-    if (format < 1)
-        return damaged(name, fmt::format("its format is {}", format));
-    return format;
+    auto sum = crc32(0, nullptr, 0);
+    for (auto const part : parts) {
+        sum = crc32_z(sum, reinterpret_cast<Bytef const*>(part.data()), part.size());
+        sum = crc32_z(sum, reinterpret_cast<Bytef const*>(""), 1);
+    }
+    return static_cast<std::int64_t>(sum);
 }
 
 std::int64_t checksum(std::size_t step, EditRecord const& record)
 {
-    auto sum = crc32(0, nullptr, 0);
-    for (auto const& part : { std::to_string(step), record.kind, record.fields, record.numbers }) {
-        // The end is part of it, so that nothing can go over from one part to the next.
-        auto const* const bytes = reinterpret_cast<Bytef const*>(part.c_str());
-        sum = crc32_z(sum, bytes, part.size() + 1);
-    }
-    return static_cast<std::int64_t>(sum);
+    return checksum_of_parts({ std::to_string(step), record.kind, record.fields, record.numbers });
 }
 
 constexpr char const* kColumns = "number, step, kind, fields, numbers, made, checksum";
@@ -69,15 +55,18 @@ EditRow row_of(Statement const& rows, std::int64_t format)
     return row;
 }
 
-// Calls `take` with all, in order.
+// Calls `take` with all, in order. Fails for values of other types than are written.
 Result<void> for_each_row(Database const& database, std::int64_t format,
                           std::function<Result<void>(EditRow&&)> const& take)
 {
     auto const columns = format > 1 ? kColumns : "number, step, kind, fields, numbers";
     auto rows = TRY(
         database.prepare(fmt::format("SELECT {} FROM edits ORDER BY number", columns).c_str()));
-    while (TRY(rows.step()))
+    while (TRY(rows.step())) {
+        if (!rows.has_types(format > 1 ? "iittbii" : "iittb"))
+            return database.error(SQLITE_MISMATCH);
         TRY(take(row_of(rows, format)));
+    }
     return {};
 }
 
@@ -181,16 +170,45 @@ Result<scene::Edit> checked_edit(EditRow const& row, scene::EditKinds kinds)
     return edit_or_unknown(row.record, kinds);
 }
 
-Result<void> write_meta(Database const& database, char const* key, std::int64_t value)
+Result<void> write_meta(Database const& database, std::string const& key, std::int64_t value)
 {
     auto row = TRY(database.prepare("INSERT OR REPLACE INTO meta VALUES (?, ?)"));
-    return row.bind_text(0, key).bind(1, value).run();
+    TRY(row.bind_text(0, key).bind(1, value).run());
+    auto copy = TRY(database.prepare("INSERT OR REPLACE INTO meta_copies VALUES (?, ?, ?)"));
+    return copy.bind_text(0, key)
+        .bind(1, value)
+        .bind(2, checksum_of_meta(key, std::to_string(value)))
+        .run();
 }
 
-Result<void> write_meta(Database const& database, char const* key, std::string const& value)
+Result<void> write_meta(Database const& database, std::string const& key, std::string const& value)
 {
     auto row = TRY(database.prepare("INSERT OR REPLACE INTO meta VALUES (?, ?)"));
-    return row.bind_text(0, key).bind_text(1, value).run();
+    TRY(row.bind_text(0, key).bind_text(1, value).run());
+    auto copy = TRY(database.prepare("INSERT OR REPLACE INTO meta_copies VALUES (?, ?, ?)"));
+    return copy.bind_text(0, key).bind_text(1, value).bind(2, checksum_of_meta(key, value)).run();
+}
+
+Result<void> insert_row(Database const& database, char const* table, EditRow const& row)
+{
+    auto const sql
+        = fmt::format("INSERT INTO {} ({}) VALUES (?, ?, ?, ?, ?, ?, ?)", table, kColumns);
+    auto insert = TRY(database.prepare(sql.c_str()));
+    return insert.bind(0, row.place.number)
+        .bind(1, static_cast<std::int64_t>(row.step))
+        .bind_text(2, row.record.kind)
+        .bind_text(3, row.record.fields)
+        .bind_blob(4, row.record.numbers)
+        .bind(5, row.made.time_since_epoch().count())
+        .bind(6, row.place.checksum)
+        .run();
+}
+
+Result<void> insert_copy(Database const& database, EditRow const& row)
+{
+    if (row.record.fields.size() + row.record.numbers.size() > kMostCopied)
+        return {};
+    return insert_row(database, "copies", row);
 }
 
 } // namespace
@@ -216,9 +234,14 @@ std::int64_t checksum_of(EditRow const& row)
     return checksum(row.step, row.record);
 }
 
+std::int64_t checksum_of_meta(std::string const& key, std::string const& value)
+{
+    return checksum_of_parts({ key, value });
+}
+
 Result<SessionContents> read_session(std::filesystem::path const& path, scene::EditKinds kinds)
 {
-    auto const database = TRY(Database::open(path, Database::Access::Read));
+    auto const database = TRY(open_session(path, Database::Access::Read));
     TRY(database.execute("BEGIN")); // One moment of it, if another program goes on writing.
     SessionContents contents;
     auto const take = [&](SessionEdit&& edit) { contents.edits.push_back(std::move(edit)); };
@@ -239,12 +262,7 @@ static Result<void> write_tables(Database const& database, SessionOrigin const& 
                                  std::span<EditRow const> rows, std::size_t step)
 {
     TRY(database.execute("BEGIN"));
-    TRY(database.execute(fmt::format("PRAGMA application_id = {}", kApplicationId)));
-    TRY(database.execute(fmt::format("PRAGMA user_version = {}", kSessionFormat)));
-    TRY(database.execute("CREATE TABLE meta (key TEXT PRIMARY KEY, value);"
-                         "CREATE TABLE edits (number INTEGER PRIMARY KEY, step INTEGER NOT NULL, "
-                         "kind TEXT NOT NULL, fields TEXT NOT NULL, numbers BLOB NOT NULL, "
-                         "made INTEGER NOT NULL, checksum INTEGER NOT NULL);"));
+    TRY(make_tables(database));
     TRY(write_meta(database, "plant", origin.plant));
     if (!origin.name.empty())
         TRY(write_name(database, origin.name));
@@ -293,20 +311,15 @@ Result<std::vector<EditRow>> rows_of(Database const& database, SessionStep const
 
 Result<void> write_step(Database const& database, std::span<EditRow const> rows)
 {
-    auto undone = TRY(database.prepare("DELETE FROM edits WHERE number >= ?"));
-    TRY(undone.bind(0, rows.front().place.number).run());
-    auto const columns
-        = fmt::format("INSERT INTO edits ({}) VALUES (?, ?, ?, ?, ?, ?, ?)", kColumns);
-    auto row = TRY(database.prepare(columns.c_str()));
-    for (auto const& [place, step, record, made] : rows)
-        TRY(row.bind(0, place.number)
-                .bind(1, static_cast<std::int64_t>(step))
-                .bind_text(2, record.kind)
-                .bind_text(3, record.fields)
-                .bind_blob(4, record.numbers)
-                .bind(5, made.time_since_epoch().count())
-                .bind(6, place.checksum)
-                .run());
+    for (auto const* const table : { "edits", "copies" }) {
+        auto undone
+            = TRY(database.prepare(fmt::format("DELETE FROM {} WHERE number >= ?", table).c_str()));
+        TRY(undone.bind(0, rows.front().place.number).run());
+    }
+    for (auto const& row : rows) {
+        TRY(insert_row(database, "edits", row));
+        TRY(insert_copy(database, row));
+    }
     return write_cursor(database, rows.front().step);
 }
 
@@ -341,16 +354,43 @@ Result<scene::Edit> read_edit(Database const& database, EditPlace const& place,
     return checked_edit(row, kinds);
 }
 
-// Adds what the first format lacked.
-static Result<void> add_checksums(Database const& database)
+// Gives rows of an older format what they lack: the first had no checksums, and before the fifth
+// there were no copies, and names of files had folders. A row that is damaged stays as it is.
+static Result<void> update_rows(Database const& database, std::int64_t format)
 {
-    TRY(database.execute("ALTER TABLE edits ADD COLUMN made INTEGER NOT NULL DEFAULT 0;"
-                         "ALTER TABLE edits ADD COLUMN checksum INTEGER NOT NULL DEFAULT 0;"));
-    auto update = TRY(database.prepare("UPDATE edits SET checksum = ? WHERE number = ?"));
-    auto const add_checksum = [&](EditRow&& row) {
-        return update.bind(0, row.place.checksum).bind(1, row.place.number).run();
+    auto update
+        = TRY(database.prepare("UPDATE edits SET fields = ?, checksum = ? WHERE number = ?"));
+    auto const bring_up_to_date = [&](EditRow&& row) -> Result<void> {
+        if (format > 1 && row.place.checksum != checksum_of(row))
+            return {};
+        row.record = without_folders(row.record);
+        row.place.checksum = checksum_of(row);
+        TRY(update.bind_text(0, row.record.fields)
+                .bind(1, row.place.checksum)
+                .bind(2, row.place.number)
+                .run());
+        return insert_copy(database, row);
     };
-    return for_each_row(database, 1, add_checksum);
+    return for_each_row(database, kSessionFormat, bring_up_to_date);
+}
+
+// The values of meta, of which only two types are written.
+static Result<void> copy_meta(Database const& database)
+{
+    auto rows = TRY(database.prepare("SELECT key, value FROM meta"));
+    std::vector<std::pair<std::string, std::string>> texts;
+    std::vector<std::pair<std::string, std::int64_t>> wholes;
+    while (TRY(rows.step())) {
+        if (rows.has_types("ti"))
+            wholes.emplace_back(rows.bytes(0), rows.whole(1));
+        else
+            texts.emplace_back(rows.bytes(0), rows.bytes(1));
+    }
+    for (auto const& [key, value] : texts)
+        TRY(write_meta(database, key, value));
+    for (auto const& [key, value] : wholes)
+        TRY(write_meta(database, key, value));
+    return {};
 }
 
 Result<void> migrate(Database const& database, std::filesystem::path const& path)
@@ -359,11 +399,13 @@ Result<void> migrate(Database const& database, std::filesystem::path const& path
     if (format == kSessionFormat)
         return {};
     // A second connection, since one that may write cannot be copied from.
-    auto const as_it_was = TRY(Database::open(path, Database::Access::Read));
+    auto const as_it_was = TRY(open_session(path, Database::Access::Read));
     TRY(as_it_was.back_up(path.string() + ".bak"));
-    if (format == 1)
-        TRY(add_checksums(database));
-    return database.execute(fmt::format("PRAGMA user_version = {}", kSessionFormat));
+    TRY(database.execute("PRAGMA secure_delete = ON")); // Folders stay in no free place, either.
+    TRY(update_tables(database, format));
+    TRY(update_rows(database, format));
+    TRY(copy_meta(database));
+    return database.execute("PRAGMA secure_delete = OFF");
 }
 
 Result<void> write_language(Database const& database)
@@ -374,7 +416,8 @@ Result<void> write_language(Database const& database)
 Result<void> write_name(Database const& database, std::string const& name)
 {
     if (name.empty())
-        return database.execute("DELETE FROM meta WHERE key = 'name'");
+        return database.execute("DELETE FROM meta WHERE key = 'name';"
+                                "DELETE FROM meta_copies WHERE key = 'name'");
     return write_meta(database, "name", name);
 }
 

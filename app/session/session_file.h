@@ -15,7 +15,8 @@
 
 namespace tractus::session {
 
-// A session's file (.tractus): SQLite 3 with two tables, to be looked at with its shell.
+// A session's file (.tractus): SQLite 3 with these tables and nothing else (session_schema.h), to
+// be looked at with its shell.
 //
 //   edits  number   1, 2, …: the edits in the order in which they were made
 //          step     what undo takes back at once; 0: what the session began with
@@ -25,11 +26,15 @@ namespace tractus::session {
 //   meta   key, value: "plant", "program", "created" (Unix seconds), "step", the last that counts:
 //          later ones are undone; "name", if a person gave it one; and "language", the
 //          kLanguageVersion by which its models were read last, where that is not 1.
+//   copies, meta_copies  the same once more, for repair: one damage seldom hits both. Edits of more
+//          than 16 MiB have no copy. Each value of meta_copies has the CRC-32 of its key and
+//          itself. Rows of copies whose numbers are below 1 only take room.
 //
 // The file's application_id is "TRAC", its user_version the format's version: 1 had neither made
 // nor checksum, 2 no edit of the kind "erase_tips", 3 named strokes and indicators by their numbers
-// in a list and selected branches by their segments, and strokes had no tilt.
-constexpr std::int64_t kSessionFormat = 4;
+// in a list and selected branches by their segments, and strokes had no tilt; 4 had no copies, and
+// the names of files that plants came from had their folders.
+constexpr std::int64_t kSessionFormat = 5;
 
 // Where a session comes from.
 struct SessionOrigin {
@@ -85,7 +90,7 @@ struct SessionSummary {
 
 // Reads a session and changes nothing; another program may be drawing in it. What is none of
 // `kinds` is unknown. Fails, as the user's fault, in a sentence, for what is no session, is
-// damaged, or is newer than this program.
+// damaged, or is newer than this program. Fails like open_session(), too.
 Result<SessionContents> read_session(std::filesystem::path const& path, scene::EditKinds kinds);
 
 // Checks a database that is open, of which `name` is the file's: all edits are checked, and
@@ -115,6 +120,9 @@ Result<void> write_new_session(std::filesystem::path const& path, SessionOrigin 
 
 // Returns what a row's checksum is if it is as it was written.
 std::int64_t checksum_of(EditRow const& row);
+
+// The same of a row of meta_copies; a whole number as its decimal digits.
+std::int64_t checksum_of_meta(std::string const& key, std::string const& value);
 
 // The rows that a session begins with: step 0.
 std::vector<EditRow> beginning_rows(std::span<scene::Edit const> edits,

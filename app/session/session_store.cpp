@@ -1,5 +1,6 @@
 #include "app/session/session_store.h"
 
+#include "app/session/session_schema.h"
 #include "engine/base/check.h"
 
 #include <fmt/core.h>
@@ -37,7 +38,7 @@ public:
         std::lock_guard const lock(mutex_);
         if (database_)
             return read(*database_);
-        return read(TRY(Database::open(path_, Database::Access::Read)));
+        return read(TRY(open_session(path_, Database::Access::Read)));
     }
 
     Result<void> commit(std::function<Result<void>(Database const&)> const& write)

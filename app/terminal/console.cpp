@@ -1,11 +1,15 @@
 #include "app/terminal/console.h"
 
+#include "engine/base/printable.h"
+
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <string>
 #include <unistd.h>
 
 namespace tractus::terminal {
@@ -20,8 +24,20 @@ void prepare_console()
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
+// Whether all of it is ASCII that a terminal shows as it is.
+static bool is_plain(std::string_view text)
+{
+    return std::all_of(text.begin(), text.end(), [](char character) {
+        auto const code = static_cast<unsigned char>(character);
+        return (code >= 0x20 && code < 0x7f) || code == '\n' || code == '\t';
+    });
+}
+
 Result<void> print_out(std::string_view text)
 {
+    std::string escaped;
+    if (!is_plain(text))
+        text = escaped = printable(text, "\n\t");
     if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
         return {};
     return fail(Fault::User,

@@ -175,7 +175,7 @@ TEST_P(FixtureOfFormat, GivesItsPlantAndItsEdits)
     fs::remove(path);
 }
 
-INSTANTIATE_TEST_SUITE_P(Fixtures, FixtureOfFormat, testing::Values(1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(Fixtures, FixtureOfFormat, testing::Values(1, 2, 3, 4));
 
 } // namespace
 } // namespace tractus::batch

@@ -30,6 +30,39 @@ protected:
     }
 };
 
+// What is given to others does not say where its author keeps files.
+TEST_F(SessionCommand, NothingThatIsGivenToOthersHasFolders)
+{
+    auto const folder = path("anna").string();
+    out("mkdir anna && cp small.l anna && tractus record --simulate hand.toml --plant "
+        "$PWD/anna/small.l "
+        "-o anna.tractus-log");
+    out("tractus replay $PWD/hand.tractus-log --plant $PWD/anna/small.l --count 1 -o made "
+        "--session "
+        "made/anna.tractus");
+    for (char const* const ending : { "glb", "obj", "mtg" })
+        out(std::string("tractus grow $PWD/anna/small.l -o made/model.") + ending
+            + " && tractus grow $PWD/made/anna.tractus -o made/session." + ending);
+    out("tractus vary $PWD/made/anna.tractus --count 1 -o made/many");
+    EXPECT_EQ(out("tractus session log made/anna.tractus").find(folder), std::string::npos);
+    out("rm made/report.txt; mv anna.tractus-log made"); // The report is its author's own.
+    EXPECT_EQ(run("grep -r -l -F '" + folder + "' made").out, "");
+}
+
+// A name is anybody's text, and a terminal would take parts of it for commands.
+TEST_F(SessionCommand, WhatItsFileSaysDoesNotCommandATerminal)
+{
+    out("cp small.l \"$(printf 'a\\033]0;x\\a.l')\"");
+    out("tractus replay hand.tractus-log --plant \"$(printf 'a\\033]0;x\\a.l')\" --count 1 -o made "
+        "--session loud.tractus");
+    for (char const* const part : { "info", "log", "export" }) {
+        auto const outcome = run(std::string("tractus session ") + part + " loud.tractus");
+        EXPECT_EQ(outcome.out.find('\033'), std::string::npos) << part;
+        EXPECT_EQ(outcome.err.find('\033'), std::string::npos) << part;
+        EXPECT_NE(outcome.out.find("\\x1b]0;x"), std::string::npos) << outcome.out;
+    }
+}
+
 TEST_F(SessionCommand, InfoSaysWhatItHolds)
 {
     auto const info = out("tractus session info hand.tractus");

@@ -2,6 +2,7 @@
 
 #include "tests/app/session/random_edits.h"
 #include "tests/app/session/same_edit.h"
+#include "tests/app/small_model.h"
 #include "tests/engine/scene/edits.h"
 
 #include <gtest/gtest.h>
@@ -121,6 +122,26 @@ TEST(EditRecord, RefusesWhatHasAnotherForm)
     EXPECT_NE(refusal({ "associate", "{}", std::string(40, '\0') }), "");
     EXPECT_NE(refusal({ "associate", "{}", std::string(40, '\0') + '\x10' }), "");
     EXPECT_EQ(refusal({ "select", "{}", "x" }), "it has numbers, and should have none");
+}
+
+// Whoever is given a session or a recording need not know where its author keeps files.
+TEST(EditRecord, HasNoFolders)
+{
+    auto model = small_model();
+    model.source.name = "/home/anna/models/small.l";
+    model.source.view_name = "/home/anna/models/small.v";
+    for (auto const& edit :
+         { scene::Edit(model), scene::Edit(scene::LoadSkeleton { .name = "/home/anna/tree.obj" }),
+           scene::Edit(scene::LoadMeasured { .name = "/home/anna/tree.mtg" }) }) {
+        auto const record = record_of(edit);
+        EXPECT_EQ(record.fields.find("anna"), std::string::npos) << record.fields;
+        auto older = record;
+        auto const at = older.fields.find("\"name\":\"") + 8;
+        older.fields.insert(at, "/home/anna/");
+        EXPECT_EQ(without_folders(older).fields, record.fields);
+    }
+    EXPECT_NE(record_of(scene::NamePlant { 1, "/home" }).fields.find("/home"), std::string::npos)
+        << "a person's own words stay";
 }
 
 } // namespace

@@ -31,6 +31,15 @@ inline std::string random_bytes()
     return *rc::gen::arbitrary<std::string>();
 }
 
+// A file's name. Of a whole path a session keeps only the end.
+inline std::string random_file_name()
+{
+    auto name = random_bytes();
+    if (name.starts_with('/'))
+        name.front() = '.';
+    return name;
+}
+
 template<typename Enum> Enum random_enum(int count)
 {
     return static_cast<Enum>(*rc::gen::inRange(0, count));
@@ -100,7 +109,7 @@ template<typename T> void give_place(T& edit)
 inline scene::LoadModel random_model()
 {
     scene::LoadModel edit;
-    edit.source = { random_bytes(), random_bytes(), random_bytes(), random_bytes() };
+    edit.source = { random_file_name(), random_bytes(), random_file_name(), random_bytes() };
     edit.includes = *rc::gen::arbitrary<std::map<std::string, std::string>>();
     if (*rc::gen::arbitrary<bool>())
         edit.steps = *rc::gen::arbitrary<int>();
@@ -113,7 +122,7 @@ inline scene::LoadModel random_model()
 inline scene::LoadSkeleton random_skeleton()
 {
     scene::LoadSkeleton edit;
-    edit.name = random_bytes();
+    edit.name = random_file_name();
     edit.lines.resize(*rc::gen::inRange<std::size_t>(0, 5));
     for (auto& line : edit.lines)
         line = { random_vec3(), random_vec3() };
@@ -124,7 +133,7 @@ inline scene::LoadSkeleton random_skeleton()
 
 inline scene::LoadMeasured random_measured()
 {
-    scene::LoadMeasured edit { .name = random_bytes(), .text = random_bytes() };
+    scene::LoadMeasured edit { .name = random_file_name(), .text = random_bytes() };
     edit.format = random_enum<scene::LoadMeasured::Format>(3);
     edit.drawn = random_enum<scene::Drawn>(3);
     give_place(edit);

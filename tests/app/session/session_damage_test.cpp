@@ -1,4 +1,6 @@
+#include "app/session/session_copy.h"
 #include "tests/app/session/small_session.h"
+#include "tests/corpus.h"
 
 #include <cstdlib>
 #include <random>
@@ -77,6 +79,65 @@ TEST_F(SessionDamage, WhatDoesNotFitTogether)
     EXPECT_NE(refusal_after("PRAGMA user_version = 0").find("is damaged"), std::string::npos);
 }
 
+// What somebody may have put into a file to do harm is never run, nor read.
+TEST_F(SessionDamage, WhatHasMoreInItsSchemaThanASession)
+{
+    std::string const endless
+        = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT ";
+    for (std::string const& sql : {
+             "DROP TABLE edits; CREATE VIEW edits AS " + endless
+                 + "i AS number, 0 AS step, '' AS kind, '' AS fields, x'' AS numbers, 0 AS made, "
+                   "0 AS checksum FROM n",
+             "DROP TABLE meta; CREATE VIEW meta AS " + endless + "'step' AS key, i AS value FROM n",
+             std::string("CREATE VIEW other AS SELECT * FROM edits"),
+             std::string("CREATE TRIGGER t BEFORE INSERT ON edits BEGIN SELECT RAISE(IGNORE); END"),
+             std::string("CREATE TRIGGER t AFTER INSERT ON edits BEGIN DELETE FROM edits WHERE "
+                         "number < new.number; END"),
+             std::string("CREATE TRIGGER t AFTER UPDATE ON meta BEGIN DELETE FROM edits; END"),
+             std::string("CREATE INDEX i ON edits (kind)"),
+             std::string("CREATE INDEX i ON edits (number) WHERE abs(step) < 3"),
+             std::string("CREATE TABLE edits2 (number)"),
+             std::string("ALTER TABLE edits ADD COLUMN more INTEGER"),
+             std::string("ALTER TABLE edits ADD COLUMN more AS (length(fields))"),
+             std::string("DROP TABLE meta_copies; CREATE TABLE meta_copies (key TEXT PRIMARY KEY, "
+                         "value, checksum INTEGER NOT NULL CHECK (checksum < 0))"),
+             std::string("ALTER TABLE copies RENAME TO old; CREATE TABLE copies AS SELECT * FROM "
+                         "old; DROP TABLE old"),
+         })
+        EXPECT_EQ(refusal_after(sql).find(" is not as tractus writes sessions: it has a "), 0u)
+            << sql;
+}
+
+TEST_F(SessionDamage, WhatHasValuesOfOtherTypes)
+{
+    for (char const* const sql :
+         { "UPDATE edits SET numbers = CAST(numbers AS TEXT) WHERE number = 4",
+           "UPDATE edits SET fields = CAST(fields AS BLOB) WHERE number = 4",
+           "UPDATE edits SET step = '1x' WHERE number = 4",
+           "UPDATE edits SET made = 1.5 WHERE number = 4" })
+        EXPECT_NE(refusal_after(sql).find("is damaged"), std::string::npos) << sql;
+}
+
+// The name is all that is read of a file whose card is shown.
+TEST_F(SessionDamage, AnEndlessNameIsNone)
+{
+    change("endless",
+           "DROP TABLE meta; CREATE VIEW meta AS WITH RECURSIVE n(i) AS (SELECT 1 UNION "
+           "ALL SELECT i + 1 FROM n) SELECT 'key' AS key, i AS value FROM n");
+    EXPECT_EQ(session_name(path("endless")), "");
+}
+
+TEST_F(SessionDamage, AStatementWithoutEndIsGivenUp)
+{
+    auto const database = Database::open(path(), Database::Access::Read).value();
+    auto const counted = database.whole("WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 "
+                                        "FROM n) SELECT count(*) FROM n");
+    ASSERT_FALSE(counted);
+    EXPECT_EQ(counted.error().message,
+              path().string() + " cannot be read: it makes SQLite work without end");
+    EXPECT_EQ(database.whole("SELECT count(*) FROM edits").value(), 8) << "others go on";
+}
+
 TEST_F(SessionDamage, ThatIsCutOff)
 {
     auto const whole = read_bytes();
@@ -102,7 +163,7 @@ TEST_F(SessionDamage, RandomBytesNeverHarm)
     auto const edits = read_session(path(), scene::core_edit_kinds()).value().edits;
     std::mt19937 random(1);
     int refused = 0;
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < 800; ++i) { // Half of them hit copies, which are not read.
         auto bytes = whole;
         for (int flips = 1 + i % 3; flips > 0; --flips)
             bytes[random() % bytes.size()] ^= static_cast<char>(1u << (random() % 8));
@@ -127,6 +188,17 @@ TEST_F(SessionDamage, AFileThatMayNotBeWrittenCanBeRead)
     EXPECT_TRUE(read_session(path(), scene::core_edit_kinds()));
     EXPECT_NE(open().error().message.find("may not be written"), std::string::npos)
         << open().error().message;
+}
+
+TEST(SessionCorpus, ASessionThatIsAnEndlessViewIsRefusedAtOnce)
+{
+    REQUIRE_CORPUS();
+    auto const path = corpus() / "faults" / "hang_view.tractus";
+    auto const read = read_session(path, scene::core_edit_kinds());
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().message.find("is not as tractus writes sessions"), std::string::npos)
+        << read.error().message;
+    EXPECT_EQ(session_name(path), "");
 }
 
 } // namespace

@@ -181,6 +181,37 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
     }
 }
 
+// The folders of its author's files, which older programs wrote, are nowhere in it any more.
+TEST_F(SessionTest, OfAnOlderFormatLosesTheFoldersOfItsModel)
+{
+    {
+        auto const session = create().value();
+    }
+    {
+        auto const database = Database::open(path(), Database::Access::Write).value();
+        auto record = record_of(beginning()[0]);
+        record.fields.replace(record.fields.find("small.l"), 7, "/home/anna/models/small.l");
+        EditRow row { .place = {}, .step = 0, .record = record };
+        auto update = database.prepare("UPDATE edits SET fields = ?, checksum = ? WHERE number = 1")
+                          .value();
+        ASSERT_TRUE(update.bind_text(0, record.fields).bind(1, checksum_of(row)).run());
+        ASSERT_TRUE(database.execute(kToFormat2));
+    }
+    ASSERT_NE(read_bytes().find("/home/anna"), std::string::npos);
+    EXPECT_EQ(read_session(path(), scene::core_edit_kinds())
+                  .value()
+                  .edits[0]
+                  .edit.get<scene::LoadModel>()
+                  ->source.name,
+              "/home/anna/models/small.l");
+    {
+        auto const session = open().value();
+        EXPECT_EQ(session.scene().model_name, "small.l");
+    }
+    EXPECT_EQ(read_bytes().find("/home/anna"), std::string::npos);
+    EXPECT_NE(read_bytes("a.tractus.bak").find("/home/anna"), std::string::npos);
+}
+
 TEST_F(SessionTest, KeepsAStrokeThatIsErasedInPart)
 {
     auto const tips = [](Session const& session) {

@@ -23,12 +23,14 @@ inline SessionOptions options_for_tests()
 }
 
 // Makes a session one as the first format had them.
-constexpr char const* kToFormat1 = "ALTER TABLE edits DROP COLUMN made;"
+constexpr char const* kToFormat1 = "DROP TABLE copies; DROP TABLE meta_copies;"
+                                   "ALTER TABLE edits DROP COLUMN made;"
                                    "ALTER TABLE edits DROP COLUMN checksum;"
                                    "PRAGMA user_version = 1;";
 
-// The second differed from today's only in what edits there were.
-constexpr char const* kToFormat2 = "PRAGMA user_version = 2;";
+// From the second to the fourth they differed only in what edits there were.
+constexpr char const* kToFormat2 = "DROP TABLE copies; DROP TABLE meta_copies;"
+                                   "PRAGMA user_version = 2;";
 
 inline std::vector<scene::Edit> const& beginning()
 {

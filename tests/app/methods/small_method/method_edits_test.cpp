@@ -28,7 +28,7 @@ private:
     static void set(int& value) { value = *rc::gen::arbitrary<int>(); }
     static void set(std::uint64_t& value) { value = *rc::gen::arbitrary<std::uint64_t>(); }
     static void set(double& value) { value = session::random_double(); }
-    static void set(std::string& value) { value = session::random_bytes(); }
+    static void set(std::string& value) { value = session::random_file_name(); }
     static void set(Vec3& value) { value = session::random_vec3(); }
     template<typename T> static void set(T&) { } // The core's edits have these.
 };
