@@ -40,6 +40,15 @@ void note_heights(calib::FuserCounts const& counts, std::vector<std::string>& no
                                     counts.pens_without_height, counts.pens));
 }
 
+// A stroke by its time. A tool that is done at once has none, and is named by its line in the log.
+std::string name_of(document::DrawnStroke const& drawn)
+{
+    if (!drawn.stroke.tips.empty())
+        return fmt::format("a stroke at {:.1f} s", to_seconds(drawn.stroke.tips.front().time));
+    auto const words = tools::words_for(drawn.tool);
+    return fmt::format("\"{} {}\"", words.name, words.arguments);
+}
+
 class DrawingReader {
 public:
     DrawingReader(DrawingOptions const& options, document::Document& document,
@@ -179,9 +188,8 @@ void DrawingReader::note_drawing(Drawing const& drawing)
     report_.branches_selected = paths.size();
     for (auto const& drawn : drawing.strokes)
         if (!drawn.refusal.empty())
-            report_.notes.push_back(fmt::format("a stroke at {:.1f} s changed nothing: {}",
-                                                to_seconds(drawn.stroke.tips.front().time),
-                                                drawn.refusal));
+            report_.notes.push_back(
+                fmt::format("{} changed nothing: {}", name_of(drawn), drawn.refusal));
 }
 
 } // namespace
@@ -227,7 +235,8 @@ Result<scene::Scene> growing_plant(std::filesystem::path const& model,
                                    std::vector<scene::Edit> const& edits)
 {
     auto scene = TRY(document::scene_after({}, edits));
-    if (scene.base->segment_count() == 0 && !model.empty())
+    bool const is_model = !model.empty() && !is_session_file(model);
+    if (is_model && scene.base->segment_count() == 0)
         return fail(Fault::User,
                     fmt::format("{}: the plant has no branch that a stroke could shape: its "
                                 "derivation draws nothing",
@@ -268,7 +277,8 @@ Result<std::vector<Stroke>> drawn_strokes(DrawingOptions const& options)
     progress.finish();
     std::vector<Stroke> strokes;
     for (auto const& drawn : drawing.strokes)
-        strokes.push_back(drawn.stroke);
+        if (!drawn.stroke.tips.empty()) // Else a tool that was done at once.
+            strokes.push_back(drawn.stroke);
     return strokes;
 }
 

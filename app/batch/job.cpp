@@ -211,9 +211,10 @@ Result<void> Job::make_collection(scene::Scene const& scene)
         auto const mesh = mesh::make_mesh(plant(i)); // Leaves and petals stand out.
         underground += plants.has_underground() ? 1 : 0;
         framing.add(mesh);
-        auto const box = mesh::bounds(mesh);
-        frame.add(box.min_mm);
-        frame.add(box.max_mm);
+        if (auto const box = mesh::bounds(mesh); !box.empty()) {
+            frame.add(box.min_mm);
+            frame.add(box.max_mm);
+        }
         progress_.step();
     }
     if (underground > 0)
@@ -243,8 +244,8 @@ Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
     // Spacing in a plant's width, so that neighbours do not touch.
     constexpr double kPlantSpacing = 1.15;
     progress_.begin("writing the collection");
-    double const spacing_mm
-        = kPlantSpacing * std::max((frame.max_mm - frame.min_mm).head<2>().maxCoeff(), 1.0);
+    double const width_mm = frame.empty() ? 0 : (frame.max_mm - frame.min_mm).head<2>().maxCoeff();
+    double const spacing_mm = kPlantSpacing * std::max(width_mm, 1.0);
     auto const row = static_cast<std::size_t>(columns(sequence.size()));
     std::vector<exports::PlacedMesh> plants;
     for (std::size_t i = 0; i < sequence.size(); ++i)

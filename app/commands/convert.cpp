@@ -156,9 +156,11 @@ Result<std::vector<Stroke>> drawn_strokes(ConvertArguments const& arguments,
     if (auto const& outcome = replay.outcome(); !outcome)
         return tl::unexpected(outcome.error());
     std::vector<Stroke> strokes;
-    for (auto& stroke : replay.station().take_strokes())
-        if (is_drawing(stroke.tool.kind()) && !stroke.stroke.tips.front().eraser)
-            strokes.push_back(std::move(stroke.stroke));
+    for (auto& [stroke, tool] : replay.station().take_strokes()) {
+        bool const is_ink = !stroke.tips.empty() && !stroke.tips.front().eraser;
+        if (is_ink && is_drawing(tool.kind()))
+            strokes.push_back(std::move(stroke));
+    }
     return strokes;
 }
 

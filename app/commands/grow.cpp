@@ -283,12 +283,8 @@ Result<scene::Scene> with_growth(batch::GrowthOptions const& options, scene::Sce
     return batch::with_season(std::move(scene), options.season);
 }
 
-Result<scene::Scene> add_drawing(batch::DrawingOptions const& options, scene::Scene scene,
-                                 std::string const& name)
+Result<scene::Scene> add_drawing(batch::DrawingOptions const& options, scene::Scene scene)
 {
-    if (scene.base->segment_count() == 0)
-        return fail(Fault::User,
-                    fmt::format("{}: the plant has no branch that a stroke could shape", name));
     terminal::Progress progress;
     batch::DrawingReport report;
     auto drawing = TRY(batch::read_drawing(options, std::move(scene), progress, report));
@@ -329,8 +325,12 @@ Result<void> grow_plant(GrowArguments const& arguments, tools::Methods const& me
         TRY(check_writable(arguments.output));
     auto [scene, name, is_session] = TRY(load_plant(arguments, methods));
     scene = TRY(with_growth(arguments.growth, std::move(scene)));
-    if (auto const drawing = options::drawing_options(arguments.drawing, methods))
-        scene = TRY(add_drawing(*drawing, std::move(scene), name));
+    if (auto const drawing = options::drawing_options(arguments.drawing, methods)) {
+        if (!is_session && scene.base->segment_count() == 0)
+            return fail(Fault::User,
+                        fmt::format("{}: the plant has no branch that a stroke could shape", name));
+        scene = TRY(add_drawing(*drawing, std::move(scene)));
+    }
     warn_of_ignored_indicators(scene);
     if (arguments.ages > 0)
         return write_animation(arguments, scene, name);
