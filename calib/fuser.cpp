@@ -1,6 +1,7 @@
 #include "calib/fuser.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tractus::calib {
@@ -114,11 +115,38 @@ void Fuser::push(drivers::HeightSample const& sample)
     }
     if (sample.counts < rig_.calibrated_min_counts || sample.counts > rig_.calibrated_max_counts)
         ++counts_.heights_uncalibrated;
-    auto const reading_instant = time - rig_.height_latency;
-    heights_.add(reading_instant, *height);
-    touch_.read(reading_instant);
+    HeightJudge::Reading const reading { sample.time, time - rig_.height_latency, *height };
+    believed_.clear();
+    double const count_mm = mm_per_count_at(rig_.height_model, sample.counts).value_or(0);
+    auto const verdict = judge_.judge(reading, std::abs(count_mm), believed_);
+    for (auto const& one : believed_)
+        believe(one);
+    if (verdict == HeightJudge::Verdict::Doubted)
+        doubt(reading.instant);
     follow_surface(sample.time);
     settle_ready();
+}
+
+void Fuser::miss_height(Timestamp received)
+{
+    judge_.miss();
+    doubt(received - rig_.height_latency);
+}
+
+void Fuser::believe(HeightJudge::Reading const& reading)
+{
+    heights_.add(reading.instant, reading.height_mm);
+    touch_.read(reading.instant);
+}
+
+void Fuser::doubt(Timestamp instant)
+{
+    ++counts_.heights_doubted;
+    // Right readings are doubted, too, until enough of them have come.
+    if (judge_.doubted_in_a_row() > HeightJudge::kMostWrong + HeightJudge::kFewInRun)
+        heights_.end_bridge();
+    else
+        heights_.add_unknown(instant);
 }
 
 // Makes tips while the pen is silent.
@@ -262,6 +290,15 @@ void Fuser::flush()
     keep_silence();
     while (!pending_.empty())
         settle_next();
+}
+
+void Fuser::forget_heights()
+{
+    judge_ = {};
+    heights_ = HeightTrack(kPatience + rig_.max_height_age + HeightTrack::kHalfWidth);
+    height_times_ = {};
+    touch_.forget();
+    is_silence_sure_ = false;
 }
 
 } // namespace tractus::calib

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "calib/even_times.h"
+#include "calib/height_judge.h"
 #include "calib/height_scenario.h"
 #include "calib/height_track.h"
 #include "calib/lean_track.h"
@@ -34,9 +35,11 @@ struct FuserCounts {
     std::size_t pens_without_height = 0;
 
     // Height samples pushed; of them, refused because they are another converter's or out of the
-    // model's reach; of them, used although outside the calibrated range.
+    // model's reach; of them, doubted when they came (height_judge.h), whatever became of it; of
+    // them, used although outside the calibrated range.
     std::size_t heights = 0;
     std::size_t heights_refused = 0;
+    std::size_t heights_doubted = 0;
     std::size_t heights_uncalibrated = 0;
 
     // Settled tips of readings, while a pen that touched was silent. Not among `settled`.
@@ -80,7 +83,12 @@ public:
     // and height samples are ignored.
     Fuser(Rig const& rig, ScriptedHeight const& height);
 
+    // Readings that the surface cannot have are left out, also of live ink: see HeightJudge. Where
+    // they are few, the height goes on across them.
     void push(drivers::HeightSample const& sample);
+
+    // The sensor gave a reading that tells no height.
+    void miss_height(Timestamp received);
 
     // The live tip. No value until the first height has come, and while the last one is older than
     // Rig::max_height_age. After such a gap the first tip is given as not touching, so that no
@@ -111,6 +119,10 @@ public:
     // pen that touches is taken to have done so until now.
     void flush();
 
+    // The height sensor went away, after flush(): what it reads when it is back has nothing to do
+    // with what it read.
+    void forget_heights();
+
     FuserCounts const& counts() const { return counts_; }
 
 private:
@@ -134,6 +146,8 @@ private:
     std::optional<HeightTrack::Estimate> live_height_at(Moment const& moment) const;
     bool is_calibrated(double height_mm) const;
     bool has_all_readings(Timestamp instant) const;
+    void believe(HeightJudge::Reading const& reading);
+    void doubt(Timestamp instant);
     void follow_surface(Timestamp arrival);
     void keep_silence();
     void drop_silence();
@@ -145,6 +159,8 @@ private:
     Eigen::Affine3d T_world_tablet_;
     std::optional<HeightRange> calibrated_;
     std::optional<ScriptedHeight> scripted_;
+    HeightJudge judge_;
+    std::vector<HeightJudge::Reading> believed_; // Kept for its memory.
     HeightTrack heights_;
     LeanTrack leans_; // Empty where the rig does not need it.
     EvenTimes pen_times_;

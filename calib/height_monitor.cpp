@@ -96,6 +96,21 @@ void HeightMonitor::close_old(HeightFaultKind kind, Duration lasts, Timestamp no
         close(kind);
 }
 
+void HeightMonitor::begin_anew()
+{
+    for (auto const kind : { HeightFaultKind::Rail, HeightFaultKind::Stuck })
+        close(kind);
+    judge_ = {};
+    believed_.clear();
+    doubts_last_ = false;
+    doubts_ = 0;
+    doubted_.reset();
+    last_.reset();
+    rail_since_.reset();
+    path_.clear();
+    recent_.clear();
+}
+
 bool HeightMonitor::is_on_rail(drivers::HeightSample const& sample) const
 {
     auto const margin = limits_.rail_margin * sample.full_scale;
@@ -118,26 +133,59 @@ void HeightMonitor::watch_rail(drivers::HeightSample const& sample)
               .counts = sample.counts });
 }
 
-// The way to a rail and back from it is the rail's fault, and what happened in a silence is not
-// known to have happened at once.
+std::optional<double> HeightMonitor::height_of(drivers::HeightSample const& sample) const
+{
+    if (sample.full_scale != rig_.full_scale_counts || is_on_rail(sample))
+        return std::nullopt;
+    return height_mm(rig_.height_model, sample.counts);
+}
+
+// Doubted readings are a jump once they have turned out as wrong, or as a step.
 void HeightMonitor::watch_jump(drivers::HeightSample const& sample)
 {
-    if (!last_ || sample.full_scale != rig_.full_scale_counts
-        || last_->full_scale != sample.full_scale || is_on_rail(sample) || is_on_rail(*last_)
-        || std::abs(sample.counts - last_->counts) <= limits_.jump_noise_counts)
+    auto const height = height_of(sample);
+    doubts_last_ = false;
+    believed_.clear();
+    if (!height) {
+        judge_.miss();
         return;
-    auto const before_mm = height_mm(rig_.height_model, last_->counts);
-    auto const after_mm = height_mm(rig_.height_model, sample.counts);
-    if (!before_mm || !after_mm)
+    }
+    auto const count_mm = mm_per_count_at(rig_.height_model, sample.counts).value_or(0);
+    auto const verdict
+        = judge_.judge({ sample.time, sample.time, *height }, std::abs(count_mm), believed_);
+    doubts_last_ = verdict == HeightJudge::Verdict::Doubted;
+    if (doubts_last_)
+        return doubt(sample, *height);
+    bool const all_were_right
+        = verdict == HeightJudge::Verdict::Believed && believed_.size() > doubts_;
+    if (doubted_ && !all_were_right)
+        see(*doubted_);
+    if (verdict == HeightJudge::Verdict::Step)
+        path_.clear(); // It is no second step.
+    doubted_.reset();
+    doubts_ = 0;
+}
+
+// The way to a rail and back from it is the rail's fault.
+void HeightMonitor::doubt(drivers::HeightSample const& sample, double height_mm)
+{
+    // Readings that arrive closer together were not taken so: USB delivers in bursts.
+    constexpr Duration kShortest = std::chrono::microseconds(2500);
+    ++doubts_;
+    auto const before = last_ ? height_of(*last_) : std::nullopt;
+    if (!before)
         return;
-    auto const duration = std::max(sample.time - last_->time, limits_.jump_shortest);
-    double const speed_mm_per_s = std::abs(*after_mm - *before_mm) / to_seconds(duration);
-    if (speed_mm_per_s > limits_.jump_mm_per_s)
-        see({ .kind = HeightFaultKind::Jump,
-              .begin = sample.time,
-              .end = sample.time,
-              .counts = sample.counts,
-              .speed_mm_per_s = speed_mm_per_s });
+    auto const duration = std::max(sample.time - last_->time, kShortest);
+    double const speed_mm_per_s = std::abs(height_mm - *before) / to_seconds(duration);
+    if (!doubted_)
+        doubted_ = HeightFault { .kind = HeightFaultKind::Jump,
+                                 .begin = sample.time,
+                                 .end = sample.time,
+                                 .counts = sample.counts };
+    if (speed_mm_per_s > doubted_->speed_mm_per_s) {
+        doubted_->speed_mm_per_s = speed_mm_per_s;
+        doubted_->counts = sample.counts;
+    }
 }
 
 namespace {
@@ -185,25 +233,23 @@ constexpr Duration kStepTakes = std::chrono::milliseconds(30);
 
 } // namespace
 
-std::optional<double> HeightMonitor::height_of(drivers::HeightSample const& sample) const
-{
-    if (sample.full_scale != rig_.full_scale_counts || is_on_rail(sample))
-        return std::nullopt;
-    return height_mm(rig_.height_model, sample.counts);
-}
-
 // The heights of 30 ms, and those of 30 ms that end 30 ms before. Between their middles a movement
 // goes as far as the mean of both speeds takes it, and exactly so under a steady acceleration.
 void HeightMonitor::watch_step(drivers::HeightSample const& sample)
 {
     constexpr std::size_t kLeastForStep = 3;
-    auto const height = height_of(sample);
-    if (!height || (!path_.empty() && sample.time - path_.back().time > kStepTakes)
-        || (!path_.empty() && sample.time < path_.back().time))
-        path_.clear(); // Nobody knows what was between.
-    if (!height)
+    if (!height_of(sample))
+        path_.clear();
+    for (auto const& reading : believed_) {
+        bool const is_gap = !path_.empty()
+            && (reading.arrival - path_.back().time > kStepTakes
+                || reading.arrival < path_.back().time);
+        if (is_gap)
+            path_.clear(); // Nobody knows what was between.
+        path_.push_back({ reading.arrival, reading.height_mm });
+    }
+    if (believed_.empty() || path_.empty())
         return;
-    path_.push_back({ sample.time, *height });
     while (sample.time - path_.front().time > 2 * kSide + kStepTakes)
         path_.pop_front();
     auto const after = line_through(path_, sample.time, {}, kSide);
@@ -358,8 +404,8 @@ std::string describe_total(HeightFaultKind kind, HeightFaultTotal const& total, 
                                "calibrate zero\"",
                                total.count == 1 ? "once" : fmt::format("{} times", total.count),
                                worst.step_mm, to_seconds(worst.begin - start));
-        return fmt::format("the height jumped {}, at up to {:.1f} m/s at {:.1f} s, faster than a "
-                           "hand: the string slips or a contact is loose",
+        return fmt::format("the height jumped {}, at up to {:.1f} m/s at {:.1f} s, more suddenly "
+                           "than a hand: the string slips or a contact is loose",
                            total.count == 1 ? "once" : fmt::format("{} times", total.count),
                            worst.speed_mm_per_s / 1000, to_seconds(worst.begin - start));
     case HeightFaultKind::Stuck:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "calib/height_judge.h"
 #include "calib/lowest_stop.h"
 #include "calib/rig.h"
 #include "drivers/reports/height_sample.h"
@@ -19,11 +20,11 @@ namespace tractus::calib {
 enum class HeightFaultKind {
     Silence, // No reading comes.
     Rail,    // Readings lie at an end of the converter's range: an open wiper or cable, a short.
-    Jump,    // The height changed faster than a hand moves, or stepped aside in the midst of a
-             // movement: a slipping string, a loose contact.
-    Stuck,   // The reading does not even show its noise any more: a torn or jammed string.
-    Stop,    // The surface is let down to another height than it used to be: a string that slipped
-             // slowly, or something that lies under it (lowest_stop.h).
+    Jump,  // The height changed more suddenly than a surface can (height_judge.h), or stepped aside
+           // in the midst of a movement: a slipping string, a loose contact.
+    Stuck, // The reading does not even show its noise any more: a torn or jammed string.
+    Stop,  // The surface is let down to another height than it used to be: a string that slipped
+           // slowly, or something that lies under it (lowest_stop.h).
 };
 constexpr std::size_t kHeightFaultKinds = 5;
 
@@ -51,15 +52,10 @@ struct HeightMonitorLimits {
     double rail_margin = 0.001; // At least the end itself.
     Duration rail_after = std::chrono::milliseconds(20);
 
-    // Faster than any hand. Readings that arrive closer together than the shortest time were not
-    // taken so: USB delivers in bursts.
-    double jump_mm_per_s = 2000;
-    Duration jump_shortest = std::chrono::microseconds(2500);
-    double jump_noise_counts = 4; // A step of no more than this is noise, not a movement.
-
-    // A step that slips slower than that, within some 30 ms, leaves the movement before and after
-    // it as it was: of equal speed within this much, and aside by this much and by so many times
-    // what the readings scatter. (A hand that begins or ends a movement changes the speed.)
+    // A step that slips too slowly to be doubted at once, within some 30 ms, leaves the movement
+    // before and after it as it was: of equal speed within this much, and aside by this much and by
+    // so many times what the readings scatter. (A hand that begins or ends a movement changes the
+    // speed.)
     double step_mm = 3;
     double step_scatters = 6;
     double step_speed_mm_per_s = 60;
@@ -86,6 +82,12 @@ public:
 
     // Whether a reading lies at an end of its range, where it tells no height.
     bool is_on_rail(drivers::HeightSample const& sample) const;
+
+    // The sensor went away: what it reads when it is back has nothing to do with what it read.
+    void begin_anew();
+
+    // Whether the last reading was one that the surface cannot have, as things are.
+    bool doubts_last() const { return doubts_last_; }
 
     // Other data show that it is `now`: without it, silence after the last reading goes unnoticed.
     // The first call, or the first reading, begins the watch.
@@ -119,6 +121,7 @@ private:
     std::optional<double> height_of(drivers::HeightSample const& sample) const;
     void watch_rail(drivers::HeightSample const& sample);
     void watch_jump(drivers::HeightSample const& sample);
+    void doubt(drivers::HeightSample const& sample, double height_mm);
     void watch_step(drivers::HeightSample const& sample);
     void watch_stop(drivers::HeightSample const& sample);
     void watch_stuck(drivers::HeightSample const& sample);
@@ -128,6 +131,12 @@ private:
     Rig rig_;
     HeightMonitorLimits limits_;
     std::array<Watch, kHeightFaultKinds> watches_ {};
+
+    HeightJudge judge_ {};
+    std::vector<HeightJudge::Reading> believed_ {}; // Kept for its memory.
+    bool doubts_last_ = false;
+    std::size_t doubts_ = 0;                // Readings since the last believed one …
+    std::optional<HeightFault> doubted_ {}; // … and what they are if they are wrong.
 
     std::optional<Timestamp> alive_ {};            // The last reading, or when the watch began.
     std::optional<drivers::HeightSample> last_ {}; // The last reading.

@@ -30,6 +30,32 @@ void HeightTrack::add(Timestamp time, double height_mm)
     }
     while (newest() - readings_.front().time > memory_)
         readings_.pop_front();
+    while (!unknown_.empty() && newest() - unknown_.front() > memory_)
+        unknown_.pop_front();
+}
+
+void HeightTrack::add_unknown(Timestamp time)
+{
+    if (!empty() && time > newest() && (unknown_.empty() || time > unknown_.back()))
+        unknown_.push_back(time);
+}
+
+void HeightTrack::end_bridge()
+{
+    while (!unknown_.empty() && (empty() || unknown_.back() > newest()))
+        unknown_.pop_back();
+}
+
+// Whether the sensor spoke all the time, though what it said is not known.
+bool HeightTrack::is_bridged(Timestamp from, Timestamp to, Duration max_age) const
+{
+    if (to - from <= max_age || to - from > kMostBridged)
+        return to - from <= max_age;
+    auto last = from;
+    for (auto time = std::upper_bound(unknown_.begin(), unknown_.end(), from);
+         time != unknown_.end() && *time < to && *time - last <= max_age; ++time)
+        last = *time;
+    return to - last <= max_age;
 }
 
 Timestamp HeightTrack::newest() const
@@ -80,6 +106,20 @@ double HeightTrack::between_mm(Place const& after, Timestamp time) const
     return from_mm + part * (without_spike_mm(after) - from_mm);
 }
 
+// The line at one side of a gap. Where the gap is one of readings that are not known, it is worth a
+// wider fit if that takes one, since such a gap may be long.
+std::optional<HeightTrack::LineAt> HeightTrack::slope_at(Timestamp side, Timestamp gap_begin,
+                                                         Timestamp gap_end) const
+{
+    auto line = fit(side, side);
+    auto const unknown = std::upper_bound(unknown_.begin(), unknown_.end(), gap_begin);
+    if (unknown == unknown_.end() || *unknown >= gap_end)
+        return line;
+    for (int widening = 2; !line && widening <= kWidestInGap; ++widening)
+        line = fit(side, side, kHalfWidth * widening);
+    return line;
+}
+
 // Height between `before` and the reading after it, which are far apart: the cubic Hermite curve,
 // or a straight line where a side has too few readings to tell its slope.
 double HeightTrack::across_mm(Place const& before, Timestamp time) const
@@ -87,8 +127,8 @@ double HeightTrack::across_mm(Place const& before, Timestamp time) const
     auto const after = std::next(before);
     double const width_s = to_seconds(after->time - before->time);
     double const t = to_seconds(time - before->time) / width_s;
-    auto const left = fit(before->time, before->time);
-    auto const right = fit(after->time, after->time);
+    auto const left = slope_at(before->time, before->time, after->time);
+    auto const right = slope_at(after->time, before->time, after->time);
     double const from_mm = left ? left->height_mm : without_spike_mm(before);
     double const to_mm = right ? right->height_mm : without_spike_mm(after);
     if (!left || !right)
@@ -101,8 +141,9 @@ double HeightTrack::across_mm(Place const& before, Timestamp time) const
 std::optional<HeightTrack::Estimate> HeightTrack::at(Timestamp time, Duration max_age) const
 {
     auto const after = first_not_before(time);
-    bool const has_after = after != readings_.end() && after->time - time <= max_age;
-    bool const has_before = after != readings_.begin() && time - std::prev(after)->time <= max_age;
+    bool const has_after = after != readings_.end() && is_bridged(time, after->time, max_age);
+    bool const has_before
+        = after != readings_.begin() && is_bridged(std::prev(after)->time, time, max_age);
 
     if (has_after && (has_before || after->time == time)) {
         bool const is_gap
@@ -199,7 +240,7 @@ std::optional<HeightTrack::Estimate> HeightTrack::newest_at(Timestamp time, Dura
 {
     constexpr double kLeeway_mm = 0.2; // Room for noise, in which a fit sees more than readings.
     if (empty() || time <= newest() || time - newest() > max_age)
-        return at(time, max_age);
+        return at(time, max_age); // Also where it is bridged.
     auto const& last = readings_.back();
     auto const reached
         = std::min(time, last.time + std::max({ kCarriedOn, usual_spacing() * 3 / 2, deliveries }));

@@ -41,6 +41,16 @@ public:
     // is older than the memory, or repeats the reading before it, is dropped.
     void add(Timestamp time, double height_mm);
 
+    // The sensor gave a reading for then that is not to be believed, or no height. Where such
+    // readings are all that separates two others, no farther apart than kMostBridged, the height
+    // between these is told as if no reading were missing.
+    void add_unknown(Timestamp time);
+    static constexpr Duration kMostBridged = std::chrono::milliseconds(600);
+
+    // What was unknown since the newest reading separates what comes from what was: it lasts too
+    // long.
+    void end_bridge();
+
     bool empty() const { return readings_.empty(); }
 
     // When the newest reading was. At least one reading must have come.
@@ -95,8 +105,11 @@ private:
                               Duration half_width = kHalfWidth) const;
 
     Place first_not_before(Timestamp time) const;
+    bool is_bridged(Timestamp from, Timestamp to, Duration max_age) const;
     double without_spike_mm(Place const& reading) const;
     double between_mm(Place const& after, Timestamp time) const;
+    static constexpr int kWidestInGap = 5; // Times kHalfWidth.
+    std::optional<LineAt> slope_at(Timestamp side, Timestamp gap_begin, Timestamp gap_end) const;
     double across_mm(Place const& before, Timestamp time) const;
     Duration usual_spacing() const;
     Place some_time_before(Place const& reading) const;
@@ -104,7 +117,8 @@ private:
     double newest_speed_mm_per_s() const;
 
     Duration memory_;
-    std::deque<Reading> readings_; // Readings in time order.
+    std::deque<Reading> readings_;  // Readings in time order.
+    std::deque<Timestamp> unknown_; // Likewise.
 };
 
 } // namespace tractus::calib

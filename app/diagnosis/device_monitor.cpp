@@ -35,6 +35,8 @@ void DeviceMonitor::push(drivers::RawReport const& report)
     if (report.size == 0) {
         ++reading_.departures;
         reading_.is_away = true;
+        if (height_monitor_)
+            height_monitor_->begin_anew();
         if (auto const gone = pen_ ? pen_->leave(report.received) : std::nullopt)
             show(*gone);
         return;

@@ -246,9 +246,13 @@ void Station::push_height(Timestamp received, std::span<std::byte const> report)
     if (is_height_measured_)
         for (auto const& height : heights_) {
             height_monitor_.push(height);
-            if (height_monitor_.is_on_rail(height))
+            if (height_monitor_.is_on_rail(height)) {
+                for (auto& pen : pens_)
+                    pen.fuser.miss_height(height.time);
                 continue;
-            if (auto const height_mm = calib::height_mm(height_model_, height.counts)) {
+            }
+            auto const height_mm = calib::height_mm(height_model_, height.counts);
+            if (height_mm && !height_monitor_.doubts_last()) {
                 read_height_mm_ = height_mm;
                 read_height_time_ = height.time;
             }
@@ -279,8 +283,11 @@ void Station::end_with_height()
     if (!is_height_measured_)
         return;
     is_height_there_ = false;
-    for (auto& pen : pens_)
+    height_monitor_.begin_anew();
+    for (auto& pen : pens_) {
         finish(pen);
+        pen.fuser.forget_heights();
+    }
 }
 
 void Station::take_settled(Pen& pen)

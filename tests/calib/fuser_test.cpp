@@ -285,8 +285,8 @@ TEST(Fuser, TakesASensorThatCountsDown)
     auto const tip = fuser.push(pen(8ms));
     EXPECT_NEAR(tip->position_mm.z(), 250, 1e-9);
     EXPECT_FALSE(tip->outside_calibration);
-    fuser.push(height(9ms, 500));
-    EXPECT_TRUE(fuser.push(pen(60ms))->outside_calibration);
+    fuser.push(height(99ms, 500)); // Long enough for the way.
+    EXPECT_TRUE(fuser.push(pen(106ms))->outside_calibration);
 }
 
 TEST(Fuser, TakesThePressureThatTheTabletMeasures)

@@ -1,0 +1,224 @@
+#include "calib/height_judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace tractus::calib {
+
+namespace {
+
+constexpr double kLeastDoubted_mm = 0.5; // Less is noise, which the fit smooths.
+constexpr double kNoiseCounts = 4;       // Steps of so many counts are noise.
+constexpr double kNoises = 4; // Deviations beyond so many times the usual one are no noise.
+constexpr std::size_t kRemembered = 64;
+constexpr std::size_t kFewRemembered = 15; // Fewer tell neither rate nor noise.
+constexpr double kPause_s = 0.1;  // A longer interval is a pause, and says nothing of the rate.
+constexpr double kTrack_s = 0.02; // The speed is that of so long a time …
+constexpr std::size_t kTrackReadings = 4; // … or of so many readings, if these take longer.
+constexpr std::size_t kMostReadings = 64;
+constexpr double kMedianPerQuartile = 2.117; // Of the absolute values of a normal distribution.
+constexpr double kUnseenOfNew_s = 0.01;
+
+template<typename Values> void keep_last(Values& values, std::size_t count)
+{
+    if (values.size() > count)
+        values.pop_front();
+}
+
+} // namespace
+
+// The rate, and from second differences, which a steady movement does not have, the noise. Each
+// wrong reading spoils three of them, so that their lower quartile stands for the median of the
+// others.
+void HeightJudge::learn(Reading const& reading)
+{
+    bool const is_first = last_arrival_ == Timestamp::min();
+    interval_s_ = is_first ? 0 : to_seconds(reading.arrival - last_arrival_);
+    last_arrival_ = reading.arrival;
+    if (!is_first && interval_s_ <= kPause_s) {
+        intervals_s_.push_back(interval_s_);
+        keep_last(intervals_s_, kRemembered);
+        usual_interval_s_ = std::accumulate(intervals_s_.begin(), intervals_s_.end(), 0.0)
+            / static_cast<double>(intervals_s_.size());
+        auto sorted = std::vector(intervals_s_.begin(), intervals_s_.end());
+        std::sort(sorted.begin(), sorted.end());
+        longest_interval_s_ = sorted[sorted.size() - std::min<std::size_t>(sorted.size(), 2)];
+    }
+    if (heights_mm_.size() == 2) {
+        bends_mm_.push_back(std::abs(reading.height_mm - 2 * heights_mm_[1] + heights_mm_[0]));
+        keep_last(bends_mm_, kRemembered);
+        auto sorted = std::vector(bends_mm_.begin(), bends_mm_.end());
+        auto const quarter = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 4);
+        std::nth_element(sorted.begin(), quarter, sorted.end());
+        usual_bend_mm_ = is_new() ? kUnknownBend_mm : kMedianPerQuartile * *quarter;
+    }
+    heights_mm_.push_back(reading.height_mm);
+    keep_last(heights_mm_, 2);
+}
+
+// By least squares. The last reading stands for the line where the readings are too few or too
+// close together.
+HeightJudge::Line HeightJudge::line_through(Readings const& track) const
+{
+    Line line { .height_mm = track.back().height_mm };
+    double times = 0;
+    double heights = 0;
+    double count = 0;
+    auto first = track.rbegin();
+    for (; first != track.rend(); ++first) {
+        double const seconds = to_seconds(first->arrival - track.back().arrival);
+        if (count >= kTrackReadings && -seconds > kTrack_s)
+            break;
+        line.span_s = -seconds;
+        times += seconds;
+        heights += first->height_mm;
+        ++count;
+    }
+    double squares = 0;
+    double products = 0;
+    for (auto reading = track.rbegin(); reading != first; ++reading) {
+        double const off_s = to_seconds(reading->arrival - track.back().arrival) - times / count;
+        squares += off_s * off_s;
+        products += off_s * (reading->height_mm - heights / count);
+    }
+    line.is_known
+        = count >= kTrackReadings && squares > count * usual_interval_s_ * usual_interval_s_ / 4;
+    if (!line.is_known)
+        return line;
+    line.mm_per_s = std::clamp(products / squares, -kFastest_mm_per_s, kFastest_mm_per_s);
+    line.height_mm = heights / count - line.mm_per_s * times / count;
+    return line;
+}
+
+bool HeightJudge::is_new() const
+{
+    return bends_mm_.size() < kFewRemembered;
+}
+
+// The time between two readings in which the surface may have done something: deliveries in bundles
+// do not tell when readings were taken.
+double HeightJudge::unseen_s() const
+{
+    return std::max({ interval_s_, longest_interval_s_, is_new() ? kUnseenOfNew_s : 0 });
+}
+
+double HeightJudge::noise_mm() const
+{
+    return std::max(kLeastDoubted_mm, kNoiseCounts * count_mm_) + kNoises * usual_bend_mm_;
+}
+
+// How far off a reading may be since it was not taken when it seems to have been.
+double HeightJudge::jitter_mm(double mm_per_s) const
+{
+    double const jitter_s = longest_interval_s_ - usual_interval_s_;
+    bool const is_bundled = jitter_s > usual_interval_s_ / 2;
+    double mm = std::abs(mm_per_s) * (is_bundled ? 1.5 * longest_interval_s_ : jitter_s);
+    if (interval_s_ < usual_interval_s_ / 2)
+        mm += kFastest_mm_per_s * usual_interval_s_;
+    return mm;
+}
+
+// Doubted readings in between do not make the next one less certain, only the time does in which
+// none came. What an acceleration has changed since the middle of the line's readings is unseen.
+bool HeightJudge::goes_on(Reading const& reading) const
+{
+    auto const line = line_through(track_);
+    double const since_s = to_seconds(reading.arrival - track_.back().arrival);
+    double const expected_mm = line.height_mm + line.mm_per_s * std::min(since_s, kPause_s);
+    double const unseen_s = this->unseen_s();
+    double const square_s
+        = line.span_s * line.span_s / 6 + line.span_s * unseen_s + unseen_s * unseen_s;
+    double slack_mm = noise_mm() + jitter_mm(line.mm_per_s) + kQuickest_mm_per_ss / 2 * square_s;
+    if (!line.is_known || is_new())
+        slack_mm += kFastest_mm_per_s * unseen_s;
+    return std::abs(reading.height_mm - expected_mm) <= slack_mm;
+}
+
+bool HeightJudge::continues_run(Reading const& reading) const
+{
+    constexpr double kFastRun_mm_per_s = 600;
+    double const unseen_s = this->unseen_s();
+    auto const& last = run_.back();
+    double const step_mm = reading.height_mm - last.height_mm;
+    if (run_.size() < 2)
+        return std::abs(step_mm) <= noise_mm() + kFastRun_mm_per_s * unseen_s + jitter_mm(0);
+    double const bend_mm = step_mm - (last.height_mm - run_[run_.size() - 2].height_mm);
+    auto const line = line_through(run_);
+    return std::abs(bend_mm) <= 2 * noise_mm() + 2 * jitter_mm(line.mm_per_s)
+        + kQuickest_mm_per_ss * unseen_s * unseen_s;
+}
+
+// Both lines meet halfway, whatever the acceleration in between, if it was steady. A corner may lie
+// anywhere between two readings.
+bool HeightJudge::run_leads_back() const
+{
+    constexpr double kUnsteady_mm_per_ss = 1000;
+    auto const before = line_through(track_);
+    if (!before.is_known)
+        return true; // Of so few readings any may be the wrong one.
+    auto const after = line_through(run_);
+    double const since_s = to_seconds(run_.back().arrival - track_.back().arrival);
+    double const gap_s = to_seconds(run_.front().arrival - track_.back().arrival);
+    double const forth_mm = before.height_mm + before.mm_per_s * gap_s / 2;
+    double const back_mm = after.height_mm - after.mm_per_s * (since_s - gap_s / 2);
+    double const corner_mm = std::abs(after.mm_per_s - before.mm_per_s) * unseen_s() / 2;
+    double const slack_mm = 2 * noise_mm() + corner_mm + kUnsteady_mm_per_ss / 2 * gap_s * gap_s
+        + jitter_mm(std::max(std::abs(before.mm_per_s), std::abs(after.mm_per_s)));
+    return std::abs(back_mm - forth_mm) <= slack_mm;
+}
+
+void HeightJudge::believe(Reading const& reading)
+{
+    track_.push_back(reading);
+    keep_last(track_, kMostReadings);
+}
+
+void HeightJudge::believe_run(std::vector<Reading>& believed)
+{
+    track_.clear();
+    for (auto const& reading : run_)
+        believe(reading);
+    believed.insert(believed.end(), run_.begin(), run_.end());
+    run_.clear();
+    doubted_in_a_row_ = 0;
+}
+
+HeightJudge::Verdict HeightJudge::judge(Reading const& reading, double count_mm,
+                                        std::vector<Reading>& believed)
+{
+    if (reading.arrival < last_arrival_) { // Late: nobody knows what was around it.
+        believed.push_back(reading);
+        return Verdict::Believed;
+    }
+    count_mm_ = count_mm;
+    learn(reading);
+    if (track_.empty() || goes_on(reading)) {
+        run_.clear();
+        doubted_in_a_row_ = 0;
+        believe(reading);
+        believed.push_back(reading);
+        return Verdict::Believed;
+    }
+    if (!run_.empty() && !continues_run(reading))
+        run_.clear();
+    run_.push_back(reading);
+    ++doubted_in_a_row_;
+    if (run_.size() >= kFewInRun && run_leads_back()) {
+        believe_run(believed);
+        return Verdict::Believed;
+    }
+    if (run_.size() > kMostWrong && reading.arrival - run_.front().arrival >= kLeastStep) {
+        believe_run(believed);
+        return Verdict::Step;
+    }
+    return Verdict::Doubted;
+}
+
+void HeightJudge::miss()
+{
+    run_.clear();
+    ++doubted_in_a_row_;
+}
+
+} // namespace tractus::calib
