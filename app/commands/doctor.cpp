@@ -8,6 +8,7 @@
 #include "app/options/checks.h"
 #include "app/options/recordings_help.h"
 #include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
 #include "app/terminal/terminal.h"
 #include "calib/rig_file.h"
 #include "drivers/logs/log.h"
@@ -152,6 +153,8 @@ Result<void> examine_machine(DoctorArguments const& arguments,
 Result<void> examine_log(std::string const& path, std::vector<diagnosis::Finding>& findings)
 {
     auto const log = TRY(drivers::read_log(path));
+    if (auto const odd = drivers::summarize_warnings(log); !odd.empty())
+        terminal::print_warning(odd);
     std::vector<diagnosis::DeviceMonitor> monitors;
     for (auto const& info : log.devices)
         monitors.emplace_back(info);

@@ -131,6 +131,9 @@ private:
 //
 // Tolerates: "D:0" without a blank, device numbers with gaps, ids in any case and unpadded, times
 // with fewer or more than six digits after the point, blank lines, unknown letters, CR LF ends.
+// Times may go back, in recordings that were joined or went on after a restart. By more than 0.1 s
+// that begins another part: all devices go away at the end of the part before, the times of the
+// next one count on from 0.2 s later, and a warning says so. Its calibration is skipped.
 // Skips with a warning: reports that do not have the bytes they announce or more than 512, a last
 // line without its line break that is not whole, a second, different descriptor of the same device.
 // Fails, as the user's fault, with file and line: a text without any R line, an R line whose length

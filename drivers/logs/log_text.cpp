@@ -17,6 +17,11 @@ constexpr std::size_t kMaxReportBytes = sizeof(RawReport::storage);
 constexpr std::size_t kMaxDescribedBytes = std::size_t { 16 } << 20;
 constexpr std::size_t kMaxDevices = 1024;
 
+// Devices' reports may stand in a log in another order than they came, by less than this.
+constexpr Duration kMostDisorder = std::chrono::milliseconds(100);
+// Between two recordings in one file: a pause, but not so long that a sensor would count as silent.
+constexpr Duration kBetweenParts = std::chrono::milliseconds(200);
+
 // The USB interface's number, from the kernel's path: "usb-0000:00:14.0-2/input1"; -1 if it names
 // none.
 int interface_in(std::string_view physical_path)
@@ -185,6 +190,11 @@ void LogText::read_rig_line(std::string_view content)
 {
     if (!is_whole_)
         return warn("the last line is cut off: a line of the rig is dropped");
+    if (totals_.count > 0) {
+        if (!std::exchange(place_.has_second_rig, true))
+            warn("another calibration after the first report: skipped, the first one counts");
+        return;
+    }
     log_.rig_text += content.starts_with(' ') ? content.substr(1) : content;
     log_.rig_text += '\n';
 }
@@ -213,6 +223,15 @@ Result<void> LogText::read_departure(std::string_view content)
 // The record's bytes are the last ones, from there on.
 void LogText::take_record(Timestamp time, std::size_t offset)
 {
+    if (place_.latest && *place_.latest - time > kMostDisorder)
+        begin_part(time);
+    place_.latest = std::max(time, place_.latest.value_or(time));
+    place_.numbered[*place_.device].is_there = log_.bytes.size() > offset;
+    add_record(time + place_.shift, *place_.device, offset);
+}
+
+void LogText::add_record(Timestamp time, std::size_t device, std::size_t offset)
+{
     if (totals_.count++ == 0)
         totals_.begin = time;
     totals_.end = time;
@@ -222,7 +241,44 @@ void LogText::take_record(Timestamp time, std::size_t offset)
         log_.records.push_back({ .time = time,
                                  .offset = static_cast<std::uint32_t>(offset),
                                  .size = static_cast<std::uint16_t>(log_.bytes.size() - offset),
-                                 .device = static_cast<std::uint16_t>(*place_.device) });
+                                 .device = static_cast<std::uint16_t>(device) });
+}
+
+// Another recording begins: all devices go away, and its times count on after a pause in which
+// nothing that was under way goes on.
+void LogText::begin_part(Timestamp time)
+{
+    auto const back = *place_.latest - time;
+    warn(fmt::format("the times go back by {:.3f} s: another recording begins here, whose times "
+                     "count on from the one before",
+                     to_seconds(back)));
+    auto const end = *place_.latest + place_.shift;
+    auto const count_before = totals_.count;
+    // The new record's bytes have been read already: a departure has none.
+    std::vector<std::byte> bytes;
+    bytes.swap(log_.bytes);
+    for (std::size_t i = 0; i < place_.numbered.size(); ++i)
+        if (std::exchange(place_.numbered[i].is_there, false))
+            add_record(end, i, log_.bytes.size());
+    bytes.swap(log_.bytes);
+    auto const shift = end + kBetweenParts - time;
+    move_last_tools(time, shift, count_before);
+    place_.shift = shift;
+    place_.latest.reset();
+}
+
+// Changes of tool that stand between the last record of a part and the first of the next, and
+// belong to the next by their times.
+void LogText::move_last_tools(Timestamp time, Duration shift, std::size_t count_before)
+{
+    for (auto tool = log_.tools.rbegin();
+         tool != log_.tools.rend() && tool->position == count_before; ++tool) {
+        auto const said = tool->time - place_.shift;
+        if (std::chrono::abs(said - time) >= std::chrono::abs(said - *place_.latest))
+            continue;
+        tool->time = said + shift;
+        tool->position = totals_.count;
+    }
 }
 
 Result<void> LogText::read_report(std::string_view content)
@@ -355,6 +411,7 @@ void LogText::read_tool(std::string_view content)
     LogLine cursor(content);
     LogTool tool { .position = totals_.count };
     bool const has_time = cursor.time(tool.time);
+    tool.time += place_.shift;
     tool.tool = cursor.word();
     tool.arguments = cursor.rest();
     if (!is_whole_)

@@ -18,6 +18,7 @@ namespace tractus::drivers {
 struct LogDeviceNumber {
     std::size_t number = 0;
     bool has_descriptor = false;
+    bool is_there = false; // It has reported in this part of the log, and not gone away since.
 };
 
 // Where a line begins in a log's text, and what the lines before it said that matters to those from
@@ -28,6 +29,9 @@ struct LogPlace {
     std::vector<LogDeviceNumber> numbered {}; // Beside Log::devices.
     std::size_t number = 0;                   // As the last D line says.
     std::optional<std::size_t> device {};     // Its index; none until something is said of it.
+    Duration shift {};                        // From the file's times to those of the records.
+    bool has_second_rig = false;              // It has been warned of.
+    std::optional<Timestamp> latest {};       // Time in the file of the latest record of this part.
 };
 
 // Totals over all records of a log.
@@ -88,6 +92,9 @@ private:
     void read_rig_line(std::string_view content);
     Result<void> check_described() const;
     void take_record(Timestamp time, std::size_t offset);
+    void add_record(Timestamp time, std::size_t device, std::size_t offset);
+    void begin_part(Timestamp time);
+    void move_last_tools(Timestamp time, Duration shift, std::size_t count_before);
     DeviceInfo& device();
     void warn(std::string message);
     tl::unexpected<Error> broken(std::string const& what) const;
