@@ -19,9 +19,9 @@ namespace {
 
 using namespace tractus;
 
-std::array<drivers::DeviceInfo, 4> const& sensors()
+std::array<drivers::DeviceInfo, 6> const& sensors()
 {
-    static std::array<drivers::DeviceInfo, 4> const all {
+    static std::array<drivers::DeviceInfo, 6> const all {
         drivers::DeviceInfo { .name = "Height sensor",
                               .strings
                               = { { 4, std::string(drivers::kHeightSensorTitle) + "4095" } } },
@@ -30,6 +30,10 @@ std::array<drivers::DeviceInfo, 4> const& sensors()
         drivers::DeviceInfo { .name = "Height sensor",
                               .strings
                               = { { 4, std::string(drivers::kHeightSensorTitle) + "65535" } } },
+        drivers::DeviceInfo { .name = "serial line",
+                              .physical_path = "serial:/dev/ttyACM0@115200,max=500.00" },
+        drivers::DeviceInfo { .name = "ads1015 voltage0",
+                              .physical_path = "iio-channel:iio:device0:voltage0@max=2047" },
     };
     return all;
 }
