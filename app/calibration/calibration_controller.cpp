@@ -156,6 +156,11 @@ bool CalibrationController::take_pen_rest()
 
 Result<void> CalibrationController::capture(Timestamp time, std::string_view height)
 {
+    if (pending_ && time - pending_->begin > 2 * calib::kCaptureTime)
+        return fail(Fault::Device,
+                    fmt::format("the height sensor fell silent during the capture at {:g} mm: was "
+                                "it unplugged? Check its cable, then capture that height again",
+                                pending_->ruler_mm));
     if (pending_)
         return fail(Fault::User, "a capture is under way: wait a second for its end");
     pending_ = Pending { .ruler_mm = TRY(parse_height(height)), .begin = time };

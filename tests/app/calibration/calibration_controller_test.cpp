@@ -439,6 +439,23 @@ TEST(CalibrationController, TakesATouchThatPressesForNoRest)
     EXPECT_TRUE(controller.take_pen_rest());
 }
 
+// No report comes between the capture at 60 mm and the next one.
+TEST(CalibrationController, SaysThatTheSensorFellSilentDuringACapture)
+{
+    std::istringstream lines(simulated_text({}));
+    std::string text;
+    bool is_unplugged = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("T: "))
+            is_unplugged = line.ends_with("capture 60");
+        if (!is_unplugged || !line.starts_with("E: "))
+            text += line + "\n";
+    }
+    EXPECT_NE(refusal_of(text).find("the height sensor fell silent during the capture at 60 mm"),
+              std::string::npos)
+        << refusal_of(text);
+}
+
 // Five captures of a string that hangs plumb, whose readings once gave a string that ended at the
 // lowest of them.
 TEST(PlumbStringLog, GivesARigThatIsReadAndHasAllHeights)
