@@ -34,7 +34,8 @@ static std::optional<::Window> named_window(::Display* display, ::Window window,
 // grabbed, so that none begins between the look and the removal.
 bool remove_stale_window_manager()
 {
-    auto* const display = XOpenDisplay(nullptr);
+    // Stays open: a server whose last client leaves starts anew, and takes nobody in meanwhile.
+    static auto* const display = XOpenDisplay(nullptr);
     if (display == nullptr)
         return false;
     auto* const handler = XSetErrorHandler(ignore_error);
@@ -48,7 +49,6 @@ bool remove_stale_window_manager()
     XUngrabServer(display);
     XSync(display, False);
     XSetErrorHandler(handler);
-    XCloseDisplay(display);
     return is_stale;
 }
 
