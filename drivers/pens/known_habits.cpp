@@ -27,9 +27,12 @@ constexpr PenHabits kKamvasPro19 { .third_button_is_invert = true };
 // Huion's and Gaomon's before a driver switches them.
 constexpr PenHabits kHuion { .second_button_is_eraser = true };
 
+// Ours: a mouse held as a pen (app/controllers/mouse_rig.h).
+constexpr PenHabits kMouse { .rests_in_silence = true };
+
 constexpr KnownHabits kKnown[] = {
-    { 0x28bd, 0x093a, kArtist24 },      // XP-Pen Artist 24.
-    { 0x28bd, 0x092d, kArtist24 },      // XP-Pen Artist 24 Pro.
+    { 0, kMousePenProduct, kMouse },    { 0x28bd, 0x093a, kArtist24 }, // XP-Pen Artist 24.
+    { 0x28bd, 0x092d, kArtist24 },                                     // XP-Pen Artist 24 Pro.
     { 0x28bd, 0x095a, kArtistProGen2 }, // XP-Pen Artist Pro 14 (Gen 2).
     { 0x28bd, 0x095b, kArtistProGen2 }, // XP-Pen Artist Pro 16 (Gen 2).
     { 0x256c, 0x006b, kKamvasPro19 },   // Huion Kamvas Pro 19.
@@ -41,12 +44,12 @@ constexpr KnownHabits kKnown[] = {
 
 PenHabits known_habits(std::uint16_t vendor_id, std::uint16_t product_id, PenButtons const& buttons)
 {
-    if (buttons.has_second_by_name)
-        return {};
     PenHabits habits;
     for (auto const& known : kKnown)
         if (known.vendor_id == vendor_id && known.product_id == product_id)
             habits = known.habits;
+    if (buttons.has_second_by_name)
+        return { .rests_in_silence = habits.rests_in_silence };
     bool const cannot_turn = buttons.has_eraser && !buttons.has_invert;
     habits.second_button_is_eraser = habits.second_button_is_eraser
         ? !buttons.has_second || buttons.has_second_as_tip

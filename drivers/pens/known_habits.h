@@ -15,6 +15,9 @@ struct PenButtons {
     bool has_invert = false;
 };
 
+// Our own pen that is a mouse: its product id, of vendor 0.
+inline constexpr std::uint16_t kMousePenProduct = 3;
+
 // Returns what is known of pens whose report descriptor misleads; the default for all others.
 //
 // Linux can put such a descriptor right ("HID-BPF"): one that names a second barrel button has

@@ -29,6 +29,8 @@ struct PenFields {
     // Serial number and type of the pen, if the report tells them; else 0.
     std::uint32_t tool_serial = 0;
     std::uint32_t tool_type = 0;
+
+    bool operator==(PenFields const&) const = default;
 };
 
 } // namespace tractus::drivers

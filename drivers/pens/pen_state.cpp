@@ -12,16 +12,23 @@ std::optional<Duration> PenState::silence_limit() const
         return std::nullopt;
     if (maybe_left_)
         return *maybe_left_ - last_.time + habits_.false_leave;
-    if (says_in_range_ && habits_.reports_leaving)
+    if (habits_.rests_in_silence)
         return std::nullopt;
-    return kSilence;
+    if (!last_.touching)
+        return can_say_leaving() ? std::nullopt : std::optional<Duration>(kSilence);
+    auto const interval = rhythm_.streaming_interval();
+    if (!interval)
+        return std::nullopt;
+    return std::max(can_say_leaving() ? kUnsaidSilence : kSilence, kSilentIntervals * *interval);
 }
 
 std::optional<PenSample> PenState::leave(Timestamp time)
 {
     maybe_left_.reset();
+    rhythm_.break_off();
     if (!last_.in_range)
         return std::nullopt;
+    went_silent_touching_ = last_.touching;
     last_.time = time;
     last_.in_range = false;
     last_.touching = false;
@@ -101,10 +108,36 @@ bool PenState::is_in_doubt(PenSample const& sample)
     return maybe_left_.has_value();
 }
 
+// Learns how the tablet reports from a sample in range. The last one is still what came before.
+void PenState::follow_rhythm(Timestamp received, PenFields const& fields, PenSample const& sample)
+{
+    constexpr double kSamePlace_mm = 1;
+    if (std::exchange(went_silent_touching_, false) && sample.touching
+        && (sample.position_mm - last_.position_mm).norm() <= kSamePlace_mm)
+        rhythm_.disprove();
+    rhythm_.push(received, fields);
+}
+
+bool PenState::has_moved_unseen(PenSample const& sample) const
+{
+    return last_.touching && sample.touching && !can_say_leaving()
+        && sample.time - last_.time > kSilence
+        && (sample.position_mm - last_.position_mm).norm() > kFarthestAfterRest_mm;
+}
+
+// The report's own leaving: no silence.
+std::optional<PenSample> PenState::leave_as_said(Timestamp time)
+{
+    auto const left = leave(time);
+    went_silent_touching_ = false;
+    return left;
+}
+
 std::optional<PenSample> PenState::push(Timestamp received, PenFields fields, PenScale const& scale)
 {
+    auto const as_reported = fields;
     if (maybe_left_ && received - *maybe_left_ > habits_.false_leave)
-        return leave(*maybe_left_);
+        return leave_as_said(*maybe_left_);
     undo_habits(fields);
     says_in_range_ = fields.in_range.has_value();
 
@@ -123,12 +156,15 @@ std::optional<PenSample> PenState::push(Timestamp received, PenFields fields, Pe
     if (is_in_doubt(sample))
         return std::nullopt;
     if (!sample.in_range || is_other_tool(sample))
-        return leave(received);
+        return leave_as_said(received);
 
     if (!fields.carries_position && !has_position_)
         return std::nullopt;
     has_position_ = true;
     place(sample, fields, scale);
+    if (has_moved_unseen(sample))
+        return leave_as_said(received);
+    follow_rhythm(received, as_reported, sample);
     sample.buttons = fields.buttons;
     last_ = sample;
     return sample;

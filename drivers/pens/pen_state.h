@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/pens/pen_fields.h"
+#include "drivers/pens/report_rhythm.h"
 #include "drivers/reports/pen_sample.h"
 #include "engine/base/time.h"
 #include "engine/base/vectors.h"
@@ -29,8 +30,12 @@ struct PenScale {
 // How a device differs from what its reports say. The default is a device that does not.
 struct PenHabits {
     // False: the format has no way to say that the pen has left, whatever its reports say of being
-    // in range, and kSilence stands for it.
+    // in range; silence stands for it (PenState::silence_limit()).
     bool reports_leaving = true;
+
+    // The device always says that the pen leaves: silence has other reasons, such as a program that
+    // stalls.
+    bool rests_in_silence = false;
 
     bool second_button_is_eraser = false; // The eraser's bit is the second barrel button.
     // The bit of the inverted pen is the third barrel button, unless the pen comes into range so.
@@ -50,8 +55,21 @@ struct PenHabits {
 // It reads no clock: the same reports give the same samples.
 class PenState {
 public:
-    // Formats that cannot say that the pen has left stop sending; so Linux's driver does it, too.
+    // Formats that cannot say that the pen has left stop sending. A pen that hovers is away after
+    // this time, as with Linux's driver: nothing is lost if it only rested. One that touches and
+    // belongs to a tablet that streams is away after kSilentIntervals of the tablet's own, and no
+    // sooner than after this time, since the machine that reads may be late, too.
     static constexpr Duration kSilence = std::chrono::milliseconds(100);
+    static constexpr int kSilentIntervals = 16;
+
+    // A streaming tablet's format can say that the pen leaves, and it has stopped without saying
+    // so. No less: a reading machine that stalls for less loses nothing.
+    static constexpr Duration kUnsaidSilence = std::chrono::seconds(1);
+
+    // A pen that touches, rests in silence, and is next reported farther away than this has been
+    // lifted and put down there: a hand that starts to move goes a millimetre until the next
+    // report.
+    static constexpr double kFarthestAfterRest_mm = 5;
 
     explicit PenState(PenHabits const& habits = {})
         : habits_(habits)
@@ -65,19 +83,26 @@ public:
     // The sample in which the pen leaves; no value if it is away already.
     std::optional<PenSample> leave(Timestamp time);
 
-    // How long after the last sample leave() is due. No value: the device says it itself, or the
-    // pen is away.
+    // How long after the last sample leave() is due. No value: the pen is away; or it touches, and
+    // nothing shows that its silence means more than rest, as on tablets that report changes only.
     std::optional<Duration> silence_limit() const;
 
 private:
     void undo_habits(PenFields& fields) const;
     bool is_in_doubt(PenSample const& sample);
+    bool can_say_leaving() const { return says_in_range_ && habits_.reports_leaving; }
+    void follow_rhythm(Timestamp received, PenFields const& fields, PenSample const& sample);
+    bool has_moved_unseen(PenSample const& sample) const;
+    std::optional<PenSample> leave_as_said(Timestamp time);
     bool is_other_tool(PenSample const& sample) const;
     void read_pressure(PenSample& sample, PenFields const& fields, PenScale const& scale) const;
     void place(PenSample& sample, PenFields const& fields, PenScale const& scale) const;
 
     PenHabits habits_;
+    ReportRhythm rhythm_;
     PenSample last_;
+    // The pen fell silent while it touched, and counts as away since then.
+    bool went_silent_touching_ = false;
     bool has_position_ = false;
     bool says_in_range_ = false;          // The last report did, one way or the other.
     std::optional<Timestamp> maybe_left_; // When the device said that the pen is gone.

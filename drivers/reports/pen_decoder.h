@@ -21,7 +21,7 @@ struct PenTraits {
     bool is_size_assumed = false; // The device does not tell its size; see PenLayout::Size.
     bool has_pressure = false;
     bool has_tilt = false;
-    bool has_in_range = false; // If false, the pen is in range until it is silent.
+    bool has_in_range = false; // If false, a hovering pen is in range until it is silent.
     bool has_eraser = false;
     unsigned button_count = 0; // Buttons on the pen's barrel.
 
@@ -65,8 +65,10 @@ public:
     }
 
     // How long after its last sample the pen has left if no other comes, as things are now: some
-    // formats cannot say so, and some devices say so wrongly for a moment. No value: the device
-    // will say so itself, or the pen is away.
+    // formats cannot say so, some tablets that stream stop without saying so, and some devices say
+    // so wrongly for a moment. No value: the device will say so itself, or the pen is away. A pen
+    // that touches has a limit only if its tablet has been found to stream (ReportRhythm): many
+    // tablets are silent about a pen that rests.
     //
     // Whoever feeds the decoder keeps the time: see PenSilence.
     virtual std::optional<Duration> silence_limit() const = 0;

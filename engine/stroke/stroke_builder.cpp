@@ -32,10 +32,8 @@ std::optional<Stroke> StrokeBuilder::push(TipSample const& tip)
                                           [&](auto const& live) { return live.time > tip.time; });
     live_.erase(live_.begin(), first_later);
 
-    bool const ends = !stroke_.tips.empty()
-        && (!tip.touching || tip.time - stroke_.tips.back().time > options_.longest_gap);
     std::optional<Stroke> ended;
-    if (ends)
+    if (!stroke_.tips.empty() && !tip.touching)
         ended = take_stroke();
     if (tip.touching)
         stroke_.tips.push_back(tip);

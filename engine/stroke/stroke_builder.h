@@ -8,13 +8,9 @@
 
 namespace tractus {
 
-struct StrokeBuilderOptions {
-    // A stroke ends where its tips leave a longer gap than this: the pen was lifted and the report
-    // of it got lost. Long enough for a pen that rests, since some tablets say nothing then.
-    Duration longest_gap = std::chrono::milliseconds(500);
-};
-
-// Gathers tips into strokes: from the first tip that touches to the first that does not.
+// Gathers tips into strokes: from the first tip that touches to the first that does not. A gap
+// between two tips that touch ends nothing: many tablets are silent about a pen that rests, and the
+// devices' decoders know when silence means that a pen has gone (drivers/reports/pen_decoder.h).
 //
 // Tips come twice. `push_live` takes each at once, with a height that may be extrapolated: that is
 // the ink on the screen. `push` takes it again when later heights have settled it: that is the
@@ -22,11 +18,6 @@ struct StrokeBuilderOptions {
 // kind, or is not finite, is ignored. What never gets ink may leave out push_live.
 class StrokeBuilder {
 public:
-    explicit StrokeBuilder(StrokeBuilderOptions const& options = {})
-        : options_(options)
-    {
-    }
-
     void push_live(TipSample const& tip);
 
     // The stroke that ended with this tip, if one did. What has fewer than two distinct points (a
@@ -43,7 +34,6 @@ public:
 private:
     std::optional<Stroke> take_stroke();
 
-    StrokeBuilderOptions options_;
     Stroke stroke_;
     std::optional<Timestamp> last_settled_;
     std::vector<TipSample> live_; // Later than last_settled_.

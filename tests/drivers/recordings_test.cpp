@@ -265,6 +265,21 @@ TEST(Recordings, HaveNoStrokeThatLeapsToTheOriginOrElsewhere)
         }
 }
 
+TEST(Recordings, HaveNoStrokeThatIsTornWhereThePenOnlyRested)
+{
+    constexpr double kSamePlace_mm = 1;
+    for (auto const& pen : all_pens())
+        for (std::size_t i = 2; i < pen.samples.size(); ++i) {
+            auto const& touch = pen.samples[i - 2];
+            auto const& left = pen.samples[i - 1];
+            auto const& next = pen.samples[i];
+            bool const is_one_touch = touch.touching && !left.in_range && next.touching;
+            ASSERT_FALSE(is_one_touch
+                         && (next.position_mm - touch.position_mm).norm() <= kSamePlace_mm)
+                << pen.file << " at " << to_seconds(left.time) << " s";
+        }
+}
+
 TEST(Recordings, EraseOnlyWhereThePenHasAnEraser)
 {
     REQUIRE_CORPUS();

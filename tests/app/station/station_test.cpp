@@ -327,13 +327,33 @@ void touch_with_mouse(DrawingStation& station, std::int64_t start_ms)
     }
 }
 
-TEST(Station, ASilenceOf100MsEndsTheStrokeOfAPenThatCannotSayThatItHasLeft)
+TEST(Station, APenThatRestsInSilenceGoesOnWithItsStroke)
 {
     auto station = station_with_mouse();
     touch_with_mouse(station, 0);
-    station.pass_time(at_ms(195)); // 100 ms after the last report.
+    station.pass_time(at_ms(60'000)); // It reports changes only.
     EXPECT_TRUE(station.pen_in_range());
-    station.pass_time(at_ms(196));
+    EXPECT_TRUE(station.strokes().empty());
+    station.push(0, at_ms(60'005), drivers::bytes("01 01 6a 00 32 00 ff 0f"));
+    station.push(0, at_ms(60'010), drivers::bytes("01 00 6a 00 32 00 00 00"));
+    EXPECT_EQ(station.strokes().size(), 1u);
+}
+
+// Resting, a pen whose tablet streams sends the same report again and again.
+void rest_with_mouse(DrawingStation& station, std::int64_t start_ms)
+{
+    for (int i = 0; i < 4; ++i)
+        station.push(0, at_ms(start_ms + 5 * i), drivers::bytes("01 01 69 00 32 00 ff 0f"));
+}
+
+TEST(Station, SilenceEndsTheStrokeOfAPenThatStreamedAndCannotSayThatItHasLeft)
+{
+    auto station = station_with_mouse();
+    touch_with_mouse(station, 0);
+    rest_with_mouse(station, 100);
+    station.pass_time(at_ms(215)); // 100 ms after the last report.
+    EXPECT_TRUE(station.pen_in_range());
+    station.pass_time(at_ms(216));
     EXPECT_FALSE(station.pen_in_range());
     EXPECT_EQ(station.strokes().size(), 1u);
 }
@@ -341,7 +361,8 @@ TEST(Station, ASilenceOf100MsEndsTheStrokeOfAPenThatCannotSayThatItHasLeft)
 TEST(Station, ReportsPassTheTimeOfTheData)
 {
     auto station = station_with_mouse();
-    for (int const start_ms : { 0, 1000 })
+    rest_with_mouse(station, 0);
+    for (int const start_ms : { 20, 1020 })
         touch_with_mouse(station, start_ms);
     station.finish();
     EXPECT_EQ(station.strokes().size(), 2u);

@@ -293,7 +293,7 @@ TEST(PenState, DoesNotCutAStrokeForASerialNumber)
     EXPECT_EQ(pen.push({ first, other, first, kContact }), "CCCC");
 }
 
-TEST(PenState, ASilenceOf100MsEndsProximityForFormatsThatNeverReportIt)
+TEST(PenState, ASilenceOf100MsEndsHoveringForFormatsThatNeverReportIt)
 {
     auto hovering = kHover;
     hovering.in_range = std::nullopt;
@@ -307,12 +307,88 @@ TEST(PenState, ASilenceOf100MsEndsProximityForFormatsThatNeverReportIt)
     EXPECT_EQ(pen.push(hovering), 'h');
 }
 
-TEST(PenState, ASilencedContactEndsItsStroke)
+// What a pen that rests sends, on a tablet that streams: the same report again and again.
+std::string rest(Pen& pen, PenFields const& fields, int reports = 4)
+{
+    std::string letters;
+    for (int i = 0; i < reports; ++i)
+        letters += pen.push(fields);
+    return letters;
+}
+
+TEST(PenState, ContactRestsInSilenceOnATabletThatReportsChangesOnly)
 {
     Pen pen({ .reports_leaving = false });
-    EXPECT_EQ(pen.push({ kContact, kContact }), "CC");
-    EXPECT_EQ(pen.state().silence_limit(), 100ms);
+    for (int i = 0; i < 200; ++i) // Each report differs from the one before, or comes once more.
+        EXPECT_EQ(pen.push(at_place(kContact, 5000 + i / 2, 2500)), 'C');
+    EXPECT_FALSE(pen.state().silence_limit());
+    EXPECT_EQ(pen.push(at_place(kContact, 5101, 2500), std::chrono::minutes(1)), 'C');
+}
+
+TEST(PenState, SilenceEndsContactOnATabletThatStreams)
+{
+    Pen pen({ .reports_leaving = false });
+    EXPECT_EQ(pen.push(kContact), 'C');
+    EXPECT_EQ(rest(pen, kContact), "CCCC");
+    EXPECT_EQ(pen.state().silence_limit(), 100ms) << "16 intervals of 5 ms are less";
     EXPECT_EQ(pen.leave(), 'o');
+    EXPECT_EQ(pen.push(at_place(kContact, 9000, 2500), 500ms), 'C');
+    EXPECT_EQ(pen.state().silence_limit(), 100ms);
+}
+
+TEST(PenState, SilenceIsMeasuredInTheTabletsOwnIntervals)
+{
+    Pen pen({ .reports_leaving = false });
+    for (int i = 0; i < 20; ++i)
+        EXPECT_EQ(pen.push(kContact, 15ms), 'C');
+    EXPECT_EQ(pen.state().silence_limit(), 16 * 15ms);
+}
+
+TEST(PenState, AStreamingTabletThatCanSayLeavingIsWaitedForLonger)
+{
+    Pen pen;
+    rest(pen, kHover);
+    EXPECT_FALSE(pen.state().silence_limit()) << "hovering";
+    EXPECT_EQ(pen.push(kContact), 'C');
+    EXPECT_EQ(pen.state().silence_limit(), 1s);
+}
+
+TEST(PenState, ATouchThatGoesOnWhereItFellSilentHadOnlyRested)
+{
+    Pen pen({ .reports_leaving = false });
+    rest(pen, kContact);
+    ASSERT_TRUE(pen.state().silence_limit());
+    EXPECT_EQ(pen.leave(), 'o');
+    EXPECT_EQ(pen.push(at_place(kContact, 5050, 2500), 500ms), 'C');
+    EXPECT_FALSE(pen.state().silence_limit()) << "it does not stream after all";
+    rest(pen, kContact, 20);
+    EXPECT_FALSE(pen.state().silence_limit()) << "whatever it sends";
+}
+
+TEST(PenState, AHoverAfterSilenceProvesNoRest)
+{
+    Pen pen({ .reports_leaving = false });
+    rest(pen, kContact);
+    EXPECT_EQ(pen.leave(), 'o');
+    EXPECT_EQ(pen.push({ kHover, kContact }), "hC");
+    EXPECT_TRUE(pen.state().silence_limit());
+}
+
+TEST(PenState, ATouchFarFromWhereItFellSilentIsAnother)
+{
+    auto const far = at_place(kContact, 5600, 2500); // 6 mm.
+    Pen pen({ .reports_leaving = false });
+    EXPECT_EQ(pen.push(kContact), 'C');
+    EXPECT_EQ(pen.push(far, 101ms), 'o');
+    EXPECT_EQ(pen.push(far), 'C');
+
+    Pen fast({ .reports_leaving = false });
+    EXPECT_EQ(fast.push(kContact), 'C');
+    EXPECT_EQ(fast.push(far, 5ms), 'C') << "there was no silence";
+
+    Pen telling; // It would have said that it left.
+    EXPECT_EQ(telling.push(kContact), 'C');
+    EXPECT_EQ(telling.push(far, 101ms), 'C');
 }
 
 TEST(PenState, NoSilenceEndsThePresenceOfAPenThatReportsIt)

@@ -154,7 +154,11 @@ TEST(TabletDecoder, LetsASilentPenLeave)
 {
     auto decoder = make_pen_decoder(hs610());
     ASSERT_TRUE(decoder);
+    EXPECT_FALSE((*decoder)->silence_limit());
     ASSERT_TRUE(decode(**decoder, "08 81 38 63 03 3e 00 10 00 00 00 00"));
+    EXPECT_FALSE((*decoder)->silence_limit()) << "it may report changes only";
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(decode(**decoder, "08 81 38 63 03 3e 00 10 00 00 00 00"));
     EXPECT_EQ((*decoder)->silence_limit(), Duration(std::chrono::milliseconds(100)));
     auto const left = (*decoder)->leave(Timestamp());
     ASSERT_TRUE(left);

@@ -27,19 +27,16 @@ TEST(StrokeBuilder, EndsAStrokeWhereThePenIsLifted)
     EXPECT_EQ(stroke->tips[1].position_mm.x(), 2);
 }
 
-TEST(StrokeBuilder, EndsAStrokeAtALongGap)
+TEST(StrokeBuilder, AGapEndsNoStroke)
 {
     StrokeBuilder builder;
     (void)builder.push(tip(0, 0));
     (void)builder.push(tip(5, 1));
     EXPECT_FALSE(builder.push(tip(505, 2)));
-    auto const first = builder.push(tip(1006, 50));
-    ASSERT_TRUE(first);
-    EXPECT_EQ(first->tips.size(), 3u);
-    (void)builder.push(tip(1010, 51));
-    auto const second = builder.finish();
-    ASSERT_TRUE(second);
-    EXPECT_EQ(second->tips.size(), 2u);
+    EXPECT_FALSE(builder.push(tip(60'505, 50))) << "a pen that rested for a minute";
+    auto const stroke = builder.push(tip(60'510, 51, false));
+    ASSERT_TRUE(stroke);
+    EXPECT_EQ(stroke->tips.size(), 4u);
 }
 
 TEST(StrokeBuilder, ATapIsNoStroke)
