@@ -33,7 +33,7 @@ bool has_height_sensor(devices::LiveDevices const& devices)
     });
 }
 
-Result<MouseParts> add_mouse(devices::LiveDevices& devices, LiveWindowOptions const& options)
+MouseParts add_mouse(devices::LiveDevices& devices, LiveWindowOptions const& options)
 {
     constexpr double kFirstSurface_mm = 100; // Some of the plant is below it, and to be seen.
     if (!options.mouse)
@@ -41,10 +41,10 @@ Result<MouseParts> add_mouse(devices::LiveDevices& devices, LiveWindowOptions co
     MouseParts const parts { .pen = !has_pen(devices), .height = !has_height_sensor(devices) };
     auto mouse = *options.mouse;
     if (parts.pen)
-        TRY(devices.add_source(mouse.open_tablet()));
+        devices.add_source_without_thread(mouse.open_tablet());
     if (parts.height) {
         mouse.set_surface(options.height_mm.value_or(kFirstSurface_mm));
-        TRY(devices.add_source(mouse.open_height()));
+        devices.add_source_without_thread(mouse.open_height());
     }
     return parts;
 }

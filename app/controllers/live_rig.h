@@ -21,9 +21,8 @@ struct MouseParts {
     bool height = false;
 };
 
-// Adds the mouse, if the options have one, for what the devices lack. Fails like
-// LiveDevices::add_source().
-Result<MouseParts> add_mouse(devices::LiveDevices& devices, LiveWindowOptions const& options);
+// Adds the mouse, if the options have one, for what the devices lack.
+MouseParts add_mouse(devices::LiveDevices& devices, LiveWindowOptions const& options);
 
 // The rig's height sensor has never been calibrated: its readings mean nothing yet.
 bool lacks_calibration(devices::LiveDevices const& devices, LiveWindowOptions const& options);

@@ -27,7 +27,8 @@ Result<LiveWindow> LiveWindow::create(devices::LiveDevices devices, LiveWindowOp
     station_options.layers = options.methods.layers;
     bool const has_sensor = has_height_sensor(devices);
     bool const lacks_calibration = controllers::lacks_calibration(devices, options);
-    auto const mouse = TRY(add_mouse(devices, options));
+    auto const mouse = add_mouse(devices, options);
+    station_options.is_height_watched = !mouse.height;
     station_options.rig = TRY(choose_rig(devices, options, mouse));
     if (!mouse.height && (options.height_mm || !has_sensor || lacks_calibration))
         station_options.scripted_height = calib::ScriptedHeight {

@@ -1,16 +1,13 @@
 #include "app/controllers/mouse_rig.h"
 
+#include "drivers/pens/known_habits.h"
 #include "engine/base/check.h"
 #include "sim/simulated_height.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <condition_variable>
 #include <deque>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
 namespace tractus::controllers {
@@ -22,18 +19,27 @@ constexpr std::int32_t kSurfaceLow = 1000; // Away from the ends, where a readin
 constexpr std::int32_t kSurfaceHigh = 61000;
 constexpr std::int32_t kSurfaceFullScale = 62000;
 static_assert((kSurfaceHigh - kSurfaceLow) / kCountsPerSurfaceMm == MouseRig::kTop_mm);
-constexpr std::size_t kMostWaiting = 4096; // Reports that nobody reads.
+// At both ends of a stall heights are as dense as ever: the pen's places lie there, and a surface
+// that moved comes to rest.
+constexpr Duration kDenseAroundStall = std::chrono::milliseconds(250);
+constexpr Duration::rep kMostOfStall = 10'000; // Reports between them, after hours.
 
 } // namespace
 
 struct MouseRig::Shared {
     std::function<Timestamp()> now;
-    std::atomic<double> wanted_mm = 0;  // Height wanted of the surface.
-    std::atomic<double> surface_mm = 0; // Where it is.
+    double wanted_mm = 0;  // Height wanted of the surface.
+    double surface_mm = 0; // Where it is.
 
-    std::mutex mutex;
-    std::condition_variable has_moved;
+    bool has_tablet = false;                // The mouse is the pen.
     std::deque<drivers::RawReport> reports; // Reports of the pen that are not read yet.
+    Timestamp last_move {};                 // The newest of its reports.
+    Timestamp last_reading {};              // When the surface was last read to its end.
+    Timestamp heights_until {};             // No height after this has been sent.
+
+    // Until when the surface may be told. The pen's next places are put into the time since its
+    // last one, or since the last frame, and no height of that time may come before them.
+    Timestamp telling_end() const { return has_tablet ? std::max(last_move, last_reading) : now(); }
 };
 
 namespace {
@@ -45,15 +51,15 @@ public:
         , info_(sim::simulated_tablet_info(MouseRig::rig().tablet_size_mm))
     {
         info_.name = "Mouse as a pen";
+        info_.product_id = drivers::kMousePenProduct;
         info_.location = "mouse";
     }
 
     drivers::DeviceInfo const& info() const override { return info_; }
 
-    Result<std::optional<drivers::RawReport>> read(Duration timeout) override
+    Result<std::optional<drivers::RawReport>> read(Duration) override
     {
-        std::unique_lock lock(shared_->mutex);
-        if (!shared_->has_moved.wait_for(lock, timeout, [&] { return !shared_->reports.empty(); }))
+        if (shared_->reports.empty())
             return std::optional<drivers::RawReport>();
         auto const report = shared_->reports.front();
         shared_->reports.pop_front();
@@ -78,23 +84,35 @@ public:
 
     drivers::DeviceInfo const& info() const override { return info_; }
 
-    Result<std::optional<drivers::RawReport>> read(Duration timeout) override
+    Result<std::optional<drivers::RawReport>> read(Duration) override
     {
-        auto const now = shared_->now();
-        if (next_ > now && next_ - now > timeout) {
-            std::this_thread::sleep_for(timeout);
+        auto const end = shared_->telling_end();
+        shared_->heights_until = end;
+        if (!next_)
+            next_ = end;
+        if (*next_ > end) {
+            shared_->last_reading = shared_->now();
+            begin_ = *next_;
             return std::optional<drivers::RawReport>();
         }
-        if (next_ > now)
-            std::this_thread::sleep_for(next_ - now);
-        auto const received = shared_->now();
-        next_ = received + MouseRig::kHeightPeriod;
-        auto const counts = std::lround(glide_to(received) * kCountsPerSurfaceMm);
+        auto const time = *next_;
+        *next_ += period(time, end);
+        auto const counts = std::lround(glide_to(time) * kCountsPerSurfaceMm);
         return sim::simulated_slider_report(
-            with_noise(kSurfaceLow + static_cast<std::int32_t>(counts)), received);
+            with_noise(kSurfaceLow + static_cast<std::int32_t>(counts)), time);
     }
 
 private:
+    // The time from a report to the next one of those until `end`.
+    Duration period(Timestamp time, Timestamp end) const
+    {
+        auto const sparse
+            = std::max<Duration>(MouseRig::kStalledHeightPeriod, (end - begin_) / kMostOfStall);
+        bool const is_dense
+            = time - begin_ < kDenseAroundStall || end - time < kDenseAroundStall + sparse;
+        return is_dense ? Duration(MouseRig::kHeightPeriod) : sparse;
+    }
+
     // One count up and down, inwards: a sensor that rests without any noise is taken for torn.
     std::int32_t with_noise(std::int32_t counts)
     {
@@ -110,15 +128,19 @@ private:
         double const step_s = last_ ? to_seconds(now - *last_) : 0;
         last_ = now;
         double const wanted_mm = shared_->wanted_mm;
-        double const left_mm = (wanted_mm - shared_->surface_mm) * std::exp(-step_s / kGlide_s);
-        bool const is_there = std::abs(left_mm) < 0.5 / kCountsPerSurfaceMm;
-        shared_->surface_mm = is_there ? wanted_mm : wanted_mm - left_mm;
+        double const way_mm = wanted_mm - shared_->surface_mm;
+        double const farthest_mm = MouseRig::kFastest_mm_per_s * step_s;
+        double const step_mm
+            = std::clamp(way_mm * (1 - std::exp(-step_s / kGlide_s)), -farthest_mm, farthest_mm);
+        bool const is_there = std::abs(way_mm - step_mm) < 0.5 / kCountsPerSurfaceMm;
+        shared_->surface_mm = is_there ? wanted_mm : shared_->surface_mm + step_mm;
         return shared_->surface_mm;
     }
 
     std::shared_ptr<MouseRig::Shared> shared_;
     drivers::DeviceInfo info_;
-    Timestamp next_ {};
+    std::optional<Timestamp> next_; // When the next height is due.
+    Timestamp begin_ {};            // The first that was due in this reading.
     std::optional<Timestamp> last_; // When the height was last sent.
     bool flickers_ = false;
 };
@@ -130,7 +152,9 @@ MouseRig::MouseRig(std::function<Timestamp()> now)
 {
     CHECK(now);
     shared_->now = std::move(now);
-    last_move_ = shared_->now();
+    shared_->last_move = shared_->now();
+    shared_->last_reading = shared_->last_move;
+    shared_->heights_until = shared_->last_move;
 }
 
 calib::Rig MouseRig::rig()
@@ -152,6 +176,7 @@ void MouseRig::set_height_sensor_in(calib::Rig& rig)
 
 std::unique_ptr<drivers::ReportSource> MouseRig::open_tablet() const
 {
+    shared_->has_tablet = true;
     return std::make_unique<MouseTablet>(shared_);
 }
 
@@ -162,20 +187,21 @@ std::unique_ptr<drivers::ReportSource> MouseRig::open_height() const
 
 void MouseRig::move_pen(std::span<sim::TabletPen const> pens)
 {
+    if (!shared_->has_tablet)
+        return;
     auto const now = shared_->now();
     // After a rest it has only just begun to move.
     constexpr Duration kLongestFrame = std::chrono::milliseconds(100);
-    auto const since = std::min<Duration>(now - std::exchange(last_move_, now), kLongestFrame);
+    auto const begin
+        = std::max({ shared_->last_move, shared_->heights_until, now - kLongestFrame });
+    auto const since = std::max<Duration>(now - begin, Duration::zero());
+    shared_->last_move = std::max(now, shared_->last_move);
     auto const size_mm = rig().tablet_size_mm;
-    {
-        std::scoped_lock const lock(shared_->mutex);
-        for (std::size_t i = 0; i < pens.size() && shared_->reports.size() < kMostWaiting; ++i) {
-            auto const left = static_cast<std::int64_t>(pens.size() - 1 - i);
-            auto const received = now - since * left / static_cast<std::int64_t>(pens.size());
-            shared_->reports.push_back(sim::simulated_tablet_report(pens[i], size_mm, received));
-        }
+    for (std::size_t i = 0; i < pens.size(); ++i) {
+        auto const left = static_cast<std::int64_t>(pens.size() - 1 - i);
+        auto const received = now - since * left / static_cast<std::int64_t>(pens.size());
+        shared_->reports.push_back(sim::simulated_tablet_report(pens[i], size_mm, received));
     }
-    shared_->has_moved.notify_all();
 }
 
 void MouseRig::move_surface(double by_mm)
@@ -186,7 +212,7 @@ void MouseRig::move_surface(double by_mm)
 void MouseRig::set_surface(double height_mm)
 {
     shared_->wanted_mm = std::clamp(height_mm, 0.0, kTop_mm);
-    shared_->surface_mm.store(shared_->wanted_mm);
+    shared_->surface_mm = shared_->wanted_mm;
 }
 
 } // namespace tractus::controllers

@@ -16,14 +16,22 @@ namespace tractus::controllers {
 // its wheel or two keys move the surface. They are devices like others, so that what is drawn with
 // them is fused, recorded and replayed in the same way.
 //
-// Belongs to the thread that moves it; the sources may be read on others, and live as long as they
-// like.
+// However long the program stalls, the surface has been reported all the while: its sensor sends
+// afterwards what was due, so that its height is never silent. Reports of both sources together are
+// in time order from one reading of them to the next.
+//
+// The rig and its sources belong to one thread, and the sources never wait: read them until they
+// have nothing, once a frame. They live as long as they like.
 class MouseRig {
 public:
     static constexpr Duration kHeightPeriod = std::chrono::milliseconds(5);
+    // The same in the middle of a stall, where the surface is at rest.
+    static constexpr Duration kStalledHeightPeriod = std::chrono::milliseconds(100);
     static constexpr double kTop_mm = 300; // The surface goes from 0 to here.
+    // The wheel may ask for more: no surface that a hand moves is faster.
+    static constexpr double kFastest_mm_per_s = 1500;
 
-    // `now` is the clock of the reports. It is called on the threads that read the sources, too.
+    // `now` is the clock of the reports.
     explicit MouseRig(std::function<Timestamp()> now);
 
     // Returns what a calibration of both would find.
@@ -36,7 +44,7 @@ public:
 
     // Where the pen was since the last call, the last one being where it is now. Their times are
     // spread evenly over the time since then, or the last tenth of a second of it. Places are on
-    // the tablet of rig().
+    // the tablet of rig(). Nothing happens before the tablet is opened.
     void move_pen(std::span<sim::TabletPen const> pens);
 
     // Where the surface shall be, clamped to its way: it glides there, as a surface does that hands
@@ -48,7 +56,6 @@ public:
 
 private:
     std::shared_ptr<Shared> shared_;
-    Timestamp last_move_ {};
 };
 
 } // namespace tractus::controllers

@@ -113,12 +113,15 @@ Result<LiveDevices> LiveDevices::play_log(std::string const& name,
         .now = now,
         .wait = [](Duration) {}, // Readers ask for no patience.
     };
-    for (std::size_t i = 0; i < log->devices.size(); ++i) {
-        auto source = play::open_paced(log, i, pace);
-        devices.infos_.push_back(source->info());
-        devices.devices_.push_back({ std::move(source), nullptr, nullptr });
-    }
+    for (std::size_t i = 0; i < log->devices.size(); ++i)
+        devices.add_source_without_thread(play::open_paced(log, i, pace));
     return devices;
+}
+
+void LiveDevices::add_source_without_thread(std::unique_ptr<drivers::ReportSource> source)
+{
+    infos_.push_back(source->info());
+    devices_.push_back({ std::move(source), nullptr, nullptr });
 }
 
 LiveDevices::State LiveDevices::state(std::size_t device) const

@@ -62,6 +62,10 @@ public:
         return add(std::move(source), nullptr);
     }
 
+    // One more that never waits: take() reads it, and no thread does. What it sends is in order
+    // with the calls of take(), whatever the machine is busy with.
+    void add_source_without_thread(std::unique_ptr<drivers::ReportSource> source);
+
     std::vector<drivers::DeviceInfo> const& infos() const { return infos_; }
     State state(std::size_t device) const;
     bool any_left() const; // False if all have ended.

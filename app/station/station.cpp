@@ -54,6 +54,7 @@ Station::Station(StationOptions const& options)
     , volume_mm_(volume_of(options))
     , height_model_(options.rig.height_model)
     , is_height_measured_(!options.scripted_height)
+    , is_height_watched_(is_height_measured_ && options.is_height_watched)
     , tablet_latency_(options.rig.tablet_latency)
     , sample_times_(options.rig.sample_times)
     , nib_(options.rig.nib)
@@ -154,7 +155,7 @@ void Station::push_pen(Pen& pen, Timestamp received, std::span<std::byte const> 
 
 void Station::pass_time(Timestamp now)
 {
-    if (is_height_measured_)
+    if (is_height_watched_)
         height_monitor_.advance(now);
     for (auto& pen : pens_)
         if (auto const gone = pen.silence.leave_if_over(*pen.decoder, now)) {
@@ -245,7 +246,8 @@ void Station::push_height(Timestamp received, std::span<std::byte const> report)
     is_height_there_ |= !heights_.empty();
     if (is_height_measured_)
         for (auto const& height : heights_) {
-            height_monitor_.push(height);
+            if (is_height_watched_)
+                height_monitor_.push(height);
             if (height_monitor_.is_on_rail(height)) {
                 for (auto& pen : pens_)
                     pen.fuser.miss_height(height.time);

@@ -27,8 +27,9 @@ namespace tractus::station {
 struct StationOptions {
     calib::Rig rig;
     std::optional<calib::ScriptedHeight> scripted_height; // In place of a height sensor.
-    tools::ToolKinds tools {};                            // That there are.
-    tools::Layers layers {};                              // Likewise.
+    bool is_height_watched = true; // False for a height that no sensor measures: the mouse's wheel.
+    tools::ToolKinds tools {};     // That there are.
+    tools::Layers layers {};       // Likewise.
     // What the pen means until a tool line says otherwise; no value: the first of them.
     std::optional<tools::Tool> tool {};
 };
@@ -197,6 +198,7 @@ private:
     std::optional<double> read_height_mm_;
     Timestamp read_height_time_ {};
     bool is_height_measured_;     // Not scripted.
+    bool is_height_watched_;      // For faults of its sensor.
     bool is_height_there_ = true; // The sensor that measures it has not gone away.
     Duration tablet_latency_;
     calib::SampleTimes sample_times_;
