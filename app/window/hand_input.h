@@ -16,7 +16,8 @@ struct MouseMoment {
 struct KeyPress {
     static constexpr char kEscape = '\x1b';
     static constexpr char kEnter = '\r';
-    static constexpr char kLeft = '\x11'; // Arrows.
+    static constexpr char kBackspace = '\b'; // Repeats as long as it is held.
+    static constexpr char kLeft = '\x11';    // Arrows.
     static constexpr char kRight = '\x12';
     static constexpr char kUp = '\x13';
     static constexpr char kDown = '\x14';
@@ -33,7 +34,7 @@ struct KeyPress {
 struct HandInput {
     std::vector<MouseMoment> mouse;
     std::vector<KeyPress> presses;
-    std::string held; // The letters of keys that were down at any time.
+    std::string held; // The letters of keys that were down at any time, without Ctrl.
     std::vector<std::filesystem::path> dropped {}; // Files that were dropped on the window.
 
     bool holds(char letter) const { return held.find(letter) != std::string::npos; }

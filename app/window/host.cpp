@@ -42,6 +42,8 @@ char special_key(int key)
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:
         return KeyPress::kEnter;
+    case GLFW_KEY_BACKSPACE:
+        return KeyPress::kBackspace;
     case GLFW_KEY_LEFT:
         return KeyPress::kLeft;
     case GLFW_KEY_RIGHT:
@@ -159,8 +161,8 @@ void Host::watch_keyboard()
 {
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int code, int action, int mods) {
         auto& host = stirred(window);
-        if (action != GLFW_REPEAT)
-            host.take_key(key, code, action == GLFW_PRESS, mods);
+        if (action != GLFW_REPEAT || key == GLFW_KEY_BACKSPACE)
+            host.take_key(key, code, action != GLFW_RELEASE, mods);
     });
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int letter) {
         auto& host = stirred(window);
@@ -208,10 +210,12 @@ void Host::take_key(int key, int scancode, bool is_pressed, int modifiers)
     if (!is_pressed
         || (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) // These are the desktop's.
         return;
+    bool const has_control = (modifiers & GLFW_MOD_CONTROL) != 0;
+    presses_.push_back({ letter, has_control, (modifiers & GLFW_MOD_SHIFT) != 0 });
+    if (has_control) // It asks for something, and moves nothing.
+        return;
     held_.push_back(letter);
     lately_held_.push_back(letter);
-    presses_.push_back(
-        { letter, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0 });
 }
 
 void Host::set_title(std::string const& title)

@@ -54,9 +54,18 @@ WindowPart Layout::beside_menu() const
     return part;
 }
 
-void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPointer const& pen,
-                  HandInput const& input)
+// A text field takes all keys, those that would move the surface, too.
+bool Layout::takes_text() const
 {
+    return ImGui::GetIO().WantTextInput || bench_.asked_name;
+}
+
+void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPointer const& pen,
+                  HandInput const& all_input)
+{
+    auto input = all_input;
+    if (takes_text())
+        input.held.clear();
     begin_frame(model, input);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                         model.calibration() || model.start_page() ? ImGui::GetStyle().WindowPadding
@@ -99,7 +108,7 @@ void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPoint
     if (bench_.cards_are_shown)
         covered_.push_back(cards_panel_.show(model, bench_, controls_, bar));
     if (bench_.asked_name)
-        covered_.push_back(name_panel_.show(model, bench_, controls_, bar));
+        covered_.push_back(name_panel_.show(model, bench_, controls_, bar, input.presses));
     show_menu(model, renderer);
     if (bench_.keys_are_listed)
         covered_.push_back(show_shortcuts(model.state().tools, kPanelFlags, scale_));
@@ -224,10 +233,7 @@ void Layout::begin_frame(view::WindowModel& model, HandInput const& input)
     covered_.clear();
     pad_part_.reset();
     pad_is_pointed_at_ = false;
-    bool const is_typed = ImGui::GetIO().WantTextInput || bench_.asked_name;
-    if (bench_.asked_name && ImGui::IsKeyPressed(ImGuiKey_Escape))
-        bench_.close_panels();
-    if (is_typed)
+    if (takes_text())
         return;
     for (auto const& press : input.presses)
         if (auto* const start = model.start_page(); start && model.calibration() == nullptr)

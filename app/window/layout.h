@@ -53,6 +53,7 @@ public:
     Workbench& bench() { return bench_; }
 
 private:
+    bool takes_text() const;
     void begin_frame(view::WindowModel& model, HandInput const& input);
     void show_calibration(view::WindowModel& model, PenPointer const& pen);
     void show_start(view::WindowModel& model);

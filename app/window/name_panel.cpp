@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <imgui.h>
+#include <utility>
 
 namespace tractus::window {
 
@@ -80,17 +81,32 @@ void append_letter(std::string& text, unsigned int letter)
     }
 }
 
+// Lays the colour of selected text over that of ImGui's last item, which begins at its left edge.
+void mark_selected(std::string const& text)
+{
+    auto const& padding = ImGui::GetStyle().FramePadding;
+    auto const top = ImGui::GetItemRectMin();
+    auto const bottom = ImGui::GetItemRectMax();
+    float const left = top.x + padding.x;
+    float const right = std::min(left + ImGui::CalcTextSize(text.c_str()).x, bottom.x - padding.x);
+    ImGui::GetWindowDrawList()->AddRectFilled({ left, top.y + padding.y },
+                                              { right, bottom.y - padding.y },
+                                              ImGui::GetColorU32(ImGuiCol_TextSelectedBg));
+}
+
 } // namespace
 
 WindowPart NamePanel::show(view::WindowModel& model, Workbench& bench, Controls const& controls,
-                           WindowPart const& bar)
+                           WindowPart const& bar, std::span<KeyPress const> presses)
 {
     bool const is_new = asked_ != bench.asked_name;
     if (is_new) {
         asked_ = bench.asked_name;
         typed_ = asked_->now;
-        types_capitals_ = typed_.empty();
+        is_selected_ = !typed_.empty();
+        types_capitals_ = true;
     }
+    take_keyboard(presses);
     float const around = kNameMargin_px * scale_;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { around, around });
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, { kKeyGap_px * scale_, kKeyGap_px * scale_ });
@@ -118,33 +134,61 @@ void NamePanel::show_name(view::WindowModel& model, Workbench& bench, Controls c
 {
     auto const words = words_of(asked_->of);
     show_typed(words.question, width - 2 * (kNameButton_px + kKeyGap_px));
-    bool const is_entered = ImGui::IsKeyPressed(ImGuiKey_Enter, false);
     ImGui::SameLine();
-    bool const is_done = controls.button(words.button, kNameButton_px) || is_entered;
+    bool const is_done = controls.button(words.button, kNameButton_px) || confirms_;
     ImGui::SameLine();
-    if (controls.button("Close##name", kNameButton_px) || is_done)
+    if (controls.button("Close##name", kNameButton_px) || is_done || gives_up_)
         bench.asked_name.reset();
     if (is_done)
         perform(model, *asked_, typed_);
 }
 
-// Takes what is typed on a keyboard, too. A field of ImGui's would hold the keyboard's letters back
-// from the keys' and the other way round.
+// A field of ImGui's would hold the keyboard's letters back from the keys' and the other way round.
+void NamePanel::take_keyboard(std::span<KeyPress const> presses)
+{
+    confirms_ = false;
+    gives_up_ = false;
+    for (auto const letter : ImGui::GetIO().InputQueueCharacters)
+        take_letter(letter);
+    for (auto const& press : presses) {
+        confirms_ |= press.key == KeyPress::kEnter;
+        gives_up_ |= press.key == KeyPress::kEscape;
+        if (press.key == KeyPress::kBackspace)
+            take_back();
+    }
+}
+
+void NamePanel::take_letter(unsigned int letter)
+{
+    if (std::exchange(is_selected_, false))
+        typed_.clear();
+    append_letter(typed_, letter);
+}
+
+void NamePanel::take_back()
+{
+    if (std::exchange(is_selected_, false))
+        typed_.clear();
+    else
+        take_last(typed_);
+}
+
 void NamePanel::show_typed(char const* question, float width)
 {
-    for (auto const letter : ImGui::GetIO().InputQueueCharacters)
-        append_letter(typed_, letter);
-    if (ImGui::IsKeyPressed(ImGuiKey_Backspace))
-        take_last(typed_);
     auto const& field = ImGui::GetStyleColorVec4(ImGuiCol_FrameBg);
     for (auto const color : { ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive })
         ImGui::PushStyleColor(color, field);
     ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, { 0, 0.5f });
-    auto const shown = typed_.empty() ? std::string(question) : typed_ + "|";
+    auto const shown = typed_.empty() ? std::string(question)
+        : is_selected_                ? typed_
+                                      : typed_ + "|";
     ImGui::BeginDisabled(typed_.empty());
-    ImGui::Button((shown + "###typed").c_str(),
-                  { width * scale_, theme::kButtonHeight_px * scale_ });
+    if (ImGui::Button((shown + "###typed").c_str(),
+                      { width * scale_, theme::kButtonHeight_px * scale_ }))
+        is_selected_ = false;
     ImGui::EndDisabled();
+    if (is_selected_)
+        mark_selected(typed_);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(3);
 }
@@ -161,7 +205,7 @@ void NamePanel::show_keys(Controls const& controls, float width)
     ImGui::SameLine();
     ImGui::PushButtonRepeat(true);
     if (controls.button("Delete", kNameButton_px))
-        take_last(typed_);
+        take_back();
     ImGui::PopButtonRepeat();
 }
 
@@ -182,7 +226,7 @@ void NamePanel::show_row(std::string_view keys, Controls const& controls, float 
 // A capital begins a word, and small letters go on.
 void NamePanel::press(char key)
 {
-    typed_ += key;
+    take_letter(static_cast<unsigned char>(key));
     types_capitals_ = false;
 }
 

@@ -82,6 +82,7 @@ public:
         state_.hand = tools::Tool(*state_.tools.front());
         state_.is_live = true;
         state_.mouse_draws = true;
+        state_.mouse_moves_surface = true;
         state_.has_session = true;
         state_.may_calibrate = true;
     }
@@ -102,6 +103,8 @@ public:
         }
         if (auto const* const named = std::get_if<view::NameDrawing>(&command))
             given_names.push_back(named->name);
+        if (auto const* const moved_by = std::get_if<view::MoveSurface>(&command))
+            surface_mm += moved_by->by_mm;
         if (auto const* const pen = std::get_if<view::MoveMousePen>(&command))
             touches += std::any_of(pen->path.begin(), pen->path.end(),
                                    [](view::MousePen const& moment) { return moment.touching; });
@@ -114,6 +117,7 @@ public:
     std::vector<tools::Tool> released {};    // and left as.
     std::vector<std::string> given_names {}; // To the drawing.
     std::size_t touches = 0;
+    double surface_mm = 0; // By which the surface was moved.
 
     std::optional<CardsModel> start {};
     calibration::CalibrationModel* calibrated
@@ -264,11 +268,12 @@ protected:
     }
 
     // Where ImGui's mouse is, and whether its button is down, in each of the frames; the keys that
-    // are pressed in the first.
+    // are pressed.
     struct Moment {
         ImVec2 place_px;
         bool is_down = false;
         HandInput input {};
+        std::string typed {}; // On the keyboard.
     };
 
     // Shows the page in a window of that many points, and what a hand does there; `look` at its
@@ -292,6 +297,7 @@ protected:
             for (auto const& moment : moments) {
                 io.MousePos = moment.place_px;
                 io.MouseDown[0] = moment.is_down;
+                io.AddInputCharactersUTF8(moment.typed.c_str());
                 ImGui::NewFrame();
                 layout.show(model, *renderer_, pen, moment.input);
                 ImGui::Render();

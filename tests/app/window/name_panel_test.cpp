@@ -89,4 +89,56 @@ TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
     EXPECT_EQ(model.touches, 0u) << "nothing is drawn below the panel";
 }
 
+// The keyboard types a name; each frame has some of it.
+TEST_F(LayoutTest, TypesANameInThePlaceOfTheOldOneAndConfirmsWithEnter)
+{
+    auto const name_by = [&](std::vector<Moment> const& moments, bool is_closed) {
+        DrawingModel model;
+        model.name("Shrub");
+        work(
+            { 1600, 900 }, moments, model,
+            [](Layout& layout) {
+                layout.bench().ask_name({ Of::Drawing, "Shrub" });
+            },
+            [&](Layout& layout) { EXPECT_EQ(!layout.bench().asked_name, is_closed); });
+        EXPECT_EQ(model.surface_mm, 0) << "letters move no surface";
+        return model.given_names;
+    };
+    auto const frame
+        = [](std::string typed, std::vector<char> const& pressed = {}, std::string held = {}) {
+              Moment moment { .place_px = { 0, 0 }, .typed = std::move(typed) };
+              for (auto const key : pressed)
+                  moment.input.presses.push_back({ key });
+              moment.input.held = std::move(held);
+              return moment;
+          };
+    using Names = std::vector<std::string>;
+    auto const enter = frame("", { KeyPress::kEnter });
+    EXPECT_EQ(
+        name_by({ frame(""), frame("w", { 'W' }, "W"), frame("s", { 'S' }, "S"), enter }, true),
+        Names { "ws" });
+    EXPECT_EQ(name_by({ frame(""), enter }, true), Names { "Shrub" }) << "the old one stands";
+    EXPECT_EQ(
+        name_by({ frame(""), frame("", { KeyPress::kBackspace }), frame("Yew"), enter }, true),
+        Names { "Yew" })
+        << "all of the old one goes at once";
+    EXPECT_EQ(
+        name_by({ frame(""), frame("Yews"), frame("", { KeyPress::kBackspace }), enter }, true),
+        Names { "Yew" });
+    EXPECT_EQ(name_by({ frame(""), frame("Yew"), frame("", { KeyPress::kEscape }) }, true),
+              Names {})
+        << "Esc gives up";
+    EXPECT_EQ(name_by({ frame(""), frame("", { 'Q', 'N', 'V' }, "WS") }, false), Names {})
+        << "no key does anything else meanwhile";
+}
+
+TEST_F(LayoutTest, MovesTheSurfaceByKeysWhereNothingIsTyped)
+{
+    DrawingModel model;
+    Moment up { .place_px = { 0, 0 } };
+    up.input.held = "W";
+    work({ 1600, 900 }, { up, up }, model);
+    EXPECT_GT(model.surface_mm, 0);
+}
+
 } // namespace tractus::window
