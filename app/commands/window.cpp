@@ -27,7 +27,7 @@
 
 #include <algorithm>
 #include <array>
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <memory>
 #include <optional>
 #include <string>
@@ -48,6 +48,7 @@ struct WindowArguments {
     std::vector<std::string> devices;
     std::string played; // A log whose devices are taken for real ones.
     std::string recording;
+    std::vector<std::string> least; // TOOL=MM: see tools/least_extent.h.
     std::string session;
     std::string model;             // Empty: the start page, or kUsualModel where there is none.
     bool wants_start_page = false; // Whatever else is said.
@@ -212,6 +213,22 @@ Clock clock_for(WindowArguments const& arguments)
     return { [counted] { return *counted; }, counted };
 }
 
+// Those of the command line, else those that the person keeps.
+Result<tools::LeastExtents> read_least_extents(WindowArguments const& arguments)
+{
+    auto extents
+        = TRY(tools::parse_least_extents(fmt::format("{}", fmt::join(arguments.least, " "))));
+    if (keeps_look(arguments))
+        extents.merge(TRY(load_least_extents(user_look_path())));
+    for (auto const& [tool, mm] : extents)
+        if (!tools::find_tool_kind(arguments.methods.tools, tool))
+            return fail(Fault::User,
+                        fmt::format("a least extent {}={:g}, but there is no tool {}: \"tractus "
+                                    "tools\" lists those that there are",
+                                    tool, mm, tool));
+    return extents;
+}
+
 Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices devices,
                           Clock const& clock)
 {
@@ -225,6 +242,7 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
         options.rig = TRY(calib::load_rig(options.rig_file));
     if (!arguments.height.empty())
         options.height_mm = TRY(options::constant_height_mm(arguments.height));
+    options.least_extents = TRY(read_least_extents(arguments));
     // Last, since it may begin a file.
     auto const drawing = TRY(open_first_drawing(arguments, options));
     options.folder = std::filesystem::current_path();
@@ -351,6 +369,11 @@ void add_drawing_options(CLI::App& command, WindowArguments& arguments)
                     "Record all that the devices send and every choice of a tool: a new "
                     ".tractus-log")
         ->type_name("FILE");
+    command
+        .add_option("--least", arguments.least,
+                    "How far a stroke has to get for a tool, in millimetres, as draw=6; what gets "
+                    "less far does nothing; 0: every touch counts")
+        ->type_name("TOOL=MM...");
     command
         .add_option("--session", arguments.session,
                     "Keep every stroke in this session as soon as it ends: a new one of the plant, "

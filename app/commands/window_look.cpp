@@ -25,6 +25,12 @@ Result<bool> is_second(calib::TomlTable& table, std::string_view key,
     return TRY(table.word(key, { words.begin(), words.end() })) == 1;
 }
 
+// The words of "least" in a file that is there; empty if it has none.
+Result<std::string> least_words(calib::TomlTable& table)
+{
+    return table.has("least") ? table.text("least") : std::string();
+}
+
 } // namespace
 
 fs::path user_look_path()
@@ -43,18 +49,37 @@ Result<window::WindowLook> load_look(fs::path const& path)
     window::WindowLook look;
     look.is_light = TRY(is_second(table, "colors", kColors));
     look.is_left_handed = TRY(is_second(table, "hand", kHands));
+    (void)TRY(least_words(table)); // See load_least_extents().
     TRY(table.refuse_unknown_keys());
     return look;
+}
+
+Result<tools::LeastExtents> load_least_extents(fs::path const& path)
+{
+    std::error_code ignored;
+    if (path.empty() || !fs::exists(path, ignored))
+        return tools::LeastExtents();
+    auto const text = TRY(read_file(path));
+    auto table = TRY(calib::TomlTable::parse(text, path.string()));
+    auto const words = TRY(least_words(table));
+    auto extents = tools::parse_least_extents(words);
+    if (!extents)
+        return table.wrong("least", fmt::format("is wrong: {}", extents.error().message));
+    return extents;
 }
 
 Result<void> save_look(fs::path const& path, window::WindowLook const& look)
 {
     TRY(make_folder(path.parent_path()));
+    auto const least = load_least_extents(path);
+    auto const kept = least && !least->empty()
+        ? fmt::format("least = \"{}\"\n", tools::print_least_extents(*least))
+        : std::string();
     return write_file(path,
                       fmt::format("# How tractus' window looks, as chosen there last.\n"
-                                  "colors = \"{}\"\nhand = \"{}\"\n",
+                                  "colors = \"{}\"\nhand = \"{}\"\n{}",
                                   kColors[look.is_light ? 1 : 0],
-                                  kHands[look.is_left_handed ? 1 : 0]));
+                                  kHands[look.is_left_handed ? 1 : 0], kept));
 }
 
 } // namespace tractus::commands

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/tools/least_extent.h"
 #include "app/window/window.h"
 #include "engine/base/result.h"
 
@@ -15,7 +16,12 @@ std::filesystem::path user_look_path();
 // file, the line and what is wrong there.
 Result<window::WindowLook> load_look(std::filesystem::path const& path);
 
-// Writes it, and its folder if that is not there.
+// How far strokes have to get for tools, where the same file says so: its key "least", with words
+// such as "draw=6 sketch=12" (tools/least_extent.h), which a person writes there. Empty where there
+// is none. Fails like load_look().
+Result<tools::LeastExtents> load_least_extents(std::filesystem::path const& path);
+
+// Writes it, and its folder if that is not there. What the file says of least extents stays.
 Result<void> save_look(std::filesystem::path const& path, window::WindowLook const& look);
 
 } // namespace tractus::commands

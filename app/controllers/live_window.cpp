@@ -25,6 +25,8 @@ Result<LiveWindow> LiveWindow::create(devices::LiveDevices devices, LiveWindowOp
     station::StationOptions station_options;
     station_options.tools = options.methods.tools;
     station_options.layers = options.methods.layers;
+    station_options.least_extents = options.least_extents;
+    station_options.least_extents.merge(tools::usual_least_extents(options.methods.tools));
     bool const has_sensor = has_height_sensor(devices);
     bool const lacks_calibration = controllers::lacks_calibration(devices, options);
     auto const mouse = add_mouse(devices, options);
@@ -268,13 +270,13 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
     (void)controller_->finish(station_, now);
     (void)controller_->take_done(); // Steps from before are not of the recording.
     recorded_from_stroke_ = controller_->document().stroke_count();
-    auto const tools = station_.tools_to_go_on_with();
-    // A replay begins with the first tool as its word says it, so that need not be written.
-    if (tools != std::vector { tools::tool_of_word(*station_options_.tools.front()) })
-        for (auto const& tool : tools) {
-            auto const words = tools::words_for(tool);
-            recorder_->write_tool(now, words.name, words.arguments);
-        }
+    recorder_->write_tool(now, tools::kLeastExtentsLine,
+                          tools::print_least_extents(station_.least_extents()));
+    // After the line above an older program needs the first tool, too.
+    for (auto const& tool : station_.tools_to_go_on_with()) {
+        auto const words = tools::words_for(tool);
+        recorder_->write_tool(now, words.name, words.arguments);
+    }
     view().state().recording = { true, path.filename().string(), recorder_->byte_count() };
     return {};
 }

@@ -36,6 +36,9 @@ struct LiveWindowOptions {
     std::optional<calib::Rig> rig {};
     // Where calibrating keeps the rig; empty: nowhere, and there is no calibrating.
     std::filesystem::path rig_file {};
+    // How far strokes have to get, by the tools' words, where a person wants it otherwise than as
+    // usual (tools::usual_least_extents()).
+    tools::LeastExtents least_extents {};
     // The surface's height in place of a height sensor, above the controller.
     std::optional<double> height_mm {};
     scene::Scene scene {}; // The scene that the pen works on; its base plant is loaded.

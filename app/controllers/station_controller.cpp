@@ -54,6 +54,18 @@ void StationController::take_strokes(station::Station& station)
 {
     for (auto& stroke : station.take_strokes())
         document_->draw(std::move(stroke));
+    tell_of_dab(station);
+}
+
+// Once for each kind of tool: a hand that slips often need not be told each time.
+void StationController::tell_of_dab(station::Station const& station)
+{
+    auto const* const kind = station.last_dab();
+    bool const is_new = std::exchange(told_dabs_, station.counts().dabs) < station.counts().dabs;
+    if (!is_new || !told_dabs_of_.insert(kind).second)
+        return;
+    view_.state().status
+        = tools::describe_dab(*kind, tools::least_extent_mm(station.least_extents(), *kind));
 }
 
 // What goes on following what was drawn with it; no value: nothing else.

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -101,6 +102,7 @@ private:
     void save(std::string_view ending,
               std::function<Result<std::string>(std::filesystem::path const&)> write);
     void take_strokes(station::Station& station);
+    void tell_of_dab(station::Station const& station);
     void show_document(station::Station& station, Timestamp now);
     void show_files();
     void set_growth(
@@ -111,8 +113,10 @@ private:
     view::StationView view_;
     std::vector<document::DoneStep> done_; // Steps that are not taken yet.
     std::optional<tools::Tool> hand_;      // Likewise.
-    Timestamp now_ {};                     // Time of the last show().
-    bool knows_what_is_lost_ = false;      // A person who has asked to leave.
+    std::size_t told_dabs_ = 0;            // Of the station's, those that have been looked at.
+    std::set<tools::ToolKind const*> told_dabs_of_ {}; // Kinds of which a dab has been told.
+    Timestamp now_ {};                                 // Time of the last show().
+    bool knows_what_is_lost_ = false;                  // A person who has asked to leave.
     std::filesystem::path folder_;
     std::optional<std::filesystem::path> rules_file_ {};
     // On the heap, as this moves.

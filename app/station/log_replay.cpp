@@ -111,6 +111,11 @@ Result<std::vector<LogReplay::Line>> LogReplay::read_lines(drivers::Log const& l
             if (!*step)
                 return fail(Fault::User, fmt::format("{}: {}", place, step->error().message));
             lines.push_back({ position, time, **std::move(step) });
+        } else if (word == tools::kLeastExtentsLine) {
+            auto extents = tools::parse_least_extents(arguments);
+            if (!extents)
+                return fail(Fault::User, fmt::format("{}: {}", place, extents.error().message));
+            lines.push_back({ position, time, *std::move(extents) });
         } else if (word == pressing().kind().word) {
             lines.push_back({ position, time, pressing() });
         } else if (auto const tool = tools::parse_tool(methods.tools, word, arguments)) {
@@ -142,6 +147,9 @@ void LogReplay::push_lines()
          ++next_line_)
         if (auto const* const tool = std::get_if<tools::Tool>(&lines_[next_line_].what))
             station_.set_tool(lines_[next_line_].time, *tool);
+        else if (auto const* const extents
+                 = std::get_if<tools::LeastExtents>(&lines_[next_line_].what))
+            station_.set_least_extents(*extents);
 }
 
 // A step comes after as many strokes as when the log was made: its line may stand later in the log

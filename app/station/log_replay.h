@@ -71,7 +71,7 @@ private:
     struct Line {
         std::size_t position = 0; // See LogTool.
         Timestamp time {};
-        std::variant<tools::Tool, document::LoggedStep> what;
+        std::variant<tools::Tool, document::LoggedStep, tools::LeastExtents> what;
     };
 
     LogReplay(drivers::Log const& log, Station station, std::vector<Line> lines,

@@ -63,6 +63,7 @@ Station::Station(StationOptions const& options)
     , tool_in_hand_(first_tool(options))
     , tools_(options.tools)
     , layers_(options.layers)
+    , least_extents_(options.least_extents)
 {
 }
 
@@ -445,6 +446,11 @@ void Station::finish_stroke(Stroke stroke)
     auto const tool = meaning_of(stroke.tips);
     if (tool == pressing())
         return;
+    if (tools::extent_mm(stroke) < tools::least_extent_mm(least_extents_, tool.kind())) {
+        ++counts_.dabs;
+        last_dab_ = &tool.kind();
+        return;
+    }
     ++counts_.strokes;
     strokes_.push_back({ std::move(stroke), tool });
 }

@@ -2,6 +2,7 @@
 
 #include "app/station/pressing.h"
 #include "app/tools/layer.h"
+#include "app/tools/least_extent.h"
 #include "app/tools/tool.h"
 #include "calib/fuser.h"
 #include "calib/height_monitor.h"
@@ -32,6 +33,7 @@ struct StationOptions {
     tools::Layers layers {};       // Likewise.
     // What the pen means until a tool line says otherwise; no value: the first of them.
     std::optional<tools::Tool> tool {};
+    tools::LeastExtents least_extents {}; // Of strokes, until set_least_extents() says otherwise.
 };
 
 // What came in and what became of it.
@@ -43,6 +45,7 @@ struct StationCounts {
     std::size_t broken_reports = 0;  // A decoder refused them; the first reason is kept.
     std::size_t ignored_reports = 0; // Of devices that are neither the pen nor the height sensor.
     std::size_t strokes = 0;
+    std::size_t dabs = 0; // Strokes too short to mean anything, which are not among `strokes`.
     std::string first_broken;
 };
 
@@ -83,6 +86,13 @@ public:
     // the pen's other end, to what that does then (ToolKind::other_end). One that is done at once
     // is a stroke without tips, and changes nothing in the hand.
     void set_tool(Timestamp time, tools::Tool const& tool);
+
+    // A stroke that gets less far than its tool's least extent is a dab: it does nothing and is
+    // counted. For strokes that end from now on.
+    void set_least_extents(tools::LeastExtents extents) { least_extents_ = std::move(extents); }
+    tools::LeastExtents const& least_extents() const { return least_extents_; }
+    // The tool that the last dab was for; null before the first.
+    tools::ToolKind const* last_dab() const { return last_dab_; }
 
     // Where a touch presses what the window shows there, from its beginning to its end, and draws
     // nothing: x and y of the world frame, millimetres. None at first. Such touches are tool
@@ -217,6 +227,8 @@ private:
     tools::Tool tool_in_hand_; // When it does not press.
     tools::ToolKinds tools_;
     tools::Layers layers_;
+    tools::LeastExtents least_extents_;
+    tools::ToolKind const* last_dab_ = nullptr;
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<PenMoment> moments_;         // Not taken yet.
     std::vector<tools::ToolStroke> strokes_; // Not taken yet.

@@ -49,6 +49,7 @@ constexpr ToolKind DrawInOrderTool::kKind {
     .group = "Draw",
     .icon = "19354279 7993 9381",
     .key = 'D',
+    .least_extent_mm = 6,
     .options = options_type<DrawInOrderTool, visit>(),
     .mean = draw_in_order,
     .said = say_underground,

@@ -68,6 +68,10 @@ struct ToolKind {
     bool begins_group_of_buttons = false; // Among the buttons that its group leads to.
     bool at_once = false;                 // It needs no stroke: its button does it.
     Surface surface = Surface::Space;
+    // A stroke that gets less far than this from where it begins, mm on the desk, is a slip of the
+    // hand: it does nothing. 0 where a touch means something. A person may set another
+    // (least_extent.h).
+    double least_extent_mm = 0;
     InkStyle ink {};
     // The document is shown as a stroke under way would leave it if it ended here. Only where what
     // a stroke means is found and shown within a frame.

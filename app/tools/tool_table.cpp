@@ -54,16 +54,22 @@ std::string describe_tool(ToolKind const& kind)
         text += fmt::format(" [{}]", fmt::join(words, "|"));
     if (kind.key)
         text += fmt::format("  (key {})", kind.key);
-    return fmt::format("{}\n    {}\n", text, kind.help);
+    auto const least = kind.least_extent_mm > 0
+        ? fmt::format(" (strokes from {:g} mm on)", kind.least_extent_mm)
+        : std::string();
+    return fmt::format("{}\n    {}{}\n", text, kind.help, least);
 }
 
 std::string manual_table(ToolKinds kinds)
 {
-    std::string table = "| tool | words | key | what it does |\n| --- | --- | --- | --- |\n";
+    std::string table = "| tool | words | key | from | what it does |\n"
+                        "| --- | --- | --- | --- | --- |\n";
     for (auto const* const kind : kinds) {
         auto const key = kind->key ? fmt::format("**{}**", kind->key) : std::string();
-        table += fmt::format("| `{}` | {} | {} | {} |\n", kind->word, words_in_manual(*kind), key,
-                             kind->help);
+        auto const least = kind->least_extent_mm > 0 ? fmt::format("{:g} mm", kind->least_extent_mm)
+                                                     : std::string();
+        table += fmt::format("| `{}` | {} | {} | {} | {} |\n", kind->word, words_in_manual(*kind),
+                             key, least, kind->help);
     }
     return table;
 }

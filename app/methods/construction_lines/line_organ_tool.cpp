@@ -148,6 +148,7 @@ constexpr tools::ToolKind LineOrganTool::kKind {
     .method = "From lines",
     .begins_group_of_buttons = true,
     .surface = tools::Surface::Paper,
+    .least_extent_mm = 2,
     .options = tools::options_type<LineOrganTool, visit>(),
     .mean = draw_organ,
     .said = said_of_leaf,

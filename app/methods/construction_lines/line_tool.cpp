@@ -121,6 +121,7 @@ constexpr tools::ToolKind LineTool::kKind {
     .icon = "5951 292351 898351 245684",
     .key = 'I',
     .surface = tools::Surface::Paper,
+    .least_extent_mm = 3,
     .options = tools::options_type<LineTool, visit>(),
     .drawn_glyph = &kLineCurves,
     .mean = add_line,

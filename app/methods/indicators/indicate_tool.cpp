@@ -68,6 +68,7 @@ constexpr tools::ToolKind IndicateTool::kKind {
     .group = "Lean",
     .icon = "1585 8563 8567",
     .key = 'L',
+    .least_extent_mm = 5,
     .ink = { tools::InkStyle::Look::Arrow },
     .options = tools::options_type<IndicateTool, visit>(),
     .mean = indicate,

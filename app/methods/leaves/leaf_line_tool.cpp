@@ -139,6 +139,7 @@ constexpr tools::ToolKind LeafLineTool::kKind {
     .method = "A leaf",
     .icon = "5951 57757351 57353351",
     .surface = tools::Surface::Paper,
+    .least_extent_mm = 2,
     .options = tools::options_type<LeafLineTool, visit>(),
     .mean = add_line,
     .follow = follow,

@@ -176,6 +176,7 @@ constexpr tools::ToolKind PictureTool::kKind {
     .group = "Picture",
     .icon = "1282871712 174467 567486",
     .surface = tools::Surface::Paper,
+    .least_extent_mm = 2,
     .ink = { tools::InkStyle::Look::Arrow },
     .shows_outcome = true,
     .lays_pictures = true,

@@ -146,6 +146,7 @@ constexpr tools::ToolKind CrownTool::kKind {
             "the surface through these; of a new tree, or with whole nodes, as an outline's tree",
     .group = "Sketch",
     .method = "From an outline",
+    .least_extent_mm = 5,
     .options = tools::options_type<CrownTool, visit_crown>(),
     .mean = mean_crown,
     .said = said_of_crown,

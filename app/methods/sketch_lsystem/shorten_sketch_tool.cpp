@@ -93,6 +93,7 @@ constexpr tools::ToolKind ShortenSketchTool::kKind {
             "runs over the plant's axis; but first strokes and indicators that it runs over",
     .group = "Sketch",
     .method = "Along a stroke",
+    .least_extent_mm = 2,
     .ink = { tools::InkStyle::Look::Eraser, 2 * ShortenSketchTool::kRadius_mm },
     .options = tools::options_type<ShortenSketchTool>(),
     .mean = shorten,

@@ -229,6 +229,7 @@ constexpr tools::ToolKind SketchTool::kKind {
     .method = "Along a stroke",
     .icon = "5950 5674 5422 5362",
     .key = 'K',
+    .least_extent_mm = 8,
     .options = tools::options_type<SketchTool, visit_sketch_options>(),
     .glyph = &kRuleGlyph,
     .mean = grow,

@@ -34,6 +34,24 @@ TEST_F(WindowLookTest, IsKeptFromOneTimeToTheNext)
         }
 }
 
+TEST_F(WindowLookTest, KeepsHowFarStrokesHaveToGet)
+{
+    EXPECT_TRUE(load_least_extents(path_).value().empty());
+    ASSERT_TRUE(save_look(path_, {}));
+    EXPECT_TRUE(load_least_extents(path_).value().empty());
+    ASSERT_TRUE(write_file(path_, "hand = \"left\"\nleast = \"draw=2.5 sketch=0\"\n"));
+    tools::LeastExtents const kept { { "draw", 2.5 }, { "sketch", 0 } };
+    EXPECT_EQ(load_least_extents(path_).value(), kept);
+    ASSERT_TRUE(save_look(path_, { .is_light = true })); // The person turns the light on.
+    EXPECT_EQ(load_least_extents(path_).value(), kept);
+    EXPECT_TRUE(load_look(path_).value().is_light);
+    ASSERT_TRUE(write_file(path_, "least = \"draw\"\n"));
+    auto const wrong = load_least_extents(path_);
+    ASSERT_FALSE(wrong);
+    EXPECT_NE(wrong.error().message.find("window.toml:1: least"), std::string::npos)
+        << wrong.error().message;
+}
+
 TEST_F(WindowLookTest, SaysWhereAFileIsWrong)
 {
     ASSERT_TRUE(save_look(path_, {}));

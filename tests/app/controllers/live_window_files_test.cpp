@@ -72,8 +72,9 @@ TEST_F(LiveWindowWithFolder, RecordsWhenItIsAskedTo)
     EXPECT_GT(window.state().recording.bytes, begun);
     auto const log = drivers::read_log(logs[0]).value();
     EXPECT_EQ(log.records.size(), 21u);
-    ASSERT_EQ(log.tools.size(), 1u) << "the one that was in hand before";
-    EXPECT_EQ(log.tools[0].tool, "indicate");
+    ASSERT_EQ(log.tools.size(), 2u) << "the least extents, and the tool that was in hand before";
+    EXPECT_EQ(log.tools[0].tool, "least");
+    EXPECT_EQ(log.tools[1].tool, "indicate");
 }
 
 TEST_F(LiveWindowWithFolder, RecordsHowThePensOtherEndErasesFromTheBeginning)
@@ -88,10 +89,11 @@ TEST_F(LiveWindowWithFolder, RecordsHowThePensOtherEndErasesFromTheBeginning)
     window.perform(view::SetRecording { true });
     window.perform(view::SetRecording { false });
     auto const log = drivers::read_log(files(".tractus-log").at(0)).value();
-    ASSERT_EQ(log.tools.size(), 2u);
-    EXPECT_EQ(log.tools[0].tool, "erase");
-    EXPECT_EQ(log.tools[0].arguments, "part");
-    EXPECT_EQ(log.tools[1].tool, "draw_in_order");
+    ASSERT_EQ(log.tools.size(), 3u);
+    EXPECT_EQ(log.tools[0].tool, "least");
+    EXPECT_EQ(log.tools[1].tool, "erase");
+    EXPECT_EQ(log.tools[1].arguments, "part");
+    EXPECT_EQ(log.tools[2].tool, "draw_in_order");
 }
 
 TEST_F(LiveWindowWithFolder, NeverRecordsOverARecording)

@@ -63,10 +63,14 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     auto const log = drivers::read_log(path).value();
     EXPECT_EQ(log.records.size(), 21u);
     EXPECT_EQ(log.records.back().size, 0u);
-    ASSERT_EQ(log.tools.size(), 2u);
-    EXPECT_EQ(log.tools[0].tool, "draw_in_order");
-    EXPECT_EQ(log.tools[0].arguments, "heading") << "by which law it draws";
-    EXPECT_EQ(log.tools[1].tool, "indicate");
+    ASSERT_EQ(log.tools.size(), 3u);
+    EXPECT_EQ(log.tools[0].tool, "least");
+    EXPECT_EQ(log.tools[0].arguments,
+              tools::print_least_extents(tools::usual_least_extents(methods::all_methods().tools)));
+    EXPECT_EQ(log.tools[1].tool, "draw_in_order")
+        << "for programs that do not know the line before";
+    EXPECT_EQ(log.tools[1].arguments, "heading") << "by which law it draws";
+    EXPECT_EQ(log.tools[2].tool, "indicate");
     EXPECT_TRUE(calib::parse_rig(log.rig_text, "log"));
     fs::remove(path);
 }
@@ -115,11 +119,10 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     EXPECT_EQ(drawn.growth.seed, 42u);
     ASSERT_EQ(drawn.associations.size(), 1u);
     auto const log = drivers::read_log(path).value();
-    ASSERT_EQ(log.tools.size(), 8u);
-    EXPECT_EQ(log.tools[0].tool, "draw_in_order");
-    EXPECT_EQ(log.tools[1].tool, "step");
-    EXPECT_EQ(log.tools[4].tool, "undo");
-    EXPECT_EQ(log.tools[4].arguments, "1");
+    ASSERT_EQ(log.tools.size(), 9u); // Two say what was in force before.
+    EXPECT_EQ(log.tools[2].tool, "step");
+    EXPECT_EQ(log.tools[5].tool, "undo");
+    EXPECT_EQ(log.tools[5].arguments, "1");
     station::ReplayOptions replay_options { .methods = methods::all_methods() };
     replay_options.height = calib::parse_height_scenario("0").value();
     auto const [counts, scene, strokes] = replayed(log, replay_options);
@@ -130,6 +133,70 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     EXPECT_TRUE(
         session::same(scene.associations[0].what.stroke, drawn.associations[0].what.stroke));
     fs::remove(path);
+}
+
+// A pen that slips for 3 mm, and another time; then it draws.
+devices::LiveDevices slipping_devices()
+{
+    std::vector<drivers::RawReport> reports;
+    std::int64_t now_ms = 0;
+    for (double const length_mm : { 3.0, 3.0, 60.0 }) {
+        for (int i = 0; i <= 20; ++i, now_ms += 5)
+            reports.push_back(arrived(now_ms, pen_report(50 + length_mm * i / 20, 50, true)));
+        reports.push_back(arrived(now_ms += 5, pen_report(50 + length_mm, 50, false)));
+        now_ms += 50;
+    }
+    std::vector<std::unique_ptr<drivers::ReportSource>> sources;
+    sources.push_back(std::make_unique<ScriptedSource>(drivers::simple_pen(), std::move(reports)));
+    return devices::LiveDevices::start(std::move(sources)).value();
+}
+
+TEST(LiveWindow, ASlipOfTheHandDoesNothingAndIsToldOnce)
+{
+    auto const path
+        = fs::temp_directory_path() / fmt::format("tractus_dabs_{}.tractus-log", ::getpid());
+    fs::remove(path);
+    auto options = live_options();
+    options.recording = path;
+    options.now = [] { return at_ms(0); }; // No report is older.
+    std::size_t drawn = 0;
+    std::size_t told = 0;
+    {
+        auto window = LiveWindow::create(slipping_devices(), std::move(options)).value();
+        std::string before;
+        while (before.find("is over") == std::string::npos) {
+            window.advance(std::chrono::milliseconds(16));
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            auto const& status = window.state().status;
+            told += status != before && status.find("less than 6 mm") != std::string::npos;
+            before = status;
+        }
+        window.settle();
+        EXPECT_EQ(window.station().counts().dabs, 2u);
+        EXPECT_EQ(window.station().counts().strokes, 1u);
+        drawn = window.scene().associations.size();
+    }
+    EXPECT_EQ(drawn, 1u);
+    EXPECT_LE(told, 1u);
+    auto log = drivers::read_log(path).value();
+    station::ReplayOptions replay_options;
+    replay_options.height = calib::parse_height_scenario("0").value();
+    EXPECT_EQ(replayed(log, replay_options).counts.strokes, 1u);
+    EXPECT_EQ(replayed(log, replay_options).scene.associations.size(), 1u);
+    log.tools.erase(log.tools.begin()); // As a log of an older program.
+    EXPECT_EQ(replayed(log, replay_options).counts.strokes, 3u);
+    fs::remove(path);
+}
+
+TEST(LiveWindow, APersonSaysHowFarAStrokeHasToGet)
+{
+    auto options = live_options();
+    options.least_extents = { { "draw_in_order", 2 } };
+    auto window = LiveWindow::create(slipping_devices(), std::move(options)).value();
+    advance_to_end(window);
+    window.settle();
+    EXPECT_EQ(window.station().counts().strokes, 3u);
+    EXPECT_EQ(window.station().counts().dabs, 0u);
 }
 
 TEST(LiveWindow, BeginsAgainWithTheSameTool)

@@ -122,6 +122,25 @@ TEST(LogReplay, SaysWhatALogLacks)
     EXPECT_NE(refusal(with_odd_rig), "");
 }
 
+drivers::LogTool least_extents(std::string words, std::size_t position)
+{
+    return { {}, "least", std::move(words), position };
+}
+
+// Of the log's strokes one selects, one draws and one indicates.
+TEST(LogReplay, LeavesOutStrokesThatGetLessFarThanTheLogSays)
+{
+    auto log = recorded_log();
+    log.tools.insert(log.tools.begin(), least_extents("draw=10 indicate=100 hammer=3", 0));
+    auto const [counts, scene, strokes] = replayed(log);
+    EXPECT_EQ(counts.strokes, 2u);
+    EXPECT_EQ(counts.dabs, 1u);
+    EXPECT_EQ(scene.associations.size(), 1u);
+    EXPECT_TRUE(scene.indicators.empty());
+    log.tools[0].arguments = "draw=-1";
+    EXPECT_NE(refusal(log).find("\"draw=-1\" is no least extent"), std::string::npos);
+}
+
 // A log of a program with more tools: its strokes change nothing, and the others do as before.
 TEST(LogReplay, LeavesOutWhatItDoesNotKnowAndNamesIt)
 {

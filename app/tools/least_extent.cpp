@@ -1,0 +1,80 @@
+#include "app/tools/least_extent.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/core.h>
+#include <optional>
+
+namespace tractus::tools {
+
+static std::optional<double> read_extent(std::string_view text)
+{
+    double mm = 0;
+    auto const* const end = text.data() + text.size();
+    auto const [read, error] = std::from_chars(text.data(), end, mm);
+    bool const is_good
+        = error == std::errc() && read == end && mm >= 0 && mm <= kGreatestLeastExtent_mm;
+    return is_good ? std::optional(mm) : std::nullopt;
+}
+
+LeastExtents usual_least_extents(ToolKinds kinds)
+{
+    LeastExtents extents;
+    for (auto const* const kind : kinds)
+        if (kind->least_extent_mm > 0)
+            extents[kind->word] = kind->least_extent_mm;
+    return extents;
+}
+
+std::string print_least_extents(LeastExtents const& extents)
+{
+    std::string words;
+    for (auto const& [kind, mm] : extents)
+        words += fmt::format("{}{}={}", words.empty() ? "" : " ", kind, mm);
+    return words;
+}
+
+Result<LeastExtents> parse_least_extents(std::string_view words)
+{
+    LeastExtents extents;
+    while (!words.empty()) {
+        auto const word = words.substr(0, words.find(' '));
+        words.remove_prefix(std::min(word.size() + 1, words.size()));
+        if (word.empty())
+            continue;
+        auto const equals = word.find('=');
+        auto const mm = equals == std::string_view::npos || equals == 0
+            ? std::nullopt
+            : read_extent(word.substr(equals + 1));
+        if (!mm)
+            return fail(Fault::User,
+                        fmt::format("\"{}\" is no least extent of a tool: write its word and "
+                                    "millimetres from 0 to {:g}, for example draw=6",
+                                    word, kGreatestLeastExtent_mm));
+        extents[std::string(word.substr(0, equals))] = *mm;
+    }
+    return extents;
+}
+
+double least_extent_mm(LeastExtents const& extents, ToolKind const& kind)
+{
+    auto const found = extents.find(std::string_view(kind.word));
+    return found == extents.end() ? 0 : found->second;
+}
+
+double extent_mm(Stroke const& stroke)
+{
+    double farthest_mm = 0;
+    for (auto const& tip : stroke.tips)
+        farthest_mm
+            = std::max(farthest_mm, (tip.position_mm - stroke.tips.front().position_mm).norm());
+    return farthest_mm;
+}
+
+std::string describe_dab(ToolKind const& kind, double least_mm)
+{
+    return fmt::format("A stroke of less than {:g} mm says nothing to \"{}\": nothing is done",
+                       least_mm, kind.title);
+}
+
+} // namespace tractus::tools
