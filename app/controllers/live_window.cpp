@@ -47,6 +47,8 @@ Result<LiveWindow> LiveWindow::create(devices::LiveDevices devices, LiveWindowOp
     window.view().state().may_calibrate = has_sensor && !window.options_.rig_file.empty();
     if (auto const note = size_note(window.devices_, window.station_options_.rig))
         window.view().state().status = *note;
+    if (!window.drawings_are_open())
+        window.take_tool_for_drawing();
     if (lacks_calibration)
         window.perform(view::OpenCalibration {});
     if (!window.options_.recording.empty())

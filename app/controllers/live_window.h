@@ -142,6 +142,7 @@ private:
     void go_on_with(OpenedDrawing drawing);
     bool drawings_are_open() const;
     void follow_start_page();
+    void take_tool_for_drawing();
     void open_choices(ChoiceOf what, Choices choices);
     LeavesInDocument leaves_in_document();
     void keep_drawn_leaf(std::filesystem::path const& file);

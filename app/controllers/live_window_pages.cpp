@@ -5,6 +5,7 @@
 #include "app/files/user_folder.h"
 #include "app/methods/all_leaves.h"
 #include "app/methods/all_organs.h"
+#include "app/tools/tool_choices.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -83,6 +84,7 @@ void LiveWindow::go_on_with(OpenedDrawing drawing)
     state.playing = false;
     state.pen = before.pen;
     state.mouse_draws = before.mouse_draws;
+    state.hand_is_played = before.hand_is_played;
     state.mouse_moves_surface = before.mouse_moves_surface;
     state.may_calibrate = before.may_calibrate;
     state.may_begin_anew = before.may_begin_anew;
@@ -106,6 +108,17 @@ void LiveWindow::follow_start_page()
     go_on_with(std::move(chosen->drawing));
     if (chosen->tool)
         perform_kind(view::ChooseTool { *chosen->tool });
+    else
+        take_tool_for_drawing();
+}
+
+// The one that goes with the drawing at hand, unless it is in the hand already.
+void LiveWindow::take_tool_for_drawing()
+{
+    auto const tool
+        = tools::tool_for_drawing(station_.tools(), controller_->document().newest()->scene);
+    if (tool != station_.tool())
+        perform_kind(view::ChooseTool { tool });
 }
 
 void LiveWindow::perform_kind(view::OpenPictures const&)

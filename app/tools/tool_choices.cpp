@@ -184,6 +184,27 @@ Tool chosen_anew(ToolKind const& kind, std::span<Tool const> remembered)
     return found == remembered.end() ? Tool(kind) : *found;
 }
 
+// No value: the plant was not made with such a tool.
+static std::optional<Tool> tool_that_made(ToolKind const& kind, scene::Scene const& scene)
+{
+    auto const* const plant = scene::active_plant(scene.state);
+    if (kind.makes && plant && plant->source.get<void>(*kind.makes))
+        return Tool(kind);
+    return kind.like_drawn ? kind.like_drawn(Tool(kind), scene) : std::nullopt;
+}
+
+Tool tool_for_drawing(ToolKinds kinds, scene::Scene const& scene)
+{
+    for (auto const* const kind : kinds)
+        if (auto const tool = tool_that_made(*kind, scene))
+            return *tool;
+    bool const begins = scene::active_plant(scene.state) == nullptr;
+    for (auto const* const kind : kinds)
+        if (begins && has_method(*kind))
+            return Tool(*kind);
+    return kinds.empty() ? Tool() : Tool(*kinds.front());
+}
+
 std::vector<ToolChoice> tool_choices(ToolKinds kinds, std::span<Tool const> remembered)
 {
     std::vector<ToolChoice> choices;

@@ -24,6 +24,11 @@ std::vector<ToolChoice> tool_choices(ToolKinds kinds, std::span<Tool const> reme
 // A tool of this kind as a person chooses it anew.
 Tool chosen_anew(ToolKind const& kind, std::span<Tool const> remembered);
 
+// The tool that comes to hand with a drawing: that with which the plant was made that takes what is
+// drawn, as it was made; the first of all for another plant, as of a model; and the first that
+// makes a plant where there is none.
+Tool tool_for_drawing(ToolKinds kinds, scene::Scene const& scene);
+
 // Both belong to the same group: to draw a branch and to redraw a part of it is to draw.
 bool is_same_group(Tool const& one, Tool const& other);
 

@@ -4,6 +4,7 @@
 #include "app/tools/tool_options.h"
 #include "engine/base/result.h"
 #include "engine/scene/edit_kind.h"
+#include "engine/scene/plant_source.h"
 #include "engine/scene/scene.h"
 #include "engine/stroke/stroke.h"
 
@@ -77,6 +78,9 @@ struct ToolKind {
     // a stroke means is found and shown within a frame.
     bool shows_outcome = false;
     bool lays_pictures = false; // Its buttons begin with one that opens pictures.
+    // The plants that are made with it: it comes to hand with a drawing in which such a one takes
+    // what is drawn. Null: none, or those that like_drawn() knows.
+    scene::SourceKind const* makes = nullptr;
     OptionsType options;
     GlyphKind const* glyph = nullptr; // Its options as a drawing; no value: numbers and words do.
     DrawnGlyphKind const* drawn_glyph = nullptr; // The active plant's numbers; no value: none.

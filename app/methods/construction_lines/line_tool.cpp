@@ -3,6 +3,7 @@
 #include "app/methods/construction_lines/erase_line_tool.h"
 #include "app/methods/construction_lines/line_curves.h"
 #include "app/methods/construction_lines/line_previewer.h"
+#include "engine/methods/construction_lines/pen_sketch.h"
 #include "engine/scene/paper.h"
 
 #include <array>
@@ -122,6 +123,7 @@ constexpr tools::ToolKind LineTool::kKind {
     .key = 'I',
     .surface = tools::Surface::Paper,
     .least_extent_mm = 3,
+    .makes = &kPenSketch,
     .options = tools::options_type<LineTool, visit>(),
     .drawn_glyph = &kLineCurves,
     .mean = add_line,

@@ -4,6 +4,7 @@
 #include "app/methods/silhouettes/outline_meaning.h"
 #include "app/methods/silhouettes/outline_previewer.h"
 #include "app/methods/silhouettes/said_of_tree.h"
+#include "engine/methods/silhouettes/outlined_tree.h"
 #include "engine/methods/silhouettes/ready_form.h"
 
 #include <array>
@@ -179,6 +180,7 @@ constexpr tools::ToolKind OutlineTool::kKind {
     .icon = "5954 371624416184866737",
     .key = 'O',
     .surface = tools::Surface::Paper,
+    .makes = &OutlinedTree::kKind,
     .options = tools::options_type<OutlineTool, visit>(),
     .mean = draw,
     .said = said_of_tree,
