@@ -152,6 +152,12 @@ Result<void> show_replay(WindowArguments const& arguments)
     return window::run_window(window, window_options(arguments, title));
 }
 
+// The simulated hand alone, which a person watches.
+bool plays_hand(WindowArguments const& arguments)
+{
+    return arguments.devices == std::vector<std::string> { "simulated" };
+}
+
 // Nothing was asked for that a window could begin with, or end with.
 bool begins_with_start_page(WindowArguments const& arguments)
 {
@@ -207,7 +213,7 @@ struct Clock {
 
 Clock clock_for(WindowArguments const& arguments)
 {
-    if (arguments.played.empty() || arguments.frames == 0)
+    if ((arguments.played.empty() && !plays_hand(arguments)) || arguments.frames == 0)
         return { drivers::monotonic_now };
     auto const counted = std::make_shared<Timestamp>();
     return { [counted] { return *counted; }, counted };
@@ -258,7 +264,7 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
     options.now = clock.now;
     options.counted_time = clock.counted;
     if (!clock.counted)
-        options.mouse.emplace(options.now); // The mouse's threads go by the machine's clock.
+        options.mouse.emplace(options.now); // Else the log's pen draws.
     auto const name = devices.infos().empty() ? "mouse" : devices.infos().front().name;
     auto how = window_options(arguments, drawing.empty() ? "tractus" : window_title(name, drawing));
     auto const tidy_up = [unnamed = options.unnamed] {
@@ -297,6 +303,10 @@ Result<WindowArguments> sort_out(WindowArguments arguments)
         arguments.model = arguments.file;
         return arguments;
     }
+    bool const has_drawing = !arguments.model.empty() || !arguments.session.empty()
+        || !arguments.file.empty() || arguments.wants_start_page;
+    if (plays_hand(arguments) && !has_drawing)
+        arguments.model = devices::LiveDevices::hand_plant();
     arguments.log = arguments.file;
     if (!arguments.log.empty()
         && !(arguments.devices.empty() && arguments.played.empty() && arguments.recording.empty()
@@ -342,6 +352,8 @@ Result<void> open_window(WindowArguments const& arguments)
     if (!arguments.played.empty())
         return show_devices(
             arguments, TRY(devices::LiveDevices::play_log(arguments.played, clock.now)), clock);
+    if (plays_hand(arguments))
+        return show_devices(arguments, TRY(devices::LiveDevices::play_hand(clock.now)), clock);
     if (!arguments.devices.empty())
         return show_devices(arguments, TRY(devices::LiveDevices::open_named(arguments.devices)),
                             clock);

@@ -43,6 +43,7 @@ Result<LiveWindow> LiveWindow::create(devices::LiveDevices devices, LiveWindowOp
     LiveWindow window(std::move(devices), std::move(options), std::move(station_options),
                       std::move(station));
     window.view().state().mouse_draws = mouse.pen;
+    window.view().state().hand_is_played = window.devices_.has_hand();
     window.view().state().mouse_moves_surface = mouse.height;
     window.view().state().may_calibrate = has_sensor && !window.options_.rig_file.empty();
     if (auto const note = size_note(window.devices_, window.station_options_.rig))
@@ -168,10 +169,20 @@ void LiveWindow::follow_model()
         controller_->take_model(*std::move(changed), station_);
 }
 
+// A simulated hand waits for a drawing.
 void LiveWindow::take_reports()
 {
+    if (!drawings_are_open())
+        devices_.begin_hand();
     devices_.take(reports_);
+    auto const tools = devices_.take_hand_tools();
+    auto next_tool = tools.begin();
+    auto const choose_tools_until = [&](Timestamp time) {
+        for (; next_tool != tools.end() && next_tool->time <= time; ++next_tool)
+            choose_for_hand(*next_tool);
+    };
     for (auto const& report : reports_) {
+        choose_tools_until(report.report.received);
         station_.push(report.device, report.report.received, report.report.bytes());
         record_tool_changes(); // Before the report: what it began belongs to the tool.
         if (recorder_)
@@ -181,7 +192,19 @@ void LiveWindow::take_reports()
         if (calibration_)
             calibration_->push(report);
     }
+    choose_tools_until(Timestamp::max());
     station_.pass_time(options_.now());
+}
+
+void LiveWindow::choose_for_hand(drivers::LogTool const& line)
+{
+    auto const tool = tools::parse_tool(options_.methods.tools, line.tool, line.arguments);
+    if (!tool) {
+        view().state().status = tool.error().message;
+        return;
+    }
+    station_.set_tool(line.time, *tool);
+    record_tool_changes();
 }
 
 // Before the document takes the strokes. A socket waits for nobody, so that nothing can fail.

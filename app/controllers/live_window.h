@@ -153,6 +153,7 @@ private:
     void follow(std::filesystem::path const& model);
     void follow_model();
     void take_reports();
+    void choose_for_hand(drivers::LogTool const& line);
     void tell_programs();
     void show_devices();
     void calibrate();

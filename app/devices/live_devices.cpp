@@ -118,6 +118,30 @@ Result<LiveDevices> LiveDevices::play_log(std::string const& name,
     return devices;
 }
 
+Result<LiveDevices> LiveDevices::play_hand(std::function<Timestamp()> const& now)
+{
+    auto const demo = TRY(files::find_resource("demo/station.tractus-log"));
+    auto read = TRY(drivers::read_log(demo));
+    auto const log = std::make_shared<drivers::Log const>(std::move(read));
+    LiveDevices devices;
+    devices.rig_text_ = log->rig_text;
+    devices.hand_.emplace(log, now);
+    for (auto& source : devices.hand_->open_sources())
+        devices.add_source_without_thread(std::move(source));
+    return devices;
+}
+
+void LiveDevices::begin_hand()
+{
+    if (hand_)
+        hand_->begin();
+}
+
+std::vector<drivers::LogTool> LiveDevices::take_hand_tools()
+{
+    return hand_ ? hand_->take_tools() : std::vector<drivers::LogTool>();
+}
+
 void LiveDevices::add_source_without_thread(std::unique_ptr<drivers::ReportSource> source)
 {
     infos_.push_back(source->info());

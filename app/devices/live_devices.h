@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/play/simulated_hand.h"
 #include "drivers/links/threaded_source.h"
 #include "drivers/reconnecting_source.h"
 #include "drivers/reports/device_info.h"
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -79,6 +81,16 @@ public:
     static Result<LiveDevices> play_log(std::string const& name,
                                         std::function<Timestamp()> const& now);
 
+    // The simulated rig, with a hand that draws our demonstration of every method on the plant that
+    // hand_plant() names. It waits for begin_hand(), and chooses its tools. Fails like read_log(),
+    // and where our own files are not found.
+    static Result<LiveDevices> play_hand(std::function<Timestamp()> const& now);
+    static std::string_view hand_plant() { return "birch"; }
+    bool has_hand() const { return hand_.has_value(); }
+    // See SimulatedHand; nothing without a hand.
+    void begin_hand();
+    std::vector<drivers::LogTool> take_hand_tools();
+
     // Puts what has come since the last call, in the order of its times, into `reports`. Times are
     // cut to microseconds, as logs have them: what is drawn live is what its recording draws.
     void take(std::vector<LiveReport>& reports);
@@ -105,6 +117,7 @@ private:
     std::vector<Device> devices_;
     std::uint64_t lost_by_ended_ = 0;
     std::string rig_text_;
+    std::optional<play::SimulatedHand> hand_ {};
 };
 
 // Describes what open_named() takes, for a command's help.

@@ -133,7 +133,8 @@ public:
     StationCounts const& counts() const { return counts_; }
     calib::FuserCounts fuser_counts() const; // Of all pens.
 
-    // What is, and was, wrong with the height sensor; nothing if the height is scripted.
+    // What is, and was, wrong with the height sensor; nothing if the height is scripted, or is not
+    // to be watched.
     calib::HeightMonitor const& height_monitor() const { return height_monitor_; }
 
     // How the pens' ink looks.

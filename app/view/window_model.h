@@ -191,6 +191,10 @@ struct WindowState {
     // surface.
     bool mouse_draws = false;
     bool mouse_moves_surface = false;
+    // A simulated hand draws, with tools of its own: its pen works nothing of the window.
+    bool hand_is_played = false;
+    // A person holds a tablet's pen.
+    bool has_pen() const { return is_live && !mouse_draws && !hand_is_played; }
     RecordingView recording; // Only if is_live.
     // Pictures and exports are being written in the background; the status will say where to, or
     // why not.

@@ -92,8 +92,7 @@ void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPoint
     }
     show_views(model, renderer, input);
     ImGui::End();
-    bool const is_beside_pen
-        = model.state().is_live && !model.state().mouse_draws && bench_.shown != Shown::All;
+    bool const is_beside_pen = model.state().has_pen() && bench_.shown != Shown::All;
     auto const whole = whole_window();
     float const left = is_beside_pen ? std::max(0.0f, pen_area_.left_px()) : 0;
     float const right = is_beside_pen ? std::min(whole.width, pen_area_.right_px()) : whole.width;
@@ -227,7 +226,7 @@ void Layout::begin_frame(view::WindowModel& model, HandInput const& input)
             pictures->leave();
         model.perform(view::LayPictureFile { input.dropped.front() });
     }
-    if (!std::exchange(has_begun_, true) && state.is_live && !state.mouse_draws)
+    if (!std::exchange(has_begun_, true) && state.has_pen())
         bench_.shown = Shown::Pad;
     bench_.angle.area_mm = (state.volume_mm.max_mm - state.volume_mm.min_mm).head<2>().cwiseMax(1);
     covered_.clear();
@@ -457,8 +456,8 @@ void Layout::show_ring(view::WindowModel& model, PenPointer const& pen)
 void Layout::follow_angle(view::WindowModel& model) const
 {
     auto const& state = model.state();
-    if (!state.is_live || !Workbench::selects(state) || state.hand.angle() == bench_.angle
-        || state.pen.touching)
+    if (!state.is_live || state.hand_is_played || !Workbench::selects(state)
+        || state.hand.angle() == bench_.angle || state.pen.touching)
         return;
     model.perform(view::ChooseTool { state.hand.seen_from(bench_.angle) });
 }
@@ -466,7 +465,7 @@ void Layout::follow_angle(view::WindowModel& model) const
 void Layout::tell_pressing_areas(view::WindowModel& model)
 {
     auto const& state = model.state();
-    if (!state.is_live || state.mouse_draws)
+    if (!state.has_pen())
         return;
     if (!bench_.draws(state))
         covered_.push_back(whole_window());

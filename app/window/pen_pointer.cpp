@@ -10,7 +10,7 @@ void PenPointer::feed(view::WindowState const& state, PenArea const& area, float
 {
     asks_for_ring_ = false;
     has_let_barrel_go_ = false;
-    if (!state.is_live || state.mouse_draws) {
+    if (!state.has_pen()) {
         leads_ = false;
         return;
     }

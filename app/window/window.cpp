@@ -131,9 +131,8 @@ Result<std::size_t> wished_display(Host const& host, view::WindowState const& st
     auto const displays = host.displays();
     if (!which.empty())
         return find_display(displays, which);
-    auto const own = state.is_live && !state.mouse_draws
-        ? tablet_display(displays, state.surface_size_mm())
-        : std::nullopt;
+    auto const own
+        = state.has_pen() ? tablet_display(displays, state.surface_size_mm()) : std::nullopt;
     return own.value_or(host.own_display());
 }
 
