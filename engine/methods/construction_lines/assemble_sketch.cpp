@@ -15,7 +15,7 @@ namespace tractus::lines {
 
 namespace {
 
-std::vector<Vec2> flat(Polyline const& line)
+std::vector<Vec2> on_paper(Polyline const& line)
 {
     std::vector<Vec2> points;
     for (auto const& point : line)
@@ -157,7 +157,7 @@ private:
                 drawn.push_back({ i, rising(run, axis_) });
         }
         if (!drawn.empty())
-            boundary = flat(on_side(made_of(drawn).line, axis_, side));
+            boundary = on_paper(on_side(made_of(drawn).line, axis_, side));
     }
 
     // Where the line is nearest to the stem.
@@ -374,7 +374,7 @@ private:
         Vec2 const shift = -off * axis_.length_mm() * axis_.tangent(across.at);
         for (auto& point : line)
             point.head<2>() += shift;
-        result_.sketch.inclinations.push_back(without_repeats(flat(line)));
+        result_.sketch.inclinations.push_back(without_repeats(on_paper(line)));
         result_.inclination_strokes.push_back(across.made.strokes.front());
         across_.push_back(across.made.strokes);
     }
@@ -395,8 +395,8 @@ private:
         if (stroke.role == Role::Unsure)
             stroke.reason = strokes_[i].said == Role::Unsure
                 ? "somebody has said that it is no line of the sketch"
-                : reason_for(
-                    lie_of(DrawnLine(flat(lines_[i])), DrawnLine(flat(result_.sketch.stem))));
+                : reason_for(lie_of(DrawnLine(on_paper(lines_[i])),
+                                    DrawnLine(on_paper(result_.sketch.stem))));
     }
 
     // Why the sketch without one of its lines gives no plant; empty: it gives one.

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kPoints = 60; // Of a stroke, to see how it lies.
 constexpr double kCorrectionCost = 0.2;
 
-DrawnLine sampled(Polyline const& line)
+DrawnLine resampled_line(Polyline const& line)
 {
     std::vector<Vec2> points;
     for (auto const& point : resample(line, kPoints))
@@ -51,10 +51,10 @@ Part part_of(Role role)
 }
 
 // One reading while it is looked for: what each stroke is, given the stem.
-class Reading {
+class SketchReading {
 public:
-    Reading(std::span<Polyline const> lines, std::span<StrokeToExplain const> strokes,
-            StemCandidate const& stem)
+    SketchReading(std::span<Polyline const> lines, std::span<StrokeToExplain const> strokes,
+                  StemCandidate const& stem)
         : lines_(lines)
         , strokes_(strokes)
         , stem_(stem)
@@ -62,7 +62,7 @@ public:
         , parts_(lines.size(), Part::Nothing)
     {
         for (auto const& line : lines)
-            lies_.push_back(lie_to_axis(sampled(line), axis_));
+            lies_.push_back(lie_to_axis(resampled_line(line), axis_));
         for (auto const& lie : lies_)
             alone_.push_back(part_costs(lie, axis_.length_mm()));
         for (std::size_t i = 0; i < lines.size(); ++i)
@@ -77,10 +77,10 @@ public:
     // Improves one stroke after the other until none gets cheaper.
     void settle()
     {
-        constexpr int kMostRounds = 6;
+        constexpr int kMostPasses = 6;
         for (std::size_t i = 0; i < parts_.size(); ++i)
             parts_[i] = cheapest(i, false);
-        for (int round = 0; round < kMostRounds; ++round) {
+        for (int round = 0; round < kMostPasses; ++round) {
             auto const before = parts_;
             for (std::size_t i = 0; i < parts_.size(); ++i)
                 parts_[i] = cheapest(i, true);
@@ -314,7 +314,7 @@ Read read_with(std::span<Polyline const> lines, std::span<StrokeToExplain const>
 {
     Read read { .stem = std::move(stem), .parts = {} };
     auto const settle = [&] {
-        Reading reading(lines, strokes, read.stem);
+        SketchReading reading(lines, strokes, read.stem);
         reading.settle();
         read.parts = reading.parts();
         read.cost = reading.cost();
@@ -332,7 +332,7 @@ Read read_with(std::span<Polyline const> lines, std::span<StrokeToExplain const>
         return read;
     // The others were drawn for the stem as it is now.
     StemCandidate const whole { corrected.strokes, std::move(corrected.line), read.stem.cost };
-    Reading reading(lines, strokes, whole);
+    SketchReading reading(lines, strokes, whole);
     reading.settle();
     read.parts = reading.parts();
     read.cost = reading.cost()
@@ -345,7 +345,7 @@ Read read_with(std::span<Polyline const> lines, std::span<StrokeToExplain const>
 std::optional<Read> second_thought(std::span<Polyline const> lines,
                                    std::span<StrokeToExplain const> strokes, Read const& read)
 {
-    Reading reading(lines, strokes, read.stem);
+    SketchReading reading(lines, strokes, read.stem);
     for (std::size_t i = 0; i < read.parts.size(); ++i)
         reading.set(i, read.parts[i]);
     auto const thought = reading.second_thought();

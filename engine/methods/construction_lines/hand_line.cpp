@@ -12,7 +12,7 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr double kSpacing_mm = 0.5;
+constexpr double kHandSpacing_mm = 0.5;
 
 std::vector<Vec3> evenly(std::span<Vec3 const> points, double spacing_mm)
 {
@@ -63,7 +63,7 @@ Course fit_course(std::span<Vec3 const> points, std::size_t from, std::size_t to
 // How many points at the front of the line are a hook.
 std::size_t hook_at_front(std::span<Vec3 const> points, double spacing_mm)
 {
-    constexpr double kLongest_mm = 4.5;
+    constexpr double kLongestHook_mm = 4.5;
     constexpr double kLongestShare = 0.2;
     constexpr double kLeastOff_mm = 0.3;
     constexpr double kMostOff = 0.12; // By the way from the part whose course is known.
@@ -71,7 +71,7 @@ std::size_t hook_at_front(std::span<Vec3 const> points, double spacing_mm)
     auto const steps = [&](double mm) {
         return static_cast<std::size_t>(std::lround(std::max(1.0, mm / spacing_mm)));
     };
-    auto const from = steps(std::min(kLongest_mm, kLongestShare * length_mm));
+    auto const from = steps(std::min(kLongestHook_mm, kLongestShare * length_mm));
     auto const to
         = std::min(from + steps(std::clamp(0.25 * length_mm, 3.0, 20.0)), points.size() - 1);
     if (to < from + 3)
@@ -160,9 +160,10 @@ struct Tremor {
 // What differs from a course that follows no wave shorter than some 25 mm.
 Tremor measure_tremor(std::span<Vec3 const> points, double spacing_mm)
 {
-    constexpr double kLongest_mm = 25;
+    constexpr double kWidestSmoothing_mm = 25;
     double const length_mm = spacing_mm * static_cast<double>(points.size() - 1);
-    auto const course = smoothed(points, spacing_mm, std::min(kLongest_mm, 0.5 * length_mm));
+    auto const course
+        = smoothed(points, spacing_mm, std::min(kWidestSmoothing_mm, 0.5 * length_mm));
     std::vector<double> off_mm;
     double sum = 0;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -276,7 +277,7 @@ Vec2 start_direction(std::span<Vec3 const> points)
 std::vector<Vec3> remove_tremor(std::span<Vec3 const> points)
 {
     constexpr std::size_t kLeastPoints = 6; // Between two corners, to say anything of a tremor.
-    auto const line = evenly(points, kSpacing_mm);
+    auto const line = evenly(points, kHandSpacing_mm);
     double const spacing_mm = polyline_length_mm(points) / static_cast<double>(line.size() - 1);
     auto ends = corners(line, spacing_mm);
     ends.insert(ends.begin(), 0);

@@ -1,6 +1,7 @@
 #include "engine/methods/construction_lines/stem_candidates.h"
 
 #include "engine/methods/construction_lines/hand_line.h"
+#include "engine/methods/construction_lines/stroke_lie.h"
 #include "engine/stroke/polyline.h"
 #include "engine/stroke/resample.h"
 
@@ -10,11 +11,6 @@
 namespace tractus::lines {
 
 namespace {
-
-double ramp(double value, double from, double to)
-{
-    return std::clamp((value - from) / (to - from), 0.0, 1.0);
-}
 
 double sheet_diagonal_mm(std::span<Polyline const> lines)
 {

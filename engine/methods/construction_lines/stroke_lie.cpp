@@ -7,6 +7,11 @@
 
 namespace tractus::lines {
 
+double ramp(double value, double from, double to)
+{
+    return std::clamp((value - from) / (to - from), 0.0, 1.0);
+}
+
 namespace {
 
 constexpr double kProlonged = 1; // Stem lengths beyond each end.
@@ -28,11 +33,6 @@ double seen_length_mm(std::span<Vec3 const> stem)
     for (std::size_t i = 1; i < stem.size(); ++i)
         sum += (stem[i] - stem[i - 1]).head<2>().norm();
     return sum;
-}
-
-double ramp(double value, double from, double to)
-{
-    return std::clamp((value - from) / (to - from), 0.0, 1.0);
 }
 
 // A tremor's crossings lie so near to the axis; mm on the sheet count on short stems.

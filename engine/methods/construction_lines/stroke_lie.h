@@ -9,6 +9,9 @@
 
 namespace tractus::lines {
 
+// How far a value has gone `from` one number `to` another, which may be the smaller: 0 to 1.
+double ramp(double value, double from, double to);
+
 // A stem as the axis of a sketch: places along it are shares of its length, 0 at its foot and 1 at
 // its top, and go on straight beyond both.
 class StemAxis {

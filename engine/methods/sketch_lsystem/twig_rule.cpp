@@ -329,14 +329,17 @@ static TwigRule fit(std::vector<Lateral> const& laterals, std::vector<Vec3> cons
         log_shares.push_back(std::log(of_axis[i]->length_mm / internode_mm));
         shortest_mm = std::min({ shortest_mm, internode_mm, of_axis[i]->length_mm });
     }
+    // Those on the axis say the rule: on which lateral a deeper one begins is less sure.
+    double const angle_deg = mean_of(angles_deg);
+    double const log_share = mean_of(log_shares);
     add_deeper(laterals, angles_deg, log_shares);
     auto& rule = result.rule;
     rule.laterals = ring.laterals;
     rule.first_length_mm = ring.first_mm;
     rule.length_ratio = ring.ratio;
     rule.first_width_mm = 0.15 * ring.first_mm;
-    rule.angle_deg = mean_of(angles_deg);
-    rule.lateral_length = std::exp(mean_of(log_shares));
+    rule.angle_deg = angle_deg;
+    rule.lateral_length = std::exp(log_share);
     rule.axis_twist_deg = twist.deg;
     rule.lateral_twist_deg = 180.0 / ring.laterals;
     rule.shortest_mm = std::min(0.9 * shortest_mm, ring.first_mm);

@@ -174,11 +174,10 @@ void add_atlas_options(CLI::App& leaves, options::Action& action)
     auto arguments = std::make_shared<AtlasArguments>();
     add_page_options(leaves, *arguments);
     add_leaf_options(leaves, *arguments);
-    leaves.footer(
-        "Without a command: pages of leaves for game engines. Each leaf has a square;\n"
-        "colours go on round it. The folder gets page-0-color.png and so on, shapes\n"
-        "cut out round the leaves in page-0.glb, and leaves.json, which says what lies\n"
-        "where.");
+    leaves.footer("Without a command: pages of leaves for game engines. Each leaf has a square;\n"
+                  "colours go on round it. The folder gets page-0-color.png and so on, shapes\n"
+                  "cut out round the leaves in page-0.glb, and leaves.json, which says what lies\n"
+                  "where.");
     leaves.callback([&leaves, arguments, &action] {
         if (leaves.get_subcommands().empty())
             action = [arguments] { return make_atlas(*arguments); };
