@@ -115,7 +115,7 @@ void Fuser::push(drivers::HeightSample const& sample)
     }
     if (sample.counts < rig_.calibrated_min_counts || sample.counts > rig_.calibrated_max_counts)
         ++counts_.heights_uncalibrated;
-    HeightJudge::Reading const reading { sample.time, time - rig_.height_latency, *height };
+    HeightJudge::Reading const reading { time, time - rig_.height_latency, *height };
     believed_.clear();
     double const count_mm = mm_per_count_at(rig_.height_model, sample.counts).value_or(0);
     auto const verdict = judge_.judge(reading, std::abs(count_mm), believed_);

@@ -36,7 +36,7 @@ public:
     static constexpr double kQuickest_mm_per_ss = 4000;
 
     struct Reading {
-        Timestamp arrival {};
+        Timestamp arrival {}; // Or, where times are evened, when it was taken by EvenTimes.
         Timestamp instant {}; // When the surface was there; the judge only hands it on.
         double height_mm = 0;
     };

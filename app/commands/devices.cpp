@@ -97,8 +97,8 @@ void add_devices_command(CLI::App& root, options::Action& action)
         "For each device: its node, which is its address for --device, its name and ids, what\n"
         "it is and how large, how often it is asked, and whether it can be opened, or why not.\n"
         "Converters on GPIO lines cannot be found: they are named by their address,\n"
-        "gpio:CHIP:CLK,DIN,DOUT,CS:mcp3208:CHANNEL. Serial lines and channels of industrial I/O\n"
-        "are listed, and read only where --device names them.");
+        "gpio:CHIP:CLK,DIN,DOUT,CS:mcp3208:CHANNEL. Serial lines and channels of industrial\n"
+        "I/O are listed, and read only where --device names them.");
     auto as_json = std::make_shared<bool>(false); // Shared by the parser's flag and the action.
     command->add_flag("--json", *as_json, "Print a JSON array");
     command->callback([&action, as_json] {

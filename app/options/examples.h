@@ -17,7 +17,7 @@ struct Example {
     bool runs = true;
 };
 
-// All examples. Later ones use files that earlier ones write.
+// Examples of all commands but the methods' own. Later ones use files that earlier ones write.
 std::span<Example const> examples();
 
 // The lines for one command, each with "tractus" before it; none for commands without examples.

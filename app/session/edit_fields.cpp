@@ -351,10 +351,12 @@ bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines)
     return true;
 }
 
-bool leave_out_folders(Json& fields)
+bool leave_out_folders(Json& fields, bool with_name)
 {
     bool is_changed = false;
-    for (auto const* const key : { "name", "model_name", "view_name" }) {
+    for (std::string const key : { "name", "model_name", "view_name" }) {
+        if (key == "name" && !with_name)
+            continue;
         std::filesystem::path path;
         if (std::string name; fields.contains(key) && read(fields[key], name))
             path = name;

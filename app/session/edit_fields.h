@@ -78,9 +78,9 @@ std::string written_lines(std::vector<SkeletonPiece> const& lines);
 bool read_tips(std::string_view bytes, Stroke& stroke);
 bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines);
 
-// Cuts the fields that name the files of a plant ("name", "model_name", "view_name") down to the
-// last part of absolute paths. Returns whether there was one.
-bool leave_out_folders(Json& fields);
+// Cuts absolute paths in the fields that name a plant's files, "model_name", "view_name" and, if
+// asked to, "name", down to their last part. Returns whether there was one.
+bool leave_out_folders(Json& fields, bool with_name);
 
 // Writes fields one after the other.
 class FieldWriter final : public scene::Fields {
@@ -92,7 +92,10 @@ public:
     void numbers(std::vector<SkeletonPiece>& lines) override { numbers_ = written_lines(lines); }
     void bytes(std::string& file) override { numbers_ = file; }
 
-    void leave_out_folders() { static_cast<void>(session::leave_out_folders(json_)); }
+    void leave_out_folders(bool with_name)
+    {
+        static_cast<void>(session::leave_out_folders(json_, with_name));
+    }
 
     std::string json() const { return json_.dump(); }
     std::string take_numbers() { return std::move(numbers_); }

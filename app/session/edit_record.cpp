@@ -7,10 +7,11 @@
 
 namespace tractus::session {
 
-// Whether an edit of the kind names files that it was made from.
-static bool names_files(std::string_view kind)
+// Whether the field "name" of an edit of this kind names the file that it was made from, and not
+// something that a person has called so. "model_name" and "view_name" are files' names in any edit.
+static bool is_named_after_file(std::string_view kind)
 {
-    return kind.starts_with("load_") || kind == "grow_along_stroke";
+    return kind.starts_with("load_");
 }
 
 EditRecord record_of(scene::Edit const& edit)
@@ -19,15 +20,14 @@ EditRecord record_of(scene::Edit const& edit)
         return { unknown->word, unknown->fields, unknown->numbers };
     FieldWriter writer;
     edit.show(writer);
-    if (names_files(edit.kind().word))
-        writer.leave_out_folders();
+    writer.leave_out_folders(is_named_after_file(edit.kind().word));
     return { edit.kind().word, writer.json(), writer.take_numbers() };
 }
 
 EditRecord without_folders(EditRecord record)
 {
-    auto json = names_files(record.kind) ? Json::parse(record.fields, nullptr, false) : Json();
-    if (json.is_object() && leave_out_folders(json))
+    auto json = Json::parse(record.fields, nullptr, false);
+    if (json.is_object() && leave_out_folders(json, is_named_after_file(record.kind)))
         record.fields = json.dump();
     return record;
 }

@@ -20,7 +20,7 @@ constexpr std::array<tools::OptionWord, 9> kRoleWords { {
     { "around", "Around" },
     { "stem", "Stem" },
     { "none", "No line" },
-    { "outline", "Outline" },
+    { "closed_outline", "Outline" },
     { "turned", "Turn round" },
 } };
 constexpr std::array kRoles { Inclination, HalfInclination, Left,   Right, Around,

@@ -18,8 +18,9 @@ using scene::name_of; // Of items.
 namespace {
 
 // In the order of the enumeration's values.
-constexpr std::array kRoles { "stem",   "left",   "right",  "inclination", "half_inclination",
-                              "unsure", "around", "outline" };
+constexpr std::array kRoles {
+    "stem", "left", "right", "inclination", "half_inclination", "unsure", "around", "closed_outline"
+};
 
 Result<void> check_nodes(int nodes)
 {

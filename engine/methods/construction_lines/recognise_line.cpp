@@ -138,7 +138,7 @@ std::string name_of(Role role)
     case Role::Around:
         return "around";
     case Role::Outline:
-        return "outline";
+        return "closed outline";
     case Role::Unsure:
         break;
     }

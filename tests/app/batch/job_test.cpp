@@ -68,7 +68,8 @@ protected:
                  = { .log = folder_ / "leafy.tractus-log", .methods = methods::all_methods() },
                  .model = folder_ / "leafy.l",
                  .variations = variations,
-                 .folder = folder_ / "out" };
+                 .folder = folder_ / "out",
+                 .individuality = {} };
     }
 
     fs::path folder_

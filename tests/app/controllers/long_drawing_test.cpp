@@ -42,8 +42,9 @@ protected:
     // The scene that is seen.
     scene::Scene const& scene() const { return *controller_.view().grown_scene(); }
 
-    fs::path const path_
-        = fs::temp_directory_path() / fmt::format("tractus_long_{}.tractus", ::getpid());
+    fs::path const path_ = fs::temp_directory_path()
+        / fmt::format("tractus_long_{}_{}.tractus", ::getpid(),
+                      testing::UnitTest::GetInstance()->current_test_info()->name());
     std::int64_t now_ms_ = 1000;
     station::Station station_ = flat_station();
     StationController controller_;

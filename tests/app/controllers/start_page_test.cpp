@@ -131,9 +131,9 @@ TEST_F(StartPage, OffersEachMethodOnAnEmptySheetAndTheModels)
     std::vector<std::string> sheets;
     for (auto const& card : state.groups[0].cards)
         sheets.push_back(card.title);
-    EXPECT_EQ(
-        sheets,
-        (std::vector<std::string> { "Along a stroke", "From an outline", "From lines", "A leaf" }));
+    EXPECT_EQ(sheets,
+              (std::vector<std::string> { "Along a stroke", "From an outline", "Growth brush",
+                                          "From lines", "A leaf" }));
     EXPECT_EQ(state.groups[0].cards[0].key, 'K');
     ASSERT_EQ(state.groups[1].cards.size(), 1u);
     EXPECT_EQ(state.groups[1].cards[0].title, "Bare post");

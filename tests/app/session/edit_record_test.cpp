@@ -58,7 +58,8 @@ TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
     tip.time = timestamp_ns(258);
     tip.touching = true;
     auto const drawn = record_of(stroke);
-    EXPECT_EQ(drawn.fields, R"({"propagation":"both","fit":"start","kept_hand":1.0})");
+    EXPECT_EQ(drawn.fields,
+              R"({"propagation":"both","fit":"start","kept_hand":1.0,"laying":"least_twist"})");
     std::string numbers(41, '\0');
     numbers[0] = 2;
     numbers[1] = 1;
@@ -68,7 +69,9 @@ TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
     leaning.id = 5;
     leaning.stroke.tips.own().emplace_back().tilt_rad = Vec2(0, 2);
     auto const tilted = record_of(leaning);
-    EXPECT_EQ(tilted.fields, R"({"propagation":"selected","fit":"start","kept_hand":1.0,"id":5})");
+    EXPECT_EQ(
+        tilted.fields,
+        R"({"propagation":"selected","fit":"start","kept_hand":1.0,"laying":"least_twist","id":5})");
     EXPECT_EQ(tilted.numbers, std::string(40, '\0') + '\x10' + std::string(15, '\0') + '\x40');
     EXPECT_FALSE(
         edit_of({ "associate", "{}", tilted.numbers.substr(0, 56) }, scene::core_edit_kinds()));

@@ -322,10 +322,12 @@ TEST(SilentPen, LeavesNoTailWhereItsSilenceMeansThatItHasLeft)
     auto station = station_of(mouse_mode_pen().device());
     Rise const rise { .mm_per_s = 150 };
     std::vector<Arrival> arrivals;
+    // It rests at first, and goes on sending.
     for (double seconds = 0.1; seconds < kStart_s; seconds += 0.005)
-        arrivals.push_back({ seconds + 0.008, kPen,
-                             mouse_mode_pen().report(
-                                 { .x_mm = 20 + 20 * seconds, .y_mm = 40, .touching = true }) });
+        arrivals.push_back(
+            { seconds + 0.008, kPen,
+              mouse_mode_pen().report(
+                  { .x_mm = 20 + 20 * std::max(seconds, 0.2), .y_mm = 40, .touching = true }) });
     // It lifts unheard, and comes down elsewhere.
     for (double seconds = 2; seconds < 2.2; seconds += 0.005)
         arrivals.push_back({ seconds + 0.008, kPen,

@@ -53,15 +53,16 @@ TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
         "Crown in space, Erase in space, | Around the trunk*, Around branches, "
         "| Next!, Even!, Spiral!, "
         "Decussate!, Whorls!, Two rows!, Horizontal!, | In a whorl 3##whorl, Erase, ");
-    EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "line_role"))),
-              "Along a stroke, From an outline, Growth brush, From lines*, A leaf, | Line, Another "
-              "stem, Another "
-              "plant, | "
-              "Next pattern!, Sizes around!, Turn organs!, Back to the pattern!, | Nodes of a "
-              "layer, | It is an "
-              "inclination*, Half of "
-              "one, Left, Right, "
-              "Around, Stem, No line, | Leaf's edge, | Layer's organ, Erase, ");
+    EXPECT_EQ(
+        buttons(Tool(*find_tool_kind(tools, "line_role"))),
+        "Along a stroke, From an outline, Growth brush, From lines*, A leaf, | Line, Another "
+        "stem, Another "
+        "plant, | "
+        "Next pattern!, Sizes around!, Turn organs!, Back to the pattern!, | Nodes of a "
+        "layer, | It is an "
+        "inclination*, Half of "
+        "one, Left, Right, "
+        "Around, Stem, No line, Outline, Turn round, | Leaf's edge, | Layer's organ, Erase, ");
 }
 
 // A number is asked for in a panel: its button leaves the tool in hand as it is.

@@ -349,13 +349,14 @@ TEST_F(PenWorksWindow, SetsNumbersOfATool)
 {
     PenScript script;
     script.choose(500, 195, kSketchChoice);
-    script.tap(186, 458); // "Angle 45°": its panel is above the bar.
-    script.tap(316, 140); // "more by 5".
-    script.tap(91, 458);  // "Laterals 2", which takes 0 to 8.
-    script.tap(676, 247); // 3,
-    script.tap(676, 42);  // "Set".
-    script.tap(676, 115); // 9,
-    script.tap(676, 42);  // "Set".
+    script.draw(973, 340, 973, 480); // Scrolls the bar's rows to their end.
+    script.tap(220, 392);            // "Angle 45°": its panel is above the bar.
+    script.tap(316, 140);            // "more by 5".
+    script.tap(80, 392);             // "Laterals 2", which takes 0 to 8.
+    script.tap(676, 247);            // 3,
+    script.tap(676, 42);             // "Set".
+    script.tap(676, 115);            // 9,
+    script.tap(676, 42);             // "Set".
     auto window = window_of(script);
     run(window, script);
     auto const words = tools::words_for(window.state().hand);

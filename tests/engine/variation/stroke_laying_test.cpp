@@ -61,7 +61,7 @@ std::vector<Case> read_cases()
     return cases;
 }
 
-std::vector<Vec3> shaped_nodes(Plant const& plant, std::vector<Association> const& associations)
+std::vector<Vec3> laid_nodes(Plant const& plant, std::vector<Association> const& associations)
 {
     auto const rest = find_rest_shape(plant);
     std::vector<Vec3> nodes_mm;
@@ -96,7 +96,7 @@ TEST(StrokeLaying, AgreesWithTheReference)
                                             .propagation = propagation,
                                             .fit = wanted.fit,
                                             .laying = StrokeLaying::HeadingAndPitch };
-            auto const nodes = shaped_nodes(plant, { association });
+            auto const nodes = laid_nodes(plant, { association });
             for (std::size_t i = 0; i < wanted.laid.size(); ++i)
                 EXPECT_LT((nodes[2 + i] - nodes[2] - wanted.laid[i]).norm(), 1e-9)
                     << wanted.name << (is_selected ? " selected " : " propagated ") << i;
@@ -132,11 +132,11 @@ TEST(StrokeLaying, GivesThePublishedTips)
             if (wanted.name != row.name)
                 continue;
             auto const plant = plant_of(wanted);
-            auto const nodes = shaped_nodes(plant,
-                                            { { .path = segments_of(plant.axes[1]),
-                                                .stroke = stroke_of(wanted.points),
-                                                .fit = wanted.fit,
-                                                .laying = StrokeLaying::HeadingAndPitch } });
+            auto const nodes = laid_nodes(plant,
+                                          { { .path = segments_of(plant.axes[1]),
+                                              .stroke = stroke_of(wanted.points),
+                                              .fit = wanted.fit,
+                                              .laying = StrokeLaying::HeadingAndPitch } });
             Vec3 const tip = wanted.fit == StrokeFit::Chord ? row.chord : row.start;
             EXPECT_LT((nodes.back() - nodes[2] - tip).norm(), 1e-3) << row.name;
         }
@@ -151,11 +151,11 @@ TEST(StrokeLaying, ATrunkTakesTheStrokeAsItLies)
     auto const plant = pole(60);
     for (auto const fit : { StrokeFit::Start, StrokeFit::Chord }) {
         auto const tip = [&](std::vector<Vec3> const& points) {
-            return shaped_nodes(plant,
-                                { { .path = segments_of(plant.axes[0]),
-                                    .stroke = stroke_of(points),
-                                    .fit = fit,
-                                    .laying = StrokeLaying::HeadingAndPitch } })
+            return laid_nodes(plant,
+                              { { .path = segments_of(plant.axes[0]),
+                                  .stroke = stroke_of(points),
+                                  .fit = fit,
+                                  .laying = StrokeLaying::HeadingAndPitch } })
                 .back()
                 .normalized();
         };
@@ -173,10 +173,10 @@ TEST(StrokeLaying, ATurnOfAHelixIsNoDirection)
             { 20 * std::cos(radians(3 * i)), -0.8 * i, 100 + 20 * std::sin(radians(3 * i)) });
     Plant plant = pole(4, 400);
     add_axis(plant, straight({ 0, 0, 400 }, { 300, 0, 700 }, 30), 0, 3);
-    auto const nodes = shaped_nodes(plant,
-                                    { { .path = segments_of(plant.axes[1]),
-                                        .stroke = stroke_of(helix),
-                                        .laying = StrokeLaying::HeadingAndPitch } });
+    auto const nodes = laid_nodes(plant,
+                                  { { .path = segments_of(plant.axes[1]),
+                                      .stroke = stroke_of(helix),
+                                      .laying = StrokeLaying::HeadingAndPitch } });
     Vec3 const along = (nodes.back() - nodes[5]).normalized();
     EXPECT_GT(along.dot(Vec3(1, 0, 1).normalized()), std::cos(radians(3)));
     EXPECT_FALSE(first_turn_share(ArcLength(s_curve(100))));
@@ -211,8 +211,8 @@ TEST(StrokeLaying, LaterStrokesAndRidesKeepTheirShape)
     Association const trunk { .path = { 0, 1, 2, 3 },
                               .stroke = stroke_of({ { 0, 0, 0 }, { 0, 30, 90 } }),
                               .laying = StrokeLaying::HeadingAndPitch };
-    auto const before = shaped_nodes(plant, { branch });
-    auto const after = shaped_nodes(plant, { branch, trunk });
+    auto const before = laid_nodes(plant, { branch });
+    auto const after = laid_nodes(plant, { branch, trunk });
     // The trunk leans to the side: the branch is carried, and hangs as it hung.
     auto const chord = [&](std::vector<Vec3> const& nodes) {
         return Vec3(nodes[plant.axes[1].first_node + 3] - nodes[plant.axes[1].first_node]);
@@ -228,7 +228,7 @@ TEST(StrokeLaying, LaterStrokesAndRidesKeepTheirShape)
     Association const middle { .path = { 4, 5, 6 },
                                .stroke = stroke_of({ { 0, 0, 0 }, { 0, 9, 0 } }),
                                .laying = StrokeLaying::HeadingAndPitch };
-    auto const nodes = shaped_nodes(pole_plant, { all, middle });
+    auto const nodes = laid_nodes(pole_plant, { all, middle });
     EXPECT_LT(((nodes[7] - nodes[4]).normalized() - Vec3::UnitY()).norm(), 1e-12);
     EXPECT_GT((nodes[8] - nodes[7]).normalized().y(), 0.9) << "rides on it";
 }

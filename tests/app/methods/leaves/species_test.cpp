@@ -217,9 +217,11 @@ TEST_F(PaintCommand, NamesTheLeavesThatThereAre)
     auto const outcome
         = commands::run({ "leaves", "paint", "oka", "-o", (folder_ / "x.png").string() });
     EXPECT_NE(outcome.exit_code, 0);
-    EXPECT_NE(outcome.err.find("there is no leaf oka: give the path of a leaf grammar, or one of "
-                               "beech, birch"),
-              std::string::npos)
+    EXPECT_NE(
+        outcome.err.find(
+            "there is no leaf oka (did you mean oak?): give the path of a leaf grammar, or one of "
+            "beech, birch"),
+        std::string::npos)
         << outcome.err;
     EXPECT_NE(commands::run({ "leaves", "list" }).out.find("tulip-tree"), std::string::npos);
 }

@@ -10,6 +10,8 @@
 #include "app/methods/silhouettes/outline_layer.h"
 #include "app/methods/silhouettes/outline_previewer.h"
 #include "app/session/edit_record.h"
+#include "app/tools/draw_in_order_tool.h"
+#include "app/tools/draw_tool.h"
 #include "engine/methods/silhouettes/ready_form.h"
 #include "tests/app/methods/silhouettes/drawn_trees.h"
 
@@ -73,13 +75,19 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     auto const line = line_from_branch(*silhouette::outlined_tree(*tree.drawn));
     EXPECT_EQ(meant(line, tree, *of_branches.get<OutlineTool>()).search,
               silhouette::Search::OnTrunk);
-    // Of other kinds crowns in space and construction lines alone begin with more than what their
-    // logs mean without arguments: with whole nodes, and with depths.
+    // Of other kinds these alone begin with more than what their logs mean without arguments:
+    // crowns with whole nodes, construction lines with depths and read together, strokes laid by
+    // heading.
+    constexpr auto kLeastTwist = variation::StrokeLaying::LeastTwist;
     for (auto const* const kind : tools) {
         auto const begun = kind == &OutlineTool::kKind ? tools::Tool(tool_of_old_logs())
             : kind == &CrownTool::kKind ? tools::Tool(CrownTool { .nodes = NodesOption::AsAtFirst })
-            : kind == &lines::LineTool::kKind
-            ? tools::Tool(lines::LineTool { .depth_by = lines::DepthBy::StemsHeight })
+            : kind == &lines::LineTool::kKind ? tools::Tool(lines::LineTool {
+                  .depth_by = lines::DepthBy::StemsHeight, .reading = lines::Reading::OneByOne })
+            : kind == &tools::DrawTool::kKind
+            ? tools::Tool(tools::DrawTool { .laying = kLeastTwist })
+            : kind == &tools::DrawInOrderTool::kKind
+            ? tools::Tool(tools::DrawInOrderTool { .laying = kLeastTwist })
             : tools::Tool(*kind);
         EXPECT_EQ(tools::parse_tool(tools, kind->word, "").value(), begun) << kind->word;
     }
