@@ -8,7 +8,8 @@ namespace tractus::calib {
 
 namespace {
 
-constexpr std::size_t kIntervals = 16;
+constexpr std::size_t kIntervals
+    = 64; // Enough for the longest of ragged deliveries to be among them.
 constexpr std::size_t kFewIntervals = 4;
 // No tablet that sends all the time has longer intervals; longer ones teach nothing.
 constexpr Duration kLongestInterval = std::chrono::milliseconds(100);
