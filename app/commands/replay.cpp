@@ -16,15 +16,38 @@
 
 namespace tractus::commands {
 
+namespace {
+
+struct ReplayArguments {
+    batch::JobOptions job;
+    std::string model;
+    std::string rig;
+    std::string height;
+    bool is_forced = false;
+};
+
+Result<void> replay(ReplayArguments const& arguments, tools::Methods const& methods)
+{
+    auto job = arguments.job;
+    job.drawing.methods = methods;
+    if (job.folder.empty())
+        job.folder = std::filesystem::path(job.drawing.log).stem().string() + "-plants";
+    TRY(check_writable(job.folder / "report.txt"));
+    if (!arguments.is_forced)
+        TRY(batch::check_job_folder(job.folder));
+    job.model = TRY(files::find_plant(arguments.model));
+    if (!arguments.rig.empty())
+        job.drawing.rig = arguments.rig;
+    if (!arguments.height.empty())
+        job.drawing.height = arguments.height;
+    terminal::Progress progress;
+    return terminal::print_out(batch::print_report(TRY(batch::run_job(job, progress))));
+}
+
+} // namespace
+
 void add_replay_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
-    struct ReplayArguments {
-        batch::JobOptions job;
-        std::string model;
-        std::string rig;
-        std::string height;
-        bool is_forced = false;
-    };
     auto arguments = std::make_shared<ReplayArguments>();
     auto* const command = root.add_subcommand(
         "replay",
@@ -67,22 +90,7 @@ void add_replay_command(CLI::App& root, options::Action& action, tools::Methods 
         ->check(options::name_ending_in({ ".tractus" }));
     command->footer(options::job_footer());
     command->callback([arguments, methods, &action] {
-        action = [arguments, methods]() -> Result<void> {
-            auto job = arguments->job;
-            job.drawing.methods = methods;
-            if (job.folder.empty())
-                job.folder = std::filesystem::path(job.drawing.log).stem().string() + "-plants";
-            TRY(check_writable(job.folder / "report.txt"));
-            if (!arguments->is_forced)
-                TRY(batch::check_job_folder(job.folder));
-            job.model = TRY(files::find_plant(arguments->model));
-            if (!arguments->rig.empty())
-                job.drawing.rig = arguments->rig;
-            if (!arguments->height.empty())
-                job.drawing.height = arguments->height;
-            terminal::Progress progress;
-            return terminal::print_out(batch::print_report(TRY(batch::run_job(job, progress))));
-        };
+        action = [arguments, methods] { return replay(*arguments, methods); };
     });
 }
 

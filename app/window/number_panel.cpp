@@ -54,6 +54,7 @@ WindowPart NumberPanel::show(view::WindowModel& model, Workbench& bench, Control
     if (std::exchange(asked_, chosen.option.name) != chosen.option.name) {
         typed_.clear();
         objection_.clear();
+        ImGui::SetNextWindowFocus(); // In front of the bar, which was pressed.
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { kAir_px * scale_, kAir_px * scale_ });
     // It reaches over the bar rather than out of the window.

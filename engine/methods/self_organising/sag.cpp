@@ -9,7 +9,7 @@ namespace tractus::self_organising {
 
 namespace {
 
-constexpr double kGravity_m_per_s2 = 9.81;
+constexpr double kGravity_m_per_ss = 9.81;
 constexpr double kLargestTurn_rad = 0.1; // Of one internode in one year.
 
 struct Load {
@@ -46,7 +46,7 @@ Vec3 turn_by(Vec3 const& moment_kg_mm, double length_mm, double diameter_mm, Sag
     constexpr double kGiga = 1e9;
     double const d = diameter_mm / kMetre;
     double const rigidity = laws.stiffness_gpa * kGiga * kPi * d * d * d * d / 64;
-    double const newtons = laws.weight * kGravity_m_per_s2 / kMetre;
+    double const newtons = laws.weight * kGravity_m_per_ss / kMetre;
     Vec3 const turn_rad = moment_kg_mm * (newtons * length_mm / kMetre / rigidity);
     double const size = turn_rad.norm();
     return size > kLargestTurn_rad ? Vec3(turn_rad * (kLargestTurn_rad / size)) : turn_rad;
