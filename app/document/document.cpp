@@ -11,8 +11,8 @@ namespace tractus::document {
 
 namespace {
 
-// Plants find their rest shapes when they are first asked for them: here, so that no thread that
-// shows the scene has to.
+// Computes the plants' rest shapes, which are otherwise computed on first use, so that no thread
+// that renders the scene has to.
 void find_rest_shapes(scene::Scene const& scene)
 {
     for (auto const& plant : scene.plants)
@@ -45,7 +45,7 @@ void Document::begin_working(Working working)
     try {
         thread_ = std::thread([this] { run(); });
     } catch (std::system_error const&) {
-        // The system gives none: whoever calls has to wait.
+        // The system cannot start a thread: the work is done in the caller's thread.
     }
 }
 
@@ -84,7 +84,7 @@ void Document::run()
     }
 }
 
-// Steps that could not be written come before all that came later.
+// Steps that could not be written yet are written before any later one.
 void Document::do_next(std::unique_lock<std::mutex>& lock)
 {
     is_at_work_ = true;
@@ -94,7 +94,7 @@ void Document::do_next(std::unique_lock<std::mutex>& lock)
         keep_what_is_not();
         lock.lock();
     } else {
-        auto const& work = queue_.front(); // Stays where it is while others are added.
+        auto const& work = queue_.front(); // The reference stays valid while others are appended.
         lock.unlock();
         std::visit([this](auto const& kind) { perform(kind); }, work);
         lock.lock();
@@ -238,7 +238,8 @@ void Document::perform(tools::ToolStroke const& stroke)
     {
         std::lock_guard const lock(mutex_);
         drawn_.push_back(std::move(drawn));
-        is_first_shown_ = !step || step->edits.empty(); // Else with the scene.
+        is_first_shown_ = !step || step->edits.empty(); // A stroke with edits is shown with its
+                                                        // scene.
     }
     if (step)
         keep(*std::move(step));
@@ -260,7 +261,7 @@ void Document::perform(WantedStep const& step)
     keep(std::move(done->first));
 }
 
-// False while the session lacks what is drawn: that would be lost.
+// False while the session lacks steps that have been drawn: undo and redo would lose them.
 Result<void> Document::may_travel() const
 {
     if (!unkept_.empty())
@@ -309,7 +310,7 @@ void Document::perform(Restart const& wanted)
     keep(*std::move(step));
 }
 
-// The scene is the one after the edits from here on.
+// Computes the scene after the edits; from here on the document's scene is that one.
 Result<Document::Step> Document::compute(std::vector<scene::Edit> edits)
 {
     Step step { .edits = std::move(edits) };
@@ -329,7 +330,7 @@ Result<Document::Step> Document::compute(std::vector<scene::Edit> edits)
     return step;
 }
 
-// Shows a step and writes it.
+// Publishes a step and writes it to the session.
 void Document::keep(Step step)
 {
     if (step.edits.empty())
@@ -344,7 +345,7 @@ void Document::keep(Step step)
         unkept_.push_back(std::move(step.edits));
         not_kept_ = kept.error().message;
     } else {
-        scene_ = session_.scene(); // The tips of its strokes are in the file.
+        scene_ = session_.scene(); // Its strokes now read their tips from the file.
     }
     publish(unkept_.size());
 }
@@ -373,7 +374,8 @@ void Document::publish(std::size_t unkept)
                                                                 .unkept = unkept,
                                                                 .not_kept = not_kept_ });
     std::lock_guard const lock(mutex_);
-    newest_.swap(snapshot); // The one before goes without the lock, and may be the last.
+    newest_.swap(snapshot); // The old snapshot is released after the lock; this may be its last
+                            // owner.
     is_first_shown_ = true;
 }
 

@@ -23,107 +23,112 @@
 
 namespace tractus::document {
 
-// Something that a person does beside drawing.
+// A change that the user asked for by other means than a stroke, a menu command for example.
 struct WantedStep {
-    // Its effect, given the scene as it is by then, and what to say when it is done.
+    // The edits of the change, computed from the scene when its turn comes, and the status message
+    // for when it is done.
     struct Change {
         std::vector<scene::Edit> edits;
         std::string status;
     };
     std::function<Result<Change>(scene::Scene const& scene)> change;
 
-    enum class Of { Scene, Growth } of = Of::Scene; // A step of Growth changes nothing else.
+    // Growth: a step that changes only how the plants grow.
+    enum class Of { Scene, Growth } of = Of::Scene;
 };
 
-// A step beside drawing as it was done once, to be done again.
+// A step without a stroke that was recorded in a log, for replay.
 struct LoggedStep {
     enum class What { Edits, Undo, Redo, BeginAgain } what = What::Edits;
-    std::size_t strokes_before = 0;    // Strokes that came before it.
+    std::size_t strokes_before = 0;    // Number of strokes before it.
     std::vector<scene::Edit> edits {}; // Set for What::Edits.
 };
 
-// Outcome of a step.
+// Outcome of a step without a stroke.
 struct DoneStep {
-    Result<std::string> status; // Or why nothing has changed.
+    Result<std::string> status; // The message for the user, or the reason why nothing changed.
     WantedStep::Of of = WantedStep::Of::Scene;
     LoggedStep::What what = LoggedStep::What::Edits;
-    std::size_t strokes_before = 0;    // Strokes of all that the document was given.
+    std::size_t strokes_before = 0;    // Number of strokes the document had handled before it.
     std::vector<scene::Edit> edits {}; // Set for What::Edits.
 };
 
-// The document at one moment. Nobody changes it.
+// The document at one moment; immutable.
 struct Snapshot {
     scene::Scene scene {};
-    std::uint64_t revision = 0;       // Grows whenever the scene changes,
-    std::uint64_t drawn_revision = 0; // and this one whenever more of it does than its growth.
-    std::size_t unkept = 0;           // Steps in it that are not on the disk yet.
-    std::string not_kept {};          // Why; empty where it is only a matter of time.
+    std::uint64_t revision = 0;       // Increases with every change of the scene.
+    std::uint64_t drawn_revision = 0; // Increases with changes other than growth.
+    std::size_t unkept = 0;           // Number of its steps that are not on disk yet.
+    std::string not_kept {}; // The reason they are not on disk; empty where they are merely
+                             // pending.
 };
 
-// A drawing: the one owner of the scene and of the session that keeps its steps. Finished strokes,
-// steps, undo and redo go in and are done one after the other in the order in which they came. Each
-// is given its meaning by the scene that all earlier ones left, is shown to all in a snapshot, and
-// then written to the session. What cannot be written, since the disk is full, say, stays in the
-// document and is tried again; drawing goes on meanwhile.
+// A drawing: the only owner of the scene and of the session that stores its steps. Finished
+// strokes, steps, undo and redo are queued and done in the order in which they arrive. Each is
+// interpreted in the scene that the previous ones left, published in a snapshot, and then written
+// to the session. If writing fails (a full disk, say) the step stays in the document and is
+// retried; drawing continues meanwhile.
 //
-// Everything here is called from one thread.
+// All functions are called from one thread.
 class Document {
 public:
-    // OnItsThread: calls return at once, and what they began is done by a thread of the document's
-    // own. AtOnce: it is done when they return.
+    // OnItsThread: calls return at once and the document's own thread does the work. AtOnce: the
+    // work is done when a call returns.
     enum class Working { OnItsThread, AtOnce };
 
-    // What a step brings with it, given the scene before it and the step's own edits: edits that
-    // become part of it. Called by whoever works. Empty: nothing.
+    // Computes edits that a step entails, from the scene before the step and the step's own edits;
+    // they become part of the step. Called on the thread that does the work. May be empty.
     using Follow = std::function<std::vector<scene::Edit>(scene::Scene const& scene,
                                                           std::vector<scene::Edit> const& step)>;
 
-    // Without a session, what is drawn stays in memory.
+    // Without a session, the drawing exists in memory only.
     Document(scene::Scene scene, Working working, Follow follow = {});
     Document(session::Session session, Working working, Follow follow = {});
     Document(Document const&) = delete;
     Document& operator=(Document const&) = delete;
 
-    // Does all that has come. What cannot be written is lost: see settle() and newest().
+    // Finishes the queued work first. Steps that cannot be written are lost; see settle() and
+    // newest().
     ~Document();
 
     void draw(tools::ToolStroke stroke);
     void make(WantedStep step);
-    void make(LoggedStep step); // Done in its turn, whatever came before it.
+    void make(LoggedStep step); // Queued like any other step.
     void undo();
     void redo();
 
-    // Makes the document what it was when it began, but that its growth may be left as it is. It is
-    // a step like another.
+    // Returns the document to its initial state, optionally keeping how its plants grow. A step
+    // like any other: it can be undone.
     enum class Growth { AsItBegan, AsItIs };
     void begin_again(std::string status, Growth growth = Growth::AsItBegan);
 
     // Never null.
     std::shared_ptr<Snapshot const> newest() const;
 
-    // How many strokes have come.
+    // Number of strokes received so far.
     std::size_t stroke_count() const { return stroke_count_; }
 
-    // Strokes that have come, in order, and are not in the newest snapshot yet.
+    // Strokes received but not yet in the newest snapshot, in order.
     std::vector<tools::ToolStroke> waiting() const;
 
-    // Returns what the strokes since the last call have meant, in order.
+    // Returns the strokes done since the last call and their effects, in order.
     std::vector<DrawnStroke> take_drawn();
 
-    // The next step that is done since the last call; no value: none.
+    // Returns the oldest outcome of a step that has not been taken yet; nullopt if there is none.
     std::optional<DoneStep> take_done();
 
-    // Tries again to write what could not be written: when a second has passed, or at once.
+    // Retries writing unkept steps: pass_time() one second after the last attempt, try_again() at
+    // once.
     void pass_time(Timestamp now);
     void try_again();
 
-    // Whether all that has come is done, and written where it can be for now.
+    // True when all queued work is done and written, as far as it can be written now.
     bool is_settled() const;
     void settle();
 
-    session::Session const& session() const { return session_; } // While is_settled().
+    session::Session const& session() const { return session_; } // Call only while is_settled().
 
-    // Session::set_name(), when all that has come is done.
+    // Calls Session::set_name() after all queued work.
     Result<void> set_name(std::string name);
 
 private:
@@ -134,10 +139,10 @@ private:
         Growth growth = Growth::AsItBegan;
     };
     using Work = std::variant<tools::ToolStroke, WantedStep, Undo, Redo, Restart>;
-    // A step that is part of the scene already.
+    // A computed step; the document's scene already contains it.
     struct Step {
         std::vector<scene::Edit> edits;
-        // No value where earlier ones are unkept.
+        // Prepared for the session; nullopt while earlier steps are unkept.
         std::optional<session::Session::Prepared> prepared {};
     };
 
@@ -146,7 +151,7 @@ private:
     void run();
     void do_next(std::unique_lock<std::mutex>& lock);
 
-    // Runs on the document's thread, without the lock.
+    // These run on the document's thread, without the lock.
     void perform(tools::ToolStroke const& stroke);
     void perform(WantedStep const& step);
     void perform(Undo const&);
@@ -161,29 +166,30 @@ private:
     void publish(std::size_t unkept);
     void tell(DoneStep done);
 
-    // The thread's that works.
+    // Used only by the working thread.
     Follow follow_;
     session::Session session_;
     scene::Scene scene_;
     std::uint64_t revision_ = 0;
     std::uint64_t drawn_revision_ = 0;
-    std::size_t strokes_before_ = 0;              // Strokes that have had their turn.
-    std::deque<std::vector<scene::Edit>> unkept_; // Steps of the scene that the session lacks.
+    std::size_t strokes_before_ = 0;              // Strokes handled so far.
+    std::deque<std::vector<scene::Edit>> unkept_; // Steps of the scene that are not in the session
+                                                  // yet.
     std::string not_kept_;
 
-    mutable std::mutex mutex_; // Protects what follows.
+    mutable std::mutex mutex_; // Protects the members below.
     std::condition_variable changed_;
-    std::deque<Work> queue_; // The first is at work, if is_at_work_.
+    std::deque<Work> queue_; // While is_at_work_, the front element is being worked on.
     std::shared_ptr<Snapshot const> newest_;
     std::vector<DrawnStroke> drawn_;
     std::deque<DoneStep> done_;
     bool is_at_work_ = false;
-    bool is_first_shown_ = false; // The work under way is in the newest snapshot.
+    bool is_first_shown_ = false; // The newest snapshot already contains the work in progress.
     bool is_trying_again_ = false;
     bool is_closing_ = false;
 
-    std::optional<Timestamp> next_try_; // The caller's,
-    std::size_t stroke_count_ = 0;      // as this is.
+    std::optional<Timestamp> next_try_; // Used only by the calling thread, like stroke_count_.
+    std::size_t stroke_count_ = 0;
     std::thread thread_;
 };
 

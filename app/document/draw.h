@@ -10,23 +10,23 @@
 
 namespace tractus::document {
 
-// A finished stroke and what it meant.
+// A finished stroke and its effect.
 struct DrawnStroke {
     Stroke stroke;
     tools::Tool tool;
-    std::string refusal {};            // Why it changed nothing; empty if it did.
-    std::vector<scene::Edit> edits {}; // Edits that it made; none if it was refused.
-    std::string said {};               // What a person is told of it in place of its tool's `done`.
+    std::string refusal {}; // Why the stroke changed nothing; empty if it changed the scene.
+    std::vector<scene::Edit> edits {}; // The edits it made; empty if it was refused.
+    std::string said {}; // Message for the user that replaces the tool's default, ToolKind::done.
 };
 
-// See ToolKind::said.
+// The tool's own message after a stroke (ToolKind::said).
 std::string said_of(tools::Tool const& tool, scene::Scene const& after);
 
-// Applies a stroke in the hand of a tool to a scene: all of its edits, or none if one is refused.
+// Applies a stroke drawn with a tool to a scene: all of its edits, or none if one is refused.
 DrawnStroke draw(Stroke stroke, tools::Tool const& tool, scene::Scene& scene);
 
-// The scene after edits that belong together; models cost what load_options() says. Fails where one
-// of them does.
+// The scene after edits that belong together. Models run within the limits of load_options(). Fails
+// if any edit fails.
 Result<scene::Scene> scene_after(scene::Scene scene, std::vector<scene::Edit> const& edits);
 
 } // namespace tractus::document

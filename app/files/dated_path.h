@@ -6,14 +6,14 @@
 
 namespace tractus::files {
 
-// A new file's name that nobody has to type: FOLDER/PLANT-YYYY-MM-DD-HHMMSS.ENDING, in local time,
-// with -2, -3 and so on before the ending where such a file is there already. `plant` is a model's
-// name, of which the stem counts; `ending` begins with a dot, or with what else the name should
-// say: "-seed-3.png". Makes no file.
+// Generates a file name: FOLDER/PLANT-YYYY-MM-DD-HHMMSS.ENDING in local time, with -2, -3 and so on
+// before the ending if such a file exists. `plant` is a model's name, of which only the stem is
+// used; `ending` begins with a dot or with more of the name, such as "-seed-3.png". Creates no
+// file.
 std::filesystem::path dated_path(std::filesystem::path const& folder, std::string_view plant,
                                  std::string_view ending, std::chrono::sys_seconds now);
 
-// Returns such a path named after the present.
+// The same with the current time.
 std::filesystem::path dated_path(std::filesystem::path const& folder, std::string_view plant,
                                  std::string_view ending);
 

@@ -9,23 +9,23 @@
 
 namespace tractus::files {
 
-// A file or folder that comes with the program: "models/broadleaf.l", "demo". Looked for where the
-// program is installed (PREFIX/share/tractus beside PREFIX/bin), then in the source tree it was
-// built from. Fails, as the user's fault, naming both places.
+// Finds a file or folder that comes with the program, such as "models/broadleaf.l" or "demo": first
+// where the program is installed (PREFIX/share/tractus beside PREFIX/bin), then in the source tree
+// that it was built from. Fails, as the user's fault, with a sentence that names both places.
 Result<std::filesystem::path> find_resource(std::string_view name);
 
-// The names, without this ending, of the files in one of the program's folders, in alphabetical
-// order; none where that is not installed.
+// Names of the files in one of the program's folders that have this ending, without it, in
+// alphabetical order; empty if the folder is not installed.
 std::vector<std::string> resource_names(std::string_view folder, std::string_view ending);
 
-// A model that the user named: a file as it is, or else one of ours by its name alone ("shrub").
-// Fails, as the user's fault, listing ours.
+// Finds a model that the user named: an existing file's path, or the name of a built-in model
+// ("shrub"). Fails, as the user's fault, with a list of the built-in ones.
 Result<std::filesystem::path> find_model(std::string_view name);
 
-// Does as find_model(), but that "empty" is an empty sheet, whose path is empty.
+// Like find_model(), except that "empty" means an empty sheet, for which the path is empty.
 Result<std::filesystem::path> find_plant(std::string_view name);
 
-// The names of ours, in alphabetical order; none where they are not installed.
+// Names of the built-in models, in alphabetical order; empty if they are not installed.
 std::vector<std::string> model_names();
 
 } // namespace tractus::files

@@ -14,13 +14,14 @@ namespace fs = std::filesystem;
 
 static fs::path folder_in(char const* variable)
 {
-    // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody changes the environment.
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): the program never changes its environment.
     char const* const value = std::getenv(variable);
-    // The specification lets only absolute paths count.
+    // The XDG specification says to ignore relative paths.
     return value != nullptr && *value == '/' ? value : "";
 }
 
-// The program's own folder in that which the variable names, else in one of the home folder.
+// The folder "tractus" inside the folder that the environment variable names, or by default inside
+// $HOME/`in_home`.
 static fs::path own_folder(char const* variable, char const* in_home)
 {
     if (auto const named = folder_in(variable); !named.empty())
@@ -53,7 +54,8 @@ Result<fs::path> make_user_folder(std::string_view instead)
     return folder;
 }
 
-// A folder of the desktop, as its settings name it: a line XDG_PICTURES_DIR="$HOME/Bilder".
+// A folder of the desktop, parsed from user-dirs.dirs, in lines such as
+// XDG_PICTURES_DIR="$HOME/Bilder"; `usual` is the default.
 static fs::path desktop_folder(std::string const& settings, std::string const& name,
                                fs::path const& home, char const* usual)
 {

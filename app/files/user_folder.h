@@ -7,25 +7,25 @@
 
 namespace tractus::files {
 
-// Where the program keeps what a person did not name: $XDG_DATA_HOME/tractus, else
-// ~/.local/share/tractus (XDG Base Directory Specification). Empty where the user has no home.
+// The program's data folder: $XDG_DATA_HOME/tractus, by default ~/.local/share/tractus (XDG Base
+// Directory Specification). Empty if the user has no home folder.
 std::filesystem::path user_folder();
 
-// Where what can be made again is kept meanwhile: $XDG_CACHE_HOME/tractus, else ~/.cache/tractus.
-// Empty where the user has no home. The folder need not be there.
+// The folder for files that can be regenerated: $XDG_CACHE_HOME/tractus, by default
+// ~/.cache/tractus. Empty if the user has no home folder. It may not exist yet.
 std::filesystem::path user_cache_folder();
 
-// Makes user_folder() if it is not there, and returns it. Fails, as the user's fault, if it cannot
-// be made; the sentence ends in what to do: `instead`.
+// Creates user_folder() if necessary and returns it. Fails, as the user's fault, if it cannot be
+// created; the message ends with `instead`, which says what to do.
 Result<std::filesystem::path> make_user_folder(std::string_view instead);
 
-// Where a person's pictures are, each once: "pictures" in user_folder(), and the desktop's folders
-// for pictures and for what was downloaded (user-dirs.dirs of xdg-user-dirs, else ~/Pictures and
-// ~/Downloads). They need not be there.
+// Folders in which to look for the user's pictures, without duplicates: "pictures" in
+// user_folder(), and the desktop's picture and download folders (from user-dirs.dirs of
+// xdg-user-dirs, by default ~/Pictures and ~/Downloads). They may not exist.
 std::vector<std::filesystem::path> user_picture_folders();
 
-// The calibration of the table that belongs to this user, where the window keeps it unless it is
-// told another place. Empty where the user has no home.
+// The user's calibration of the moving table, where the window stores it by default. Empty if the
+// user has no home folder.
 std::filesystem::path user_rig_path();
 
 } // namespace tractus::files

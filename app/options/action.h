@@ -7,7 +7,7 @@
 
 namespace tractus::options {
 
-// Action that the command line asked for: each command's parser sets it, main() runs it. An error
+// The action that the command line selects: a command's parser sets it and main() runs it. An error
 // becomes one line on standard error and exit code 1.
 using Action = std::function<Result<void>()>;
 

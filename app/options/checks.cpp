@@ -26,7 +26,8 @@ template<typename Number> std::optional<Number> parse(std::string const& text)
     return value;
 }
 
-// The parser shows a validator's description beside the option's type; ours are in the texts.
+// Makes a validator without a description: CLI11 would show that beside the option's type, but the
+// help texts explain the checks already.
 CLI::Validator check(std::function<std::string(std::string const&)> problem)
 {
     return { [problem = std::move(problem)](std::string& text) { return problem(text); }, "" };
@@ -59,7 +60,7 @@ CLI::Validator number(double least, double most)
     });
 }
 
-// Two numbers around a separator. No value for anything else.
+// Parses two numbers with a separator between them; nullopt for anything else.
 template<typename Number>
 static std::optional<std::pair<Number, Number>> parse_pair(std::string const& text,
                                                            std::string_view separator)
@@ -116,7 +117,8 @@ CLI::Validator one_of(std::vector<std::string> const& words)
                     }));
 }
 
-// An option keeps of a check what the parser's own class has room for: its name.
+// The words to complete are stored in the validator's name, the only text of a check that CLI11
+// lets an option return; this prefix marks such names.
 static constexpr std::string_view kOffers = "offers\n";
 
 CLI::Validator offering(std::vector<std::string> const& words, CLI::Validator check)
@@ -133,7 +135,7 @@ std::vector<std::string> words_offered_by(CLI::Option& option)
             if (name.compare(0, kOffers.size(), kOffers) == 0)
                 words = CLI::detail::split(name.substr(kOffers.size()), '\n');
         } catch (CLI::OptionNotFound const&) {
-            return words; // That was the last check.
+            return words; // The index is past the last check.
         }
 }
 

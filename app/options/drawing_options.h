@@ -8,18 +8,18 @@
 
 namespace tractus::options {
 
-// Options for what was drawn over a command's plant.
+// Values of the options for the drawing that a command applies to its plant.
 struct DrawingArguments {
-    std::string log; // Empty: nothing.
+    std::string log; // File name; empty if there is no drawing.
     std::string rig;
     std::string height;
 };
 
-// "--drawing LOG", "--rig FILE" and "--height MM|MOVEMENT". `without` ends a sentence: what there
-// is without a drawing. `drawing` must live as long as the command.
+// Adds "--drawing LOG", "--rig FILE" and "--height MM|MOVEMENT". `without` ends a help sentence
+// that says what happens without a drawing. `drawing` must outlive the command.
 void add_drawing_options(CLI::App& command, DrawingArguments& drawing, std::string const& without);
 
-// No value where nothing was drawn.
+// Returns nullopt if no drawing was given.
 std::optional<batch::DrawingOptions> drawing_options(DrawingArguments const& drawing,
                                                      tools::Methods const& methods);
 

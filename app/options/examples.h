@@ -8,19 +8,20 @@
 
 namespace tractus::options {
 
-// A line to type, for the end of a command's help and its manual page.
+// An example command line for the end of a command's help and its manual page.
 struct Example {
-    char const* command; // The command's words: "session info".
+    char const* command; // Name of the command, such as "session info".
     char const* line;    // Without the leading "tractus".
-    // Runs by itself in an empty folder, after the examples before it in the table. Others need a
-    // display, hardware, a person, or a file of one's own.
+    // True if it runs unattended in an empty folder, after the examples before it in the table.
+    // False if it needs a display, hardware, a person, or a file of the user's own.
     bool runs = true;
 };
 
-// Examples of all commands but the methods' own. Later ones use files that earlier ones write.
+// Examples of all commands except those of the methods. Later ones use files that earlier ones
+// write.
 std::span<Example const> examples();
 
-// The lines for one command, each with "tractus" before it; none for commands without examples.
+// The example lines of one command, each beginning with "tractus"; empty if it has none.
 std::vector<std::string> examples_of(CLI::App const& command);
 
 } // namespace tractus::options

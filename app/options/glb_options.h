@@ -6,8 +6,9 @@
 
 namespace tractus::options {
 
-// "--quantized", "--compressed", and "--organs HOW": how .glb files hold vertices, and leaves and
-// other organs. Before a large file is written a warning says so. Returns the latter option.
+// Adds "--quantized", "--compressed" and "--organs HOW": the formats of vertices, leaves and other
+// organs in .glb files. The command warns before it writes a large file. Returns the option
+// --organs.
 CLI::Option* add_glb_options(CLI::App& command, exports::GlbOptions& options);
 
 } // namespace tractus::options

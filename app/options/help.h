@@ -5,8 +5,8 @@
 
 namespace tractus::options {
 
-// How --help looks: one column of options, one of sentences, within 80 columns, with defaults and
-// what goes with what at the end of each sentence; examples at the end of all.
+// Formats --help in one column of options and one of sentences, within 80 columns. Each sentence
+// ends with the default and with the options that it needs or excludes; examples come last.
 class HelpFormatter final : public CLI::Formatter {
 public:
     HelpFormatter();
@@ -17,12 +17,12 @@ public:
     std::string make_footer(CLI::App const* command) const override;
 };
 
-// The name of an option's value, "PIXELS". CLI11 itself puts the value's type before what a check
-// takes: "INT:PIXELS".
+// The name of an option's value, such as "PIXELS". CLI11 alone would put the value's type before
+// it: "INT:PIXELS".
 std::string shown_type(CLI::Option const& option);
 
-// Returns what --help says of an option, on one line: its sentence, its default and what it goes
-// with.
+// Returns the help of an option on one line: its sentence, its default, and the options that it
+// needs or excludes.
 std::string option_text(CLI::Option const& option);
 
 } // namespace tractus::options

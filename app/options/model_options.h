@@ -12,25 +12,25 @@
 
 namespace tractus::options {
 
-// Options that say which plant a command is about: MODEL, --steps and --seed mean the same
-// everywhere.
+// The options that select a command's plant; MODEL, --steps and --seed mean the same in every
+// command.
 struct ModelOptions {
-    std::string model; // Name for find_model().
+    std::string model; // For find_model().
     std::optional<int> steps;
-    std::optional<std::uint64_t> seed; // If there is none, 1 or what a session has.
+    std::optional<std::uint64_t> seed; // Default: the session's seed, or 1.
 };
 
-// --view, --colors and --environment. `companions` must live as long as the command.
+// Adds --view, --colors and --environment. `companions` must outlive the command.
 void add_companion_options(CLI::App& command, io::ModelCompanions& companions);
 
-// Adds them to a command. `options` must live as long as the command.
+// Adds MODEL, --steps and --seed to a command. `options` must outlive the command.
 void add_model_options(CLI::App& command, ModelOptions& options);
 
-// --max-modules, --max-memory and --max-seconds: what a model may cost, alike in every command that
-// runs one.
+// Adds --max-modules, --max-memory and --max-seconds, which limit what a model may cost, to any
+// command that runs models.
 void add_cost_options(CLI::App& command, document::ModelCost& cost);
 
-// How to derive the string of a model: its steps and its seed, and what it may cost from now on.
+// How to derive a model's string: number of steps, seed, and limits; its time counts from now.
 lsystem::DeriveOptions derive_options(ModelOptions const& model, document::ModelCost const& cost);
 
 } // namespace tractus::options

@@ -2,7 +2,7 @@
 
 namespace tractus::options {
 
-// The recordings that every command reads (drivers::read_log()), for its help.
+// Names the kinds of recordings that every command reads (drivers::read_log()), for help texts.
 constexpr char const* kRecordings = "a .tractus-log, or what hid-recorder, usbhid-dump, libinput "
                                     "record or evemu-record wrote";
 

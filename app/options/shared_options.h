@@ -8,26 +8,27 @@
 
 namespace tractus::options {
 
-// The options that several commands have, declared once, so that they are named, checked and
-// explained alike. Where the value is already set, the help shows it as the default.
+// Options that several commands share, so that they have the same names, checks and explanations.
+// If the value is already set, the help shows it as the default.
 
-// "--plant MODEL": a file or one of our models.
+// Adds "--plant MODEL": a file or a built-in model.
 CLI::Option* add_plant_option(CLI::App& command, std::string& model);
 
-// "--rig FILE": a calibration in place of the one in the log.
+// Adds "--rig FILE": a calibration that replaces the log's.
 CLI::Option* add_rig_option(CLI::App& command, std::string& file);
 
-// "--height MM|MOVEMENT": a height in place of the height sensor's.
+// Adds "--height MM|MOVEMENT": a height that replaces the height sensor's.
 CLI::Option* add_height_option(CLI::App& command, std::string& height);
 
-// Returns such a height while devices are read. Fails, as the user's fault, for a movement: nobody
-// knows how long it would have to last.
+// Parses --height for commands that read devices. Fails, as the user's fault, for a movement,
+// because the length of a live recording is not known in advance.
 Result<double> constant_height_mm(std::string const& height);
 
-// "--seed N": of the variations.
+// Adds "--seed N": the seed of the variations.
 CLI::Option* add_seed_option(CLI::App& command, std::uint64_t& seed);
 
-// "-o, --output FOLDER": where a job's files go; `Path` is std::filesystem::path or std::string.
+// Adds "-o, --output FOLDER": the folder for a job's files. `Path` is std::filesystem::path or
+// std::string.
 template<typename Path> CLI::Option* add_folder_option(CLI::App& command, Path& folder)
 {
     return command
@@ -36,10 +37,10 @@ template<typename Path> CLI::Option* add_folder_option(CLI::App& command, Path& 
         ->type_name("FOLDER");
 }
 
-// "--force": write over files that the program did not make.
+// Adds "--force": overwrite files that the program did not make.
 CLI::Option* add_force_option(CLI::App& command, bool& is_forced);
 
-// Says what a job writes, for the end of a command's help.
+// Describes what a job writes, for the end of a command's help.
 char const* job_footer();
 
 } // namespace tractus::options

@@ -4,9 +4,9 @@
 
 namespace tractus::session {
 
-// Takes all plants away: what a drawing begins with on an empty sheet. A session needs something at
-// step 0, where undo ends, and beginning again leads back there from any scene. A program that does
-// not know it begins with an empty sheet all the same.
+// Removes all plants: the first edit of a drawing on an empty sheet. A session needs an edit at
+// step 0, where undo ends and to which "begin again" returns from any scene. A program that does
+// not know this edit begins with an empty sheet anyway.
 struct BeginEmpty {
     static scene::EditKind const kKind;
 };

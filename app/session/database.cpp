@@ -14,10 +14,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// How long to wait for another program that reads or ends just now.
+// How long to wait for another program that is reading or just closing the file.
 constexpr int kPatience_ms = 500;
 
-// A file name as SQLite takes it in a URI.
+// The path as an SQLite URI.
 std::string uri_of(fs::path const& path)
 {
     std::string uri = "file:";
@@ -37,7 +37,7 @@ bool is_there(fs::path const& path)
     return fs::exists(path, ignored);
 }
 
-// Whether another program's journal lies beside the file: what stands in it is part of the file.
+// True if another program's write-ahead log lies beside the file: its contents belong to the file.
 bool has_journal(fs::path const& path)
 {
     return is_there(path.string() + "-wal") || is_there(path.string() + "-journal");
@@ -144,7 +144,7 @@ Database::Database(fs::path path, sqlite3* database)
 {
 }
 
-// How many instructions go by between two looks at their number.
+// Virtual-machine instructions between two calls of the progress handler.
 static constexpr int kInstructionsCounted = 10'000;
 
 static int give_up_after_many(void* instructions)
@@ -154,7 +154,7 @@ static int give_up_after_many(void* instructions)
     return count > Database::kMostInstructions ? 1 : 0;
 }
 
-// What www.sqlite.org/security.html advises for files that somebody may have made to do harm.
+// Applies the advice of www.sqlite.org/security.html for files that may be malicious.
 void Database::limit_what_files_may_do()
 {
     auto* const handle = database_.get();
@@ -185,7 +185,7 @@ void Database::limit_what_files_may_do()
 Result<Database> Database::open(fs::path const& path, Access access)
 {
     std::error_code ignored;
-    // Its name may look like something else to SQLite if it is not a whole path.
+    // SQLite may interpret a relative name as something else, such as ":memory:".
     auto const whole_path = fs::absolute(path, ignored);
     if (access != Access::Create && !fs::is_regular_file(whole_path, ignored))
         return fail(Fault::User,
@@ -194,8 +194,8 @@ Result<Database> Database::open(fs::path const& path, Access access)
     int const flags = access == Access::Read ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI
         : access == Access::Write            ? SQLITE_OPEN_READWRITE
                                              : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-    // Nobody writes to a file without a journal, and what lies in a folder that may not be written
-    // can be read.
+    // Without a journal nobody is writing, so the file can be read as immutable, even in a folder
+    // without write permission.
     bool const is_still = access == Access::Read && !has_journal(whole_path);
     auto const name = access == Access::Read ? uri_of(whole_path) + (is_still ? "?immutable=1" : "")
                                              : whole_path.string();
@@ -282,7 +282,7 @@ tl::unexpected<Error> Database::error(int code) const
                                     name));
     case SQLITE_FULL:
         return sentence(fmt::format("cannot write {}: there is no space left on its disk", name));
-    case SQLITE_INTERRUPT: // By give_up_after_many().
+    case SQLITE_INTERRUPT: // Raised by give_up_after_many().
         return sentence(fmt::format("{} cannot be read: it makes SQLite work without end", name));
     case SQLITE_NOMEM:
         return sentence(fmt::format("there is not enough memory to read {}", name));
@@ -294,7 +294,7 @@ tl::unexpected<Error> Database::error(int code) const
     case SQLITE_TOOBIG:
         return sentence(fmt::format("cannot write {}: one edit has more than 512 MiB", name));
     default:
-        // SQLITE_CORRUPT, and tables that are not as they should be.
+        // SQLITE_CORRUPT, or tables that do not have the expected form.
         return sentence(
             fmt::format("{0} is damaged ({1}): \"tractus session repair {0} -o NEW.tractus\" "
                         "brings back what is whole",

@@ -14,7 +14,7 @@ struct sqlite3_stmt;
 
 namespace tractus::session {
 
-// One prepared statement of a Database, which must outlive it. Parameters and columns count from 0.
+// A prepared statement of a Database, which must outlive it. Parameters and columns count from 0.
 class Statement {
 public:
     Statement(Statement&&) noexcept;
@@ -24,19 +24,20 @@ public:
     Statement& bind_text(int parameter, std::string_view text);
     Statement& bind_blob(int parameter, std::string_view bytes);
 
-    // The next row: false when there is none any more. Fails like the database.
+    // Advances to the next row; false after the last one. Fails like the database.
     Result<bool> step();
 
-    // Runs to the end, for statements without rows. Then the statement may be bound and run again.
+    // Runs a statement that returns no rows. Afterwards it may be bound and run again.
     Result<void> run();
 
-    // Back to before the first row, to be bound again.
+    // Rewinds to before the first row, so that new values can be bound.
     void reset();
 
-    // Whether the row's values are of these types: i for whole numbers, t for text, b for blobs.
+    // True if the row's values have these types, one letter each: i for integer, t for text, b for
+    // blob.
     bool has_types(std::string_view types) const;
 
-    // Values of the row.
+    // Values of the current row.
     std::int64_t whole(int column) const;
     std::string bytes(int column) const; // Text or blob; empty for null.
 
@@ -46,22 +47,21 @@ private:
 
     sqlite3_stmt* statement_;
     Database const* database_;
-    int error_ = 0; // Error of a bind.
+    int error_ = 0; // Error of the last bind.
 };
 
-// A SQLite file, which may come from anybody: it runs no triggers, views and functions of its own,
-// and a statement that goes on and on is given up. Everything that fails does so in a sentence that
-// names the file and says what to do: what is no database, is damaged, is locked by another
-// program, may not be written, or has no room left.
+// An SQLite file, possibly from an untrusted source: its triggers, views and functions do not run,
+// and statements that run too long are stopped. Errors are sentences that name the file and say
+// what to do if it is not a database, damaged, locked by another program, not writable, or its disk
+// is full.
 class Database {
 public:
-    // Instructions of SQLite's virtual machine from one row to the next; reading or writing one
-    // takes a few hundred.
+    // Limit of virtual-machine instructions per row; reading or writing a row takes a few hundred.
     static constexpr std::uint64_t kMostInstructions = 50'000'000;
 
     enum class Access {
-        Read,  // Writes nothing, not even beside the file.
-        Write, // The file is there.
+        Read,  // Writes nothing, not even journal files beside it.
+        Write, // The file must exist.
         Create,
     };
 
@@ -69,19 +69,19 @@ public:
 
     Result<Statement> prepare(char const* sql) const;
 
-    // Statements without rows, one after the other.
+    // Runs statements that return no rows, one after the other.
     Result<void> execute(std::string const& sql) const;
 
-    // The first column of the first row.
+    // The first column of the first row, an integer.
     Result<std::int64_t> whole(char const* sql) const;
 
-    // Copies the whole of it to a file, which appears whole, in the place of an older one.
+    // Copies the whole database to a file, which appears complete and replaces an older one.
     Result<void> back_up(std::filesystem::path const& copy) const;
 
-    // True between a "BEGIN" and its end, which an error may be.
+    // True between "BEGIN" and the end of its transaction; an error may end it.
     bool is_in_transaction() const;
 
-    // The sentence for a result code of the library's.
+    // The error sentence for an SQLite result code.
     tl::unexpected<Error> error(int code) const;
 
 private:
@@ -96,7 +96,8 @@ private:
     void begin_counting() const { *instructions_ = 0; }
 
     std::filesystem::path path_;
-    std::unique_ptr<std::uint64_t> instructions_; // Since begin_counting(); SQLite has its address.
+    std::unique_ptr<std::uint64_t> instructions_; // Count since begin_counting(), on the heap
+                                                  // because SQLite holds its address.
     std::unique_ptr<sqlite3, Close> database_;
 };
 

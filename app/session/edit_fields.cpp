@@ -13,11 +13,11 @@ namespace tractus::session {
 namespace {
 
 constexpr char const* kBytes = "bytes";
-constexpr std::size_t kTipSize = 5 * 8 + 1; // Size without its tilt.
+constexpr std::size_t kTipSize = 5 * 8 + 1; // Bytes of a tip without its tilt.
 constexpr std::size_t kTiltSize = 2 * 8;
 constexpr std::size_t kLineSize = 6 * 8;
 
-// A tip's flags.
+// Flags of a tip, as bits.
 constexpr int kTouching = 1;
 constexpr int kEraser = 2;
 constexpr int kExtrapolated = 4;
@@ -47,7 +47,7 @@ std::string utf8_of_bytes(std::string const& bytes)
     return text;
 }
 
-// No value for characters that stand for no byte.
+// Converts characters U+0000 to U+00FF to one byte each; nullopt for any other character.
 std::optional<std::string> bytes_of_utf8(std::string const& text)
 {
     std::string bytes;
@@ -56,7 +56,9 @@ std::optional<std::string> bytes_of_utf8(std::string const& text)
         if (first < 0x80) {
             bytes += text[i];
         } else if (first == 0xc2 || first == 0xc3) {
-            auto const second = static_cast<unsigned char>(text[++i]); // JSON's texts are UTF-8.
+            auto const second = static_cast<unsigned char>(text[++i]); // The JSON parser has
+                                                                       // checked that the text is
+                                                                       // valid UTF-8.
             bytes += static_cast<char>((first << 6) | (second & 0x3f));
         } else {
             return std::nullopt;
@@ -82,7 +84,8 @@ void put(std::string& bytes, Vec3 const& value)
         put(bytes, value[i]);
 }
 
-// Reads what put() wrote; there must be enough.
+// Reads numbers in the order in which put() wrote them. The caller checks that enough bytes are
+// left.
 class NumberReader {
 public:
     explicit NumberReader(std::string_view bytes)
@@ -181,7 +184,8 @@ Json written(TipRange const& value)
 
 Json written(std::map<std::string, std::string> const& texts)
 {
-    auto list = Json::array(); // An array, not an object: names may be no UTF-8.
+    auto list = Json::array(); // An array of pairs, because JSON keys must be UTF-8 and names may
+                               // not be.
     for (auto const& [name, text] : texts)
         list.push_back({ { "name", written(name) }, { "text", written(text) } });
     return list;

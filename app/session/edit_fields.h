@@ -16,7 +16,7 @@
 
 namespace tractus::session {
 
-// How the parts of an edit stand in JSON; see EditRecord. Keys keep their order.
+// JSON form of an edit's fields; see EditRecord. Keys keep their order.
 using Json = nlohmann::ordered_json;
 
 Json written(bool value);
@@ -43,7 +43,8 @@ template<typename T> Json written(std::vector<T> const& values)
     return list;
 }
 
-// The way back: false for what has another form or does not fit.
+// Inverse of the conversions above: false if the JSON has another type or the value is out of
+// range.
 bool read(Json const& json, bool& value);
 bool read(Json const& json, int& value);
 bool read(Json const& json, std::uint32_t& value);
@@ -72,17 +73,17 @@ template<typename T> bool read(Json const& json, std::vector<T>& values)
     return true;
 }
 
-// Bulk numbers; see EditRecord::numbers.
+// Bytes of bulk numbers; see EditRecord::numbers.
 std::string written_tips(Stroke const& stroke);
 std::string written_lines(std::vector<SkeletonPiece> const& lines);
 bool read_tips(std::string_view bytes, Stroke& stroke);
 bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines);
 
-// Cuts absolute paths in the fields that name a plant's files, "model_name", "view_name" and, if
-// asked to, "name", down to their last part. Returns whether there was one.
+// Shortens absolute paths to file names in the fields that name a plant's files: "model_name",
+// "view_name" and, with `with_name`, "name". Returns true if there was one.
 bool leave_out_folders(Json& fields, bool with_name);
 
-// Writes fields one after the other.
+// Writes an edit's fields to JSON, one after the other.
 class FieldWriter final : public scene::Fields {
 public:
     void field(char const* name, scene::FieldRef value) override;
@@ -105,10 +106,10 @@ private:
     std::string numbers_;
 };
 
-// Reads them back; what is missing stays as it is.
+// Reads the fields that FieldWriter wrote; a missing field keeps its value.
 class FieldReader final : public scene::Fields {
 public:
-    // Keeps references: both must outlive the reader.
+    // Keeps references to both arguments, which must outlive the reader.
     FieldReader(Json const& json, std::string_view numbers)
         : json_(json)
         , numbers_(numbers)
@@ -128,7 +129,7 @@ public:
         take_numbers(true);
     }
 
-    // Fails if anything had another form, or is left over. Call it last.
+    // Fails if any field had the wrong form or is unknown. Call it after the last field.
     Result<void> finish() const;
 
 private:
@@ -139,7 +140,7 @@ private:
     Json const& json_;
     std::string_view numbers_;
     std::set<std::string> known_;
-    std::string complaint_; // The first.
+    std::string complaint_; // The first complaint.
 };
 
 } // namespace tractus::session

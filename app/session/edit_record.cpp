@@ -7,8 +7,8 @@
 
 namespace tractus::session {
 
-// Whether the field "name" of an edit of this kind names the file that it was made from, and not
-// something that a person has called so. "model_name" and "view_name" are files' names in any edit.
+// True if the field "name" of this kind of edit is the name of a source file rather than one that
+// the user chose. "model_name" and "view_name" are always file names.
 static bool is_named_after_file(std::string_view kind)
 {
     return kind.starts_with("load_");

@@ -19,15 +19,15 @@ static tl::unexpected<Error> already_there(fs::path const& path)
                             path.string()));
 }
 
-// Puts a whole file under its name, if nothing is there.
+// Gives a complete file its final name, unless that name is taken.
 static Result<void> appear(fs::path const& made, fs::path const& path)
 {
-    // A link, since renaming would write over what is there.
+    // A hard link fails if the name is taken; renaming would overwrite it.
     bool const is_linked = ::link(made.c_str(), path.c_str()) == 0;
     int const reason = errno;
     std::error_code ignored;
     if (!is_linked && reason != EEXIST && !fs::exists(path, ignored)) {
-        if (rename_on_disk(made, path)) // File systems without links need it.
+        if (rename_on_disk(made, path)) // Fallback for file systems without hard links.
             return {};
     }
     fs::remove(made, ignored);
@@ -51,7 +51,8 @@ Result<void> make_session_file(fs::path const& path,
         TRY(make_folder(path.parent_path()));
     auto const made = fs::path(fmt::format("{}.{}.part", path.string(), ::getpid()));
     if (auto const written = write(made); !written) {
-        for (auto const* const ending : { "", "-wal", "-shm" }) // SQLite's files beside it, too.
+        for (auto const* const ending : { "", "-wal", "-shm" }) // Includes the files that SQLite
+                                                                // creates beside it.
             fs::remove(made.string() + ending, ignored);
         return fail(
             Fault::User,

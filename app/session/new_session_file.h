@@ -7,9 +7,9 @@
 
 namespace tractus::session {
 
-// Makes the file of a session that appears whole: `write` writes it under another name beside it.
-// Its folder is made, too. Fails, as the user's fault, if the file is there already or cannot be
-// written; then nothing is left.
+// Creates a session's file atomically: `write` writes it under a temporary name beside it. Creates
+// its folder if necessary. Fails, as the user's fault, if the file exists or cannot be written;
+// then nothing is left behind.
 Result<void>
 make_session_file(std::filesystem::path const& path,
                   std::function<Result<void>(std::filesystem::path const& made)> const& write);

@@ -15,9 +15,9 @@ using Kind = FoundColumn::Kind;
 using Standing = FoundRow::Standing;
 
 constexpr std::size_t kEditColumns = 7;
-constexpr std::size_t kEditColumnsOfFormat1 = 5; // Lacks time and checksum.
+constexpr std::size_t kEditColumnsOfFormat1 = 5; // Format 1 has no time and no checksum.
 constexpr std::size_t kMetaColumns = 2;
-constexpr std::size_t kMetaCopyColumns = 3; // Has a checksum.
+constexpr std::size_t kMetaCopyColumns = 3; // Copies have a checksum, too.
 
 bool has_kinds(FoundRow const& row, std::initializer_list<Kind> kinds)
 {
@@ -26,7 +26,7 @@ bool has_kinds(FoundRow const& row, std::initializer_list<Kind> kinds)
                       [](Kind kind, FoundColumn const& column) { return column.kind == kind; });
 }
 
-// The edit, if the row is one as it was written.
+// Converts a found row to an edit's row, if it is one and its checksum is right.
 std::optional<EditRow> edit_row(FoundRow&& found, scene::EditKinds kinds)
 {
     bool const has_checksum = has_kinds(
@@ -41,7 +41,7 @@ std::optional<EditRow> edit_row(FoundRow&& found, scene::EditKinds kinds)
                   .record = { std::move(found.columns[2].bytes), std::move(found.columns[3].bytes),
                               std::move(found.columns[4].bytes) } };
     row.place.checksum = checksum_of(row);
-    if (has_none) // Nothing else tells whether it is whole.
+    if (has_none) // Without a checksum, only the edit's form can show whether the row is intact.
         return edit_of(row.record, kinds) ? std::optional(std::move(row)) : std::nullopt;
     row.made = std::chrono::sys_seconds(std::chrono::seconds(found.columns[5].whole));
     return found.columns[6].whole == row.place.checksum ? std::optional(std::move(row))
@@ -77,8 +77,8 @@ public:
                 last_listed = number;
         std::chrono::sys_seconds newest {};
         for (auto& [number, candidate] : edits_) {
-            // Numbers have no gaps: one that is missing among those that are listed was not
-            // deleted, unless it is older than what stands before it.
+            // Edit numbers have no gaps: a missing one between listed ones was not deleted, unless
+            // it is older than the edit before it.
             bool const was_deleted = candidate.standing != Standing::Listed
                 && (candidate.row.made < newest
                     || (candidate.standing == Standing::Deleted && number > last_listed));
@@ -106,11 +106,11 @@ private:
             best = { std::move(row), standing };
     }
 
-    // A value of meta, by how sure it is: those that a page lists before others, and among these
-    // those whose checksum is right. A copy whose checksum is wrong is none.
+    // A value found for a key of the meta table. Candidates that a page lists rank first, among
+    // these the ones with a valid checksum. A copy with a wrong checksum is not a candidate.
     struct MetaCandidate {
         std::string text;
-        std::pair<bool, bool> rank {}; // Whether it is listed, and whether it has a checksum.
+        std::pair<bool, bool> rank {}; // Whether a page lists it, and whether it has a checksum.
     };
 
     void take_meta(FoundRow const& found)
@@ -144,8 +144,8 @@ ScannedSession scan_pages(std::string_view file, std::string_view log, scene::Ed
         return columns == kEditColumns || columns == kEditColumnsOfFormat1
             || columns == kMetaColumns || columns == kMetaCopyColumns;
     };
-    // The size that the file says, if it is one, and the usual one; others where these find
-    // nothing.
+    // Tries the page size in the file's header and SQLite's usual one first, and others only if
+    // these find nothing.
     constexpr std::size_t kUsualPageBytes = 4096;
     Scan best(kinds);
     std::size_t tried = 0;

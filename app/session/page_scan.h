@@ -10,27 +10,27 @@
 
 namespace tractus::session {
 
-// Contents that can still be read of a session's file whose structure is damaged.
+// What can still be read of a session's file whose structure is damaged.
 struct ScannedSession {
-    // Rows in the order of their numbers, each once; all whose checksum holds.
+    // Rows whose checksum is right, in ascending order of number, without duplicates.
     std::vector<EditRow> rows;
-    // Greatest of the rows and of what is left of others, as far as is known.
+    // The greatest edit number known, counting remains of unreadable rows.
     std::int64_t last_number = 0;
-    // "plant", "program", "created" and "step" of the meta table, as texts; what is not found is
-    // missing.
+    // Values of "plant", "program", "created" and "step" from the meta table, as text. Keys that
+    // were not found are missing.
     std::map<std::string, std::string> meta;
 };
 
-// Looks for rows of a session at every byte of every page of a SQLite file and of the write-ahead
-// log beside it ("" where there is none), whatever the header, the schema and the trees' interior
-// pages say (The SQLite database file format, sqlite.org/fileformat2.html, sections 1.6, 2.1 and
-// 4). Where a number is found more than once the row that its page still lists counts, then the one
-// that was made last; rows that were deleted, since what they held was undone and something else
-// done, stay away.
+// Searches every byte of every page of an SQLite file and of its write-ahead log ("" if there is
+// none) for rows of a session. It does not rely on the header, the schema or interior pages of the
+// B-trees (The SQLite database file format, sqlite.org/fileformat2.html, sections 1.6, 2.1 and 4).
+// If a number is found more than once, a row that its page still lists wins, then the latest one.
+// Deleted rows are left out, because they were undone and replaced.
 //
-// No size, count or page number that stands in the file is believed.
+// No size, count or page number in the file is trusted.
 //
-// A row of the oldest format, which has no checksum, is one if it is an edit of these kinds.
+// A row of the oldest format, which has no checksum, counts if it is a valid edit of one of
+// `kinds`.
 ScannedSession scan_pages(std::string_view file, std::string_view log, scene::EditKinds kinds);
 
 } // namespace tractus::session

@@ -15,23 +15,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The journal is kept beside the file, and synced at each commit.
+// Opens the file with a write-ahead log beside it that is synced at each commit.
 Result<Database> open_to_write(fs::path const& path)
 {
     auto database = TRY(open_session(path, Database::Access::Write));
     TRY(database.execute("PRAGMA synchronous = FULL"));
-    TRY(database.execute("PRAGMA cache_size = -256")); // KiB: it is written on, and seldom read.
-    TRY(database.execute("BEGIN IMMEDIATE"));          // No other program writes from here on.
+    TRY(database.execute("PRAGMA cache_size = -256")); // In KiB; small, because the file is mostly
+                                                       // written and seldom read.
+    TRY(database.execute("BEGIN IMMEDIATE")); // Keeps other programs from writing from now on.
     return database;
 }
 
-// Holds as long as the store stays where it is.
+// Valid only while the store is neither moved nor destroyed.
 ReadStep read_from(SessionStore const& store)
 {
     return [&store](std::size_t step) { return store.read_step(step); };
 }
 
-// Reads steps in memory, of which the first is step 1.
+// Reads steps in memory; the first element is step 1.
 ReadStep read_from(std::vector<std::vector<scene::Edit>> const& steps)
 {
     return [&steps](std::size_t step) -> Result<std::vector<SessionEdit>> {
@@ -42,7 +43,7 @@ ReadStep read_from(std::vector<std::vector<scene::Edit>> const& steps)
     };
 }
 
-// Whether any plant, or a part of one, is a model's.
+// True if a plant, or a part of one, was made by a model.
 bool has_models(scene::DocumentState const& state)
 {
     auto const& plants = state.plants;
@@ -54,8 +55,8 @@ bool has_models(scene::DocumentState const& state)
     });
 }
 
-// The edits with the numbers that they have after the scene: so what they make keeps its ids
-// whatever a repair takes out of the file.
+// The edits with the ids that they get after this scene. Stored ids keep their meaning even if a
+// repair removes earlier edits from the file.
 std::vector<scene::Edit> with_ids(std::span<scene::Edit const> edits, scene::Scene const& before)
 {
     std::vector<scene::Edit> given;
@@ -183,7 +184,8 @@ Result<void> Session::keep(Prepared prepared)
         steps_.push_back(std::move(prepared.stored.edits));
     }
     history_.push(std::move(prepared.scene.state));
-    scene_ = TRY(builder_.build(history_.state())); // Leaves out the tips that the file has now.
+    scene_ = TRY(builder_.build(history_.state())); // Drops the tips from memory: they are in the
+                                                    // file now.
     return {};
 }
 

@@ -17,19 +17,19 @@
 namespace tractus::session {
 
 struct SessionOptions {
-    scene::EditKinds kinds; // Kinds that a file may have; others are unknown.
+    scene::EditKinds kinds; // Kinds of edits that a file may have; others become UnknownEdits.
     scene::MakeLoadOptions load_options;
-    std::function<std::chrono::sys_seconds()> now; // The clock on the wall: when steps are made.
+    std::function<std::chrono::sys_seconds()> now; // Wall clock, for the times of steps.
 };
 
-// Takes times from the system's clock; models cost what `load_options` says.
+// Options with the system's clock; models run within the limits of `load_options`.
 SessionOptions session_by_the_clock(scene::EditKinds kinds, scene::MakeLoadOptions load_options);
 
-// A drawing that is kept in a file (session_file.h) as it is drawn. When a call here returns what
-// it did is on the disk, whatever becomes of the program or the machine; when it fails nothing has
-// changed. One program at a time draws in a session; others may read it meanwhile.
+// A drawing that is stored in a file (session_file.h) while it is drawn. When a call returns, its
+// effect is on disk and survives a crash of the program or machine; when it fails, nothing has
+// changed. Only one program at a time can draw in a session; others can read it meanwhile.
 //
-// A session without a file keeps its steps in memory, and ends with the program.
+// A session without a file keeps its steps in memory and ends with the program.
 class Session {
 public:
     // Begins a session in a new file, which appears whole. `edits` are what it begins with, at
