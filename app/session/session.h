@@ -32,48 +32,50 @@ SessionOptions session_by_the_clock(scene::EditKinds kinds, scene::MakeLoadOptio
 // A session without a file keeps its steps in memory and ends with the program.
 class Session {
 public:
-    // Begins a session in a new file, which appears whole. `edits` are what it begins with, at
-    // least one, usually loading a plant; undo ends there. Fails, as the user's fault, if the file
-    // is there already or cannot be written, and where an edit fails.
+    // Begins a session in a new file, created atomically. `edits`, at least one and usually the
+    // loading of a plant, are the beginning, where undo ends. Fails, as the user's fault, if the
+    // file exists or cannot be written, and if an edit fails.
     static Result<Session> create(std::filesystem::path const& path, SessionOrigin const& origin,
                                   std::span<scene::Edit const> edits,
                                   SessionOptions const& options);
 
-    // Goes on with a session. One of an older format is brought up to date, and stays beside it as
-    // it was, with ".bak" after its name. Fails like read_session(), and if another program draws
-    // in it or it may not be written.
+    // Opens a session to continue it. A file of an older format is updated; the original stays
+    // beside it, with ".bak" appended to its name. Fails like read_session(), and if another
+    // program draws in it or it is not writable.
     static Result<Session> open(std::filesystem::path const& path, SessionOptions options);
 
-    // Begins a session without a file at a scene, where undo ends.
+    // Begins a session without a file with this scene, where undo ends.
     static Session in_memory(scene::Scene beginning, SessionOptions options);
 
     bool is_in_file() const { return store_.has_value(); }
-    std::filesystem::path const& path() const { return store_->path(); } // Path of the file.
+    // Call only if is_in_file().
+    std::filesystem::path const& path() const { return store_->path(); }
 
-    // The scene; its plants are built once, from what all steps amount to. Of a session in a file
-    // the tips of its strokes are not in memory: see SessionStore.
+    // The current scene. Its plants are built once, from the result of all steps. In a session with
+    // a file, the tips of its strokes are not in memory: see SessionStore.
     scene::Scene const& scene() const { return scene_; }
 
-    // The edits that this program did not know when it was opened.
+    // Edits that this program did not know when it opened the file.
     UnknownEdits const& unknown() const { return unknown_; }
 
-    // An earlier tractus drew in it last, to which models meant something else: plants of models
-    // are derived anew and may differ. Once; from then on they are what they are now.
+    // True if the file was last drawn in by an earlier tractus whose model language differed:
+    // plants of models are derived anew and may look different. It happens once; from then on they
+    // stay as they are now.
     bool is_derived_anew() const { return is_derived_anew_; }
 
-    // Edits that lead from any scene of it to the one that it began with: those of step 0, without
-    // what is unknown. Fails where its file was damaged since it was opened.
+    // Edits that lead from any scene of the session back to its first one: those of step 0, without
+    // unknown ones. Fails if the file was damaged after it was opened.
     Result<std::vector<scene::Edit>> beginning() const;
 
-    std::size_t step() const { return history_.step(); } // The last that counts.
+    std::size_t step() const { return history_.step(); } // The current step; later ones are undone.
     std::size_t last_step() const { return history_.last_step(); }
 
-    // Makes edits that belong together, such as those of a stroke, the next step. What was undone
-    // cannot be redone any more. No edits are no step.
+    // Makes a new step of edits that belong together, such as those of a stroke. Steps that were
+    // undone are discarded. Without edits nothing happens.
     Result<void> append(std::span<scene::Edit const> edits);
 
-    // Two parts of append(), for those who show what a step makes before the disk has it. Between
-    // them nothing else is done with the session.
+    // The two halves of append(), for callers that show a step's result before it is on disk.
+    // Nothing else may be done with the session between them.
     struct Prepared {
         SessionStore::NewStep stored;
         scene::Scene scene; // After the step.
@@ -81,14 +83,14 @@ public:
     Result<Prepared> prepare(std::span<scene::Edit const> edits); // Takes at least one edit.
     Result<void> keep(Prepared prepared);
 
-    // Take the last step back, or do the next one again. Without limit, but for the beginning.
+    // Undo the last step, or redo the next one. Undo goes back to the beginning.
     bool can_undo() const { return step() > 0; }
     bool can_redo() const { return step() < last_step(); }
     Result<void> undo();
     Result<void> redo();
 
-    // What a person calls it; empty: nothing. It is no step. Fails, as the user's fault, where it
-    // cannot be written, as without a file.
+    // The name that the user gave the session; empty if none. Setting it is not a step. Fails, as
+    // the user's fault, if it cannot be written, as without a file.
     std::string const& name() const { return name_; }
     Result<void> set_name(std::string name);
 
@@ -99,12 +101,12 @@ private:
     Result<void> go_to(std::size_t step);
 
     std::optional<SessionStore> store_;
-    // Steps after the beginning, if there is no store.
+    // Steps after the beginning; used only without a store.
     std::vector<std::vector<scene::Edit>> steps_ {};
     SessionOptions options_;
     SessionHistory history_;
     scene::SceneBuilder builder_;
-    scene::Scene scene_; // The scene of the history's state.
+    scene::Scene scene_; // Built from the history's current state.
     UnknownEdits unknown_;
     bool is_derived_anew_ = false;
     std::string name_;

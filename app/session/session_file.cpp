@@ -17,11 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A larger edit has no copy. A plant's and a stroke's are far smaller; a picture's may not be.
+// In bytes; a larger edit gets no copy. Plants and strokes are far smaller; pictures may be larger.
 constexpr std::size_t kMostCopied = std::size_t { 16 } << 20;
 
-// CRC-32 of the parts. The end of each is part of it, so that nothing can go over from one part to
-// the next.
+// CRC-32 of the parts and their lengths, so that bytes moved from one part to the next change it.
 std::int64_t checksum_of_parts(std::initializer_list<std::string_view> parts)
 {
     auto sum = crc32(0, nullptr, 0);
@@ -39,7 +38,7 @@ std::int64_t checksum(std::size_t step, EditRecord const& record)
 
 constexpr char const* kColumns = "number, step, kind, fields, numbers, made, checksum";
 
-// A row of edits in kColumns' order; those of the first format lack the last two.
+// Reads a row of edits, with the columns of kColumns; in format 1 the last two are missing.
 EditRow row_of(Statement const& rows, std::int64_t format)
 {
     EditRow row;
@@ -55,7 +54,7 @@ EditRow row_of(Statement const& rows, std::int64_t format)
     return row;
 }
 
-// Calls `take` with all, in order. Fails for values of other types than are written.
+// Calls `take` with each row in order. Fails if a value has an unexpected type.
 Result<void> for_each_row(Database const& database, std::int64_t format,
                           std::function<Result<void>(EditRow&&)> const& take)
 {
@@ -70,13 +69,13 @@ Result<void> for_each_row(Database const& database, std::int64_t format,
     return {};
 }
 
-// Function that is called with each edit, and the kinds that there are.
+// Called with each edit; `kinds` are the known kinds of edits.
 struct EditReader {
     scene::EditKinds kinds;
     std::function<void(SessionEdit&&)> take;
 };
 
-// Returns the last step.
+// Reads all edits and returns the number of the last step.
 Result<std::size_t> read_edits(Database const& database, std::string const& name,
                                EditReader const& reader)
 {
@@ -135,8 +134,8 @@ Result<SessionSummary> read_all(Database const& database, std::string const& nam
     return summary;
 }
 
-// The number of the first edit of this step or a later one; one more than there are if there is
-// none. Steps are in the order of their edits' numbers.
+// The number of the first edit of this step or a later one; if there is none, one more than the
+// last edit's. Steps are in the order of their edits' numbers.
 Result<std::int64_t> first_number(Database const& database, std::size_t step)
 {
     std::int64_t first = 1;
@@ -242,7 +241,8 @@ std::int64_t checksum_of_meta(std::string const& key, std::string const& value)
 Result<SessionContents> read_session(std::filesystem::path const& path, scene::EditKinds kinds)
 {
     auto const database = TRY(open_session(path, Database::Access::Read));
-    TRY(database.execute("BEGIN")); // One moment of it, if another program goes on writing.
+    TRY(database.execute("BEGIN")); // A transaction, to read one consistent state while another
+                                    // program may be writing.
     SessionContents contents;
     auto const take = [&](SessionEdit&& edit) { contents.edits.push_back(std::move(edit)); };
     auto summary = TRY(read_all(database, path.string(), { kinds, take }));
@@ -257,7 +257,7 @@ Result<SessionSummary> check_session(Database const& database, std::string const
     return read_all(database, name, { kinds, [](SessionEdit&&) {} });
 }
 
-// The tables, the rows and the origin, in one transaction.
+// Writes tables, rows and origin in one transaction.
 static Result<void> write_tables(Database const& database, SessionOrigin const& origin,
                                  std::span<EditRow const> rows, std::size_t step)
 {
@@ -354,8 +354,8 @@ Result<scene::Edit> read_edit(Database const& database, EditPlace const& place,
     return checked_edit(row, kinds);
 }
 
-// Gives rows of an older format what they lack: the first had no checksums, and before the fifth
-// there were no copies, and names of files had folders. A row that is damaged stays as it is.
+// Updates rows of older formats: adds checksums, which format 1 lacked; adds copies and removes
+// folders from file names, both new in format 5. Damaged rows are left unchanged.
 static Result<void> update_rows(Database const& database, std::int64_t format)
 {
     auto update
@@ -374,7 +374,7 @@ static Result<void> update_rows(Database const& database, std::int64_t format)
     return for_each_row(database, kSessionFormat, bring_up_to_date);
 }
 
-// The values of meta, of which only two types are written.
+// Copies the values of meta, which are integers or text.
 static Result<void> copy_meta(Database const& database)
 {
     auto rows = TRY(database.prepare("SELECT key, value FROM meta"));
@@ -398,10 +398,12 @@ Result<void> migrate(Database const& database, std::filesystem::path const& path
     auto const format = TRY(read_format(database, path.string()));
     if (format == kSessionFormat)
         return {};
-    // A second connection, since one that may write cannot be copied from.
+    // A second connection, because SQLite cannot back up through one with an open write
+    // transaction.
     auto const as_it_was = TRY(open_session(path, Database::Access::Read));
     TRY(as_it_was.back_up(path.string() + ".bak"));
-    TRY(database.execute("PRAGMA secure_delete = ON")); // Folders stay in no free place, either.
+    // Overwrites freed space with zeros, so that the removed folder names leave no trace.
+    TRY(database.execute("PRAGMA secure_delete = ON"));
     TRY(update_tables(database, format));
     TRY(update_rows(database, format));
     TRY(copy_meta(database));

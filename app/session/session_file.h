@@ -15,67 +15,66 @@
 
 namespace tractus::session {
 
-// A session's file (.tractus): SQLite 3 with these tables and nothing else (session_schema.h), to
-// be looked at with its shell.
+// The format of a session's file (.tractus): an SQLite 3 file with these tables and nothing else
+// (session_schema.h). It can be inspected with the sqlite3 shell.
 //
 //   edits  number   1, 2, …: the edits in the order in which they were made
-//          step     what undo takes back at once; 0: what the session began with
-//          kind, fields, numbers  an EditRecord; of any kind, since other programs may know more
-//          made     when, in Unix seconds; 0 where nobody knows
-//          checksum CRC-32 of what stands before, so that damage does not pass for a drawing
-//   meta   key, value: "plant", "program", "created" (Unix seconds), "step", the last that counts:
-//          later ones are undone; "name", if a person gave it one; and "language", the
-//          kLanguageVersion by which its models were read last, where that is not 1.
-//   copies, meta_copies  the same once more, for repair: one damage seldom hits both. Edits of more
-//          than 16 MiB have no copy. Each value of meta_copies has the CRC-32 of its key and
-//          itself. Rows of copies whose numbers are below 1 only take room.
+//          step     the step of the edit; undo removes one step at a time; 0: the beginning
+//          kind, fields, numbers  an EditRecord, of any kind: newer programs may know more
+//          made     time in Unix seconds; 0 if unknown
+//          checksum CRC-32 of the columns before it, to detect damage
+//   meta   key, value: "plant", "program", "created" (Unix seconds); "step", the current step:
+//          later ones are undone; "name", if the user gave it one; and "language", the
+//          kLanguageVersion with which its models were last read, if that is not 1.
+//   copies, meta_copies  duplicates of both tables, for repair. Edits of more than 16 MiB have
+//          no copy. Each value of meta_copies has the CRC-32 of its key and itself. Rows of
+//          copies with numbers below 1 are padding.
 //
-// The file's application_id is "TRAC", its user_version the format's version: 1 had neither made
-// nor checksum, 2 no edit of the kind "erase_tips", 3 named strokes and indicators by their numbers
-// in a list and selected branches by their segments, and strokes had no tilt; 4 had no copies, and
-// the names of files that plants came from had their folders.
+// The file's application_id is "TRAC", its user_version the format's version. Version 1 had neither
+// made nor checksum; 2 had no edit of the kind "erase_tips"; 3 referred to strokes and indicators
+// by their position in a list and to selected branches by their segments, and its strokes had no
+// tilt; 4 had no copies and stored whole paths of the plants' files.
 constexpr std::int64_t kSessionFormat = 5;
 
-// Where a session comes from.
+// Origin of a session.
 struct SessionOrigin {
-    std::string plant {};                // The name of the model that it began with.
-    std::string name {};                 // What a person calls it; may be empty.
-    std::string program {};              // The version of tractus that began it.
-    std::chrono::sys_seconds created {}; // Time by the clock on the wall.
-    int language = 1;                    // The kLanguageVersion of what drew in it last.
+    std::string plant {};                // Name of the model at its beginning.
+    std::string name {};                 // Name that the user gave it; may be empty.
+    std::string program {};              // Version of tractus that created it.
+    std::chrono::sys_seconds created {}; // Wall-clock time.
+    int language = 1;                    // kLanguageVersion of the program that last drew in it.
 };
 
-// Identifies an edit in its file, so that it is found again and known to be the same.
+// Identifies an edit in a file by its number and checksum, to detect a replaced one.
 struct EditPlace {
     std::int64_t number = 0;
     std::int64_t checksum = 0;
 };
 
 struct SessionEdit {
-    std::size_t step = 0; // Step number; edits of one step stand together, and no step is without.
+    std::size_t step = 0; // Step number. Edits of a step are adjacent; every step has one.
     scene::Edit edit;
-    std::chrono::sys_seconds made {}; // Time by the clock on the wall; 0 where nobody knows.
+    std::chrono::sys_seconds made {}; // Wall-clock time; 0 if unknown.
     EditPlace place {};
 };
 
-// Edits by another tractus, a newer one or one with more methods, that this program does not know
-// (UnknownEdit). Each stays in the file as it is, and what belongs to the same step changes
-// nothing, either.
+// Edits in a file that this program does not know (UnknownEdit), because a newer tractus, or one
+// with more methods, made them. They stay in the file; a step with such an edit has no effect.
 struct UnknownEdits {
     std::size_t count = 0;
-    std::string first {}; // "edit 4: its kind …".
+    std::string first {}; // Describes the first one: "edit 4: its kind …".
 
     void add(SessionEdit const& edit);
 
-    // A sentence that says so without the file's name; empty where all is known.
+    // A sentence that says so, without the file's name; empty if there are none.
     std::string sentence() const;
 };
 
-// Everything that a session's file holds.
+// The contents of a session's file.
 struct SessionContents {
     SessionOrigin origin {};
     std::vector<SessionEdit> edits {}; // At least one.
-    std::size_t step = 0;              // The last that counts.
+    std::size_t step = 0;              // The current step; later ones are undone.
 
     std::size_t last_step() const { return edits.back().step; }
 };
@@ -83,29 +82,29 @@ struct SessionContents {
 // The contents without the edits, of which there may be very many.
 struct SessionSummary {
     SessionOrigin origin {};
-    std::size_t step = 0; // The last that counts.
+    std::size_t step = 0; // The current step; later ones are undone.
     std::size_t last_step = 0;
     UnknownEdits unknown {};
 };
 
-// Reads a session and changes nothing; another program may be drawing in it. What is none of
-// `kinds` is unknown. Fails, as the user's fault, in a sentence, for what is no session, is
-// damaged, or is newer than this program. Fails like open_session(), too.
+// Reads a session without changing it; another program may be drawing in it. Edits whose kind is
+// not among `kinds` become UnknownEdits. Fails like open_session() and, as the user's fault, if the
+// file is not a session, is damaged, or is newer than this program.
 Result<SessionContents> read_session(std::filesystem::path const& path, scene::EditKinds kinds);
 
-// Checks a database that is open, of which `name` is the file's: all edits are checked, and
-// forgotten. Fails like read_session().
+// Checks all edits of an open database without keeping them; `name` is the file's, for messages.
+// Fails like read_session().
 Result<SessionSummary> check_session(Database const& database, std::string const& name,
                                      scene::EditKinds kinds);
 
-// Edits that belong together.
+// Edits that undo removes together.
 struct SessionStep {
     std::size_t number = 0;
     std::span<scene::Edit const> edits;
     std::chrono::sys_seconds made {};
 };
 
-// An edit as a row of its table.
+// A row of the table edits.
 struct EditRow {
     EditPlace place;
     std::size_t step = 0;
@@ -113,49 +112,49 @@ struct EditRow {
     std::chrono::sys_seconds made {};
 };
 
-// Writes rows as a session of their own, which appears whole; `step` is the last that counts.
-// Fails, as the user's fault, if the file is there already or cannot be written.
+// Writes rows as a new session, created atomically; `step` is the current step. Fails, as the
+// user's fault, if the file exists or cannot be written.
 Result<void> write_new_session(std::filesystem::path const& path, SessionOrigin const& origin,
                                std::span<EditRow const> rows, std::size_t step);
 
-// Returns what a row's checksum is if it is as it was written.
+// Returns the checksum of an intact row.
 std::int64_t checksum_of(EditRow const& row);
 
-// The same of a row of meta_copies; a whole number as its decimal digits.
+// Returns the checksum of an intact row of meta_copies; integer values are given in decimal digits.
 std::int64_t checksum_of_meta(std::string const& key, std::string const& value);
 
-// The rows that a session begins with: step 0.
+// The rows of step 0, a session's beginning.
 std::vector<EditRow> beginning_rows(std::span<scene::Edit const> edits,
                                     std::chrono::sys_seconds made);
 
-// The rows of a step, numbered after all of earlier steps. Fails as the database does, as the
-// following do.
+// The rows of a step, numbered after those of all earlier steps. This and the functions below fail
+// like the database.
 Result<std::vector<EditRow>> rows_of(Database const& database, SessionStep const& step);
 
-// Puts a step, which has rows, in the place of all from its number on; it becomes the last that
-// counts. Inside of a transaction.
+// Writes a step's rows, at least one, in place of this and all later steps; it becomes the current
+// step. Call inside a transaction.
 Result<void> write_step(Database const& database, std::span<EditRow const> rows);
 
-// The edits of a step, read back; of a file that was checked. Fails where it was damaged since.
+// Reads back the edits of a step from a checked file. Fails if it was damaged since.
 Result<std::vector<SessionEdit>> read_step(Database const& database, std::size_t step,
                                            scene::EditKinds kinds);
 
-// One edit, likewise. Fails, too, where another has taken its place.
+// Reads back one edit. Fails also if another edit has taken its place.
 Result<scene::Edit> read_edit(Database const& database, EditPlace const& place,
                               scene::EditKinds kinds);
 
-// Brings a session of an older format up to date. The file as it was stays beside it, with ".bak"
-// after its name. Nothing happens to a file that is up to date. Inside of a transaction.
+// Updates a session of an older format. The original file stays beside it, with ".bak" appended to
+// its name. Does nothing if the format is current. Call inside a transaction.
 Result<void> migrate(Database const& database, std::filesystem::path const& path);
 
-// The kLanguageVersion by which the models are read from now on: this program's. Inside of a
+// Stores this program's kLanguageVersion, with which the models are read from now on. Call inside a
 // transaction.
 Result<void> write_language(Database const& database);
 
-// What a person calls it; empty: nothing. Inside of a transaction.
+// Stores the name that the user gave the session; empty removes it. Call inside a transaction.
 Result<void> write_name(Database const& database, std::string const& name);
 
-// The last step that counts. Inside of a transaction.
+// Stores the number of the current step. Call inside a transaction.
 Result<void> write_cursor(Database const& database, std::size_t step);
 
 } // namespace tractus::session

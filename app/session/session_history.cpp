@@ -11,10 +11,10 @@
 
 namespace tractus::session {
 
-// Distances of the states that are kept: those of so many steps around the last that counts, and of
-// every so many farther away, up to a distance. Not all, since each has a list of all strokes,
-// though the strokes are shared; and enough that an undo makes few steps again, some of which take
-// a tenth of a second on large plants.
+// Which states are kept: the kNear steps around the current one, and every kEvery-th step up to
+// kFar away. Not all, since each state has a list of all strokes (the strokes themselves are
+// shared), but enough that an undo repeats only a few steps, some of which take 0.1 s on large
+// plants.
 static constexpr std::size_t kNear = 16;
 static constexpr std::size_t kEvery = 16;
 static constexpr std::size_t kFar = 192;
@@ -41,7 +41,7 @@ static std::string described(BeginAgain const&)
 constexpr scene::EditKind BeginAgain::kKind
     = scene::make_edit_kind<BeginAgain, list, applied, described>("");
 
-// Takes what is in the file out of memory.
+// Frees the tips of strokes that can be read again from the file.
 static void park_tips(scene::DocumentState& state)
 {
     auto const is_in_both = [](auto const& tips) { return tips.source() && tips.is_in_memory(); };
@@ -87,7 +87,7 @@ Result<scene::DocumentState> SessionHistory::apply(scene::DocumentState state,
 {
     if (edit.get<BeginAgain>()) {
         auto beginning = kept_.at(0);
-        beginning.last_edit += state.last_edit; // No edit has the number of an earlier one.
+        beginning.last_edit += state.last_edit; // So that no edit reuses an earlier one's number.
         return beginning;
     }
     return scene::apply_edit(std::move(state), edit, builder);
@@ -106,7 +106,7 @@ Result<scene::DocumentState> SessionHistory::at(std::size_t wanted, ReadStep con
                                                 scene::SceneBuilder& builder)
 {
     CHECK(wanted <= last_step());
-    // Starts from the nearest state before it that is known; that of the beginning always is.
+    // Starts from the nearest earlier state that is kept; step 0 always is.
     auto const& [kept_step, kept_state] = *std::prev(kept_.upper_bound(wanted));
     if (step() <= wanted && step() >= kept_step)
         return fold(state_, step() + 1, wanted, read, builder);
@@ -121,7 +121,7 @@ Result<scene::DocumentState> SessionHistory::fold(scene::DocumentState state, st
         auto const edits = TRY(read(next));
         state = next == 0 ? TRY(begin_document(edits, builder))
                           : apply_step(std::move(state), edits, builder);
-        // Parks tips now and then, since it looks at all strokes.
+        // Not at every step, because parking visits all strokes.
         if (is_worth_keeping(next) || next % kEvery == 0 || next == last)
             park_tips(state);
         if (is_worth_keeping(next))
@@ -142,7 +142,7 @@ Result<scene::DocumentState> begin_document(std::span<SessionEdit const> edits,
             return fail(applied.error().fault,
                         fmt::format("edit {}: {}", place.number, applied.error().message));
         else
-            ++state.last_edit; // A program that knows it counts it.
+            ++state.last_edit; // Counted even so, because a program that knows it counts it.
     }
     return state;
 }
@@ -156,8 +156,8 @@ Result<scene::Scene> build_scene(scene::SceneBuilder& builder, scene::DocumentSt
     return scene;
 }
 
-// A step that needs something which was lost, or that is unknown, changes nothing and stays in the
-// file. Its edits are counted, for a program that knows them does so, too.
+// Applies a step. If it needs something that was lost, or is unknown, it changes nothing and stays
+// in the file; its edits are counted even so, because a program that knows them counts them.
 scene::DocumentState SessionHistory::apply_step(scene::DocumentState state,
                                                 std::span<SessionEdit const> edits,
                                                 scene::SceneBuilder& builder) const
@@ -195,7 +195,7 @@ void SessionHistory::keep(std::size_t step, scene::DocumentState state)
     std::erase_if(kept_, [&](auto const& entry) { return !is_worth_keeping(entry.first); });
 }
 
-// The beginning always is: a drawing without a file begins there again.
+// Step 0 always is: a drawing without a file needs it to begin again.
 bool SessionHistory::is_worth_keeping(std::size_t step) const
 {
     auto const away = distance(step, extent_.step);

@@ -13,61 +13,60 @@
 
 namespace tractus::session {
 
-// The edits of a step, which somebody keeps.
+// Reads the edits of a step from where they are stored.
 using ReadStep = std::function<Result<std::vector<SessionEdit>>(std::size_t step)>;
 
-// How far a session has come.
+// The number of steps in a session and the current one.
 struct SessionExtent {
-    std::size_t step = 0; // The last that counts.
+    std::size_t step = 0; // The current step; later ones are undone.
     std::size_t last_step = 0;
 };
 
-// Takes everything back to the state that a history began with. For steps in memory alone: a
-// session's file has the edits of its beginning.
+// Returns everything to the state at the beginning of the history. Only for steps in memory: in a
+// session's file, the edits of step 0 do this.
 struct BeginAgain {
     static scene::EditKind const kKind;
 };
 
-// States that the steps of a session amount to. The steps themselves are read when they are needed;
-// so that undo and redo need not begin at the first, some states on the way are kept, the newest
-// ones and a few of old. The tips of strokes are left to their source, if they have one
-// (SharedVector), and read again by who needs them. So memory stays bounded however long the
-// session is, but for some 200 bytes for each stroke that still counts. No plant is built, but for
-// edits of sessions before format 4.
+// States of the document after the steps of a session. Steps are read when they are needed. Some
+// states are cached, so that undo and redo need not start at the first step: the newest and a few
+// older ones. The tips of strokes are left in their source, if they have one (SharedVector), and
+// read again on use. So memory stays bounded however long the session is, apart from some 200 bytes
+// per stroke. No plants are built, except for edits of sessions before format 4.
 class SessionHistory {
 public:
-    // Opens the history of a session that has a beginning. Fails where an edit of that which brings
-    // a plant does, saying which, and where reading does. A later step whose edits cannot be made
-    // changes nothing: what they need was lost when the session was damaged, or this program does
-    // not know one of them.
+    // Opens the history of a session that has a beginning. Fails if reading fails, or if an edit of
+    // the beginning that loads a plant fails; the message says which. A later step that cannot be
+    // applied changes nothing: something it needs was lost when the file was damaged, or the
+    // program does not know one of its edits.
     static Result<SessionHistory> create(SessionExtent const& extent, ReadStep const& read,
                                          scene::SceneBuilder& builder);
 
-    // Begins the history of a session without steps, whose beginning is a state.
+    // Begins a history without steps at this state.
     explicit SessionHistory(scene::DocumentState beginning);
 
     scene::DocumentState const& state() const { return state_; }
     std::size_t step() const { return extent_.step; }
     std::size_t last_step() const { return extent_.last_step; }
 
-    // Returns the state after one more step, whose tips are in memory. Fails where an edit does.
+    // Returns the state after one more step, whose tips stay in memory. Fails if an edit does.
     Result<scene::DocumentState> after(std::span<scene::Edit const> edits,
                                        scene::SceneBuilder& builder) const;
 
-    // The state as it is, or was, at another step. Fails where reading does.
+    // The state at any step, current, undone or earlier. Fails if reading does.
     Result<scene::DocumentState> at(std::size_t wanted, ReadStep const& read,
                                     scene::SceneBuilder& builder);
 
-    // The next step is in the file, and leads to `state`. What was undone is gone.
+    // Appends a step that is in the file and leads to `state`. Undone steps are discarded.
     void push(scene::DocumentState state);
 
-    // Makes `step` the last that counts; `state` is what at() gives.
+    // Makes `step` the current one; `state` is the result of at(step).
     void go_to(std::size_t step, scene::DocumentState state);
 
 private:
     explicit SessionHistory(SessionExtent const& extent);
 
-    // Goes on from the state before step `first`.
+    // Applies steps `first` to `last` to the state before `first`.
     Result<scene::DocumentState> fold(scene::DocumentState state, std::size_t first,
                                       std::size_t last, ReadStep const& read,
                                       scene::SceneBuilder& builder);
@@ -80,16 +79,16 @@ private:
 
     SessionExtent extent_;
     scene::DocumentState state_;
-    std::map<std::size_t, scene::DocumentState> kept_; // States by step.
+    std::map<std::size_t, scene::DocumentState> kept_; // Cached states by step.
 };
 
-// The state after the edits that a session begins with. Each does what it can, since there is no
-// step before it. Fails where one that brings a plant does.
+// The state after the edits of a session's beginning. An edit that fails is skipped, except for one
+// that loads a plant, which makes this fail.
 Result<scene::DocumentState> begin_document(std::span<SessionEdit const> edits,
                                             scene::SceneBuilder& builder);
 
-// Builds the scene of a session's state. Fails in a sentence that names the edit whose plant cannot
-// be built.
+// Builds the scene of a session's state. Fails in a sentence with the number of the edit whose
+// plant cannot be built.
 Result<scene::Scene> build_scene(scene::SceneBuilder& builder, scene::DocumentState state);
 
 } // namespace tractus::session

@@ -35,7 +35,7 @@ std::string text_of(ScannedSession const& scanned, char const* key, char const* 
     return found == scanned.meta.end() ? otherwise : found->second;
 }
 
-// Numbers that are missing between the first number that a session has and the last that was found.
+// Edit numbers missing between the session's first number and the last one found.
 std::vector<std::int64_t> missing_numbers(std::vector<EditRow> const& rows)
 {
     constexpr std::size_t kMost = 1'000'000;
@@ -49,7 +49,8 @@ std::vector<std::int64_t> missing_numbers(std::vector<EditRow> const& rows)
     return missing;
 }
 
-// Names what an edit of an older session makes by the edit's number, which it is about to lose.
+// Gives the object that an old format's edit creates the edit's number as id, before the edit is
+// renumbered.
 void give_id(EditRow& row, scene::EditKinds kinds)
 {
     auto const edit = edit_of(row.record, kinds);
@@ -57,7 +58,7 @@ void give_id(EditRow& row, scene::EditKinds kinds)
         row.record = record_of(scene::with_id(*edit, static_cast<std::uint64_t>(row.place.number)));
 }
 
-// The rows with numbers and steps without gaps, behind `first` edits of the beginning.
+// The rows with numbers and steps without gaps, after `first` edits of a new beginning.
 std::vector<EditRow> numbered_anew(SalvagedSession const& session, std::size_t first)
 {
     auto rows = session.rows;
@@ -66,7 +67,8 @@ std::vector<EditRow> numbered_anew(SalvagedSession const& session, std::size_t f
     for (std::size_t i = 0; i < rows.size(); ++i) {
         auto const old_step = rows[i].step;
         bool const is_first = i == 0;
-        // A beginning that is put in front is step 0, and so is what is left of the old one.
+        // After a new beginning the steps start at 1; without one, the first remaining step becomes
+        // 0.
         if (is_first)
             step = first > 0 && old_step > 0 ? 1 : 0;
         give_id(rows[i], session.kinds);
@@ -79,7 +81,7 @@ std::vector<EditRow> numbered_anew(SalvagedSession const& session, std::size_t f
     return rows;
 }
 
-// Where the cursor stands among the steps that are left.
+// The current step in the new numbering.
 std::size_t step_anew(SalvagedSession const& session, std::vector<EditRow> const& anew)
 {
     std::size_t step = 0;

@@ -11,30 +11,29 @@
 
 namespace tractus::session {
 
-// Remains of a session that may be damaged anywhere.
+// What could be read of a session that may be damaged anywhere.
 struct SalvagedSession {
-    scene::EditKinds kinds {}; // Kinds that the program knows.
+    scene::EditKinds kinds {}; // Kinds of edits that the program knows.
     SessionOrigin origin {};
-    std::vector<EditRow> rows {};         // Rows as they were written, in order; at least one.
-    std::vector<std::int64_t> missing {}; // The numbers of those that are lost among them.
-    std::optional<std::size_t> step {};   // The last that counts; no value where that is lost, too.
+    std::vector<EditRow> rows {};         // Intact rows in order; at least one.
+    std::vector<std::int64_t> missing {}; // Numbers of lost edits between them.
+    std::optional<std::size_t> step {};   // The current step; nullopt if it was lost.
 
-    // How many of the steps that have lost an edit have another that is still there.
+    // Number of steps that lost some of their edits but not all.
     std::size_t broken_steps = 0;
 };
 
-// Reads every edit of a session that is as it was written, wherever it stands, and changes nothing:
-// also where SQLite calls the file malformed. Fails, as the user's fault, where there is none, and
-// for a file that cannot be read or is larger than 4 GiB.
+// Reads every intact edit of a session, wherever it is in the file, even if SQLite calls the file
+// malformed; changes nothing. Fails, as the user's fault, if there is none, or if the file cannot
+// be read or is larger than 4 GiB.
 Result<SalvagedSession> salvage_session(std::filesystem::path const& path, scene::EditKinds kinds);
 
-// Makes a session's contents of those edits, numbered anew without gaps. Edits that this program
-// does not know are UnknownEdits.
+// Makes a session's contents of the salvaged edits, renumbered without gaps. Edits that this
+// program does not know become UnknownEdits.
 SessionContents contents_of(SalvagedSession const& session);
 
-// Writes what was salvaged as a new session, which appears whole. `beginning` comes before it: a
-// plant, where that was lost. Fails, as the user's fault, where the file is there already or cannot
-// be written.
+// Writes the salvaged edits as a new session, created atomically, after the edits of `beginning`,
+// which replace a lost plant. Fails, as the user's fault, if the file exists or cannot be written.
 Result<void> write_repaired(SalvagedSession const& session,
                             std::vector<scene::Edit> const& beginning,
                             std::filesystem::path const& path);

@@ -13,7 +13,7 @@ namespace tractus::session {
 namespace {
 
 constexpr std::int64_t kApplicationId = 0x54524143; // "TRAC"
-constexpr std::int64_t kFirstWithCopies = 5;        // The first format that has copies.
+constexpr std::int64_t kFirstWithCopies = 5; // First format with the tables copies and meta_copies.
 
 constexpr std::string_view kMeta = "CREATE TABLE meta (key TEXT PRIMARY KEY, value)";
 constexpr std::string_view kEdits
@@ -23,7 +23,7 @@ constexpr std::string_view kEdits
 constexpr std::string_view kEditsOfFormat1
     = "CREATE TABLE edits (number INTEGER PRIMARY KEY, step INTEGER NOT NULL, kind TEXT NOT NULL, "
       "fields TEXT NOT NULL, numbers BLOB NOT NULL)";
-// Of a file that began with the first format.
+// The table's SQL in files that were created in format 1 and updated.
 constexpr std::string_view kUpdatedEdits
     = "CREATE TABLE edits (number INTEGER PRIMARY KEY, step INTEGER NOT NULL, kind TEXT NOT NULL, "
       "fields TEXT NOT NULL, numbers BLOB NOT NULL, made INTEGER NOT NULL DEFAULT 0, checksum "
@@ -35,7 +35,7 @@ constexpr std::string_view kCopies
       "fields TEXT NOT NULL, numbers BLOB NOT NULL, made INTEGER NOT NULL, checksum INTEGER NOT "
       "NULL)";
 
-// What may stand in a schema.
+// A row that the schema is allowed to have.
 struct SchemaRow {
     std::string_view type;
     std::string_view name;
@@ -70,7 +70,7 @@ tl::unexpected<Error> not_ours(std::string const& name, std::string const& what)
                             name, what, name));
 }
 
-// Two tables in one place would write over each other.
+// Checks that no two tables share a root page: they would overwrite each other.
 Result<void> check_schema(Database const& database, std::string const& name, std::int64_t format)
 {
     auto rows = TRY(database.prepare(
@@ -93,8 +93,8 @@ Result<void> check_schema(Database const& database, std::string const& name, std
     return {};
 }
 
-// Two rows of nothing. With them the table has leaves of its own from the first edit on, which stay
-// where they are while it grows: so a file that was cut off holds the copies of all edits before.
+// Inserts two large empty rows, so that the table has leaf pages of its own from the first edit on.
+// These stay in place while it grows, so a truncated file still has the copies of all its edits.
 Result<void> reserve_leaves(Database const& database)
 {
     return database.execute("INSERT INTO copies VALUES (-2, 0, '', '', zeroblob(2200), 0, 0), "

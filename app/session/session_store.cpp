@@ -12,7 +12,7 @@ namespace tractus::session {
 
 using Tips = SharedVector<TipSample>;
 
-// Lets any thread read, while one writes.
+// The database, shared with the sources of strokes: any thread may read while one writes.
 class SessionStore::File {
 public:
     File(std::filesystem::path path, Database database, scene::EditKinds kinds)
@@ -25,7 +25,7 @@ public:
     std::filesystem::path const& path() const { return path_; }
     scene::EditKinds kinds() const { return kinds_; } // Kinds that its edits may have.
 
-    // Closes it for writing: from here on it is only read.
+    // Ends writing; the file can still be read.
     void close()
     {
         std::lock_guard const lock(mutex_);
@@ -44,14 +44,14 @@ public:
     Result<void> commit(std::function<Result<void>(Database const&)> const& write)
     {
         std::lock_guard const lock(mutex_);
-        if (!database_->is_in_transaction()) // An error has ended it.
+        if (!database_->is_in_transaction()) // An error may have ended the transaction.
             TRY(database_->execute("BEGIN IMMEDIATE"));
         auto done = write(*database_);
         if (done)
             done = database_->execute("COMMIT");
         if (!done && database_->is_in_transaction())
             (void)database_->execute("ROLLBACK");
-        // If it cannot be begun now, the next commit tries again.
+        // If this fails, the next commit tries again.
         (void)database_->execute("BEGIN IMMEDIATE");
         return done;
     }
@@ -60,12 +60,12 @@ private:
     std::filesystem::path path_;
     mutable std::mutex mutex_;
     scene::EditKinds kinds_;
-    std::optional<Database> database_; // No value once the store is gone.
+    std::optional<Database> database_; // nullopt once the store is gone.
 };
 
 namespace {
 
-// Looks for the stroke that an edit brings, and gives it a source if there is one to give.
+// Finds the stroke of an edit and attaches a source to it, if there is one.
 class StrokeVisitor final : public scene::Fields {
 public:
     explicit StrokeVisitor(Tips::Source source = nullptr)
@@ -73,7 +73,7 @@ public:
     {
     }
 
-    // No value where the edit brings none.
+    // nullopt if the edit has no stroke.
     std::optional<Tips> const& tips() const { return tips_; }
 
     void field(char const*, scene::FieldRef) override { }
@@ -94,7 +94,7 @@ private:
 
 } // namespace
 
-// A stroke that stands in an edit.
+// Source of a stroke's tips: an edit in the file.
 class SessionStore::StoredStroke final : public ElementSource<TipSample> {
 public:
     StoredStroke(std::shared_ptr<File const> file, EditPlace const& place)
@@ -113,7 +113,8 @@ public:
                                     edit.error().message));
         StrokeVisitor visitor;
         edit->show(visitor);
-        CHECK(visitor.tips().has_value()); // Its checksum is that of one which has.
+        CHECK(visitor.tips().has_value()); // Guaranteed, because its checksum is that of an edit
+                                           // with a stroke.
         return visitor.tips()->vector();
     }
 

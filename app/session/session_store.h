@@ -14,34 +14,33 @@
 
 namespace tractus::session {
 
-// The file of a session that somebody draws in. What is read of it has strokes that know where they
-// stand (SharedVector::source()), so that they need not stay in memory: they are read again from
-// there when somebody looks at them, on any thread, and after the store is gone as long as the file
-// is there.
+// The file of a session that is being drawn in. Strokes read from it know their place in it
+// (SharedVector::source()), so their tips need not stay in memory. The tips are read again on use,
+// on any thread, even after the store is destroyed, as long as the file exists.
 //
-// The store itself belongs to one thread.
+// The store itself is used by one thread.
 class SessionStore {
 public:
-    // A database in which a transaction has begun.
+    // Takes a database with an open write transaction.
     SessionStore(std::filesystem::path path, Database database, scene::EditKinds kinds);
     SessionStore(SessionStore&&) noexcept = default;
     SessionStore& operator=(SessionStore&& other) noexcept;
-    ~SessionStore(); // Lets others write.
+    ~SessionStore(); // Ends the transaction, so that other programs can write.
 
     std::filesystem::path const& path() const;
 
-    // The edits of a step that is in the file. Fails where it was damaged since it was checked.
+    // Reads the edits of a step. Fails if the file was damaged since it was checked.
     Result<std::vector<SessionEdit>> read_step(std::size_t step) const;
 
-    // Form of a new step in the file, and its edits as read_step() will give them.
+    // A new step as rows for the file, and its edits as read_step() will return them.
     struct NewStep {
         std::vector<EditRow> rows;
         std::vector<scene::Edit> edits;
     };
     Result<NewStep> prepare(SessionStep const& step) const;
 
-    // Writes in one transaction, which is on the disk when this returns. Afterwards the next one is
-    // begun, which is what keeps others from writing. Fails as the database does.
+    // Write in one transaction, which is on disk on return. Then the next transaction is begun, to
+    // keep other programs from writing. Fail like the database.
     Result<void> write(NewStep const& step);
     Result<void> write_cursor(std::size_t step);
     Result<void> write_name(std::string const& name);
@@ -52,7 +51,7 @@ private:
 
     void give_source(scene::Edit& edit, EditPlace const& place) const;
 
-    std::shared_ptr<File> file_; // Shared with the sources of strokes; null when moved from.
+    std::shared_ptr<File> file_; // Shared with the sources of strokes; null after a move.
 };
 
 } // namespace tractus::session

@@ -28,7 +28,7 @@ std::uint64_t big_endian(std::string_view bytes, std::size_t at, std::size_t siz
     return value;
 }
 
-// Reads a variable-length integer and goes on behind it; false at the end of the bytes.
+// Reads a variable-length integer and advances `at`; false if the bytes end before it does.
 bool read_varint(std::string_view bytes, std::size_t& at, std::uint64_t& value)
 {
     value = 0;
@@ -47,7 +47,7 @@ bool read_varint(std::string_view bytes, std::size_t& at, std::uint64_t& value)
     return true;
 }
 
-// How many bytes a column of this type takes; no value for the two that are reserved.
+// The size in bytes of a value with this serial type; nullopt for the two reserved types.
 std::optional<std::uint64_t> column_bytes(std::uint64_t type)
 {
     constexpr std::uint64_t kSizes[] { 0, 1, 2, 3, 4, 6, 8, 8, 0, 0 };
@@ -85,7 +85,7 @@ std::vector<std::size_t> SqlitePages::likely_page_sizes(std::string_view file)
             sizes.push_back(size);
     };
     add(written == 1 ? 65536 : written);
-    add(4096); // Default of the library.
+    add(4096); // SQLite's default.
     for (std::size_t size = 512; size <= 65536; size *= 2)
         add(size);
     return sizes;
@@ -95,7 +95,7 @@ SqlitePages::SqlitePages(std::string_view file, std::string_view log, std::size_
     : page_size_(page_size)
 {
     for (std::size_t at = 0; at < file.size(); at += page_size) {
-        auto const bytes = file.substr(at, page_size); // The last one may be cut off.
+        auto const bytes = file.substr(at, page_size); // The last page may be truncated.
         pages_.push_back({ bytes, static_cast<std::uint32_t>(pages_.size() + 1), true });
         oldest_.push_back(bytes);
     }
@@ -104,20 +104,20 @@ SqlitePages::SqlitePages(std::string_view file, std::string_view log, std::size_
     find_free_pages();
 }
 
-// Frames of an earlier use of the log, which have other salts, and of a transaction that was not
-// committed are looked through, too, but nothing is in them that counts before what is elsewhere.
+// Frames from an earlier use of the log, which have other salts, and of an uncommitted transaction
+// are searched, too, but their rows rank last.
 void SqlitePages::add_log(std::string_view log)
 {
     auto const frame_bytes = kFrameHeaderBytes + page_size_;
     std::uint64_t const salts = big_endian(log, 16, 8);
-    std::size_t committed = 0; // How many frames.
+    std::size_t committed = 0; // Number of committed frames.
     std::size_t count = 0;
     for (auto at = kLogHeaderBytes; at + frame_bytes <= log.size(); at += frame_bytes) {
         ++count;
         if (big_endian(log, at + 4, 4) != 0 && big_endian(log, at + 8, 8) == salts)
             committed = count;
     }
-    // Page number - 1 → index in pages_ of its newest version.
+    // Maps a page number - 1 to the index in pages_ of its newest version.
     constexpr auto kUnseen = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> newest_at(newest_.size());
     std::iota(newest_at.begin(), newest_at.end(), std::size_t { 0 });
@@ -169,7 +169,7 @@ void SqlitePages::find_free_pages()
         is_free_ = std::move(free);
 }
 
-// How a row would stand that begins at each place of the page.
+// For each offset in the page, the standing of a row that begins there.
 std::vector<FoundRow::Standing> SqlitePages::standings(Page const& page) const
 {
     std::size_t const begin = page.number == 1 ? kFileHeaderBytes : 0;
@@ -228,8 +228,8 @@ std::optional<SqlitePages::Header> SqlitePages::header_at(std::string_view page,
     return place == end && total == header.payload_bytes ? std::optional(header) : std::nullopt;
 }
 
-// Follows a payload that does not fit in its page through a chain of others (section 1.6, "Cell
-// payload overflow pages").
+// Reads a payload that extends over a chain of overflow pages (section 1.6, "Cell payload overflow
+// pages").
 std::optional<std::string> SqlitePages::payload(Page const& page, Header const& header,
                                                 std::vector<std::string_view> const& pages) const
 {

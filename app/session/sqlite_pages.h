@@ -15,7 +15,7 @@ namespace tractus::session {
 struct FoundColumn {
     enum class Kind { Null, Whole, Real, Text, Blob } kind = Kind::Null;
     std::int64_t whole = 0;
-    std::string bytes {}; // Value of Text and Blob.
+    std::string bytes {}; // For Text and Blob.
 };
 
 // Bytes that look like a row of a table.
@@ -23,31 +23,30 @@ struct FoundRow {
     std::int64_t id = 0;
     std::vector<FoundColumn> columns;
 
-    // Whether the row counts.
+    // Whether a page of the database still refers to the row.
     enum class Standing {
-        Deleted, // Its page is whole and does not list it, or is not in use any more.
+        Deleted, // Its page is intact and does not list it, or is free.
         Unknown, // Its page is damaged.
-        Listed,  // A page that is in use lists it.
+        Listed,  // A page in use lists it.
     };
     Standing standing = Standing::Unknown;
 };
 
-// The pages of a SQLite file and its write-ahead log, of one size of page, as bytes that may be
-// damaged anywhere. Nothing is read beyond the bytes that are there.
+// The pages of an SQLite file and its write-ahead log, for a given page size. The bytes may be
+// damaged anywhere; nothing is read out of bounds.
 class SqlitePages {
 public:
-    // Rows with more are not looked for.
+    // Rows with more columns are skipped.
     static constexpr std::size_t kMostColumns = 8;
 
-    // Neither is copied.
+    // Neither is copied: both must outlive this.
     SqlitePages(std::string_view file, std::string_view log, std::size_t page_size);
 
-    // The sizes of page that the file may have, the likeliest first.
+    // Page sizes that the file may have, most likely first.
     static std::vector<std::size_t> likely_page_sizes(std::string_view file);
 
-    // Calls `take` with each place that may be a row with so many columns as `accepts` says. A row
-    // whose bytes go on in other pages is given once for each state of these pages that the log
-    // holds.
+    // Calls `take` for each place that may be a row whose number of columns `accepts` allows. A row
+    // with overflow pages is reported once for each version of these pages in the log.
     void find_rows(std::function<bool(std::size_t columns)> const& accepts,
                    std::function<void(FoundRow&&)> const& take) const;
 
@@ -55,12 +54,12 @@ private:
     struct Page {
         std::string_view bytes;
         std::uint32_t number = 0;
-        bool is_current = false; // True if no later one overwrites it.
+        bool is_current = false; // True if no later version of the page exists.
     };
     struct Header {
         std::uint64_t payload_bytes = 0;
         std::int64_t id = 0;
-        std::size_t begin = 0; // Offset of the payload, in the page.
+        std::size_t begin = 0; // Offset of the payload in the page.
         std::array<std::uint64_t, kMostColumns> types {};
         std::size_t columns = 0;
         std::size_t header_bytes = 0;
@@ -75,9 +74,10 @@ private:
 
     std::size_t page_size_;
     std::vector<Page> pages_;
-    std::vector<std::string_view> newest_; // Pages by number, from 1; the log's where it has one.
-    std::vector<std::string_view> oldest_; // The file's own.
-    // Indexed by number; all false where the list of free pages is broken.
+    std::vector<std::string_view> newest_; // Page contents by number, from 1: the log's version if
+                                           // there is one.
+    std::vector<std::string_view> oldest_; // Page contents by number in the file itself.
+    // By page number; all false if the free list is damaged.
     std::vector<bool> is_free_;
 };
 
