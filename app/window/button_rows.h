@@ -6,23 +6,23 @@
 
 namespace tractus::window {
 
-// Widths of a button in pixels: as it is usually, and with its letters just whole.
+// Widths of a button in pixels: the usual one, and the least at which its label is not cut off.
 struct ButtonWidth {
     float usual = 0;
     float least = 0;
-    bool begins_group = false; // The first of some that stay beside each other, if they can.
+    bool begins_group = false; // True for the first button of a group that should stay in one row.
 };
 
-// Gaps between buttons in pixels. A crowded row has narrower ones, too.
+// Gaps between buttons in pixels; a crowded row has smaller ones.
 struct ButtonGaps {
     float usual = 0;
     float of_groups = 0;
 };
 
-// A row of buttons that begins where the one before it ended.
+// A row of buttons, from the end of the previous row to `end`.
 struct ButtonRow {
     std::size_t end = 0;
-    float ease = 1; // 1: usual widths and gaps, 0: the least.
+    float ease = 1; // 1: usual widths and gaps; 0: the least.
 
     float width(ButtonWidth const& button) const
     {
@@ -31,9 +31,9 @@ struct ButtonRow {
     float gap_before(ButtonWidth const& button, ButtonGaps const& gaps) const;
 };
 
-// Sets buttons into as few rows of `room` pixels as hold whole groups, which are not quite as
-// narrow as they can be where that takes no row more. Only a group that is wider than a row is
-// divided, and only a button that is wider than a row sticks out of it.
+// Breaks buttons into as few rows of `room` pixels as possible without dividing groups, then widens
+// them as far as this needs no further row. A group is divided only if it is wider than a row, and
+// a button extends beyond its row only if it alone is wider.
 std::vector<ButtonRow> button_rows(std::span<ButtonWidth const> buttons, ButtonGaps const& gaps,
                                    float room);
 

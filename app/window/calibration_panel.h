@@ -6,19 +6,18 @@
 
 namespace tractus::window {
 
-// The calibration in the window: procedures, the live reading, captures with their residuals, and
-// the plots. Draws itself into the current ImGui window's room; what a person asks for goes to the
-// model at once.
+// The calibration in the window: procedures, live reading, captures with their residuals, and
+// plots. Draws into the current ImGui window; input goes to the model at once.
 class CalibrationPanel {
 public:
-    // `title_font` is theme::apply()'s; `scale` the display's.
+    // `title_font` comes from theme::apply(); `scale` is the display's.
     CalibrationPanel(ImFont* title_font, float scale)
         : title_font_(title_font)
         , scale_(scale)
     {
     }
 
-    // True if a person wants back to drawing, which `may_go_back` offers.
+    // Returns true if the user asks to return to drawing, which is offered if `may_go_back`.
     bool show(calibration::CalibrationModel& model, bool may_go_back);
 
 private:
@@ -32,7 +31,7 @@ private:
     float scale_ = 1;
 };
 
-// One plot at ImGui's cursor.
+// Draws a plot at ImGui's cursor.
 void show_plot(calibration::Plot const& plot, ImVec2 const& size_px);
 
 } // namespace tractus::window

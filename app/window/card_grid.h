@@ -9,7 +9,7 @@
 
 namespace tractus::window {
 
-// Where cards stand on a page, in pixels from its upper left corner.
+// Positions of preset cards on a page, in pixels from its upper left corner.
 struct CardGrid {
     struct Place {
         std::size_t group = 0;
@@ -24,19 +24,20 @@ struct CardGrid {
     };
     std::vector<Place> places {};
     std::vector<Title> titles {};
-    float card_width = 0; // All cards are alike.
+    float card_width = 0; // All cards have the same size.
     float card_height = 0;
-    float picture_height = 0; // The upper part of a card; its words are below it.
-    float height = 0;         // Of all.
+    float picture_height = 0; // The upper part of a card; the text is below it.
+    float height = 0;         // Total height of the page.
 };
 
-// Sets cards into columns of one width, as many as are wide enough for a pen and for their words,
-// each group under its title. `scale` is the display's.
+// Arranges cards in columns of equal width, as many as leave each card wide enough for its text and
+// for a pen, with each group under its title. `scale` is the display's.
 CardGrid arrange_cards(std::span<view::StartCards const> groups, float width, float scale);
 
 enum class Direction { Left, Right, Up, Down };
 
-// The place, by its number, that an arrow key leads to from another; itself where there is none.
+// The index of the card that an arrow key leads to; `from` itself if there is none in that
+// direction.
 std::size_t neighbour(CardGrid const& grid, std::size_t from, Direction direction);
 
 } // namespace tractus::window

@@ -7,9 +7,9 @@
 
 namespace tractus::window {
 
-// A panel above the bar with the cards of the kind in hand, the ready ones and a person's own, each
-// with its glyph if the kind has one. A press takes a card into the hand; the hand can be kept as a
-// card, and an own card be called otherwise or taken away.
+// A panel above the bar with presets (cards) for the current kind of tool, built-in and the user's
+// own, each with its gizmo if the kind has one. Pressing a card selects its tool; the current tool
+// can be saved as a card, and own cards can be renamed or deleted.
 class CardsPanel {
 public:
     explicit CardsPanel(float scale)
@@ -17,8 +17,8 @@ public:
     {
     }
 
-    // Shows it for the tool in hand above `bar`, and takes `bench.cards_are_shown` back when it is
-    // closed or there are none. Returns where it is.
+    // Shows the cards for the current tool above `bar`; clears `bench.cards_are_shown` when it is
+    // closed or there are no cards. Returns the panel's rectangle.
     WindowPart show(view::WindowModel& model, Workbench& bench, Controls const& controls,
                     WindowPart const& bar);
 
@@ -29,8 +29,8 @@ private:
                   tools::ToolCard const& card);
 
     float scale_ = 1;
-    float height_px_ = 0;  // As it was shown last.
-    std::string named_ {}; // The card whose name `typed_` is a new one for.
+    float height_px_ = 0;  // Height in the last frame.
+    std::string named_ {}; // The card being renamed; `typed_` is the new name so far.
     std::string typed_ {};
 };
 

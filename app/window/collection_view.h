@@ -8,19 +8,19 @@
 
 namespace tractus::window {
 
-// A sheet of variations of the plant, each with its seed; the one that is pressed becomes the
-// plant. They come one by one, and each is drawn once, when it comes.
+// A sheet of variations of the plant, each with its seed; pressing one makes it the plant. They
+// arrive one by one, and each is rendered once, when it arrives.
 class CollectionView {
 public:
-    // Asks for variations of the plant as it is now.
+    // Requests variations of the current plant.
     static void begin(view::WindowModel& model);
 
-    // At ImGui's cursor, `size_px` large.
+    // Shows the sheet at ImGui's cursor, `size_px` large.
     void show(view::WindowModel& model, render::Renderer& renderer, ImVec2 const& size_px);
 
 private:
     struct Picture {
-        mesh::Mesh const* mesh = nullptr; // That it shows: the model holds it.
+        mesh::Mesh const* mesh = nullptr; // The mesh it shows; owned by the model.
         ViewCanvas canvas;
     };
 

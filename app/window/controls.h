@@ -15,7 +15,7 @@ namespace tractus::window {
 
 class PlantView;
 
-// A part of the window, in pixels.
+// A rectangle of the window, in pixels.
 struct WindowPart {
     float left = 0;
     float top = 0;
@@ -26,14 +26,14 @@ struct WindowPart {
 // A button of the bar.
 struct BarButton {
     std::string text {};
-    float width = 0; // At a display's scale of 1.
+    float width = 0; // In pixels at a display scale of 1.
     bool is_on = false;
-    bool begins_group = false; // The first of some that stay beside each other, if they can.
+    bool begins_group = false; // True for the first button of a group that should stay in one row.
     std::function<void()> press;
 };
 
-// The bar at the window's lower edge, large enough for a pen: what is going on, the tools, what the
-// one in hand may mean, undo, views, and the menu.
+// The bar at the window's lower edge, with buttons large enough for a pen: status, tools, the
+// variants of the current tool, undo, views, and the menu.
 class Controls {
 public:
     explicit Controls(float scale)
@@ -42,16 +42,16 @@ public:
     {
     }
 
-    // As it was shown last: it has as many rows as its buttons need.
+    // Height in the last frame; it depends on the number of rows that the buttons need.
     float height_px() const { return height_px_; }
 
-    // Shows the bar from `left_px` to `right_px`; returns where it is.
+    // Shows the bar from `left_px` to `right_px`; returns its rectangle.
     WindowPart show(view::WindowModel& model, Workbench& bench, float left_px, float right_px);
 
     bool button(char const* text, float width, bool is_on = false) const;
 
 private:
-    static constexpr float kFirstHeight_px = 180; // As two rows need.
+    static constexpr float kFirstHeight_px = 180; // Height before the first frame: two rows.
 
     void show_status(view::WindowState const& state) const;
     static void show_recording(view::RecordingView const& recording);
@@ -65,7 +65,8 @@ private:
     void show_speed(view::WindowModel& model) const;
     static std::vector<BarButton> tool_meanings(view::WindowModel& model, Workbench& bench);
     static std::vector<BarButton> view_meanings(Workbench& bench);
-    // A button for each view, or where they take too many rows one that goes to the next.
+    // Each: a button per view. Next: one button that switches to the next view, if the others need
+    // too many rows.
     enum class Views { Each, Next };
     static std::vector<BarButton> main_buttons(view::WindowModel& model, Workbench& bench,
                                                Views views);

@@ -6,12 +6,12 @@
 
 namespace tractus::window {
 
-// The devices that are read, live: what each is, how regularly it sends, its newest bytes and what
-// they mean; and what is the matter with them or with the machine, and what to do about it. Draws
-// itself into the current ImGui window's room.
+// The connected devices, live: what each is, how regularly it reports, its newest bytes and their
+// meaning; and problems of the devices or the machine with their remedies. Draws into the current
+// ImGui window.
 class DevicesPanel {
 public:
-    // `title_font` is theme::apply()'s; `scale` the display's.
+    // `title_font` comes from theme::apply(); `scale` is the display's.
     DevicesPanel(ImFont* title_font, float scale)
         : title_font_(title_font)
         , scale_(scale)

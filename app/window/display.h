@@ -11,20 +11,20 @@
 
 namespace tractus::window {
 
-// A screen that the window may fill.
+// A display that the window may fill.
 struct Display {
-    std::string name; // As the system calls it, most often by its maker and model.
+    std::string name; // The system's name for it, usually maker and model.
     int width_px = 0;
     int height_px = 0;
-    Vec2 size_mm = Vec2::Zero(); // Of its picture; 0 where the system does not know.
+    Vec2 size_mm = Vec2::Zero(); // Size of its picture area; 0 if the system does not know.
 };
 
-// The one that is a pen tablet's own: as large as the area in which the tablet feels the pen, which
-// reaches a little beyond the picture on some, and may be turned. None where none is, or several.
+// Finds the built-in display of a pen tablet: the one as large as the tablet's active area, which
+// may be a little larger than the picture and rotated by 90°. nullopt if none fits, or several.
 std::optional<std::size_t> tablet_display(std::span<Display const> displays, Vec2 const& area_mm);
 
-// By its number, from 1, or a part of its name in small or capital letters. Fails, as the user's
-// fault, naming those that there are, for none or several.
+// Finds a display by its number, from 1, or by part of its name, ignoring case. Fails, as the
+// user's fault and with a list of the displays, if none or several match.
 Result<std::size_t> find_display(std::span<Display const> displays, std::string_view which);
 
 } // namespace tractus::window

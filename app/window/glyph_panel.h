@@ -9,9 +9,9 @@
 
 namespace tractus::window {
 
-// The tool in hand, or what has been drawn with it, as a small drawing in a corner of the pad,
-// whose handles are dragged by pen or mouse (app/tools/glyph.h). What has been drawn is shown as it
-// will follow, and does when the handle is let go.
+// A small drawing (glyph) of the current tool, or of an object drawn with it, in a corner of the
+// viewport, with handles to drag by pen or mouse (app/tools/glyph.h). While a handle is dragged, a
+// preview is shown; the object changes when it is released.
 class GlyphPanel {
 public:
     explicit GlyphPanel(float scale)
@@ -20,7 +20,7 @@ public:
     }
 
     // Shows it in the upper right corner of `pad`, if the tool has one and there is room. Returns
-    // where it is; no value: nowhere.
+    // its rectangle, or nullopt if it is not shown.
     std::optional<WindowPart> show(view::WindowModel& model, Workbench& bench,
                                    Controls const& controls, WindowPart const& pad);
 
@@ -39,10 +39,10 @@ private:
     void draw_handle(tools::Glyph::Handle const& handle, GlyphSquare const& square) const;
 
     float scale_ = 1;
-    std::optional<std::size_t> held_ {};  // A handle's id.
-    std::optional<std::size_t> shown_ {}; // The one that was held or pointed at last.
-    ImVec2 off_px_ { 0, 0 };              // From where it was taken to the handle.
-    std::optional<Vec2> moved_to_ {};     // Place of the handle that is held, if it has moved.
+    std::optional<std::size_t> held_ {};  // Id of the handle being dragged.
+    std::optional<std::size_t> shown_ {}; // Id of the handle that was last dragged or hovered over.
+    ImVec2 off_px_ { 0, 0 }; // Vector from the point where the handle was grabbed to its centre.
+    std::optional<Vec2> moved_to_ {}; // New position of the dragged handle, if it has moved.
 };
 
 } // namespace tractus::window

@@ -7,35 +7,35 @@
 
 namespace tractus::window {
 
-// The window system's mouse at one moment.
+// State of the mouse at one moment.
 struct MouseMoment {
     ImVec2 place_px { 0, 0 };
-    bool is_down = false; // Its left button.
+    bool is_down = false; // The left button.
 };
 
 struct KeyPress {
     static constexpr char kEscape = '\x1b';
     static constexpr char kEnter = '\r';
-    static constexpr char kBackspace = '\b'; // Repeats as long as it is held.
-    static constexpr char kLeft = '\x11';    // Arrows.
+    static constexpr char kBackspace = '\b'; // Repeats while the key is held.
+    static constexpr char kLeft = '\x11';    // Arrow keys.
     static constexpr char kRight = '\x12';
     static constexpr char kUp = '\x13';
     static constexpr char kDown = '\x14';
 
-    char key = 0; // The letter that the key bears, as a capital; what is typed by it, '?'; or one
-                  // of the above.
+    char key = 0; // The key's letter in upper case; '?' if that character was typed, by whichever
+                  // key; or one of the constants above.
     bool has_control = false;
     bool has_shift = false;
 };
 
-// What the window system's mouse and keyboard did since the last frame, in its order: more than
-// ImGui tells, which knows where they are at each frame. However long a frame takes, nothing that
-// was done in it is lost.
+// Mouse and keyboard events since the last frame, in order. ImGui knows only the state at each
+// frame; here no event is lost, however long a frame takes.
 struct HandInput {
     std::vector<MouseMoment> mouse;
     std::vector<KeyPress> presses;
-    std::string held; // The letters of keys that were down at any time, without Ctrl.
-    std::vector<std::filesystem::path> dropped {}; // Files that were dropped on the window.
+    std::string held; // Letters of keys that were down at any time since the last frame, without
+                      // Ctrl.
+    std::vector<std::filesystem::path> dropped {}; // Files dropped on the window.
 
     bool holds(char letter) const { return held.find(letter) != std::string::npos; }
 };

@@ -19,8 +19,8 @@ struct GLFWwindow;
 
 namespace tractus::window {
 
-// GLFW's library, its window with an OpenGL 3.3 core context, and ImGui in it, in the order in
-// which they come and, backwards, go.
+// Owns GLFW, its window with an OpenGL 3.3 core context, and ImGui; initialised in this order and
+// closed in reverse.
 class Host {
 public:
     Host() = default;
@@ -28,37 +28,38 @@ public:
     Host& operator=(Host const&) = delete;
     ~Host();
 
-    // Fails like run_window(). Once.
+    // Call once. Fails like run_window().
     Result<void> open(WindowOptions const& options);
 
-    void set_title(std::string const& title); // Empty: as it is.
-    bool take_wish_to_close();                // Since the last call, by the window's button or key.
-    // `step_s`: how long after the last one, where that is not the clock's. Returns what mouse and
-    // keyboard did up to this frame.
+    void set_title(std::string const& title); // An empty title changes nothing.
+    bool take_wish_to_close(); // True if the user has asked to close the window, by its button or a
+                               // key, since the last call.
+    // `step_s`: time since the last frame; default: by the clock. Returns mouse and keyboard events
+    // up to this frame.
     HandInput begin_frame(std::optional<float> step_s);
-    void end_frame(); // Draws; the picture is in the back buffer.
+    void end_frame(); // Renders; the picture is then in the back buffer.
     render::Image back_buffer() const;
     void show_frame();
 
     float scale() const { return scale_; }
     ImFont* title_font() const { return title_font_; }
 
-    // Lets events come in, those that are there already or, for `wait_s` at most, the next ones
-    // too. True if any of them concerned the window, or still waits for a frame.
+    // Process pending events; wait_for_events() waits up to `wait_s` for one. True if any of them
+    // concerned the window, or a frame is still due for earlier ones.
     bool take_events();
     bool wait_for_events(double wait_s);
 
-    // The displays there are, in the system's order, the first one its main one. They may come and
-    // go while events are taken.
+    // The connected displays in the system's order, the main one first. They may change while
+    // events are processed.
     std::vector<Display> displays() const;
 
-    // The one that most of the window is on.
+    // Index of the display that shows most of the window.
     std::size_t own_display() const;
 
-    // The one that it fills; none while it is a window among others.
+    // Index of the display that the window fills; nullopt if it is not full screen.
     std::optional<std::size_t> filled_display() const;
 
-    // Fills it, or is a window again where it was before.
+    // Makes the window fill a display; nullopt restores its earlier place.
     void fill_display(std::optional<std::size_t> display);
 
 private:
@@ -66,7 +67,8 @@ private:
         int left = 0, top = 0, width = 0, height = 0;
     };
 
-    static Host& stirred(GLFWwindow* window); // The one whose window an event concerns.
+    static Host& stirred(GLFWwindow* window); // The host whose window received an event; notes that
+                                              // it needs a frame.
     void watch_mouse();
     void watch_window();
     void watch_keyboard();
@@ -75,16 +77,16 @@ private:
     Place place() const;
 
     MouseQueue mouse_;
-    MouseMoment last_mouse_; // Pushed into it.
+    MouseMoment last_mouse_; // The newest one in mouse_.
     std::vector<KeyPress> presses_;
     std::vector<std::filesystem::path> dropped_; // Since the last frame.
-    bool has_stirred_ = false;                   // Since events were last taken.
-    std::string lately_held_;                    // Since the last frame.
-    std::string held_;                           // The letters of the keys that are down now.
+    bool has_stirred_ = false;                   // An event arrived since events were last taken.
+    std::string lately_held_;                    // Letters pressed since the last frame.
+    std::string held_;                           // Letters of the keys that are down now.
     bool library_ = false;
     GLFWwindow* window_ = nullptr;
-    std::string title_; // Set last; empty: as it was opened.
-    Place last_place_;  // As a window among others.
+    std::string title_; // The title set last; empty: that of the opening.
+    Place last_place_;  // Position and size before the window became full screen.
     bool imgui_ = false;
     float scale_ = 1;
     ImFont* title_font_ = nullptr;

@@ -20,12 +20,12 @@
 
 namespace tractus::window {
 
-// The window's contents: the views, side by side or one of them over all of it, and above them the
-// bar of controls, the menu and the ring of tools. Draws one ImGui frame at a time; what a person
-// asks for goes to the model at once.
+// The window's contents: the views, side by side or one of them full size, with the bar of
+// controls, the menu and the ring of tools on top. Draws one ImGui frame at a time; input goes to
+// the model at once.
 class Layout {
 public:
-    // `title_font` is theme::apply()'s; `scale` the display's.
+    // `title_font` comes from theme::apply(); `scale` is the display's.
     Layout(ImFont* title_font, float scale)
         : title_font_(title_font)
         , scale_(scale)
@@ -40,14 +40,14 @@ public:
     {
     }
 
-    // The area that the pen points into, as last shown.
+    // The area that the pen points into, as shown in the last frame.
     PenArea const& pen_area() const { return pen_area_; }
 
-    // `input`: since the last frame.
+    // `input`: mouse and keyboard events since the last frame.
     void show(view::WindowModel& model, render::Renderer& renderer, PenPointer const& pen,
               HandInput const& input);
 
-    // Since the last call.
+    // True if the user has asked to close the window since the last call.
     bool take_wish_to_close() { return std::exchange(bench_.wants_to_close, false); }
 
     Workbench& bench() { return bench_; }
@@ -101,15 +101,16 @@ private:
     ToolRing ring_;
     MouseHand mouse_;
     PenArea pen_area_;
-    std::vector<WindowPart> covered_;             // By what the pen presses, in this frame.
-    std::vector<Eigen::AlignedBox2d> told_areas_; // As the model knows them.
-    std::optional<WindowPart> pad_part_;          // Where the pad is, in this frame.
-    bool pad_is_pointed_at_ = false;              // By the mouse, in this frame.
+    std::vector<WindowPart> covered_; // Panels shown in this frame, where the pen does not draw.
+    std::vector<Eigen::AlignedBox2d> told_areas_; // The covered areas last passed to the model.
+    std::optional<WindowPart> pad_part_;          // Rectangle of the drawing pad in this frame.
+    bool pad_is_pointed_at_ = false;              // The mouse hovers over the pad in this frame.
     bool collection_is_shown_ = false;
     bool devices_are_watched_ = false;
     bool has_begun_ = false;
     bool start_is_shown_ = false;
-    bool goes_back_to_drawing_ = false; // The page that is shown is beside a drawing.
+    bool goes_back_to_drawing_ = false; // The page shown was opened from a drawing, to which the
+                                        // user can return.
 };
 
 } // namespace tractus::window

@@ -6,9 +6,9 @@
 
 namespace tractus::window {
 
-// What is done when an X11 display goes away, once, before the program ends with exit code 1: Xlib
-// leaves no way to go on. The action's error is printed. Null: nothing is done. Where the display
-// is a Wayland compositor's, GLFW closes the window instead.
+// Sets what is done, once, when the X11 display goes away. Then the program ends with exit code 1,
+// because Xlib gives no way to continue. The action's error is printed. Null: nothing is done. If a
+// Wayland compositor goes away, GLFW closes the window instead.
 void on_lost_display(std::function<Result<void>()> action);
 
 } // namespace tractus::window

@@ -9,22 +9,23 @@
 
 namespace tractus::window {
 
-// The panel beside the views with what is not needed at each stroke, on a few pages: how the plant
-// grows, what is kept of the work, the devices, the window itself.
+// The panel beside the views for what is not needed at every stroke, on a few pages: how the plant
+// grows, saving and exporting, the devices, the window.
 class Menu {
 public:
-    // `title_font` is theme::apply()'s; `scale` the display's.
+    // `title_font` comes from theme::apply(); `scale` is the display's.
     Menu(ImFont* title_font, float scale)
         : scale_(scale)
         , devices_(title_font, scale)
     {
     }
 
-    // In a room of that width: a narrow one is left some for the plant that it changes.
+    // The menu's width in a room of width `room_px`; in a narrow one it leaves some space for the
+    // plant.
     float width_px(float room_px) const;
 
-    // Shows it at the right edge of `room`, or the left one for a left hand; returns where it is.
-    // `picture`: of the plant as it is seen, for a file.
+    // Shows the menu at the right edge of `room`, or at the left one for left-handed use; returns
+    // its rectangle. `picture` renders the plant from the current view, to be saved.
     WindowPart show(view::WindowModel& model, Workbench& bench, Controls const& controls,
                     WindowPart const& room, std::function<render::Image()> const& picture);
 
@@ -47,11 +48,12 @@ private:
     float item_px(int count = 1) const;
 
     float scale_ = 1;
-    float row_px_ = 0; // As wide as the panel is inside.
+    float row_px_ = 0; // Inner width of the panel.
     DevicesPanel devices_;
-    // Of month 0: none. No value: the one that is shown.
+    // Season being set by a slider; month 0: no season. nullopt: show the plant's own.
     std::optional<scene::Season> wanted_season_;
-    exports::GlbOptions::Organs organs_ = exports::GlbOptions::Organs::Merged; // Of the next .glb.
+    // For the next .glb file.
+    exports::GlbOptions::Organs organs_ = exports::GlbOptions::Organs::Merged;
 };
 
 } // namespace tractus::window

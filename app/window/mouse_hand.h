@@ -8,19 +8,19 @@
 
 namespace tractus::window {
 
-// Holds the mouse as a pen over a part of the window, where there is no tablet.
+// Uses the mouse as a pen over a part of the window, when there is no tablet.
 class MouseHand {
 public:
-    // What the mouse did since the last frame, over ImGui's last item, which shows `area`. A touch
-    // that begins there is the pen's until it ends, wherever it goes.
+    // Handles what the mouse did since the last frame over ImGui's last item, which shows `area`. A
+    // touch that begins there draws until it ends, wherever the mouse goes.
     void hold(view::WindowModel& model, PenArea const& area, std::span<MouseMoment const> path);
 
-    // Over nothing of the kind.
+    // Call instead of hold() when there is no such item.
     void let_go(view::WindowModel& model);
 
 private:
     bool is_in_range_ = false;
-    bool is_down_ = false; // And began on the area.
+    bool is_down_ = false; // The button is down and was pressed over the area.
 };
 
 } // namespace tractus::window

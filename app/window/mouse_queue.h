@@ -7,13 +7,13 @@
 
 namespace tractus::window {
 
-// What the mouse did, handed out in parts of at most one press or release, one a frame. So a frame
-// that took long shows nobody a click in the wrong place, or none.
+// Passes the mouse's events on in portions of at most one press or release per frame, so that a
+// click during a slow frame is neither misplaced nor lost.
 class MouseQueue {
 public:
     struct Part {
         std::vector<MouseMoment> path;
-        std::optional<MouseMoment> change; // The press or release in it.
+        std::optional<MouseMoment> change; // The press or release in the portion.
     };
 
     void push(MouseMoment const& moment) { waiting_.push_back(moment); }
@@ -22,7 +22,7 @@ public:
 
 private:
     std::vector<MouseMoment> waiting_;
-    bool is_down_ = false; // As was last handed out.
+    bool is_down_ = false; // State of the button after the last portion.
 };
 
 } // namespace tractus::window

@@ -10,9 +10,9 @@
 
 namespace tractus::window {
 
-// A panel above the bar for a name, of the drawing, of a copy of it or of a card: typed on keys
-// that a pen can press, or on a keyboard, where Enter confirms and Esc gives up. The name that is
-// there at first is selected: what is typed takes its place, unless the field is pressed before.
+// A panel above the bar for entering the name of the drawing, of a copy of it, or of a card: with
+// on-screen keys for the pen, or with a keyboard, where Enter confirms and Esc cancels. The old
+// name is selected at first: typing replaces it, unless the field is pressed before.
 class NamePanel {
 public:
     explicit NamePanel(float scale)
@@ -20,8 +20,8 @@ public:
     {
     }
 
-    // Shows it for `bench.asked_name` above `bar`, and takes that back when it is done or closed.
-    // `presses` are the keyboard's of this frame. Returns where it is.
+    // Shows it for `bench.asked_name` above `bar`, and resets that when it is done or closed.
+    // `presses` are this frame's key presses. Returns the panel's rectangle.
     WindowPart show(view::WindowModel& model, Workbench& bench, Controls const& controls,
                     WindowPart const& bar, std::span<KeyPress const> presses);
 
@@ -37,13 +37,13 @@ private:
     void press(char key);
 
     float scale_ = 1;
-    float height_px_ = 0;                          // As it was shown last.
-    std::optional<Workbench::AskedName> asked_ {}; // What `typed_` is a name of.
+    float height_px_ = 0;                          // Height in the last frame.
+    std::optional<Workbench::AskedName> asked_ {}; // What the name is for.
     std::string typed_ {};
-    bool is_selected_ = false; // All of it.
+    bool is_selected_ = false; // The whole text is selected.
     bool types_capitals_ = true;
-    bool confirms_ = false; // By the keyboard, in this frame.
-    bool gives_up_ = false; // Likewise.
+    bool confirms_ = false; // Enter was pressed in this frame.
+    bool gives_up_ = false; // Esc was pressed in this frame.
 };
 
 } // namespace tractus::window

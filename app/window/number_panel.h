@@ -7,8 +7,8 @@
 
 namespace tractus::window {
 
-// A panel above the bar for one number of the tool in hand, with its unit and range: dragged on a
-// slider, stepped, or typed on keys that a pen can press, or on a keyboard.
+// A panel above the bar for one number of the current tool, with its unit and range: set by a
+// slider, by steps, by on-screen keys for the pen, or by a keyboard.
 class NumberPanel {
 public:
     explicit NumberPanel(float scale)
@@ -16,8 +16,8 @@ public:
     {
     }
 
-    // Shows it for `bench.asked_number` above `bar`, and takes that back when it is closed or the
-    // tool in hand has no such number. Returns where it is.
+    // Shows it for `bench.asked_number` above `bar`, and resets that when it is closed or the
+    // current tool has no such number. Returns the panel's rectangle.
     WindowPart show(view::WindowModel& model, Workbench& bench, Controls const& controls,
                     WindowPart const& bar);
 
@@ -31,13 +31,13 @@ private:
                 std::size_t number);
 
     float scale_ = 1;
-    float height_px_ = 0;  // As it was shown last.
-    std::string asked_ {}; // The number that `typed_` is of.
+    float height_px_ = 0;  // Height in the last frame.
+    std::string asked_ {}; // Name of the number being edited.
     std::string typed_ {};
-    std::string objection_ {};        // To what was typed.
-    std::optional<double> wanted_ {}; // In this frame.
-    bool moves_ = false;              // A slider, in this frame.
-    bool is_released_ = false;        // Likewise.
+    std::string objection_ {};        // Why the typed text is not accepted.
+    std::optional<double> wanted_ {}; // New value set in this frame.
+    bool moves_ = false;              // A slider was dragged in this frame.
+    bool is_released_ = false;        // A slider was released in this frame.
 };
 
 } // namespace tractus::window

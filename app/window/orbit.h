@@ -5,24 +5,25 @@
 
 namespace tractus::window {
 
-// Where a person looks at the plant from: changed by dragging and the wheel over the last drawn
-// item, and by what the view tool's buttons wish for.
+// The direction, zoom and offset from which the plant is viewed: changed by dragging and by the
+// wheel over ImGui's last item, and by the buttons of the view tool.
 class Orbit {
 public:
-    // True if the person has changed it by a drag, which means `drag` without Shift, or the wheel.
-    // The item is `height_px` high.
+    // Applies dragging, which does `drag` or with Shift always moves, and the wheel. `height_px` is
+    // the item's height. Returns true if the view changed.
     bool take_input(float scale, float height_px, ViewDrag drag);
 
-    void zoom(double factor); // Above 1: nearer.
-    void look_at_whole();     // Neither moved nor zoomed; from the same side.
+    void zoom(double factor); // Factors above 1 come nearer.
+    void look_at_whole();     // Resets offset and zoom, but not the direction.
 
-    // A view of the box from there.
+    // The camera for a view of this box.
     render::Camera camera(Bounds const& box, double aspect) const;
 
 private:
     render::ViewAngles angles_ { .azimuth_rad = 0.45, .elevation_rad = 0.22 };
     double zoom_ = 1;
-    Vec2 moved_ = Vec2::Zero(); // The picture, right and up, in heights of it at zoom 1.
+    Vec2 moved_ = Vec2::Zero(); // Offset of the picture to the right and up, in picture heights at
+                                // zoom 1.
 };
 
 } // namespace tractus::window

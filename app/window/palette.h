@@ -4,14 +4,14 @@
 
 namespace tractus::window::theme {
 
-// Colours that people with any kind of colour vision tell apart (Okabe and Ito 2008, "Color
+// Colours that can be told apart with any kind of colour vision (Okabe and Ito 2008, "Color
 // universal design"), sRGB, 0 to 1.
 struct Palette {
     bool is_light = false;
-    Vec3f ink; // Being drawn.
+    Vec3f ink; // The stroke being drawn.
     Vec3f stroke;
     Vec3f indicator;
-    Vec3f purple; // Of layers that need one more.
+    Vec3f purple; // For layers that need an additional colour.
     Vec3f unselected;
     Vec3f undetermined;
     Vec3f selected;
@@ -19,12 +19,12 @@ struct Palette {
     Vec3f grid;
     Vec3f volume;
     Vec3f pad_background;
-    Vec3f recording; // The mark that all is recorded.
-    Vec3f faint;     // The skeleton where it only helps to find one's way.
-    Vec3f growing;   // What grows on stage, until it has bark and leaves.
+    Vec3f recording; // The mark that shows that input is being recorded.
+    Vec3f faint;     // The skeleton where it only gives orientation.
+    Vec3f growing;   // What grows in the stage view, before it has bark and leaves.
 };
 
-// That of the window now: for a dark room, until a person wants light.
+// The window's current palette; dark by default.
 Palette const& palette();
 void use_light_palette(bool is_light);
 

@@ -7,8 +7,8 @@
 
 namespace tractus::window {
 
-// Where on the window the surface's active area is shown, so that the pen's tip and what it points
-// at go together: its aspect is kept, and its rotation is already in the world frame's x and y.
+// Where the window shows the surface's active area, so that a mark on screen lies under the pen's
+// tip. Its aspect is preserved; its rotation is already part of the world frame's x and y.
 struct PenArea {
     ImVec2 middle_px { 0, 0 };
     double px_per_mm = 1;
@@ -21,8 +21,8 @@ struct PenArea {
     float right_px() const;
 };
 
-// The area of the volume, as large as it fits into a part of the window, in its middle. `air` is
-// how much larger than the area the part is, at least 1.
+// Fits the volume's area into the middle of a part of the window. `air`, at least 1, is the size of
+// that part relative to the area.
 PenArea fit_pen_area(Bounds const& volume_mm, ImVec2 const& corner_px, ImVec2 const& size_px,
                      double air = 1);
 

@@ -7,26 +7,27 @@
 
 namespace tractus::window {
 
-// Lets the pen that the station reads work the window: its tip is the pointer, its touch the mouse
-// button, as far as the station says that it presses. While it is in range the window system's own
-// mouse counts for nothing, since that system takes the pen for one.
+// Lets the pen operate the window's controls: its tip is the pointer and its touch the mouse
+// button, wherever the station says that it presses rather than draws. While the pen is in range
+// the system's mouse is ignored, because the system may also treat the pen as a mouse.
 class PenPointer {
 public:
     static constexpr float kLongPress_s = 0.6f;
-    static constexpr float kAtRest_mm = 1.5f; // In space: a hand that lifts the surface draws.
+    static constexpr float kAtRest_mm = 1.5f; // In space, so that raising the surface with a
+                                              // resting pen counts as drawing.
 
-    // Takes what the pen did and puts ImGui's mouse where it points, by the area that the last
-    // frame showed. Once in each frame, before ImGui's begins.
+    // Reads the pen's events and places ImGui's mouse, using the area of the last frame. Call once
+    // per frame, before ImGui's NewFrame.
     void feed(view::WindowState const& state, PenArea const& area, float step_s);
 
-    // The pen is the pointer now.
+    // True while the pen is the pointer.
     bool leads() const { return leads_; }
     ImVec2 place_px() const { return place_px_; }
 
-    // It did more than one frame can show: another frame is due.
+    // True if it has events left that one frame cannot show: another frame is due.
     bool has_more() const { return !path_.empty(); }
 
-    // In this frame: its button went down, or it began to touch and has rested since.
+    // True if in this frame its barrel button was pressed, or its touch has rested long enough.
     bool asks_for_ring() const { return asks_for_ring_; }
     bool has_let_barrel_go() const { return has_let_barrel_go_; }
 
@@ -34,15 +35,15 @@ private:
     void take_next();
     void watch_rest(float step_s);
 
-    std::deque<view::PenView> path_; // Not shown to ImGui yet.
-    view::PenView pen_;              // As ImGui has it.
+    std::deque<view::PenView> path_; // Events not passed to ImGui yet.
+    view::PenView pen_;              // The state last passed to ImGui.
     bool leads_ = false;
     ImVec2 place_px_ { 0, 0 };
     bool asks_for_ring_ = false;
     bool has_let_barrel_go_ = false;
-    Vec3f touch_mm_ = Vec3f::Zero(); // Where the touch under way began.
-    float rest_s_ = 0;               // How long it has rested there.
-    bool rests_ = false;             // It never left that place.
+    Vec3f touch_mm_ = Vec3f::Zero(); // Where the current touch began.
+    float rest_s_ = 0;               // How long it has stayed there.
+    bool rests_ = false;             // It has not left that place since it began.
 };
 
 } // namespace tractus::window

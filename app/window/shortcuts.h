@@ -6,18 +6,18 @@
 
 namespace tractus::window {
 
-// What the keyboard may be used for beside the pen.
+// Keyboard shortcuts.
 
-// Does what a key asks for beside the views, and beside the calibration.
+// Handles a shortcut on the drawing page; the calibration page has none of these.
 void take_shortcut(KeyPress const& press, view::WindowModel& model, Workbench& bench,
                    ToolRing& ring);
 void take_calibration_shortcut(KeyPress const& press, view::WindowModel& model, Workbench& bench);
 
-// Moves the surface by keys and, if `wheel_counts`, by the mouse's wheel, where no sensor measures
-// its height.
+// Moves the surface by keys and, if `wheel_counts`, by the mouse wheel, when no sensor measures its
+// height.
 void move_surface_as_wished(view::WindowModel& model, HandInput const& input, bool wheel_counts);
 
-// Lists the keys in a panel over the views. Returns what it covers.
+// Shows a list of the keys in a panel over the views. Returns its rectangle.
 WindowPart show_shortcuts(tools::ToolKinds tools, ImGuiWindowFlags flags, float scale);
 
 } // namespace tractus::window

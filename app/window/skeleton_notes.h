@@ -8,12 +8,12 @@
 
 namespace tractus::window {
 
-// What is written and drawn over the skeleton's view, into the current ImGui window.
+// Text and lines over the skeleton's view, drawn into the current ImGui window.
 
-// What the colours mean that are in it; `corner_px` is the lower left one.
+// Legend of the colours in the view; `corner_px` is its lower left corner.
 void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px);
 
-// What a pen that selects has drawn, and where it is.
+// Draws the pen's position and the stroke with which it is selecting.
 void draw_selecting_ink(view::WindowState const& state, PenArea const& area);
 
 } // namespace tractus::window

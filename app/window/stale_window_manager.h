@@ -2,9 +2,9 @@
 
 namespace tractus::window {
 
-// Takes a note off an X11 display that a window manager has left there which was killed
-// (_NET_SUPPORTING_WM_CHECK, of a window that is gone): GLFW 3.3 ends the program where it finds
-// one. Returns whether there was such a note. Before glfwInit(), and from one thread.
+// Removes a property that a killed window manager has left on the X11 display
+// (_NET_SUPPORTING_WM_CHECK, which names a window that no longer exists); GLFW 3.3 would end the
+// program on finding it. Returns true if there was one. Call before glfwInit(), on the same thread.
 bool remove_stale_window_manager();
 
 } // namespace tractus::window

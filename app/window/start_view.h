@@ -15,12 +15,12 @@
 
 namespace tractus::window {
 
-// The start page, over the whole window: cards in a grid, to be pressed with the pen, the mouse or
-// the keys, and above them what the window itself offers. What does not fit is reached by dragging,
-// over cards, too, or with the wheel.
+// The start page, over the whole window: a grid of cards that can be chosen with pen, mouse or
+// keyboard, below the window's own buttons. It scrolls by dragging, over cards, too, and by the
+// wheel.
 class StartView {
 public:
-    // `title_font` is theme::apply()'s; `scale` the display's.
+    // `title_font` comes from theme::apply(); `scale` is the display's.
     StartView(ImFont* title_font, float scale)
         : title_font_(title_font)
         , scale_(scale)
@@ -28,18 +28,19 @@ public:
     {
     }
 
-    // In the current ImGui window.
+    // Draws into the current ImGui window.
     void show(view::StartPageModel& page, Workbench& bench, Controls const& controls);
 
-    // The letter of a card presses it; arrows go from card to card, and Enter presses.
+    // Handles a key: a card's letter chooses it; arrows move the focus, and Enter chooses the
+    // focused card.
     void take_key(KeyPress const& press, view::StartPageModel& page, Workbench& bench);
 
-    // Forgets its pictures: it is not shown any more.
+    // Frees the textures once the page is no longer shown.
     void leave();
 
 private:
     struct Texture {
-        std::shared_ptr<render::Image const> picture; // Shared with the page; nobody changes it.
+        std::shared_ptr<render::Image const> picture; // Shared with the page; immutable.
         render::GpuPicture on_card;
     };
 
@@ -58,10 +59,10 @@ private:
     ImFont* title_font_ = nullptr;
     float scale_ = 1;
     StudyView study_;
-    CardGrid grid_;                    // As last shown.
-    std::optional<std::size_t> focus_; // A place in it, by the keys.
-    bool focus_has_moved_ = false;     // Since the last frame.
-    bool scrolls_ = false;             // The touch under way.
+    CardGrid grid_;                    // As shown in the last frame.
+    std::optional<std::size_t> focus_; // Index of the card with the keyboard focus.
+    bool focus_has_moved_ = false;     // The focus moved since the last frame.
+    bool scrolls_ = false;             // The current touch scrolls the page.
     std::map<render::Image const*, Texture> textures_;
 };
 

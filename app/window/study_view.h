@@ -11,8 +11,8 @@
 
 namespace tractus::window {
 
-// A page's study: a large picture with details beside it and others below, and sliders that change
-// them. In a narrow window the sliders are below the pictures.
+// A page's study: a large picture with details beside it and further pictures below, and sliders
+// that change them. In a narrow window the sliders are below the pictures.
 class StudyView {
 public:
     explicit StudyView(float scale)
@@ -20,16 +20,16 @@ public:
     {
     }
 
-    // In the current ImGui window. The page has a study.
+    // Draws into the current ImGui window. The page must have a study.
     void show(view::StartPageModel& page, Controls const& controls);
 
-    // Forgets its pictures.
+    // Frees the textures.
     void leave() { shown_.clear(); }
 
 private:
-    // A picture on the graphics card; the same place has another when the page has.
+    // A texture for one place of the study; replaced when the page's picture changes.
     struct Shown {
-        std::shared_ptr<render::Image const> picture; // Shared with the page; nobody changes it.
+        std::shared_ptr<render::Image const> picture; // Shared with the page; immutable.
         std::optional<render::GpuPicture> texture;
     };
 

@@ -4,12 +4,12 @@
 
 #include <imgui.h>
 
-// How the window looks.
+// The window's look: sizes, colours and typefaces.
 namespace tractus::window::theme {
 
 constexpr float kTextSize_px = 22; // Readable at arm's length on a 24-inch screen.
 constexpr float kTitleSize_px = 26;
-constexpr float kButtonHeight_px = 56; // A pen hits it without looking.
+constexpr float kButtonHeight_px = 56; // Large enough to hit with the pen without aiming.
 
 inline ImVec4 imgui_color(Vec3f const& color, float alpha = 1)
 {
@@ -21,16 +21,16 @@ inline ImU32 packed(Vec3f const& color, float alpha = 1)
     return ImGui::ColorConvertFloat4ToU32(imgui_color(color, alpha));
 }
 
-// For a bright room or a dark one: the palette and ImGui's colours.
+// Sets the palette and ImGui's colours for a bright or a dark room.
 void set_light(bool is_light);
 
-// Makes items that are no buttons, such as sliders, as high as those, until ImGui::PopStyleVar().
+// Makes items such as sliders as high as buttons, until ImGui::PopStyleVar().
 void push_button_frame(float scale);
 
-// Lets a drag over the current window's bare parts scroll it: a pen has no wheel.
+// Scrolls the current window when its empty parts are dragged, because a pen has no wheel.
 void scroll_by_dragging();
 
-// Sets colours, distances and the typeface of the current ImGui context, times `scale` (the
+// Sets colours, spacing and the typeface of the current ImGui context, scaled by `scale` (the
 // display's). Returns the larger typeface for titles.
 ImFont* apply(float scale);
 

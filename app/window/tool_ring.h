@@ -8,25 +8,25 @@
 
 namespace tractus::window {
 
-// Something that the ring offers.
+// An entry of the ring.
 struct RingEntry {
     char const* text = "";
-    char const* icon = ""; // See ToolKind::icon.
+    char const* icon = ""; // In the notation of ToolKind::icon.
     std::function<void()> choose;
 };
 
-// The tools in a ring that opens at the pointer: one is chosen by pointing at it and touching, or
-// by letting the button go over it that opened the ring. A touch in the middle or outside closes
-// it.
+// A ring of tools that opens at the pointer. A tool is chosen by touching it, or by releasing over
+// it the button that opened the ring. A touch in the middle or outside closes it.
 class ToolRing {
 public:
-    // Around `place_px`, or as near to it as the whole ring is seen.
+    // Opens the ring around `place_px`, moved as needed to be fully visible.
     void open(ImVec2 const& place_px, float scale);
     void close() { is_open_ = false; }
     bool is_open() const { return is_open_; }
 
-    // Draws it over everything, the first entry at the top, the others clockwise. The number of the
-    // one that is chosen. `button_let_go`: that which opened it, in this frame.
+    // Draws the ring on top of everything, clockwise from the top. Returns the index of the entry
+    // chosen in this frame. `button_let_go`: the button that opened the ring was released in this
+    // frame.
     std::optional<std::size_t> show(std::span<RingEntry const> entries, bool button_let_go);
 
 private:
@@ -36,7 +36,7 @@ private:
                      bool is_pointed_at) const;
 
     bool is_open_ = false;
-    bool was_touched_ = false; // When it opened, and ever since.
+    bool was_touched_ = false; // The pointer has been touching since the ring opened.
     ImVec2 middle_px_ { 0, 0 };
     float scale_ = 1;
 };

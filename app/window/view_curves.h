@@ -6,15 +6,15 @@
 
 #include <vector>
 
-// What the views draw, as curves. Values in, values out: no window needed.
+// The curves that the views draw, computed without a window.
 namespace tractus::window {
 
-// The drawing pad's picture, in parts by what they change with, so that what did not change is not
-// made again: the skeleton, faintly; the branches that the ink would move; finished strokes and the
-// layers' lines; and what follows the hand at once: a grid at the surface, the volume below it, the
-// ink, the pen's tip and its drop line.
+// The drawing pad's picture in parts that change separately, so that only changed ones are rebuilt:
+// the faint skeleton; the branches that the current stroke would move; finished strokes and the
+// layers' lines; and what follows the hand: a grid at the surface, the volume below it, the stroke,
+// the pen's tip and its drop line.
 //
-// A tool that draws on paper has the drawing volume turned: the sheet that stands in it lies on the
+// For a tool that draws on paper the drawing volume is shown turned: the vertical sheet lies in the
 // surface, seen from its front.
 std::vector<render::Curve> pad_skeleton_curves(view::WindowState const& state);
 std::vector<render::Curve> pad_preview_curves(view::WindowState const& state);
@@ -23,31 +23,31 @@ std::vector<render::Curve> pad_live_curves(view::WindowState const& state);
 
 bool draws_on_paper(view::WindowState const& state);
 
-// From the world to where the pad shows it.
+// Transform from the world frame to the pad's.
 Eigen::Affine3f pad_of_world(view::WindowState const& state);
 
-// Ink grows paler with the depth below the surface: half way to the background at the floor.
+// Lines fade with depth below the surface, halfway to the background at the volume's floor.
 render::Stage::Fade pad_fade(view::WindowState const& state);
 
-// The skeleton with its states, the layers' lines, and a ring on the ground.
+// The skeleton coloured by its states, the layers' lines, and a ring on the ground.
 std::vector<render::Curve> skeleton_curves(view::WindowState const& state);
 
-// Which of its colours the skeleton has.
+// The states for which the skeleton view's legend needs an entry.
 struct SkeletonStates {
     bool selected = false;
     bool undetermined = false;
     bool assigned = false;
     bool next = false;
-    std::vector<tools::Layer const*> layers {}; // That have lines.
+    std::vector<tools::Layer const*> layers {}; // Layers that have lines.
 };
 SkeletonStates skeleton_states(view::WindowState const& state);
 
 Vec3f layer_color(tools::LayerStyle const& style);
 
-// The branches that the ink would move, as the skeleton shows them.
+// The branches that the current stroke would move, for the skeleton's view.
 std::vector<render::Curve> preview_curves(view::WindowState const& state);
 
-// The branches that the ink would move, as thick as they are, for the plant's view.
+// The branches that the current stroke would move, at their thickness, for the plant's view.
 std::vector<render::Curve> growing_curves(view::WindowState const& state);
 
 } // namespace tractus::window

@@ -14,24 +14,24 @@
 
 namespace tractus::window {
 
-// A picture inside the window: a canvas that is drawn again only when what it shows has changed.
+// A picture inside the window, rendered again only when its contents have changed.
 class ViewCanvas {
 public:
-    // The canvas in this size; `changed` becomes true if it had another one.
+    // Returns the canvas resized; sets `changed` if it had another size.
     render::Canvas& sized(ImVec2 const& size_px, bool& changed);
 
-    // Puts the picture at ImGui's cursor.
+    // Draws the picture at ImGui's cursor.
     void show() const;
 
 private:
     std::optional<render::Canvas> canvas_;
 };
 
-// Curves on the graphics card that are made again only when they have changed.
+// Curves on the graphics card, rebuilt only when they have changed.
 class FollowedCurves {
 public:
-    // True if they were made, by `make`, since the revision is another one than at the last call,
-    // or the colours are.
+    // Rebuilds the curves with `make` if the revision or the palette differs from the last call's.
+    // Returns true if it did.
     template<typename Make> bool follow(std::uint64_t revision, Make const& make)
     {
         bool const is_light = theme::palette().is_light;
@@ -51,14 +51,14 @@ private:
     bool is_light_ = false;
 };
 
-// The three views of Streit 2006 section 3. Each draws itself at ImGui's cursor, `size_px` large,
-// with the window's context current.
+// The three views of Streit 2006 section 3. Each draws at ImGui's cursor, `size_px` large, and
+// needs the window's OpenGL context to be current.
 
-// Looks from above into the drawing volume through the surface at its present height: nothing above
-// the surface is seen, and lines get thinner with the depth below it.
+// Looks down through the surface at its current height into the drawing volume: nothing above the
+// surface is shown, and lines get thinner with depth below it.
 class PadView {
 public:
-    // The surface's area is seen where `area` has it, in the middle of the view.
+    // The surface's active area is shown at `area`, in the middle of the view.
     void show(view::WindowState const& state, render::Renderer& renderer, PenArea const& area,
               ImVec2 const& size_px);
 
@@ -69,28 +69,28 @@ private:
     FollowedCurves strokes_;
     FollowedCurves live_;
     std::optional<render::GpuPicture> picture_;
-    std::shared_ptr<render::Image const> shown_picture_; // Picture that it is made of.
+    std::shared_ptr<render::Image const> shown_picture_; // The image in picture_.
     std::uint64_t picture_revision_ = 0;
     Eigen::Affine3f T_pad_world_ = Eigen::Affine3f::Identity();
-    std::uint64_t turns_ = 0; // Of that.
+    std::uint64_t turns_ = 0; // Number of changes of T_pad_world_.
     double px_per_mm_ = 0;
 };
 
-// Turns, zooms and moves the skeleton's view by what the mouse does over ImGui's last item: drags
-// with the right button, or with the left one if `left_turns`, mean `drag`; with Shift they move
-// it. Tablet millimetres are as `area` shows them.
+// Turns, zooms and moves the skeleton's view by the mouse over ImGui's last item. A drag with the
+// right button, or with the left one if `left_turns`, does `drag`; with Shift it moves. `area`
+// gives the scale, pixels per millimetre.
 void turn_skeleton(scene::SelectionAngle& angle, PenArea const& area, bool left_turns,
                    ViewDrag drag);
 void zoom(scene::SelectionAngle& angle, double factor);
 
-// The plant's skeleton with the states of its branches, as it is selected from.
+// The plant's skeleton, coloured by the states of its branches, in which branches are selected.
 class SkeletonView {
 public:
-    // The tablet's area is seen where `area` has it, in the middle of the view.
+    // The surface's active area is shown at `area`, in the middle of the view.
     void show(view::WindowState const& state, render::Renderer& renderer,
               scene::SelectionAngle const& angle, PenArea const& area, ImVec2 const& size_px);
 
-    // What it showed.
+    // The states shown in the last frame.
     SkeletonStates const& states() const { return states_; }
 
 private:
@@ -102,23 +102,23 @@ private:
     double px_per_mm_ = 0;
 };
 
-// The whole plant, lit; turned, moved and zoomed like the skeleton. What it frames is the plant
-// full-grown, so that a younger one is seen to be smaller.
+// The whole plant, shaded; turned, moved and zoomed like the skeleton. The frame fits the
+// full-grown plant, so that a younger one looks smaller.
 class PlantView {
 public:
     void show(view::WindowState const& state, render::Renderer& renderer, ImVec2 const& size_px,
               ViewDrag drag);
 
-    // The plant with what grows along the stroke under way, and with room around it, so that the
-    // picture keeps still meanwhile. `may_turn`: drags and the wheel turn it.
+    // Shows the plant together with what grows along the current stroke, with some space around it
+    // so that the frame need not change meanwhile. `may_turn`: drags and the wheel turn it.
     void show_on_stage(view::WindowState const& state, render::Renderer& renderer,
                        ImVec2 const& size_px, ViewDrag drag, bool may_turn);
 
-    // By what the view tool's buttons wish for.
+    // For the buttons of the view tool.
     void zoom(double factor);
     void look_at_whole();
 
-    // What is seen now, for a file. Empty before the first plant.
+    // Renders the current view for a file. Empty before the first plant.
     render::Image picture(render::Renderer& renderer, int width, int height) const;
 
 private:
@@ -130,13 +130,13 @@ private:
     Orbit orbit_;
     std::optional<render::GpuMesh> mesh_;
     FollowedCurves growing_;
-    Bounds framed_mm_;          // What the orbit looks at,
-    Bounds framed_on_stage_mm_; // and on stage: all that has been there.
+    Bounds framed_mm_;          // Box that the orbit looks at.
+    Bounds framed_on_stage_mm_; // The same on stage: everything that has been there.
     std::uint64_t revision_ = 0;
     bool turned_ = false;
     bool is_light_ = false;
     bool was_on_stage_ = false; // In the last frame.
-    // Revision of the plant beside which something grew last.
+    // Revision of the plant when something last grew beside it.
     std::optional<std::uint64_t> grows_on_ {};
 };
 

@@ -10,59 +10,59 @@
 
 namespace tractus::window {
 
-// What a person chooses of the window's look.
+// The user's choices for the window's look.
 struct WindowLook {
-    bool is_light = false;       // For a bright room.
-    bool is_left_handed = false; // As of Workbench.
+    bool is_light = false;       // For a bright room; false: for a dark one.
+    bool is_left_handed = false; // See Workbench::is_left_handed.
 
     bool operator==(WindowLook const&) const = default;
 };
 
 struct WindowOptions {
     std::string title = "tractus";
-    int width = 1600; // Pixels, at first; a person may change it.
+    int width = 1600; // Initial width in pixels; the user may change it.
     int height = 900;
 
-    // Closes by itself after so many frames, each 1/60 s of the model's time whatever the clock
-    // says. 0: stays until closed, and the model's time is the clock's.
+    // Number of frames after which the window closes; each then advances the model's time by 1/60
+    // s. 0: stays open, with the model's time by the clock.
     int frames = 0;
 
-    // Fills a display: the one that is named, as find_display() reads it; without a name the
-    // tablet's own, else the one that the window is on. No value: a window among others.
+    // Display to fill, as find_display() reads it; "": the tablet's own, otherwise the one that the
+    // window is on. nullopt: not full screen.
     std::optional<std::string> full_screen {};
 
-    bool is_on_stage = false; // At first nothing is seen but what grows: Workbench::is_on_stage.
+    bool is_on_stage = false; // Begins in the stage view (Workbench::is_on_stage).
 
-    WindowLook look {}; // At first.
-    double scale = 0;   // Of letters and buttons; 0: the display's.
+    WindowLook look {}; // The look at the beginning.
+    double scale = 0;   // Scale of text and buttons; 0: the display's.
 
-    // Called with each look that the person chooses. May be empty.
+    // Called with every look that the user chooses. May be empty.
     std::function<void(WindowLook const&)> keep_look {};
 
-    // Asked before each frame: true closes the window.
+    // Polled before each frame; true closes the window. May be empty.
     std::function<bool()> should_close {};
 
-    // Called when the display has gone and the model is closed: the last thing that the program
-    // does. May be empty.
+    // Called after the display has gone away and the model was closed, as the program's last
+    // action. May be empty.
     std::function<void()> when_display_has_gone {};
 
-    // Where a PNG of the last frame is written; empty: nowhere.
+    // Path of a PNG of the last frame; empty: none.
     std::filesystem::path screenshot {};
 
-    // A folder into which the window is written as pictures, 00001.png and on, `film_rate` for a
-    // second of the model's time, which goes by frames as with `frames`. Without `frames` the
-    // window closes when what it plays has ended. Empty: no film.
+    // Folder for a film of the window as pictures 00001.png and so on, `film_rate` per second of
+    // the model's time, which advances by frames as with `frames`. Without `frames` the window
+    // closes at the end of what it plays. Empty: no film.
     std::filesystem::path film {};
-    int film_rate = 12; // 1 to 60.
+    int film_rate = 12; // Pictures per second, 1 to 60.
 };
 
-// Opens the station's window, with the drawing pad, the skeleton and the plant side by side (Streit
-// 2006 section 3), and shows `model` in it until it is closed (its button, Escape or q, or
-// as the options say), and closes the model. Where the display goes away meanwhile, the model is
-// closed and the program ends with exit code 1: there is no way back out of the X library.
+// Opens the station's window with the drawing pad, the skeleton and the plant side by side (Streit
+// 2006 section 3), shows `model` until the window is closed (by its button, Escape or q, or as the
+// options say), and closes the model. If the display goes away, the model is closed and the program
+// ends with exit code 1, because the X library does not return.
 //
-// Runs on the calling thread. Fails, as the user's fault, where there is no display, or not the one
-// that is to be filled, or no OpenGL 3.3, and in a build without a window (TRACTUS_WINDOW=OFF).
+// Runs on the calling thread. Fails, as the user's fault, without a display, if the display to fill
+// is not found, without OpenGL 3.3, and in a build without a window (TRACTUS_WINDOW=OFF).
 Result<void> run_window(view::WindowModel& model, WindowOptions const& options = {});
 
 } // namespace tractus::window

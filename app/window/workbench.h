@@ -9,62 +9,63 @@
 
 namespace tractus::window {
 
-// What a drag means that turns no tool.
+// What a drag in a view does.
 enum class ViewDrag { Turn, Move };
 
-// How much nearer one step of the wheel goes.
+// Zoom factor per step of the wheel.
 constexpr double kZoomStep = 1.12;
 
-// How the window is set up to work with: what is not the document's, nor the station's.
+// State of the user interface that belongs neither to the document nor to the station.
 struct Workbench {
     enum class Shown {
         All, // Pad, skeleton and plant side by side.
-        Pad, // Each of the others fills the window, or the tablet's own display.
+        Pad, // Each of the following fills the window, or the tablet's own display.
         Skeleton,
         Plant,
-        Collection, // Variations to pick from.
+        Collection, // Variations to choose from.
     };
     Shown shown = Shown::All;
-    // Nothing is seen but what grows, over all of the window, while the pen draws as on the pad.
+    // Only the growing plant is shown, over the whole window; the pen draws as on the pad.
     bool is_on_stage = false;
 
-    // The view tool is in hand: the pointer turns and zooms views and draws nothing.
+    // The view tool is selected: the pointer turns and zooms views and draws nothing.
     bool turns_views = false;
     ViewDrag drag = ViewDrag::Turn;
-    // What the view tool's buttons ask of the views that are seen; the layout does it and takes it
-    // back.
+    // Requests by the view tool's buttons to the visible views; the layout fulfils and resets them.
     double zoom_wished = 1;
     bool whole_is_wished = false;
-    // From where the skeleton is seen, and selected from.
+    // Viewing direction of the skeleton, also used for selecting branches.
     scene::SelectionAngle angle { .shape = scene::SelectionAngle::Shape::AsBent };
-    // What the menu beside the views is open at.
+    // The open page of the menu.
     enum class MenuPage {
-        None, // It is closed.
+        None, // The menu is closed.
         Plant,
         Keep,
         Devices,
         Window,
     };
     MenuPage menu = MenuPage::None;
-    MenuPage last_menu = MenuPage::Plant; // What it opens at.
-    // The displays that the window may fill, and the one that it does fill, as of the last frame.
+    MenuPage last_menu = MenuPage::Plant; // The page at which the menu opens.
+    // The displays that the window may fill, and the index of the one that it fills, as of the last
+    // frame.
     std::vector<Display> displays {};
     std::optional<std::size_t> filled_display {};
-    // Whether it shall; without a display the tablet's own, else the one that it is on. Done and
-    // taken back before the next frame.
+    // A request to enter or leave full screen. Without a display: the tablet's own, otherwise the
+    // one that the window is on. Fulfilled and reset before the next frame.
     struct FullScreen {
         bool is_on = true;
         std::optional<std::size_t> display {};
     };
     std::optional<FullScreen> full_screen_wished {};
     bool keys_are_listed = false;
-    // The menu and the drawing of the tool in hand lie on the left, where a left hand reaches them
-    // without hiding the views; the scale of heights, which is only read, on the right.
+    // Left-handed layout: the menu and the current tool's drawing are on the left, where a left
+    // hand reaches them without covering the views; the height scale, which is only read, is on the
+    // right.
     bool is_left_handed = false;
-    // The number, among those of the tool in hand, that its panel is open for.
+    // Index of the number of the current tool whose panel is open.
     std::optional<std::size_t> asked_number {};
-    bool cards_are_shown = false; // Of the kind in hand.
-    // What a panel with keys asks for a name of, and the name that it has.
+    bool cards_are_shown = false; // Cards of the current tool's kind.
+    // What the name panel is asking a name for, and its current name.
     struct AskedName {
         enum class Of { Drawing, Copy, Card } of = Of::Drawing;
         std::string now {};
@@ -72,51 +73,53 @@ struct Workbench {
         bool operator==(AskedName const& other) const = default;
     };
     std::optional<AskedName> asked_name {};
-    // Shows the tool in hand as a drawing, if its kind has one.
+    // Shows the drawing (glyph) of the current tool, if its kind has one.
     bool glyph_is_shown = true;
-    bool drawn_glyph_is_shown = false; // Likewise for what was drawn with it.
-    bool glyph_is_seen = false;        // In the last frame: it needs room, too.
-    // The tool in hand as a slider or a handle that moves will have made it.
+    bool drawn_glyph_is_shown = false; // Shows the glyph of what was last drawn with the tool.
+    bool glyph_is_seen = false; // A glyph was shown in the last frame and needs room in this one.
+    // The current tool with the value that a moving slider or handle has now.
     std::optional<tools::Tool> adjusted {};
     bool wants_to_close = false;
 
-    // The tool in hand, as it is being adjusted.
+    // The current tool, as it is being adjusted.
     tools::Tool const& hand(view::WindowState const& state) const;
-    // Gives the tool in hand other numbers; what was drawn with it follows.
+    // Changes the numbers of the current tool; what was drawn with it follows.
     void adjust(view::WindowModel& model, tools::Tool tool, view::ChangeGrowth::Slider slider);
 
-    // Takes a tool in hand, and shows the view that it works in if one fills the window.
+    // Selects a tool, and shows the view that it works in if another one fills the window.
     void choose(view::WindowModel& model, tools::Tool tool);
-    // What tools mean that are chosen anew: the station's and those chosen here, the latest last.
+    // The tools whose settings are restored when a tool is selected again: the station's and those
+    // chosen here, the latest last.
     std::vector<tools::Tool> remembered(view::WindowState const& state) const;
     void choose_view_tool();
-    void show_next();        // The next of Shown.
-    void turn_full_screen(); // On if it is off.
-    void enter_stage();      // In full screen.
+    void show_next();        // Next value of Shown.
+    void turn_full_screen(); // Toggles full screen.
+    void enter_stage();      // Shows the stage in full screen.
     bool will_fill_display() const;
-    // One of the panels above the bar, in place of another one.
+    // Each opens a panel above the bar and closes any other.
     void ask_number(std::size_t number);
     void show_cards();
-    void ask_name(AskedName name); // In place of the menu, too.
+    void ask_name(AskedName name); // Closes the menu, too.
     void close_panels();
     void open_menu(MenuPage page);
     void close_menu() { menu = MenuPage::None; }
     bool menu_is_open() const { return menu != MenuPage::None; }
 
-    // The area in which pen or mouse selects is the skeleton's; else it draws on the pad's.
+    // True if the pen or mouse selects in the skeleton's area; false if it draws on the pad.
     static bool selects(view::WindowState const& state)
     {
         return state.hand.kind().surface == tools::Surface::Skeleton;
     }
     bool is_shown(Shown one) const { return shown == one || shown == Shown::All; }
 
-    // The pointer draws, or selects, in the area that is shown for it.
+    // True if the pointer draws or selects in the area shown for it.
     bool draws(view::WindowState const& state) const;
 
 private:
     void remember(tools::Tool const& tool);
 
-    std::vector<tools::Tool> chosen_methods_ {}; // The last of each kind that belongs to a method.
+    std::vector<tools::Tool> chosen_methods_ {}; // The last tool of each kind that belongs to a
+                                                 // method.
 };
 
 } // namespace tractus::window
