@@ -4,7 +4,7 @@
 
 namespace tractus {
 
-// Size of the first block; it is taken when something is allocated, and later ones are larger.
+// Size of the first block, in bytes. It is allocated on first use; later blocks are larger.
 constexpr std::size_t kFirstBlock = std::size_t { 4 } << 20;
 
 Arena::Arena()

@@ -6,8 +6,9 @@
 
 namespace tractus {
 
-// Memory for what several threads make and drop together: each allocation lies behind the one
-// before it, on huge pages where the system has them; all is freed at the arena's end.
+// Bump allocator for data that several threads build and discard together. Allocations are
+// consecutive, on huge pages where the system has them; all memory is freed when the arena is
+// destroyed. Thread-safe.
 class Arena : public std::pmr::memory_resource {
 public:
     Arena();

@@ -11,13 +11,13 @@ constexpr std::size_t kLargeBytes = 2 * kHugePageBytes;
 
 void advise_huge_pages(void* memory, std::size_t bytes)
 {
-    // The small pages at both ends, too: where the memory is a mapping of its own, its last huge
-    // page would not lie inside without them.
+    // Includes the small pages at both ends: if the block is a memory mapping of its own, its last
+    // huge page would otherwise not lie inside the advised range.
     auto const page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
     auto const address = reinterpret_cast<std::uintptr_t>(memory);
     auto const begin = address / page * page;
     auto const end = (address + bytes + page - 1) / page * page;
-    if (bytes >= kHugePageBytes) // Where the advice is not taken nothing is lost.
+    if (bytes >= kHugePageBytes) // Advice that the kernel does not follow does no harm.
         ::madvise(static_cast<char*>(memory) - (address - begin), end - begin, MADV_HUGEPAGE);
 }
 
@@ -34,7 +34,7 @@ void free_bulk(void* memory, std::size_t bytes)
 {
     if (bytes < kLargeBytes)
         return ::operator delete(memory);
-    // The form with a size is missing: clang 14 has that only when asked for it.
+    // Not the sized form: clang 14 provides that only with -fsized-deallocation.
     ::operator delete (memory, std::align_val_t { kHugePageBytes });
 }
 

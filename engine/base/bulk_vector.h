@@ -8,12 +8,12 @@
 
 namespace tractus {
 
-// Memory for many bytes; throws std::bad_alloc if there is none. Large blocks ask the kernel for
-// huge pages: to touch memory for the first time then takes a third of the time.
+// Allocates a block of memory; throws std::bad_alloc if there is none. Large blocks ask the kernel
+// for huge pages, which cuts the time of the first write to a third.
 void* allocate_bulk(std::size_t bytes);
 void free_bulk(void* memory, std::size_t bytes);
 
-// Allocator that makes a std::vector a BulkVector.
+// The allocator of BulkVector.
 template<typename Value> struct BulkAllocator {
     static_assert(std::is_trivially_destructible_v<Value>);
     static_assert(alignof(Value) <= alignof(std::max_align_t));
@@ -28,7 +28,7 @@ template<typename Value> struct BulkAllocator {
     }
     void deallocate(Value* memory, std::size_t count) { free_bulk(memory, count * sizeof(Value)); }
 
-    // Numbers stay unset: whoever makes room for them writes them.
+    // Leaves numbers uninitialised: the caller writes every element it makes room for.
     template<typename Other> void construct(Other* place)
     {
         ::new (static_cast<void*>(place)) Other;
@@ -42,12 +42,12 @@ template<typename Value> struct BulkAllocator {
     friend bool operator==(BulkAllocator const&, BulkAllocator const&) { return true; }
 };
 
-// A vector for large arrays of numbers that are written once, all of them: resize() leaves new
-// elements unset, and large arrays lie on huge pages.
+// A vector for large arrays of numbers that are written once and in full: resize() leaves new
+// elements uninitialised, and large arrays use huge pages.
 template<typename Value> using BulkVector = std::vector<Value, BulkAllocator<Value>>;
 
-// Asks the kernel for huge pages for what lies inside of memory that was not written yet. Without
-// effect where that is too small, or the kernel has none.
+// Asks the kernel for huge pages for the part of `memory` that has not been written yet. Has no
+// effect if that part is too small or the kernel has no huge pages.
 void advise_huge_pages(void* memory, std::size_t bytes);
 
 // Gives an empty vector its size, as resize() does, on huge pages.

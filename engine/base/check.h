@@ -6,8 +6,9 @@ namespace tractus::detail {
 
 } // namespace tractus::detail
 
-// CHECK is for our own mistakes, in every build: prints the condition and its place, then aborts.
-// It is never for what a device, a file or a user can do: that is a Result.
+// CHECK guards against programming errors, in every build: if the condition is false it prints the
+// condition and its place, then aborts. Errors that a device, a file or a user can cause are never
+// a CHECK but a Result.
 #define CHECK(condition)                                                                           \
     do {                                                                                           \
         if (!(condition)) [[unlikely]]                                                             \

@@ -23,7 +23,8 @@ Result<void> read_file_in_pieces(fs::path const& path, std::size_t max_bytes,
     auto const type = fs::status(path, ignored).type();
     if (type == fs::file_type::directory)
         return fail(Fault::User, fmt::format("cannot read {}: it is a folder", path.string()));
-    if (type == fs::file_type::character || type == fs::file_type::block) // /dev/zero has no end.
+    // /dev/zero, for one, never ends.
+    if (type == fs::file_type::character || type == fs::file_type::block)
         return fail(Fault::User, fmt::format("cannot read {}: it is a device", path.string()));
     std::ifstream in(path, std::ios::binary);
     if (!in)
@@ -61,7 +62,8 @@ Result<void> refuse_wide_text(std::string_view bytes, std::string_view name)
     constexpr std::string_view kLittleMark = "\xFF\xFE";
     constexpr std::string_view kBigMark = "\xFE\xFF";
     auto const begin = bytes.substr(0, 4);
-    // A text without a mark begins with a letter, which has a zero beside it.
+    // UTF-16 and UTF-32 text without a byte order mark begins with a letter and therefore has a
+    // zero byte among its first four.
     bool const has_zero = begin.size() == 4 && begin.find('\0') != std::string_view::npos
         && begin != std::string_view("\0\0\0\0", 4);
     if (!begin.starts_with(kLittleMark) && !begin.starts_with(kBigMark) && !has_zero)
@@ -77,7 +79,7 @@ Result<std::string> read_text_file(fs::path const& path, std::size_t max_bytes)
     return text;
 }
 
-// Devices and pipes are there already, and are neither whole nor half: /dev/stdout, /dev/full.
+// True for devices and pipes such as /dev/stdout or /dev/full. They cannot be replaced by a rename.
 static bool is_stream(fs::path const& path)
 {
     std::error_code ignored;
@@ -85,9 +87,10 @@ static bool is_stream(fs::path const& path)
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-// Remembers a temporary file for as long as it is unfinished, for the handler of a signal that ends
-// the program. Each has a place of its own, which it takes and leaves in one step; where more are
-// written at once than there are places, those beyond stay behind when a signal comes.
+// Registers a temporary file while it is unfinished, for the signal handler that removes it when
+// the program ends. The table has a fixed number of places, each taken and released atomically. If
+// more files are written at once than there are places, the excess ones remain on disk after a
+// signal.
 class Unfinished {
 public:
     explicit Unfinished(fs::path const& written)
@@ -113,7 +116,7 @@ public:
     Unfinished(Unfinished const&) = delete;
     Unfinished& operator=(Unfinished const&) = delete;
 
-    // Only what a signal handler may do.
+    // Calls only functions that are allowed in a signal handler.
     static void remove_all()
     {
         for (auto const& place : places)
@@ -146,10 +149,12 @@ void remove_unfinished_file_on_signals()
 {
     for (int const signal : { SIGINT, SIGTERM, SIGHUP })
         if (std::signal(signal, remove_unfinished_and_die) == SIG_IGN)
-            std::signal(signal, SIG_IGN); // Whoever started the program wants it so: nohup.
+            // The signal was ignored before the program started, for example by nohup: keep
+            // ignoring it.
+            std::signal(signal, SIG_IGN);
 }
 
-// Lets the disk take what was written to a file, or to a folder: its names. 0, or the error.
+// Flushes a file's contents, or a folder's entries, to the disk. Returns 0 or the error number.
 static int flush_to_disk(fs::path const& path)
 {
     int const file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -165,7 +170,8 @@ void flush_name_to_disk(fs::path const& path)
     flush_to_disk(path.has_parent_path() ? path.parent_path() : fs::path("."));
 }
 
-// The new name must not be on the disk before the bytes are, nor be lost afterwards.
+// Flushes the file before the rename, so that the new name never refers to incomplete data, and the
+// folder after it, so that the rename is not lost.
 static int put_in_place(fs::path const& written, fs::path const& path)
 {
     if (int const error = flush_to_disk(written))
@@ -185,8 +191,8 @@ Result<void> rename_on_disk(fs::path const& from, fs::path const& to)
     return {};
 }
 
-// Begins a file that will take another's place with the other's permissions, so that nobody can
-// read it who could not before: 0600 stays 0600. Where this fails, writing will say why.
+// Creates the replacement of a file with the permissions of the original, so that a file with mode
+// 0600 is never readable by others. Errors are ignored here: writing will report them.
 static void begin_with_permissions_of(fs::path const& path, fs::path const& written)
 {
     struct stat before { };
@@ -196,11 +202,12 @@ static void begin_with_permissions_of(fs::path const& path, fs::path const& writ
     int const file = ::open(written.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (file < 0)
         return;
-    ::fchmod(file, mode | S_IWUSR); // Past the umask; the writer has to open it once more.
+    ::fchmod(file, mode | S_IWUSR); // Sets the mode regardless of the umask. The owner's write bit
+                                    // is needed to open the file again.
     ::close(file);
 }
 
-// Writes to `written`, which becomes `path` by a rename unless it is the same.
+// Writes to `written`, then renames it to `path` unless the two are the same.
 static Result<void> write_and_rename(fs::path const& path, fs::path const& written,
                                      std::function<Result<void>(std::ostream&)> const& write)
 {
@@ -228,7 +235,8 @@ static Result<void> write_and_rename(fs::path const& path, fs::path const& writt
     if (auto result = write(out); !result) {
         out.close();
         if (!out.good())
-            return failed(errno); // The disk's reason is better than the writer's.
+            // The error of the disk explains more than the error of the writer.
+            return failed(errno);
         discard();
         return result;
     }
@@ -242,10 +250,10 @@ static Result<void> write_and_rename(fs::path const& path, fs::path const& writt
     return {};
 }
 
-// Returns the path that a path leads to, though the last link may lead to what is not there yet.
+// Resolves symbolic links, even if the last one points to a file that does not exist yet.
 static fs::path follow_links(fs::path path)
 {
-    constexpr int kMostLinks = 40; // The kernel allows as many.
+    constexpr int kMostLinks = 40; // The same limit as the kernel's.
     std::error_code error;
     for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i)
         path = path.parent_path() / fs::read_symlink(path, error);
@@ -262,9 +270,9 @@ Result<void> make_folder(fs::path const& folder)
     return {};
 }
 
-// Why a folder takes no new file, as an error number; 0 if it takes one. Tried, since permissions
-// do not tell all: with a file that never has a name, or where the file system knows none, with one
-// that is there for a moment.
+// Returns the error number with which a folder refuses a new file, or 0. Tries it, since
+// permissions alone do not decide: with an unnamed temporary file, or, where the file system does
+// not support these, with a named file that is removed at once.
 static int new_file_refusal(fs::path const& folder)
 {
     int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
@@ -303,7 +311,7 @@ Result<void> check_writable(fs::path const& path)
     return {};
 }
 
-// A name that no other writer has, in this program or another.
+// A temporary name that no other writer uses, in this process or another.
 static fs::path unfinished_path(fs::path const& target)
 {
     static std::atomic<unsigned> count = 0;

@@ -11,56 +11,57 @@
 
 namespace tractus {
 
-// The whole file as bytes. Fails, as the user's fault, if it cannot be opened or read, or if it is
-// larger than `max_bytes`.
+// Returns the whole file as bytes. Fails with Fault::User if the file cannot be opened or read or
+// is larger than `max_bytes`.
 Result<std::string> read_file(std::filesystem::path const& path,
                               std::size_t max_bytes = std::size_t { 1 } << 30);
 
-// Reads a text in UTF-8 or ASCII. Fails like read_file(), and, as the user's fault, for one in
-// UTF-16 or UTF-32, which other systems' editors write.
+// Reads a text file in UTF-8 or ASCII. Fails like read_file(), and with Fault::User if the text is
+// in UTF-16 or UTF-32, which editors on other systems write.
 Result<std::string> read_text_file(std::filesystem::path const& path,
                                    std::size_t max_bytes = std::size_t { 1 } << 30);
 
-// Refuses, as the user's fault, bytes that begin as UTF-16 or UTF-32 text does. `name` is the
-// file's.
+// Fails with Fault::User if the bytes begin as UTF-16 or UTF-32 text does. `name` is the file's
+// name, for the message.
 Result<void> refuse_wide_text(std::string_view bytes, std::string_view name);
 
-// Gives a file's bytes piece by piece, in their order, so that nobody needs room for all of them.
-// Fails like read_file(), or as soon as `take` does.
+// Passes the bytes of a file to `take` piece by piece, in order, so that the file is never in
+// memory as a whole. Fails like read_file(), or with the error of `take` as soon as it fails.
 Result<void> read_file_in_pieces(std::filesystem::path const& path, std::size_t max_bytes,
                                  std::function<Result<void>(std::string_view piece)> const& take);
 
-// Makes a folder and those that it is in, where they are not there. Fails, as the user's fault.
+// Creates a folder and its missing parents. Fails with Fault::User.
 Result<void> make_folder(std::filesystem::path const& folder);
 
-// Whether write_file() may write there, for callers that want to know before long work: the folder
-// that the file is to be in, or the nearest that is there above it, takes new files. Changes
-// nothing. Fails, as the user's fault.
+// Checks whether write_file() could write to `path`, for callers that want to know before long
+// work: its folder, or the nearest existing folder above it, must accept new files. Changes
+// nothing. Fails with Fault::User.
 Result<void> check_writable(std::filesystem::path const& path);
 
-// Calls `write` with a stream to a temporary file beside `path`, lets the disk take it, then
-// renames it to `path`, so that under its final name the file is always whole: the old one or the
-// new one, also after the power has failed. Folders that are not there are made. When `write` or
-// the disk fails, the temporary file is removed, the old file stays, and the error says why. The
-// stream is seekable and binary. A symbolic link stays, and what it points to is written. What is
-// not a file (/dev/stdout, a pipe) is written straight away, and need not be seekable.
+// Replaces the file at `path` atomically: calls `write` with a stream to a temporary file in the
+// same folder, flushes that to the disk, then renames it to `path`. Under its final name the file
+// is always complete, the old version or the new one, even after a power failure. Missing folders
+// are created. If `write` or the disk fails, the temporary file is removed, the old file stays, and
+// the error gives the reason. The stream is binary and seekable. A symbolic link is kept, and its
+// target is replaced. A target that is not a regular file (/dev/stdout, a pipe) is written
+// directly, and the stream need not be seekable.
 Result<void> write_file(std::filesystem::path const& path,
                         std::function<Result<void>(std::ostream&)> const& write);
 
-// Lets the disk take a file's new name, and the one that is gone, of a rename. A folder that cannot
-// be flushed, as on some file systems, is no error.
+// Flushes the folder entries that a rename of `path` changed to the disk. A folder that cannot be
+// flushed, as on some file systems, is not an error.
 void flush_name_to_disk(std::filesystem::path const& path);
 
-// Lets the disk take what was written to a file, then gives it another name, or writes over the
-// file that has it, and lets the disk take that. Fails, as the user's fault, and leaves both as
-// they are.
+// Flushes a file's contents to the disk, renames it from `from` to `to`, replacing a file of that
+// name, and flushes the rename. On failure returns Fault::User and leaves both files as they were.
 Result<void> rename_on_disk(std::filesystem::path const& from, std::filesystem::path const& to);
 
-// Makes a signal that ends the program (Ctrl-C, SIGTERM, SIGHUP) first remove the temporary files
-// of each write_file() under way, in all threads. For main(). Signals that are ignored stay so.
+// Makes the signals that end the program (Ctrl-C, SIGTERM, SIGHUP) first remove the temporary files
+// of every write_file() in progress, in all threads. Call it from main(). Signals that are ignored
+// remain ignored.
 void remove_unfinished_file_on_signals();
 
-// Writes bytes at hand in the same way.
+// Writes `bytes` atomically, like write_file() above.
 Result<void> write_file(std::filesystem::path const& path, std::string_view bytes);
 
 } // namespace tractus

@@ -5,7 +5,7 @@
 
 namespace tractus {
 
-// Fowler, Noll and Vo's hash FNV-1a: the same on every machine, and no protection against anybody.
+// FNV-1a hash (Fowler, Noll, Vo). The same on every machine; not cryptographic.
 constexpr std::uint32_t fnv1a_32(std::string_view text)
 {
     std::uint32_t hash = 2166136261u;

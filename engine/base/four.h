@@ -3,15 +3,16 @@
 #include <cstdint>
 #include <cstring>
 
-// How a Four is passed depends on the processor that is compiled for, which matters between
-// libraries only. The functions of this file and those that take a Four are all inlined or of one.
+// The calling convention for a Four depends on the target processor, which matters only between
+// separately compiled libraries. The functions here and those that take a Four are all inlined or
+// belong to one library.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace tractus {
 
-// Four numbers on which a processor does the same at once, or in two halves: types that g++ and
-// clang have on every processor. + - * / act on each of the four, and the results are those of
-// plain numbers, bit for bit; a comparison gives a mask for ?:.
+// Four numbers that a processor handles as one SIMD vector, or as two halves: a vector extension of
+// g++ and clang that works on every processor. + - * / act on each element, and the results equal
+// those of scalar arithmetic bit for bit; a comparison yields a mask for ?:.
 using Four = double __attribute__((vector_size(4 * sizeof(double))));
 using FourFloats = float __attribute__((vector_size(4 * sizeof(float))));
 using FourInts = std::int32_t __attribute__((vector_size(4 * sizeof(std::int32_t))));
@@ -35,7 +36,7 @@ inline void store(Four const& four, double* to)
     std::memcpy(to, &four, sizeof four);
 }
 
-// Quaternions and vectors of four.
+// Four quaternions or four vectors, stored by component.
 struct FourQuats {
     Four w, x, y, z;
 };
@@ -52,7 +53,7 @@ inline FourQuats product(FourQuats const& a, FourQuats const& b)
              a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x };
 }
 
-// q^-1 v q.
+// The inverse rotation, q^-1 v q, of each vector.
 inline FourVectors turned_back(FourQuats const& q, FourVectors const& v)
 {
     Four const ux = 2 * (q.z * v.y - q.y * v.z);

@@ -7,13 +7,14 @@
 
 namespace tractus {
 
-// The word among `words` that was probably meant by `typed`: the one with the fewest letters
-// inserted, left out, replaced or swapped with their neighbour (restricted Damerau-Levenshtein
-// distance, capitals ignored), the first of equals. At most a third of the typed letters may be
-// wrong, and at least one. No value if every word differs by more.
+// Returns the word of `words` that the typed word was probably meant to be: the one at the smallest
+// restricted Damerau-Levenshtein distance (letters inserted, left out, replaced, or swapped with
+// their neighbour; capitals ignored), and the first of equally near ones. The distance may be at
+// most a third of the typed letters, and may always be one. Returns no value if every word is
+// further away.
 std::optional<std::string> nearest_word(std::string_view typed, std::span<std::string const> words);
 
-// " (did you mean birch?)" to follow what was typed in a sentence, or nothing.
+// Returns " (did you mean birch?)", to append to the unknown word in a message, or an empty string.
 std::string did_you_mean(std::string_view typed, std::span<std::string const> words);
 
 } // namespace tractus

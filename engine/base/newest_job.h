@@ -15,21 +15,23 @@
 
 namespace tractus {
 
-// Does one kind of long work on a thread of its own, for somebody who goes on meanwhile. Only the
-// newest wish counts: what still waits behind it is dropped. What is being made is finished, unless
-// `make` takes a stop token: then it is told to stop when this goes, or when a newer wish comes and
-// it has been at work for kPatience; what it gives after that is dropped, too.
+// Runs one kind of long computation on a thread of its own while the caller continues. Only the
+// newest request counts: an older request that has not started is dropped. A computation that has
+// started is finished, unless `make` accepts a stop token: then it is asked to stop when this
+// object is destroyed, or when a newer request arrives after it has run for kPatience; its result
+// is discarded.
 //
 // The thread that shows ink is never interrupted for it (urgency.h).
 //
-// Everything here is called from one thread; `make` runs on the other. What a wish refers to must
-// not change.
+// All functions here must be called from one thread; `make` runs on the other thread. Data that a
+// request refers to must not change.
 template<typename Wanted, typename Made> class NewestJob {
 public:
-    // So that a person who moves a slider sees what can be made as fast.
+    // How long a computation runs before a newer request may stop it. Long enough that somebody who
+    // moves a slider still sees every result that takes less.
     static constexpr std::chrono::milliseconds kPatience { 200 };
 
-    // `make` is called with what is wanted, and with a std::stop_token if it takes one.
+    // `make` is called with the request, and with a std::stop_token if it accepts one.
     template<typename Make>
     explicit NewestJob(Make make, Urgency urgency = Urgency::Soon)
         : may_stop_(std::is_invocable_v<Make&, Wanted const&, std::stop_token const&>)
@@ -43,13 +45,13 @@ public:
         try {
             thread_ = std::thread([this, urgency] { run(urgency); });
         } catch (std::system_error const&) {
-            // The system gives none: see catch_up().
+            // The system cannot start a thread: catch_up() computes in the caller instead.
         }
     }
     NewestJob(NewestJob const&) = delete;
     NewestJob& operator=(NewestJob const&) = delete;
 
-    // Waits for what is being made, or until it has stopped.
+    // Waits until the computation in progress has finished or stopped.
     ~NewestJob()
     {
         {
@@ -73,14 +75,14 @@ public:
         changed_.notify_all();
     }
 
-    // Something was wanted that take() has not given yet.
+    // True if a request was made whose result take() has not returned yet.
     bool is_busy() const
     {
         std::lock_guard const lock(mutex_);
         return wanted_ || is_at_work_ || made_;
     }
 
-    // The newest, if one has been finished since the last call.
+    // Returns the newest result, if one was finished since the last call.
     std::optional<Made> take()
     {
         Lock lock(mutex_);
@@ -88,7 +90,7 @@ public:
         return std::exchange(made_, std::nullopt);
     }
 
-    // Waits until the newest is there to be taken.
+    // Waits until the newest result is ready for take().
     void settle()
     {
         Lock lock(mutex_);
@@ -111,7 +113,7 @@ private:
         }
     }
 
-    // Where there is no thread whoever wants something has to wait.
+    // Without a thread of its own, the computation runs in the caller, which has to wait.
     void catch_up(Lock& lock)
     {
         if (!thread_.joinable() && wanted_)
@@ -136,7 +138,9 @@ private:
         is_at_work_ = false;
         changed_.notify_all();
         lock.unlock();
-        made.reset(); // What nobody has taken, or may. It may be large: nobody waits for that.
+        // Discards the result that was never taken, or that was stopped. This may take long for a
+        // large result, so nobody waits for it: the lock is released.
+        made.reset();
         lock.lock();
     }
 
@@ -144,13 +148,13 @@ private:
 
     std::function<Made(Wanted const& wanted, std::stop_token const& stop)> make_;
     bool may_stop_;
-    mutable std::mutex mutex_; // Of all that follows but the thread.
+    mutable std::mutex mutex_; // Guards all members below except the thread.
     std::condition_variable changed_;
-    std::optional<Wanted> wanted_; // That nobody has begun to make.
-    std::optional<Made> made_;     // That was not taken.
+    std::optional<Wanted> wanted_; // The request that has not been started, if any.
+    std::optional<Made> made_;     // The result that has not been taken, if any.
     bool is_at_work_ = false;
-    Clock::time_point begun_ {}; // With the present work,
-    std::stop_source stop_work_; // and how to stop it.
+    Clock::time_point begun_ {}; // Start of the computation in progress.
+    std::stop_source stop_work_; // Stops the computation in progress.
     bool stop_ = false;
     std::thread thread_;
 };

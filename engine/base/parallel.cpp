@@ -13,12 +13,12 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
-// This file is compiled without the thread sanitizer, since it cannot follow the library's tasks.
+// This file is compiled without the thread sanitizer, which cannot follow the tasks of oneTBB.
 #ifdef TRACTUS_THREAD_SANITIZER
 extern "C" void __tsan_acquire(void* address); // NOLINT(bugprone-reserved-identifier)
 extern "C" void __tsan_release(void* address); // NOLINT(bugprone-reserved-identifier)
-// The library hands its own memory from thread to thread in ways that the sanitizer does not see.
-// This overlooks what the library itself does, not what our pieces do in its threads.
+// The library passes its own memory between threads in ways that the sanitizer cannot see. This
+// suppresses reports about the library itself, not about our work functions in its threads.
 extern "C" char const* __tsan_default_suppressions(); // NOLINT(bugprone-reserved-identifier)
 extern "C" char const* __tsan_default_suppressions()  // NOLINT(bugprone-reserved-identifier)
 {
@@ -41,9 +41,9 @@ static void release(void*) { }
 #define __has_feature(name) 0
 #endif
 #if __has_feature(address_sanitizer) || defined(__SANITIZE_ADDRESS__)
-// Runtimes up to LLVM 16 and GCC 13 take one in some hundred blocks of thread-local memory for an
-// older glibc's, read a wrong address beside it, and die of that when they search for leaks as a
-// program ends.
+// Works around a bug of the address sanitizer's runtimes up to LLVM 16 and GCC 13: about one in a
+// hundred blocks of thread-local storage is mistaken for one of an older glibc; the leak check at
+// exit then reads a wrong address and crashes.
 extern "C" char const* __asan_default_options(); // NOLINT(bugprone-reserved-identifier)
 extern "C" char const* __asan_default_options()  // NOLINT(bugprone-reserved-identifier)
 {
@@ -67,7 +67,8 @@ void parallel_for(std::size_t count, std::size_t grain,
     grain = std::max<std::size_t>(grain, 1);
     if (count <= grain)
         return work(0, count);
-    char begun = 0; // Their addresses stand for the loop's two points of synchronisation.
+    // The addresses of `begun` and `done` identify the two synchronisation points of the loop.
+    char begun = 0;
     char done = 0;
     auto const urgency = present_urgency();
     release(&begun);
@@ -83,7 +84,7 @@ void parallel_for(std::size_t count, std::size_t grain,
 
 void parallel_in_order(std::size_t slots, OrderedWork const& work)
 {
-    // Each stage sees what the one before it did with its slot, and what it did itself last.
+    // Each stage sees what the previous stage wrote to its slot, and its own earlier writes.
     std::vector<char> slot_order(slots);
     char next_order = 0;
     char use_order = 0;
@@ -100,8 +101,7 @@ void parallel_in_order(std::size_t slots, OrderedWork const& work)
     };
     release(&next_order);
     auto const next = [&](tbb::flow_control& control) -> std::size_t {
-        // This slot is free: as many pieces are on their way as there are slots, and they end in
-        // order.
+        // This slot is free: at most `slots` pieces are in progress, and they finish in order.
         auto const slot = count++ % slots;
         if (ended || !ordered(next_order, slot_order[slot], [&] { return work.next(slot); }))
             control.stop();
@@ -126,7 +126,7 @@ void parallel_in_order(std::size_t slots, OrderedWork const& work)
                                & tbb::make_filter<std::size_t, void>(Mode::serial_in_order, use));
     acquire(&next_order);
     acquire(&use_order);
-    for (char& order : slot_order) // Pieces that were made and never used.
+    for (char& order : slot_order) // Also synchronise with pieces that were made and never used.
         acquire(&order);
 }
 

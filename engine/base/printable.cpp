@@ -21,7 +21,7 @@ std::string_view first_character(std::string_view text)
     return text.substr(0, is_whole ? size : 1);
 }
 
-// Whether a character is one of the 65 that control a terminal, or no character at all.
+// True if the character is one of the 65 Unicode control characters or is not valid UTF-8.
 static bool is_control(std::string_view character)
 {
     auto const lead = static_cast<unsigned char>(character.front());

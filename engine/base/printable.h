@@ -5,11 +5,12 @@
 
 namespace tractus {
 
-// The UTF-8 character that the text begins with; one byte where there is none. Not for empty text.
+// Returns the first UTF-8 character of the text, or its first byte if it does not begin with valid
+// UTF-8. The text must not be empty.
 std::string_view first_character(std::string_view text);
 
-// The text as a terminal may show it: control characters, which could change what it shows, and
-// bytes that are no UTF-8 become escapes, such as \x1b. Those in `kept` stay as they are.
+// Returns the text in a form that is safe to print on a terminal: control characters and bytes that
+// are not valid UTF-8 become escapes such as \x1b. Characters in `kept` remain as they are.
 std::string printable(std::string_view text, std::string_view kept = {});
 
 } // namespace tractus

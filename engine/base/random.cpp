@@ -7,7 +7,7 @@
 
 namespace tractus {
 
-// Multipliers and Weyl constants of Philox4x32, from the paper's reference implementation.
+// Multipliers and Weyl constants of Philox4x32, from the reference implementation of the paper.
 constexpr std::uint64_t kMultiplier0 = 0xD2511F53;
 constexpr std::uint64_t kMultiplier1 = 0xCD9E8D57;
 constexpr std::uint32_t kWeyl0 = 0x9E3779B9;

@@ -5,20 +5,20 @@
 
 namespace tractus {
 
-// Names a random stream. Streams with different keys are independent, so a branch's numbers do not
-// depend on order, threads, or edits elsewhere: name what the numbers are for (plant, branch, step)
-// and ask.
+// Identifies a random stream. Streams with different keys are independent, so the random numbers of
+// a branch do not depend on evaluation order, on threads, or on edits elsewhere. Callers choose a
+// key for each use (plant, branch, step) instead of sharing one generator.
 struct RandomKey {
     std::uint64_t seed = 0;
-    std::uint32_t stream = 0;    // Purpose of the numbers: a constant of the caller.
-    std::uint32_t substream = 0; // Plant, branch, … that they are for.
+    std::uint32_t stream = 0;    // What the numbers are used for: a constant of the caller.
+    std::uint32_t substream = 0; // The plant, branch, … that the numbers are for.
 };
 
-// Four random words for position `index` of the stream `key`: Philox4x32-10 (Salmon, Moraes, Dror,
-// Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC 2011). A pure function.
+// Returns the four random words at position `index` of the stream `key`: Philox4x32-10 (Salmon,
+// Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC 2011). A pure function.
 std::array<std::uint32_t, 4> random_block(RandomKey const& key, std::uint64_t index);
 
-// Reads a stream's words one after another. Copying it copies its position.
+// Reads the words of a stream in sequence. A copy continues from the same position.
 class Random {
 public:
     explicit Random(RandomKey const& key)
@@ -29,14 +29,14 @@ public:
     std::uint32_t next_u32();
     std::uint64_t next_u64();
 
-    // [0, 1), in steps of 2^-53.
+    // Uniformly distributed in [0, 1), in steps of 2^-53.
     double uniform();
 
-    // [low, high).
+    // Uniformly distributed in [low, high).
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-    // Mean 0, standard deviation 1. Box and Muller's method: two uniforms each, the second half
-    // kept for the next call.
+    // Normally distributed with mean 0 and standard deviation 1, by the Box-Muller method: every
+    // second call consumes two uniform numbers, and the second value is kept for the next call.
     double normal();
 
 private:

@@ -6,9 +6,9 @@
 
 namespace tractus {
 
-// Several of random_block()'s blocks at once, which a processor's vectors make in the time of two
-// or three: of one seed and stream, each of its own substream and index, which must be below 2^32.
-// Word w of block i is words[w][i].
+// Computes eight results of random_block() at once with vector instructions, in the time of two or
+// three. All share a seed and a stream; each has its own substream and index. Indices must be below
+// 2^32. Word w of block i is words[w][i].
 struct RandomBlocks {
     static constexpr std::size_t kCount = 8;
     using Words = std::array<std::uint32_t, kCount>;

@@ -7,11 +7,11 @@
 
 namespace tractus {
 
-// Who has to act for an error to go away.
+// Who has to act to resolve an error.
 enum class Fault {
-    User,    // The command line, a file, a missing permission.
-    Device,  // Hardware or firmware broke its own contract.
-    Station, // Our bug.
+    User,    // The command line, a file or a permission must be corrected.
+    Device,  // Hardware or firmware violated its own protocol.
+    Station, // A bug in this program.
 };
 
 struct Error {
@@ -19,7 +19,7 @@ struct Error {
     std::string message; // One sentence: what failed, on which device or file, and what to do.
 };
 
-// A value or the reason why there is none. Never ignored: the compiler warns.
+// A value or the error that explains why there is none. The compiler warns if a Result is ignored.
 template<typename T> class [[nodiscard]] Result : public tl::expected<T, Error> {
 public:
     using tl::expected<T, Error>::expected;
@@ -45,8 +45,8 @@ template<typename T> T take(Result<T>& result)
 
 } // namespace detail
 
-// The value of a Result; when there is none, returns its error from the enclosing function.
-// A statement expression: g++ and clang. Do not nest it: -Wshadow will say so.
+// Evaluates to the value of a Result; if there is none, returns its error from the enclosing
+// function. Uses a statement expression (g++ and clang). Do not nest it: -Wshadow rejects that.
 #define TRY(expression)                                                                            \
     __extension__({                                                                                \
         auto&& try_result = (expression);                                                          \

@@ -8,10 +8,12 @@
 
 namespace tractus {
 
-// A long list of which many versions are kept, each with a few more or other elements than the one
-// before: copies share all but the elements near those that differ. For values, as SharedVector.
+// A long list that is kept in many versions, each differing from the one before by a few elements.
+// Copies share all blocks of elements except those that contain a difference. Thread rules as for
+// SharedVector.
 template<typename T> class SharedList {
-    static constexpr std::size_t kBlock = 32; // Elements that are shared or copied together.
+    // Number of elements that are shared or copied together.
+    static constexpr std::size_t kBlock = 32;
     using Block = std::vector<T>;
 
 public:
@@ -69,7 +71,8 @@ public:
         replace(std::move(one));
     }
 
-    // Elements with their indices, in that order: what they share a block with is copied once.
+    // Replaces elements, given with their indices in ascending order. A block that contains several
+    // of them is copied only once.
     void replace(std::vector<std::pair<std::size_t, T>> elements)
     {
         for (std::size_t i = 0; i < elements.size();) {
@@ -88,7 +91,7 @@ public:
         append(std::move(one));
     }
 
-    // Likewise.
+    // Appends elements. Copies only the last block.
     void append(std::vector<T> elements)
     {
         for (std::size_t i = 0; i < elements.size();) {
@@ -104,12 +107,13 @@ public:
         }
     }
 
-    // Removes elements, whose indices are in order; those after them move up.
+    // Removes the elements at `indices`, in ascending order; later elements move up.
     void erase(std::vector<std::size_t> const& indices)
     {
         if (indices.empty())
             return;
-        auto const first = indices.front() / kBlock * kBlock; // Its block's first element.
+        // Index of the first element of the first changed block.
+        auto const first = indices.front() / kBlock * kBlock;
         auto const before = std::exchange(*this, {});
         blocks_.assign(before.blocks_.begin(),
                        before.blocks_.begin() + static_cast<std::ptrdiff_t>(first / kBlock));
@@ -127,8 +131,8 @@ public:
 
     void clear() { *this = {}; }
 
-    // Returns what `make` gives for each element. Where `before` shares a block with this list,
-    // what was made of that block is taken from `made`, the list that this call gave for `before`.
+    // Returns `make` applied to each element. For blocks that this list shares with `before`, the
+    // results are reused from `made`, the list that map() returned for `before`.
     template<typename U, typename Make>
     SharedList<U> map(SharedList const& before, SharedList<U> const& made, Make const& make) const
     {
@@ -148,14 +152,14 @@ public:
         return result;
     }
 
-    // Returns all elements, in order.
+    // Returns all elements in order.
     std::vector<T> vector() const { return { begin(), end() }; }
 
 private:
     template<typename U> friend class SharedList;
 
-    // Nobody changes one: whoever wants to makes another. All are full but the last. Shared between
-    // the copies of the list.
+    // The blocks are shared between copies of the list and never modified: a change replaces a
+    // block. All but the last are full.
     std::vector<std::shared_ptr<Block const>> blocks_;
     std::size_t size_ = 0;
 };

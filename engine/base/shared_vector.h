@@ -12,27 +12,27 @@
 
 namespace tractus {
 
-// Where elements can be read again that are not in memory.
+// Re-reads elements that are not in memory.
 template<typename T> class ElementSource {
 public:
     virtual ~ElementSource() = default;
 
-    // Always the same ones. Fails, in a sentence that names the place, where they cannot be read
-    // now: the next call may succeed. Called from any thread.
+    // Returns the same elements on every call. Fails, in a sentence that names the source, if they
+    // cannot be read now; a later call may succeed. Called from any thread.
     virtual Result<std::vector<T>> read() const = 0;
 };
 
-// A vector of which copies are cheap: they share their elements until one of them is changed, which
-// then has its own. For values that are kept in many places and hardly ever changed. A copy may go
-// to another thread; one copy belongs to one thread at a time, as any value does.
+// A vector with cheap copies: they share their elements until one of them is modified (copy on
+// write). For values that are kept in many places and rarely changed. Copies may move to other
+// threads; a single copy may be used by one thread at a time.
 //
-// Elements that have a source need not be in memory: those of a parked() copy are read when
-// somebody looks at them, and stay from then on. Callers that look at many in turn take in_memory()
-// copies instead, whose elements go with them.
+// Elements that have a source need not be in memory: those of a parked() copy are read on first
+// access and then stay. Callers that visit many vectors in turn should use temporary in_memory()
+// copies, whose elements are freed with the copy.
 template<typename T> class SharedVector {
 public:
     using value_type = T;
-    using Source = std::shared_ptr<ElementSource<T> const>; // Shared between the copies.
+    using Source = std::shared_ptr<ElementSource<T> const>; // Shared between copies.
 
     SharedVector() = default;
     SharedVector(std::vector<T> elements) // NOLINT(google-explicit-constructor): is one.
@@ -43,7 +43,7 @@ public:
         : SharedVector(std::vector<T>(elements))
     {
     }
-    // Elements that are those of the source, too.
+    // `elements` must equal the elements of the source.
     SharedVector(std::vector<T> elements, Source source)
         : shared_(std::make_shared<Shared>(std::move(elements), std::move(source)))
     {
@@ -56,7 +56,8 @@ public:
     }
     bool is_in_memory() const { return !shared_ || shared_->is_in_memory; }
 
-    // Returns the same elements, left to their source, which they must have.
+    // Returns a copy without elements in memory; they will be read from the source. The vector must
+    // have a source.
     SharedVector parked() const
     {
         if (!is_in_memory())
@@ -66,8 +67,8 @@ public:
         return parked;
     }
 
-    // Returns the same elements in memory, which those of this one need not be afterwards. Fails as
-    // their source does, and then changes nothing: a later call reads again.
+    // Returns a copy whose elements are in memory; this vector itself stays parked. Fails as the
+    // source does, and then changes nothing: a later call reads again.
     Result<SharedVector> in_memory() const
     {
         if (is_in_memory())
@@ -75,15 +76,15 @@ public:
         return SharedVector(TRY(shared_->source->read()), shared_->source);
     }
 
-    // Identifies the elements: two with the same id have the same ones, as long as one of the two
-    // is there; nobody needs to look at them to know.
+    // Identifies the elements without looking at them: two vectors with the same id have the same
+    // elements, as long as one of the two exists.
     void const* id() const
     {
         return source() ? static_cast<void const*>(source().get()) : shared_.get();
     }
 
-    // The elements; those that are not in memory are read, and stay. If they cannot be read, it is
-    // empty for this call: callers that must know ask for in_memory().
+    // Returns the elements. Parked elements are read and stay in memory. If they cannot be read the
+    // result is empty for this call; callers that must handle this use in_memory().
     std::vector<T> const& vector() const { return shared_ ? shared_->look() : nothing(); }
     operator std::vector<T> const&() const
     {
@@ -99,8 +100,8 @@ public:
     auto begin() const { return vector().begin(); }
     auto end() const { return vector().end(); }
 
-    // Elements to be changed: they are the source's no more. The reference holds until the next
-    // copy is made.
+    // Returns the elements for modification, detached from other copies and from the source. The
+    // reference is valid until the next copy is made.
     std::vector<T>& own()
     {
         if (!shared_)
@@ -148,7 +149,7 @@ private:
         std::vector<T> elements;
         Source const source;
         std::mutex reading;
-        std::atomic<bool> is_in_memory { false }; // Then nothing here changes any more.
+        std::atomic<bool> is_in_memory { false }; // Once true, nothing here changes any more.
     };
 
     static std::vector<T> const& nothing()
@@ -157,7 +158,7 @@ private:
         return none;
     }
 
-    std::shared_ptr<Shared> shared_; // Shared between the copies; null: none.
+    std::shared_ptr<Shared> shared_; // Shared between copies; null if the vector is empty.
 };
 
 } // namespace tractus

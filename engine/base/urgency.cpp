@@ -9,14 +9,14 @@ namespace tractus {
 
 static thread_local Urgency present = Urgency::Now;
 
-// Lowers the calling thread alone. A system that refuses leaves it as it is.
+// Lowers the priority of the calling thread only. If the system refuses, the priority stays.
 static void lower_to(Urgency urgency)
 {
     constexpr int kNice = 10;
     static thread_local Urgency lowest = Urgency::Now;
     if (urgency <= lowest)
         return;
-    // A thread of this policy that wakes does not take the processor from the one that runs.
+    // With SCHED_BATCH a thread that wakes up does not preempt the running one.
     sched_param const none {};
     ::sched_setscheduler(0, SCHED_BATCH, &none);
     if (urgency == Urgency::Later)

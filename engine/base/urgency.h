@@ -2,23 +2,24 @@
 
 namespace tractus {
 
-// How soon somebody needs what a thread does.
+// How soon the result of a thread's work is needed.
 enum class Urgency {
-    Now,   // Due in this frame: the threads that read devices and show the pen's ink.
-    Soon,  // A few frames later: it does not interrupt who has woken it.
-    Later, // When there is time: growing plants. It also leaves the processor to all others first.
+    Now,  // Due in this frame: threads that read devices or show the pen's ink.
+    Soon, // Needed a few frames later: does not preempt threads of urgency Now.
+    // When there is time, such as growing plants: also yields the processor to all other threads.
+    Later,
 };
 
-// Declares how urgent the work of the calling thread, and of the threads that help it in parallel
-// loops (parallel.h), is from here on. A thread that has once been less urgent stays so, since
-// Linux lets nobody take it back.
+// Sets the urgency of the calling thread, and of the threads that help it in parallel loops
+// (parallel.h). The urgency of a thread can only be lowered, never raised again: Linux does not
+// permit it.
 void set_urgency(Urgency urgency);
 
-// The urgency of the calling thread's present work.
+// Returns the urgency of the work that the calling thread is doing.
 Urgency present_urgency();
 
-// While it lives the calling thread does a piece of work of this urgency; afterwards it goes on
-// with what it did before.
+// Gives the calling thread's work this urgency while the object lives; the destructor restores the
+// urgency from before.
 class PieceOfWork {
 public:
     explicit PieceOfWork(Urgency urgency);

@@ -9,7 +9,7 @@ using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Quat = Eigen::Quaterniond;
 
-// Single precision, for bulk data that goes to a graphics card or a file.
+// Single precision, for bulk data that is sent to a graphics card or a file.
 using Vec2f = Eigen::Vector2f;
 using Vec3f = Eigen::Vector3f;
 using Quatf = Eigen::Quaternionf;
@@ -26,9 +26,9 @@ constexpr double degrees(double radians)
     return radians * (180.0 / kPi);
 }
 
-// Eigen's rotation from the direction of one vector to that of another, neither of them zero;
-// compiled once, since it contains a decomposition. Where both are unit vectors, least_rotation()
-// (engine/stroke/frames.h) needs none.
+// Returns the rotation from the direction of `from` to the direction of `to`, both non-zero
+// (Eigen's FromTwoVectors). Compiled in one place since it contains a matrix decomposition. For
+// unit vectors use least_rotation() (engine/stroke/frames.h), which needs none.
 Quat rotation_between(Vec3 const& from, Vec3 const& to);
 
 } // namespace tractus

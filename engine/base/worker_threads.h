@@ -2,9 +2,9 @@
 
 namespace tractus {
 
-// Ends the threads that have helped with loops (parallel.h), and returns when they are gone: at the
-// end of a program, where threads that go by themselves would run beside its last clearing up.
-// Later loops begin new ones. Called while no loop runs.
+// Ends the helper threads of parallel loops (parallel.h) and returns when they have exited. Call it
+// at the end of a program, so that these threads do not run beside the destruction of static
+// objects. Later loops start new threads. Must not be called while a loop runs.
 void end_worker_threads();
 
 } // namespace tractus
