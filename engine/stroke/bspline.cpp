@@ -7,7 +7,8 @@
 
 namespace tractus {
 
-// Knot i, in units of one span: clamped knots repeat at both ends, uniform ones go on.
+// Value of knot i, in units of one span: clamped knots are repeated at both ends, uniform knots
+// continue.
 static double knot(int i, int degree, int spans, BSplineOptions::Ends ends)
 {
     int const value = i - degree;

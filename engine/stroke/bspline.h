@@ -9,20 +9,21 @@
 namespace tractus {
 
 struct BSplineOptions {
-    int degree = 3; // 2 or 3. With too few control points for it, the highest degree they allow.
+    // 2 or 3. With too few control points for this degree, the highest degree they allow is used.
+    int degree = 3;
 
     enum class Ends {
-        Clamped, // The curve begins in the first control point and ends in the last.
-        Uniform, // Equal knots: it begins and ends near them.
+        Clamped, // The curve begins at the first control point and ends at the last.
+        Uniform, // Uniform knots: the curve begins and ends near the outer control points.
     };
     Ends ends = Ends::Clamped;
 };
 
-// The point of a B-spline curve at `t`, 0 its beginning and 1 its end; outside of that the nearest
-// end. At least one control point. De Boor's algorithm.
+// Returns the point of a B-spline curve at parameter `t`, from 0 (beginning) to 1 (end), clamped to
+// this range, by de Boor's algorithm. `control` needs at least one point.
 Vec3 bspline_point(std::span<Vec3 const> control, double t, BSplineOptions const& options = {});
 
-// `count` points (at least 2) at equal steps of t, both ends among them.
+// Returns `count` points (at least 2) at equal steps of t, including both ends.
 std::vector<Vec3> bspline_points(std::span<Vec3 const> control, std::size_t count,
                                  BSplineOptions const& options = {});
 

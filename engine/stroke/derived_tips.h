@@ -8,15 +8,16 @@
 
 namespace tractus {
 
-// Where the tips of a stroke can be read again that was made of others: read() makes it once more
-// from what they are read from (SharedVector::source()).
+// Sources of strokes that were computed from other strokes: read() recomputes the tips from the
+// sources of those strokes (SharedVector::source()).
 
-// Returns the source of a stroke that was redrawn in part (oversketch.h): what was drawn, and what
-// over it. Null if one of them has no source.
+// Returns the source of a stroke that was partly redrawn (oversketch.h), from the sources of the
+// original stroke and of the stroke drawn over it. Returns null if either source is null.
 SharedVector<TipSample>::Source redrawn_source(SharedVector<TipSample>::Source drawn,
                                                SharedVector<TipSample>::Source over);
 
-// Returns the source of a stroke that was erased in part. Null if what was drawn has no source.
+// Returns the source of a stroke that was partly erased, from the source of the original stroke.
+// Returns null if that is null.
 SharedVector<TipSample>::Source erased_source(SharedVector<TipSample>::Source drawn,
                                               std::vector<TipRange> ranges);
 

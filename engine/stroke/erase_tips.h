@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// Tips of a stroke that follow each other: the first and the last of them, counted from 0.
+// A range of consecutive tips of a stroke: indices of the first and the last, counted from 0.
 struct TipRange {
     std::size_t first = 0;
     std::size_t last = 0;
@@ -16,12 +16,12 @@ struct TipRange {
     bool operator==(TipRange const&) const = default;
 };
 
-// Takes tips away, as an eraser does on paper. What remains is one stroke: it begins later or ends
-// earlier where an end is gone, and goes straight over a gap, since a branch has none; the gap can
-// be redrawn (oversketch.h). The tips that remain are as they were.
+// Removes ranges of tips from a stroke, as an eraser does on paper. The result is one stroke: it is
+// shorter where an end was erased, and a straight line bridges each gap, since a branch cannot have
+// a gap. The bridge can be redrawn (oversketch.h). The remaining tips are unchanged.
 //
-// Refuses, in a sentence, ranges of which there is none, that are not in order, share a tip or
-// leave the stroke, and those that leave nothing with a direction (stroke_points).
+// Fails, in one sentence, if there are no ranges, if they are not in order, overlap or exceed the
+// stroke, or if the rest has no direction (stroke_points).
 Result<Stroke> erase_tips(Stroke const& drawn, std::span<TipRange const> ranges);
 
 } // namespace tractus

@@ -6,8 +6,8 @@
 
 namespace tractus {
 
-// A frame as the rotation that takes +x to its tangent, +y to its normal and +z to its binormal:
-// half the memory of a Frame, and rotations compose.
+// Returns the frame as the rotation that takes +x to its tangent, +y to its normal and +z to its
+// binormal. It needs half the memory of a Frame, and rotations can be composed.
 inline Quat rotation_of(Frame const& frame)
 {
     Eigen::Matrix3d columns;
@@ -27,14 +27,15 @@ inline Vec3 normal_of(Quat const& q)
              2 * (q.y() * q.z() + q.w() * q.x()) };
 }
 
-// A unit quaternion but for rounding errors made one again: a step of Newton's method, without a
-// root.
+// Corrects the length of a quaternion that is a unit quaternion up to rounding errors: one Newton
+// step, without a square root.
 inline Quat renormalised(Quat const& q)
 {
     return Quat(q.coeffs() * (1.5 - 0.5 * q.squaredNorm()));
 }
 
-// The frame turned with least twist from the direction `from`, which is its tangent, to `to`.
+// Parallel transport: rotates the frame by the least rotation from its tangent `from` to the
+// direction `to`. Both are unit vectors.
 inline Quat carried(Quat const& frame, Vec3 const& from, Vec3 const& to)
 {
     double const w = 1 + from.dot(to);

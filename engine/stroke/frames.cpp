@@ -19,7 +19,8 @@ Vec3 any_normal(Vec3 const& tangent)
 
 Quat least_rotation(Vec3 const& from, Vec3 const& to)
 {
-    // The quaternion of the half angle, from the full one's: w = 2 cos²(a/2), |cross| = 2 sin cos.
+    // The quaternion of half the angle a, from the full angle's: w = 2 cos²(a/2), |cross| = 2
+    // sin(a/2) cos(a/2).
     double const w = 1 + from.dot(to);
     if (w < 1e-14) {
         Vec3 const axis = any_normal(from);
@@ -33,7 +34,8 @@ static std::vector<Vec3> segment_directions(std::span<Vec3 const> points)
 {
     std::vector<Vec3> directions(points.size() - 1, Vec3::Zero());
     Vec3 last = Vec3::UnitZ();
-    for (std::size_t i = directions.size(); i-- > 0;) { // Backwards, for those before the first.
+    // Backwards, so that leading segments of zero length take the direction of a later one.
+    for (std::size_t i = directions.size(); i-- > 0;) {
         Vec3 const step = points[i + 1] - points[i];
         if (double const length = step.norm(); length > 0)
             last = directions[i] = step / length;
@@ -56,7 +58,7 @@ std::vector<Frame> rotation_minimising_frames(std::span<Vec3 const> points,
     frames.push_back({ directions[0], normal_towards(directions[0], first_normal) });
     for (std::size_t i = 1; i < directions.size(); ++i) {
         auto const turn = least_rotation(directions[i - 1], directions[i]);
-        // Made orthogonal again, or rounding errors would add up along the line.
+        // Re-orthogonalised, since rounding errors would accumulate along the line.
         frames.push_back(
             { directions[i], normal_towards(directions[i], turn * frames.back().normal) });
     }

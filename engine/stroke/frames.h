@@ -7,7 +7,7 @@
 
 namespace tractus {
 
-// A direction and two sides of it; the three are orthonormal and right-handed.
+// A tangent with a normal and a binormal; the three are orthonormal and right-handed.
 struct Frame {
     Vec3 tangent = Vec3::UnitZ();
     Vec3 normal = Vec3::UnitX();
@@ -15,27 +15,28 @@ struct Frame {
     Vec3 binormal() const { return tangent.cross(normal); }
 };
 
-// A unit vector at right angles to the unit vector `tangent`: as near to +x as there is, so that
-// what is drawn from the front keeps its left and right, or to +y where `tangent` lies along x.
+// Returns a unit vector orthogonal to the unit vector `tangent`: the one nearest to +x, so that
+// strokes drawn from the front keep their left and right, or nearest to +y if `tangent` is parallel
+// to x.
 Vec3 any_normal(Vec3 const& tangent);
 
-// The rotation by the least angle that takes the unit vector `from` to the unit vector `to`. Where
-// they are opposite, so that the axis is not given: half a turn about any_normal(from).
+// Returns the rotation by the smallest angle that takes the unit vector `from` to the unit vector
+// `to`. For opposite vectors, where the axis is undetermined: half a turn about any_normal(from).
 Quat least_rotation(Vec3 const& from, Vec3 const& to);
 
-// A frame for each segment of a polyline, that turns no more than the segments do: each is the one
-// before, rotated by least_rotation from direction to direction (discrete parallel transport, the
-// limit that Wang et al., "Computation of rotation minimizing frames", 2008, approximate). At least
-// two points. A segment without length takes the direction of the one before it; the first ones,
-// that of the first segment that has one; all of them +z, where none has.
+// Returns a rotation-minimising frame for each segment of a polyline of at least two points: each
+// frame is the previous one, rotated by least_rotation() from direction to direction (discrete
+// parallel transport, the limit that Wang et al., "Computation of rotation minimizing frames",
+// 2008, approximate). A segment of zero length takes the direction of the segment before it; at the
+// beginning, that of the first segment with a length; +z if no segment has one.
 //
-// `first_normal` needs not be exact: it is made orthogonal to the first tangent.
+// `first_normal` need not be exact: it is made orthogonal to the first tangent.
 std::vector<Frame> rotation_minimising_frames(std::span<Vec3 const> points,
                                               Vec3 const& first_normal);
 std::vector<Frame> rotation_minimising_frames(std::span<Vec3 const> points);
 
-// `side` made orthogonal to the unit vector `tangent`, and a unit vector. any_normal where the two
-// are parallel.
+// Returns the unit vector along the component of `side` that is orthogonal to the unit vector
+// `tangent`, or any_normal() if the two are parallel.
 Vec3 normal_towards(Vec3 const& tangent, Vec3 const& side);
 
 } // namespace tractus

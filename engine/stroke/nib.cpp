@@ -10,10 +10,12 @@ namespace {
 constexpr double kBroadest = 4;
 constexpr double kPointUntil_rad = 30 * kPi / 180;
 constexpr double kSideFrom_rad = 60 * kPi / 180;
-constexpr double kDirectionOver_mm = 1.5; // To either side; a hand trembles on shorter ways.
+// The direction of movement is measured over this distance to either side; over less, tremor
+// dominates.
+constexpr double kDirectionOver_mm = 1.5;
 
-// The tip at least kDirectionOver_mm away before (step -1) or after (step 1) a tip, or the last one
-// there is.
+// Returns the nearest tip that is at least kDirectionOver_mm away before (step -1) or after (step
+// 1) a tip, or the last tip in that direction.
 Vec3 place_away(std::span<TipSample const> tips, std::size_t i, std::ptrdiff_t step)
 {
     auto const last = step < 0 ? std::size_t { 0 } : tips.size() - 1;
@@ -23,7 +25,8 @@ Vec3 place_away(std::span<TipSample const> tips, std::size_t i, std::ptrdiff_t s
     return tips[at].position_mm;
 }
 
-// Share of the side's length that a movement sweeps: its sine with the lean.
+// Share of the side's length that a movement sweeps: the sine of the angle between movement and
+// tilt.
 double swept_share(std::span<TipSample const> tips, std::size_t i, Vec2 const& slope)
 {
     Vec3 const side(slope.x(), slope.y(), 0);

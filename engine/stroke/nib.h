@@ -7,17 +7,17 @@
 
 namespace tractus {
 
-// The end of a pen, as its ink shows it.
+// The shape of the pen's nib, which determines the width of the displayed ink.
 enum class Nib {
-    Point, // Leaves a line as wide as the pen was pressed, whichever way it leans.
-    Side,  // Leant as a pencil is for shading, it leaves a broad line across its lean.
+    Point, // Draws a line whose width depends only on the pressure, not on the tilt.
+    Side,  // A tilted pencil: like one used for shading, it draws a broad line across its tilt.
 };
 
-// How many times broader than a point's the ink of tip `i` of a stroke is: 1 for a point, and for
-// tips that know no tilt. A pencil that leans by less than 30 degrees draws with its point, one
-// that leans by 60 or more with all of its side, which lies along its lean: a movement across the
-// lean leaves a line four times as broad, one along the lean a line no broader than the point's,
-// and one straight up a wall as broad as the side is long.
+// Returns the factor by which the ink at tip `i` of a stroke is wider than with a point nib: 1 for
+// Nib::Point and for tips without tilt. A pencil tilted by less than 30 degrees draws with its
+// point; one tilted by 60 degrees or more draws with its whole side, which lies along the tilt
+// direction. A movement across the tilt then leaves a line four times as wide, a movement along it
+// a line as wide as the point's, and a vertical movement a line as wide as the side is long.
 double broadening(Nib nib, std::span<TipSample const> tips, std::size_t i);
 
 } // namespace tractus

@@ -25,7 +25,7 @@ NearestTip nearest_tip(Stroke const& stroke, Vec3 const& place_mm)
     return nearest;
 }
 
-// Moves the ends of `over` by the given vectors, and what is between them by shares of both.
+// Moves the two ends of `over` by the given vectors, and the tips between by interpolated ones.
 void shift(Stroke& over, Vec3 const& first_mm, Vec3 const& last_mm)
 {
     auto& tips = over.tips.own();
@@ -36,7 +36,7 @@ void shift(Stroke& over, Vec3 const& first_mm, Vec3 const& last_mm)
     }
 }
 
-// Tips one after the other, at the pace of each, without going back in time.
+// Appends tips, shifted in time to begin 1 ms after the end of the stroke. Their intervals stay.
 void append(Stroke& stroke, std::span<TipSample const> tips)
 {
     if (tips.empty())
@@ -65,7 +65,7 @@ Result<Stroke> oversketch(Stroke const& drawn, Stroke over, double finger_mm)
                     fmt::format("the new line begins and ends {:.0f} mm or more beside the stroke "
                                 "that it should redraw: begin or end it on the stroke",
                                 std::min(first.distance_mm, last.distance_mm)));
-    if (first_near && last_near && first.index > last.index) { // Drawn from tip to base.
+    if (first_near && last_near && first.index > last.index) { // `over` was drawn from tip to base.
         auto const begin = over.tips.front().time;
         auto const end = over.tips.back().time;
         auto& tips = over.tips.own();

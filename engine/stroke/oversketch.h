@@ -5,14 +5,14 @@
 
 namespace tractus {
 
-// Redraws a part of a stroke, as people do on paper: `over` begins and ends on the drawn stroke, in
-// either direction, and takes the place of what lies between. Where only one of its ends is within
-// `finger_mm` of the drawn stroke, it takes the place of all beyond: the stroke's rest, or its
-// beginning. The new part is shifted so that it joins without a gap, the more the nearer to the
-// joint. Tips stay in time order.
+// Redraws a part of a stroke: `over` begins and ends on the drawn stroke, in either direction, and
+// replaces the part between. If only one end of `over` is within `finger_mm` of the drawn stroke,
+// it replaces everything from there to the end of the stroke, or to its beginning. The new part is
+// shifted to join without a gap; the shift fades with the distance from the joint. Tips stay in
+// time order.
 //
-// Refuses, in a sentence, strokes that have no direction (stroke_points), and an `over` of which
-// neither end is near.
+// Fails, in one sentence, if a stroke has no direction (stroke_points) or neither end of `over` is
+// near.
 Result<Stroke> oversketch(Stroke const& drawn, Stroke over, double finger_mm = 20);
 
 } // namespace tractus

@@ -10,20 +10,21 @@
 
 namespace tractus {
 
-// The places of a stroke's tips, in order, without those that repeat the one before.
+// Returns the positions of a stroke's tips, in order, without consecutive duplicates. World frame,
+// millimetres.
 //
-// Refuses, in a sentence, a stroke that has no direction: one with a number in it that is not
-// finite, or with fewer than two distinct points. A stroke that ends where it began is fine.
+// Fails, in one sentence, if the stroke has no direction: a coordinate is not finite, or there are
+// fewer than two distinct points. A stroke that ends where it began is accepted.
 Result<std::vector<Vec3>> stroke_points(Stroke const& stroke);
 
-// Returns bare points without repeated ones. Refuses the same.
+// Returns the points without consecutive duplicates. Fails like stroke_points().
 Result<std::vector<Vec3>> distinct_points(std::span<Vec3 const> points);
 
-// Length along the points.
+// Returns the arc length of the polyline.
 double polyline_length_mm(std::span<Vec3 const> points);
 
-// How far along the way from one point to another, 0 to 1, the line between them is nearest to a
-// place.
+// Returns the parameter, 0 to 1, of the point nearest to `place` on the line segment from `from` to
+// `to`.
 template<typename Vector>
 double nearest_share(Vector const& place, Vector const& from, Vector const& to)
 {

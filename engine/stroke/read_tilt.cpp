@@ -26,7 +26,7 @@ auto fail_reading(std::string const& name, std::string const& reason)
     return fail(Fault::User, fmt::format("{}: cannot read the sketch: {}", name, reason));
 }
 
-// Little-endian numbers one after the other. Past the end everything is 0, and is_good() false.
+// Reads consecutive little-endian numbers. Past the end every number is 0, and is_good() is false.
 class Reader {
 public:
     explicit Reader(Bytes bytes)
@@ -97,7 +97,7 @@ Result<Archive> open_archive(std::string const& name, Bytes zip)
     return Archive(archive);
 }
 
-// Reads to the entry's end, whatever size the archive claims.
+// Extracts data.sketch. Reads to the entry's end, whatever size the archive claims.
 Result<std::vector<std::byte>> find_sketch(std::string const& name, Bytes zip)
 {
     auto const archive = TRY(open_archive(name, zip));
@@ -125,12 +125,12 @@ struct SketchStroke {
     bool has_time = false;
 };
 
-// Bits of two masks that say which of the optional numbers a stroke and its points have, each 4
-// bytes but for the first stroke extension that says its own length.
+// Bits of the two masks that list the optional fields of a stroke and of its points. Each field has
+// 4 bytes, except the stroke extensions that give their own length.
 constexpr std::uint32_t kPressureBit = 1;
 constexpr std::uint32_t kTimeBit = 2;
 
-// Tilt Brush is y up and left-handed, in decimetres.
+// Tilt Brush uses decimetres in a left-handed frame with y up.
 Vec3 world_mm(float x, float y, float z)
 {
     return 100 * Vec3(x, z, y);
@@ -138,13 +138,14 @@ Vec3 world_mm(float x, float y, float z)
 
 bool read_stroke(Reader& in, SketchStroke& result)
 {
-    in.skip(4 + 16 + 4); // Brush, colour, size.
+    in.skip(4 + 16 + 4); // Skips brush, colour and size.
     auto const stroke_mask = in.read<std::uint32_t>();
     auto const point_mask = in.read<std::uint32_t>();
     for (std::uint32_t bit = 0; bit < 32; ++bit) {
         if ((stroke_mask >> bit & 1) == 0)
             continue;
-        // Flags, scale, group and seed are four bytes; from the 17th bit on each says its size.
+        // Flags, scale, group and seed have four bytes; extensions from bit 16 on begin with their
+        // size.
         in.skip(bit < 16 ? 4 : in.read<std::uint32_t>());
     }
     auto const count = in.read<std::uint32_t>();
@@ -156,7 +157,7 @@ bool read_stroke(Reader& in, SketchStroke& result)
         auto const x = in.read<float>();
         auto const y = in.read<float>();
         auto const z = in.read<float>();
-        in.skip(16); // The controller's orientation.
+        in.skip(16); // Skips the orientation of the controller.
         TipSample tip { .position_mm = world_mm(x, y, z), .pressure = 1, .touching = true };
         tip.time = timestamp_ns(std::int64_t { i } * 10'000'000);
         for (std::uint32_t bit = 1; bit != 0; bit <<= 1) {
@@ -214,7 +215,7 @@ Result<std::vector<Stroke>> read_tilt(std::string const& name, std::span<std::by
     Reader in(sketch);
     if (in.read<std::uint32_t>() != kSketchMagic)
         return fail_reading(name, "its strokes do not begin as they should");
-    in.skip(8); // Version, and a reserved number.
+    in.skip(8); // Skips the version and a reserved number.
     in.skip(in.read<std::uint32_t>());
     auto const count = in.read<std::int32_t>();
     std::vector<Stroke> strokes;

@@ -9,14 +9,15 @@
 
 namespace tractus {
 
-// The strokes of an Open Brush or Tilt Brush sketch (.tilt: a header of sixteen bytes and a zip
-// archive, whose data.sketch holds the strokes as the programs' developers document it), in the
-// world frame: what was up is up, the sketch's decimetres are millimetres, and the middle of the
-// lowest points stands on the desk's origin. Brushes, colours and layers are not read. Strokes of
-// fewer than two distinct points are left out; tips without time are 10 ms apart.
+// Reads the strokes of an Open Brush or Tilt Brush sketch (.tilt: a header of sixteen bytes and a
+// zip archive whose data.sketch contains the strokes, as documented by the developers of these
+// programs). The result is in the world frame: up stays up, decimetres become millimetres, and the
+// lowest point, at the middle of the sketch, is placed at the origin on the desk. Brushes, colours
+// and layers are not read. Strokes of fewer than two distinct points are left out; tips without
+// time are placed 10 ms apart.
 //
-// Refuses, in a sentence that begins with `name`, what is no such file, is truncated, contradicts
-// itself, or holds more than 64 MB of strokes. Any bytes are safe to give.
+// Fails, in a sentence that begins with `name`, if the file is not such a sketch, is truncated or
+// inconsistent, or contains more than 64 MB of strokes. Safe for arbitrary bytes.
 Result<std::vector<Stroke>> read_tilt(std::string const& name, std::span<std::byte const> bytes);
 
 } // namespace tractus

@@ -9,28 +9,31 @@
 
 namespace tractus {
 
-// A polyline that is asked for its point at a share of its length. Repeated points do no harm.
+// A polyline parametrised by arc length. Repeated points are allowed.
 class ArcLength {
 public:
-    // Measures at least one point, all finite.
+    // `points`: at least one, all finite.
     explicit ArcLength(std::span<Vec3 const> points);
 
     std::span<Vec3 const> points() const { return points_; }
     double length_mm() const { return length_to_mm_.back(); }
 
-    // The point at `fraction` of the length, 0 the first point and 1 the last; outside of that the
-    // nearest end. Where all points are equal: that point. In the mean in constant time.
+    // Returns the point at `fraction` of the length, from 0 (first point) to 1 (last point),
+    // clamped to this range. If the polyline has no length, its first point. Constant time on
+    // average.
     Vec3 at(double fraction) const;
 
 private:
     std::vector<Vec3> points_;
-    std::vector<double> length_to_mm_; // Along the polyline to each point.
+    std::vector<double> length_to_mm_; // Arc length from the first point to each point.
 
-    // Last point before each share of the length begins; there are as many equal shares as points.
+    // Lookup table: the length is divided into as many equal shares as there are points; for each
+    // share, the index of the last point before it begins.
     std::vector<std::uint32_t> first_in_share_;
 };
 
-// `count` points (at least 2) at equal distances along `points`, both ends among them.
+// Returns `count` points (at least 2) at equal arc-length distances along `points`, including both
+// ends.
 std::vector<Vec3> resample(std::span<Vec3 const> points, std::size_t count);
 
 } // namespace tractus

@@ -6,7 +6,7 @@
 
 namespace tractus {
 
-// Points that remain of a line after all rounds backwards: enough for a helix of three turns.
+// Number of control points that remain after all reverse rounds: enough for a helix of three turns.
 constexpr std::size_t kControlPoints = 18;
 
 std::vector<Vec3> smooth_hand(std::span<Vec3 const> points, double detail_weight)
@@ -16,7 +16,7 @@ std::vector<Vec3> smooth_hand(std::span<Vec3 const> points, double detail_weight
     if (detail_weight == 1)
         return { points.begin(), points.end() };
 
-    // A round takes n points to 2n - 2, so these counts come back to kControlPoints exactly.
+    // A round takes n points to 2n - 2, so these counts reduce to exactly kControlPoints.
     int rounds = 1;
     std::size_t count = 2 * kControlPoints - 2;
     for (; count < points.size(); ++rounds)

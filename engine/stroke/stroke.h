@@ -5,9 +5,9 @@
 
 namespace tractus {
 
-// A stroke of the pen from pen-down to pen-up: its tips in time order, all of them touching and
-// with settled heights. World frame. Copies share the tips, since a stroke is kept in many places:
-// in the edit that it was drawn by, and in every scene from there on.
+// A stroke of the pen from pen-down to pen-up: its tips in time order, all touching and with
+// settled heights. World frame. Copies share the tips, since a stroke is kept in many places: in
+// the edit that created it and in every later scene.
 struct Stroke {
     SharedVector<TipSample> tips;
 };

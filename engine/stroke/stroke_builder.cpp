@@ -17,7 +17,7 @@ void StrokeBuilder::push_live(TipSample const& tip)
     auto const last = live_.empty() ? last_settled_ : live_.back().time;
     if (!tip.position_mm.allFinite() || (last && tip.time <= *last))
         return;
-    // One tip of a hovering pen is enough to part two strokes.
+    // A single hovering tip suffices to separate two strokes.
     bool const ink_goes_on = live_.empty() ? !stroke_.tips.empty() : live_.back().touching;
     if (tip.touching || ink_goes_on)
         live_.push_back(tip);
@@ -58,7 +58,7 @@ std::optional<Stroke> StrokeBuilder::take_stroke()
     auto stroke = std::exchange(stroke_, {});
     if (!has_two_points(stroke))
         return std::nullopt;
-    stroke.tips.own().shrink_to_fit(); // It may be kept for hours.
+    stroke.tips.own().shrink_to_fit(); // Frees unused capacity: the stroke may be kept for hours.
     return stroke;
 }
 

@@ -8,27 +8,30 @@
 
 namespace tractus {
 
-// Gathers tips into strokes: from the first tip that touches to the first that does not. A gap
-// between two tips that touch ends nothing: many tablets are silent about a pen that rests, and the
-// devices' decoders know when silence means that a pen has gone (drivers/reports/pen_decoder.h).
+// Assembles tips into strokes: a stroke lasts from the first tip that touches to the first that
+// does not. A gap in time between two touching tips does not end it: many tablets send nothing
+// while the pen rests, and the decoders of the devices detect a pen that has left
+// (drivers/reports/pen_decoder.h).
 //
-// Tips come twice. `push_live` takes each at once, with a height that may be extrapolated: that is
-// the ink on the screen. `push` takes it again when later heights have settled it: that is the
-// stroke. Each of the two must come in time order; a tip that is not later than the last of its
-// kind, or is not finite, is ignored. What never gets ink may leave out push_live.
+// Each tip is passed twice. `push_live` takes it immediately, with a height that may be
+// extrapolated, for the ink on the screen. `push` takes it again when later height readings have
+// settled it, for the stroke. Each of the two must be called in time order; a tip that is not later
+// than the previous one of the same function, or is not finite, is ignored. Callers that show no
+// ink need not call push_live.
 class StrokeBuilder {
 public:
     void push_live(TipSample const& tip);
 
-    // The stroke that ended with this tip, if one did. What has fewer than two distinct points (a
-    // tap) is no stroke and is dropped.
+    // Returns the stroke that ended with this tip, if one did. A stroke with fewer than two
+    // distinct points (a tap) is dropped.
     [[nodiscard]] std::optional<Stroke> push(TipSample const& tip);
 
-    // The end of all tips: the stroke that was still being drawn, if it is one. Forgets the ink.
+    // Ends the input: returns the stroke that was still being drawn, if it is valid. Clears the
+    // ink.
     [[nodiscard]] std::optional<Stroke> finish();
 
-    // Returns what is to be seen while it is drawn: the settled tips of the stroke under way, then
-    // the live tips later than these. Tips that do not touch stand between two strokes.
+    // Returns the tips to display while drawing: the settled tips of the current stroke, then the
+    // later live tips. Tips that do not touch separate two strokes.
     std::vector<TipSample> ink() const;
 
 private:
@@ -36,7 +39,7 @@ private:
 
     Stroke stroke_;
     std::optional<Timestamp> last_settled_;
-    std::vector<TipSample> live_; // Later than last_settled_.
+    std::vector<TipSample> live_; // Live tips later than last_settled_.
 };
 
 } // namespace tractus

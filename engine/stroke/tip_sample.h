@@ -7,29 +7,30 @@
 
 namespace tractus {
 
-// Where the pen's tip was at one instant.
+// The position and state of the pen's tip at one instant.
 //
 // World frame: right-handed, +x right, +y away from the user, +z up, origin on the desk under the
 // tablet's centre at the rig's zero height, millimetres.
 struct TipSample {
-    Timestamp time {}; // When the pen was there: the tablet's latency is already taken off.
+    Timestamp time {}; // When the pen was there; the tablet's latency is already subtracted.
     Vec3 position_mm = Vec3::Zero(); // World frame.
-    double pressure = 0;             // 0 to 1; 1 while touching where the tablet measures none.
-    // Tilt of the pen from upright towards +x and towards +y of the world; no value where the
-    // tablet tells none.
+    double pressure = 0; // 0 to 1; 1 while touching if the tablet does not measure pressure.
+    // Tilt of the pen from upright, towards +x and +y of the world. No value if the tablet does not
+    // report tilt.
     std::optional<Vec2> tilt_rad {};
-    bool touching = false; // The tip (or the eraser's end) is down.
-    bool eraser = false;   // The eraser's end points at the tablet.
+    bool touching = false; // True while the tip, or the eraser end, is on the tablet.
+    bool eraser = false;   // True if the eraser end of the pen is used.
 
-    // How the height was found.
+    // How the height was determined.
     enum class HeightSource {
-        Interpolated, // Between two readings: final.
-        Extrapolated, // Carried on from the last one: for live ink, replaced when later readings
-                      // come.
+        Interpolated, // Between two height readings: final.
+        // Extrapolated from the last reading: for live ink, and replaced when later readings
+        // arrive.
+        Extrapolated,
     };
     HeightSource height_source = HeightSource::Interpolated;
 
-    // The carriage is higher or lower than it was ever calibrated: the height is a guess.
+    // The surface is above or below the calibrated range, so the height is a guess.
     bool outside_calibration = false;
 };
 

@@ -6,19 +6,20 @@
 
 namespace tractus {
 
-// What a stroke was drawn on, and so how it is read.
+// The surface on which a stroke was drawn, which determines how its coordinates are interpreted.
 enum class StrokeSurface {
-    Space,   // Keeps the stroke as it was drawn in space.
-    Paper,   // The tablet is a sheet that stands upright: what was drawn away from the user is up.
-    Decided, // Paper where the surface has hardly moved: by less than a twentieth of the stroke's
-             // length on the tablet.
+    Space, // Space: the stroke is kept as drawn in space.
+    Paper, // The tablet is an upright sheet: what was drawn away from the user (+y) is up.
+    // Chooses Paper if the surface moved by less than a twentieth of the stroke's length on the
+    // tablet, and Space otherwise.
+    Decided,
 };
 
-// The surface that counts for a stroke; never Decided.
+// Resolves Decided to Space or Paper for these tips; returns the other values unchanged.
 StrokeSurface decide_surface(std::vector<TipSample> const& tips, StrokeSurface wanted);
 
-// The stroke's tips in the plant's frame, millimetres on the desk, z up. On paper the height above
-// pen-down is towards the user: (x, height at pen-down - height, y).
+// Returns the stroke's tips in the plant's frame: millimetres, z up. On paper a height above that
+// of pen-down is towards the user: (x, height at pen-down - height, y).
 std::vector<Vec3> plant_tips(std::vector<TipSample> const& tips, StrokeSurface surface);
 
 } // namespace tractus
