@@ -15,7 +15,7 @@ constexpr std::size_t kAxesAtOnce = 512;
 constexpr std::size_t kRingsAtOnce = 2048;
 constexpr std::size_t kRidersAtOnce = 1024;
 
-// The smallest rotation from one unit vector to another; exactly none where they are one.
+// The smallest rotation from one unit vector to another; exactly the identity if they are equal.
 Eigen::Matrix3d turn_from(Vec3 const& from, Vec3 const& to)
 {
     constexpr double kSame = 1e-12;
@@ -24,7 +24,8 @@ Eigen::Matrix3d turn_from(Vec3 const& from, Vec3 const& to)
     return rotation_between(from, to).toRotationMatrix();
 }
 
-// A normal of a prototype in the plant. What has no size yet along an axis is taken as whole.
+// Transforms a normal of a prototype into the plant's frame. A scale of 0 along an axis is replaced
+// by 1.
 Vec3f placed_normal(InstanceTransform const& instance, Vec3f const& scale, Vec3f const& normal)
 {
     Vec3f const whole = (scale.array() != 0).select(scale, 1);
@@ -49,25 +50,28 @@ void append_organ(TriangleMesh const& prototype, Organ const& organ, TriangleMes
 
 } // namespace
 
-// How a segment has come from where it is in the whole plant.
+// Change of a segment from the full-grown plant to the given age.
 struct AgedMesh::Carrier {
-    Vec3 from_mm = Vec3::Zero(); // Its base in the whole plant, and at the age.
+    // Base of the segment in the full-grown plant; `to_mm`: at the given age.
+    Vec3 from_mm = Vec3::Zero();
     Vec3 to_mm = Vec3::Zero();
-    Vec3 direction = Vec3::Zero(); // Direction of the whole segment.
+    Vec3 direction = Vec3::Zero(); // Direction of the full-grown segment.
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    double length_mm = 0;      // Length of the whole segment.
-    double share = 0;          // Share of its length that has grown.
-    double whole_radius_mm[2]; // Radii at its base and its tip.
+    double length_mm = 0; // Length of the full-grown segment.
+    double share = 0;     // Share of that length that has grown.
+    // Radii at the base and tip, full-grown; `radius_mm`: at the given age.
+    double whole_radius_mm[2];
     double radius_mm[2];
 
-    // Width of the branch at a share of the length, as a share of its full width.
+    // Radius at the share `along` of the segment's length, as a share of the full-grown radius
+    // there.
     double width_at(double along) const
     {
         double const whole = (1 - along) * whole_radius_mm[0] + along * whole_radius_mm[1];
         double const now = (1 - along) * radius_mm[0] + along * radius_mm[1];
         if (whole > 0)
             return now / whole;
-        return share > 0 ? 1 : 0; // A tube without radius is as thin at all ages.
+        return share > 0 ? 1 : 0; // A tube of radius 0 keeps it at all ages.
     }
 };
 
@@ -125,7 +129,7 @@ void AgedMesh::add_organs(MeshOptions const& options)
     }
 }
 
-// A segment that has not grown has no direction of its own: it turns with the one before it.
+// A segment that has not grown has no direction of its own: it rotates with the segment before it.
 std::vector<AgedMesh::Carrier> AgedMesh::carriers(Plant const& young) const
 {
     std::vector<Carrier> carriers(plant_.segment_count());
@@ -159,8 +163,7 @@ std::vector<AgedMesh::Carrier> AgedMesh::carriers(Plant const& young) const
     return carriers;
 }
 
-// Adds to each vertex by how much it moves: so nothing moves in the last bit where nothing has
-// changed.
+// Adds a displacement to each vertex, so that vertices that do not move stay bit for bit the same.
 void AgedMesh::move_rings(std::size_t surface, std::span<Carrier const> carriers,
                           Vertices& to) const
 {
@@ -218,7 +221,7 @@ void AgedMesh::move_organs(std::size_t surface, Plant const& young, Vertices& to
             auto const instance = transform_of(organ);
             for (std::size_t v = 0; v < prototype.positions_mm.size(); ++v) {
                 to.positions_mm[first_vertex + v] = placed(instance, prototype.positions_mm[v]);
-                // A leaf unfolds in proportion, so its full size gives the normals.
+                // A leaf unfolds in proportion, so the normals are those of its full size.
                 to.normals[first_vertex + v]
                     = placed_normal(instance, plant_.organs[number].scale, prototype.normals[v]);
             }

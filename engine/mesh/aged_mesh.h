@@ -9,35 +9,38 @@
 
 namespace tractus::mesh {
 
-// The triangles of a plant that are the same at all of its ages, so that one shape flows into the
-// next vertex by vertex, as morph targets do.
+// A mesh with the same triangles at every age of a plant, so that one shape morphs into the next
+// vertex by vertex (morph targets).
 //
-// How many rings a tube has depends on its bends, and so on the age. Here all ages have those of
-// the whole plant, and each ring goes where its place on its segment goes: turned, but not twisted,
-// as the segment has turned, as far from its base as that has grown, and as wide as the branch is
-// there by then. What has not grown yet lies in one point, where it will sprout.
+// In an ordinary mesh the number of rings of a tube depends on its bends, and so on the age. Here
+// every age has the rings of the full-grown plant. Each ring follows its place on its segment:
+// rotated with the segment without twist, at the same share of the segment's current length, with
+// the branch's current radius. Parts that have not grown yet are collapsed into the point where
+// they will sprout.
 class AgedMesh {
 public:
-    // `whole`, at its full size, must outlive this; it and `options` as for make_mesh().
+    // `whole` is the full-grown plant and must outlive this object; `whole` and `options` as for
+    // make_mesh().
     explicit AgedMesh(Plant const& whole, MeshOptions const& options = {});
 
-    // The whole plant. Organs are triangles of the surfaces as tubes are: none is instanced.
+    // The mesh of the full-grown plant. Organs are part of the surfaces, as tubes are: none is
+    // instanced.
     Mesh const& whole() const { return whole_; }
 
-    // The vertices of one surface at some age.
+    // The vertices of one surface at a given age.
     struct Vertices {
         BulkVector<Vec3f> positions_mm;
         BulkVector<Vec3f> normals; // Unit length.
     };
 
-    // Where the vertices of each surface of whole() are when the plant is `young`: the same plant
-    // at another age, of the same topology (Grower::grow()). For the whole plant they are those of
-    // whole(). Of tubes the normals turn with the segments, but do not follow the taper of a young
-    // tip. Runs on all threads; the result is the same for any number of them.
+    // Computes the vertices of each surface of whole() for `young`, the same plant at another age
+    // with the same topology (Grower::grow()). For the full-grown plant they equal those of
+    // whole(). The normals of tubes rotate with their segments but ignore the taper of a young tip.
+    // Runs on all threads; the result does not depend on their number.
     void at(Plant const& young, std::vector<Vertices>& surfaces) const;
 
 private:
-    // A polygon or an organ: its number in the plant, and where it has its vertices.
+    // A polygon or organ: its index in the plant and its first vertex in the surface.
     struct Rider {
         std::uint32_t number = 0;
         std::uint32_t first_vertex = 0;
@@ -60,8 +63,8 @@ private:
 
     Plant const& plant_;
     Mesh whole_;
-    std::vector<TriangleMesh> prototypes_; // Per organ shape; empty where it is not used.
-    std::vector<Parts> parts_;             // Per surface of whole_.
+    std::vector<TriangleMesh> prototypes_; // By organ shape; empty for shapes that are not used.
+    std::vector<Parts> parts_;             // By surface of whole_.
 };
 
 } // namespace tractus::mesh

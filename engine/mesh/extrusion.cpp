@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kMaxExtrudedSides = 256;
 
-// A point of a contour, `share` of the way along it.
+// Returns the point of a contour at `share`, 0 to 1, of its parameter range.
 Vec3 outline_at(Plant const& plant, ContourId id, double share)
 {
     if (id == kNoContour)
@@ -32,10 +32,10 @@ Vec3 outline_at(Plant const& plant, NodeSection const& section, double share)
     return (1 - next) * point + next * outline_at(plant, section.next_contour, share);
 }
 
-// One cross-section in the plant's frame.
+// One cross-section, in the plant's frame.
 struct Ring {
     std::vector<Vec3> points_mm;
-    std::vector<Vec3> along; // dP / d(share of the outline).
+    std::vector<Vec3> along; // Derivative of the point with respect to the contour parameter.
 };
 
 Ring ring_at(Plant const& plant, Extrusion const& extrusion, std::size_t index)
@@ -65,7 +65,7 @@ Ring ring_at(Plant const& plant, Extrusion const& extrusion, std::size_t index)
             placed(outline_at(plant, section, after) - outline_at(plant, section, before)));
     }
     if (!extrusion.is_sheet)
-        ring.points_mm.back() = ring.points_mm.front(); // The seam, to the last bit.
+        ring.points_mm.back() = ring.points_mm.front(); // Makes the seam exact to the last bit.
     return ring;
 }
 
@@ -77,7 +77,7 @@ double perimeter_mm(Ring const& ring)
     return length;
 }
 
-// The rings of a part, and one more beyond each of its ends for normals, where the axis goes on.
+// The rings of a part, and, if the axis continues there, one more beyond each end, for the normals.
 struct Rings {
     std::vector<Ring> rings;
     std::size_t first_station = 0;
@@ -95,7 +95,7 @@ Vec3 normal_at(Rings const& rings, Extrusion const& extrusion, std::size_t stati
     double const length = normal.norm();
     if (length > 1e-12)
         return normal / length;
-    // Where the section is a point, or stands still.
+    // The section is a single point, or the contour's derivative is zero.
     Vec3 const out = rings.of(station).points_mm[i] - extrusion.stations[station].center_mm;
     return out.norm() > 1e-9 ? Vec3(out.normalized()) : extrusion.stations[station].normal;
 }
@@ -108,7 +108,7 @@ void add_vertex(TrianglePlace& place, Vec3 const& position, Vec3 const& normal, 
     ++place.vertex;
 }
 
-// One layer of a part: its front (1), or the back of a sheet (-1).
+// Writes one layer of a part: the front (side 1), or the back of a sheet (side -1).
 void write_layer(Rings const& rings, Extrusion const& extrusion, TubePart const& part, double side,
                  TrianglePlace& place)
 {
@@ -134,7 +134,7 @@ void write_layer(Rings const& rings, Extrusion const& extrusion, TubePart const&
         }
 }
 
-// The outline of a filled end, counter-clockwise seen from outside.
+// The outline of an end cap, counter-clockwise seen from outside.
 std::vector<Vec3> cap(Ring const& ring, bool is_base)
 {
     std::vector<Vec3> points(ring.points_mm.begin(), ring.points_mm.end() - 1);
@@ -170,7 +170,7 @@ void add_stations(Plant const& plant, Axis const& axis, std::vector<Extrusion::S
     }
 }
 
-// Tangents halve the bends; normals are made perpendicular to them.
+// Tangents bisect the bends; normals are made orthogonal to them.
 void frame_stations(std::vector<Extrusion::Station>& stations)
 {
     for (std::size_t i = 0; i < stations.size(); ++i) {

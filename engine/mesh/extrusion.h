@@ -8,33 +8,34 @@
 
 namespace tractus::mesh {
 
-// An axis whose cross-sections are not round (NodeSection), made ready for its triangles.
+// An axis with cross-sections that are not round (NodeSection), prepared for meshing.
 //
-// Each node has one section, across the bisector of the segments that meet there. Closed outlines
-// make a tube, filled at both ends (unless MeshOptions leaves ends open); where any outline is
-// open the axis is a sheet with a front and a back.
+// Each node has one section, in the plane that bisects the segments meeting there. Closed contours
+// make a tube with filled ends (unless MeshOptions leaves ends open); if any contour is open, the
+// axis is a sheet with a front and a back.
 struct Extrusion {
     struct Station {
         Vec3 center_mm;
         Vec3 tangent; // Unit length.
-        Vec3 normal;  // Normal of the section, across the tangent.
+        Vec3 normal;  // Reference direction of the section, orthogonal to the tangent.
         double radius_mm;
         double arc_mm;
-        SegmentId segment; // Segment that the stretch from the station before belongs to.
-        NodeId node;       // Node whose section it has.
+        SegmentId segment; // The segment between the previous station and this one.
+        NodeId node;       // The node that gives the section.
     };
 
-    std::vector<Station> stations; // None, or two and more.
+    std::vector<Station> stations; // Empty, or at least two.
     std::uint32_t sides = 0;
     bool is_sheet = false;
     bool has_caps = false;
 };
 
-// Fills `extrusion`; what was in it is lost. A pure function of its other arguments.
+// Fills `extrusion`, replacing its contents. Depends only on the other arguments.
 void trace_extrusion(Plant const& plant, Axis const& axis, MeshOptions const& options,
                      Extrusion& extrusion);
 
-// Returns what write_extrusion() will write of the stretch `part` of stations.
+// Returns the numbers of vertices and indices that write_extrusion() writes for the stations of
+// `part`.
 MeshExtent extrusion_extent(Plant const& plant, Extrusion const& extrusion, TubePart const& part);
 
 void write_extrusion(Plant const& plant, Extrusion const& extrusion, TubePart const& part,

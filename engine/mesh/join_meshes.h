@@ -4,8 +4,8 @@
 
 namespace tractus::mesh {
 
-// Adds the triangles, instances and materials of another mesh to a mesh, moved. Both keep their
-// order: the same two give the same bytes.
+// Appends the triangles, instances and materials of `other`, translated by `moved_mm`, to `mesh`.
+// The order within both is kept, so equal inputs give identical bytes.
 void append_mesh(Mesh& mesh, Mesh const& other, Vec3f const& moved_mm);
 
 } // namespace tractus::mesh

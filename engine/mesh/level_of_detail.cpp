@@ -13,21 +13,24 @@ namespace tractus::mesh {
 
 namespace {
 
-constexpr std::uint32_t kTwigs = 0x7477;    // Random streams: which twig goes first,
-constexpr std::uint32_t kOrgans = 0x6F72;   // which organ,
-constexpr std::uint32_t kPolygons = 0x706F; // and which polygon.
+// Random streams for the order in which twigs, organs and polygons are removed.
+constexpr std::uint32_t kTwigs = 0x7477;
+constexpr std::uint32_t kOrgans = 0x6F72;
+constexpr std::uint32_t kPolygons = 0x706F;
 
-// A far plant is that much smaller in a picture, so that much of its size is not seen.
+// Detail smaller than this share of the plant's size is considered invisible. It is divided by the
+// share of triangles, since a coarser plant is displayed smaller.
 constexpr double kUnseen = 0.001;
-constexpr std::uint32_t kLongestRun = 16; // Nodes that one straight stretch may replace.
-constexpr int kRounds = 4;                // Rounds of looking for the twigs that may stay.
+// Maximum number of nodes that one straight segment may replace.
+constexpr std::uint32_t kLongestRun = 16;
+constexpr int kRounds = 4; // Maximum number of iterations of the search for the twigs to keep.
 
 double chance(std::uint32_t stream, std::size_t index)
 {
     return random_block({ .stream = stream }, index)[0] / 0x1p32;
 }
 
-// Volume of the segments that end at a node of an axis, or of all between two nodes.
+// Volume of the segment that ends at a node of an axis, or of all segments between two nodes.
 double volume_between(Plant const& plant, NodeId from, NodeId to)
 {
     double const length = (plant.node_position_mm[to] - plant.node_position_mm[from]).norm();
@@ -63,7 +66,7 @@ std::size_t tube_triangles(Plant const& plant, MeshOptions const& options)
     return std::accumulate(of_axes.begin(), of_axes.end(), std::size_t { 0 });
 }
 
-// The axes from the one that stays longest to the one that goes first; each comes after its parent.
+// All axes in the order in which they are kept, most important first; each comes after its parent.
 std::vector<AxisId> order_of_staying(Plant const& plant)
 {
     std::vector<double> worth(plant.axes.size());
@@ -91,8 +94,8 @@ std::vector<AxisId> order_of_staying(Plant const& plant)
     return order;
 }
 
-// A plant without organs and polygons, and what has become of the segments of the one that it was
-// made of: those of a twig that went are the one that bore it.
+// A plant reduced to its axes, and for each segment of the original the segment that replaces it:
+// for a removed twig, the segment it was attached to.
 struct Branches {
     Plant plant;
     std::vector<SegmentId> new_segment;
@@ -103,7 +106,7 @@ struct Branches {
     }
 };
 
-// Makes a plant of some of another's axes.
+// Builds plants from subsets of another plant's axes.
 class Coarsener {
 public:
     Coarsener(Plant const& plant, double unseen_mm)
@@ -112,7 +115,7 @@ public:
     {
     }
 
-    // `stays`: per axis; a parent stays where what it bears does.
+    // `stays`: by axis; the parent of an axis that stays must stay.
     Branches branches(std::vector<char> const& stays);
 
 private:
@@ -122,10 +125,10 @@ private:
 
     Plant const& plant_;
     double unseen_mm_;
-    std::vector<char> bears_; // Per segment: an axis that stays.
+    std::vector<char> bears_; // By segment: an axis that stays is attached to it.
 };
 
-// Whether a node, counted from the axis' base, has to stay whatever its place.
+// True if a node, counted from the base of the axis, has to stay regardless of its position.
 bool Coarsener::is_needed(Axis const& axis, std::uint32_t node) const
 {
     if (node == 0 || node == axis.segment_count || has_contour(plant_, axis))
@@ -134,7 +137,8 @@ bool Coarsener::is_needed(Axis const& axis, std::uint32_t node) const
     return bears_[before] || plant_.segment_material[before] != plant_.segment_material[before + 1];
 }
 
-// Whether the nodes between two lie on the straight line from one to the other, as far as is seen.
+// True if the nodes between two nodes lie on the straight line between them, within the visible
+// tolerance.
 bool Coarsener::runs_straight(NodeId from, NodeId to) const
 {
     auto const& start = plant_.node_position_mm[from];
@@ -200,7 +204,7 @@ Branches Coarsener::branches(std::vector<char> const& stays)
     std::vector<AxisId> new_axis(plant_.axes.size(), kNone);
     for (AxisId id = 0; id < plant_.axes.size(); ++id) {
         auto const& axis = plant_.axes[id];
-        if (!stays[id]) { // Children of a removed axis ride on its parent.
+        if (!stays[id]) { // Laterals of a removed axis are attached to its parent.
             std::fill_n(&made.new_segment[axis.first_segment], axis.segment_count,
                         made.now(axis.parent_segment));
             continue;
@@ -213,7 +217,7 @@ Branches Coarsener::branches(std::vector<char> const& stays)
     return made;
 }
 
-// Makes all axes but the thickest so much thicker that the branches have so much volume together.
+// Thickens all axes except the thickest by a common factor, so that the total volume is `volume`.
 void keep_volume(Plant& coarse, double volume)
 {
     std::vector<double> volumes;
@@ -234,7 +238,7 @@ void keep_volume(Plant& coarse, double volume)
     }
 }
 
-// Keeps as many axes as make at most `budget` triangles, more or less as many as may.
+// Keeps as many axes as give about `budget` triangles.
 Branches coarser_branches(Plant const& plant, Coarsener& coarsener, MeshOptions const& options,
                           double budget)
 {
@@ -267,13 +271,14 @@ Branches coarser_branches(Plant const& plant, Coarsener& coarsener, MeshOptions 
         }
         if (triangles <= budget && (count == plant.axes.size() || triangles > 0.95 * budget))
             break;
-        // Nodes that go make axes cheaper than they were, thicker ones make them dearer.
+        // Removed nodes make axes cheaper than expected, thicker axes more expensive.
         within *= 0.98 * budget / std::max(triangles, 1.0);
     }
     return best;
 }
 
-// Chooses as many of `things` as stay at a share: those with the least chance, in their own order.
+// Chooses the given share of `things`: those with the smallest random number, in their original
+// order.
 std::vector<std::size_t> those_that_stay(std::span<std::size_t const> things, std::uint32_t stream,
                                          double share)
 {
@@ -292,7 +297,7 @@ std::vector<std::size_t> those_that_stay(std::span<std::size_t const> things, st
     return staying;
 }
 
-// How much larger in each direction what stays has to be.
+// Linear scale factor for the remaining things so that they have the total area of all.
 double growth_by_area(double all, double staying)
 {
     return staying > 0 ? std::sqrt(all / staying) : 1;
@@ -309,7 +314,7 @@ void thin_organs(Plant const& plant, MeshOptions const& options, double share, B
     std::vector<std::vector<std::size_t>> of_shape(plant.organ_shapes.size());
     for (std::size_t i = 0; i < plant.organs.size(); ++i)
         of_shape[plant.organs[i].shape].push_back(i);
-    // Paired with how much larger each becomes.
+    // The index of each remaining organ and its scale factor.
     std::vector<std::pair<std::size_t, double>> staying;
     for (std::size_t shape = 0; shape < of_shape.size(); ++shape) {
         auto const& all = of_shape[shape];
@@ -336,7 +341,7 @@ void thin_organs(Plant const& plant, MeshOptions const& options, double share, B
     }
 }
 
-// The normal of a polygon, as long as its area.
+// Area of a polygon.
 double area_of(std::span<Vec3 const> corners)
 {
     Vec3 sum = Vec3::Zero();
@@ -363,7 +368,7 @@ void thin_polygons(Plant const& plant, double share, Branches& coarse)
         auto& polygon = coarse.plant.polygons.emplace_back(plant.polygons[i]);
         polygon.segment = coarse.now(polygon.segment);
         polygon.first_vertex = static_cast<std::uint32_t>(coarse.plant.polygon_vertices_mm.size());
-        // About where it is attached, as organs grow.
+        // Scaled about the point of attachment, as organs grow.
         for (auto const& corner : corners)
             coarse.plant.polygon_vertices_mm.push_back(corners[0] + growth * (corner - corners[0]));
     }

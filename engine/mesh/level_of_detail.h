@@ -5,23 +5,24 @@
 
 namespace tractus::mesh {
 
-// A plant for being seen from afar, with a share of its triangles. Nothing moves: what is left
-// stands where it stood, and from one level to the next only less is left.
+// Simplification of a plant for distant views, to a share of its triangles. Nothing changes its
+// position: the remaining parts stay in place, and each coarser level is a subset of the finer one.
 //
-// Small twigs go first, by chance among twigs of about one size, and those that stay become thicker
-// so that the branches keep their volume; organs and polygons are thinned out, and those that stay
-// become larger so that they keep their area (Cook, Halstead, Planck, Ryu 2007, "Stochastic
-// simplification of aggregate detail"). Organs of twigs that went stay, and ride on the branch that
-// bore the twig. Nodes without which a branch runs as before, but for what cannot be seen from so
-// far, go too. The thickest axis, the trunk, always stays, as thick as it is.
+// Small twigs are removed first, in random order among twigs of similar size; the remaining ones
+// are thickened so that the total branch volume is preserved. Organs and polygons are thinned out,
+// and the remaining ones enlarged so that the total area is preserved (Cook, Halstead, Planck, Ryu
+// 2007, "Stochastic simplification of aggregate detail"). Organs of removed twigs stay and are
+// attached to the parent branch. Nodes whose removal does not visibly change the course of a branch
+// are removed, too. The thickest axis, the trunk, always stays, at its own radius.
 
-// How such a plant is meshed: tubes with fewer sides and rings, each of the area of its circle;
-// from a quarter of the triangles on, open ends and organs as cards. `share` as below.
+// Returns the mesh options for a plant of coarser_plant(): tubes with fewer sides and rings, each
+// section with the area of its circle; for shares of a quarter and less, also open ends and organs
+// as cards. `share` as below.
 MeshOptions coarser_options(MeshOptions const& options, double share);
 
-// The plant of which coarser_options() makes at most `share` of the triangles that `options` make
-// of `plant`, and not many less; more only where the trunk alone has more. `share`: above 0, at
-// most 1. `plant` as for make_mesh(). The same arguments give the same plant.
+// Returns a plant whose mesh with coarser_options() has at most `share` of the triangles of `plant`
+// meshed with `options`, and not many fewer. It exceeds this only if the trunk alone has more.
+// `share`: above 0, at most 1. `plant` as for make_mesh(). Deterministic.
 Plant coarser_plant(Plant const& plant, MeshOptions const& options, double share);
 
 } // namespace tractus::mesh

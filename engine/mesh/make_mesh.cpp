@@ -29,7 +29,7 @@ Mesh make_mesh(Plant const& plant, MeshOptions const& options, std::stop_token c
     return mesh;
 }
 
-// A card shows the picture where its leaf does.
+// Gives the card of a leaf with a picture the texture coordinates of the leaf's corners.
 static void place_in_picture(OrganShape const& shape, TriangleMesh& card)
 {
     double const length = box_of(*shape.cut).max().y();
@@ -44,7 +44,7 @@ TriangleMesh make_prototype(Plant const& plant, OrganShapeId id, MeshOptions con
 {
     auto const& shape = plant.organ_shapes[id];
     auto const& material = plant.materials[shape.material];
-    // Pictures of the usual kind are for the box.
+    // Ordinary texture pictures are mapped by patch, the others by bounding box.
     auto const lies = material.textures.base_color ? TextureLies::OnPatches : TextureLies::OnBox;
     auto full = organ_mesh(shape, options.subdivision, lies);
     auto const kind = material.kind;

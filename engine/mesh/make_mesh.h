@@ -7,63 +7,64 @@
 
 namespace tractus::mesh {
 
-// How fine a plant's triangles are.
+// Resolution and style of a plant's mesh.
 struct MeshOptions {
-    // Sides of the tubes. An axis has the same number from base to tip: the plant's thickest axis
-    // has `max_sides`, the others fewer with the square root of their radius. 3 to 64 each; equal
-    // values give every axis the same.
+    // Number of sides of the tubes, constant along an axis: the thickest axis of the plant has
+    // `max_sides`, the others fewer, in proportion to the square root of their radius, but at least
+    // `min_sides`. Each 3 to 64; equal values give every axis the same number.
     int min_sides = 5;
     int max_sides = 16;
 
-    // Into how many pieces a segment may be cut where the axis bends, so that branches look
-    // curved: a cubic through the nodes. 0 and 1 keep the segments straight. 0 to 16.
+    // Maximum number of pieces into which a segment is divided where the axis bends, so that
+    // branches look curved (a cubic through the nodes). 0 and 1 keep segments straight. 0 to 16.
     int subdivision = 4;
 
-    // How far a lateral axis flares where it leaves its parent, as a share of its own radius; the
-    // parent's radius is never exceeded. 0 for no collar. The thinnest axes (those with
-    // `min_sides`) have none.
+    // How much a lateral axis widens at its base, as a share of its own radius, up to the radius of
+    // its parent. 0 for no collar. The thinnest axes (those with `min_sides`) have no collar.
     double collar = 0.45;
 
-    // Whether tubes are closed: tips by domes, bases that stand on nothing by flat faces. Open ends
-    // save a third of the triangles of a plant of short axes, and are seen from near by only. A tip
-    // without radius is a point in both cases.
+    // Whether tubes are closed: tips by domes, and bases without a parent by flat faces. Open ends
+    // save a third of the triangles of a plant with short axes and are visible only from close by.
+    // A tip of radius 0 is a point in both cases.
     enum class Ends { Closed, Open };
     Ends ends = Ends::Closed;
 
-    // How a tube of few sides stands for a round one: with its corners on the circle, or wider, so
-    // that its sections have the circle's area and the tube its volume.
+    // How a tube of few sides approximates a round one: with its corners on the circle (OnCircle),
+    // or scaled up so that the section has the area of the circle and the tube its volume
+    // (SameArea).
     enum class Sections { OnCircle, SameArea };
     Sections sections = Sections::OnCircle;
 
-    // Whether thin organs (of materials that are seen from both sides) are made as cards where that
-    // takes fewer triangles (organ_card.h).
+    // Whether thin organs (of two-sided materials) are replaced by cards if these have fewer
+    // triangles (organ_card.h).
     enum class Organs { Full, Cards };
     Organs organs = Organs::Full;
 };
 
-// The plant as triangles, in the plant's frame. Tubes come first in each surface, then polygons.
+// Returns the triangle mesh of a plant, in the plant's frame. In each surface tubes come first,
+// then polygons.
 //
-// A tube's cross-sections follow a rotation-minimising frame and stay round through bends: a sharp
-// one gets an elbow of several sections around the node. An axis starts on its parent's centre
-// line, ends in a dome, or in a point where its radius is zero, and is closed at the base where it
-// stands on nothing. Nodes that coincide count as one; what has no length or no area makes no
-// triangles. `plant` must pass check_plant() and have fewer than 2^32 vertices to be made per
-// material.
+// The cross-sections of a tube follow a rotation-minimising frame and stay round through bends: a
+// sharp bend gets an elbow of several sections around the node. An axis starts on the centre line
+// of its parent; its tip is a dome, or a point if its radius is 0; its base is closed if it has no
+// parent. Coincident nodes are merged; parts without length or area give no triangles. `plant` must
+// pass check_plant() and give fewer than 2^32 vertices per material.
 //
-// Runs on all threads that oneTBB may use; the result is the same for any number of them.
+// Runs on all threads available to oneTBB; the result does not depend on their number.
 //
-// Ends early when `stop` asks for it; what comes out then is good for nothing.
+// Returns early if `stop` is requested; the result is then unusable.
 Mesh make_mesh(Plant const& plant, MeshOptions const& options = {},
                std::stop_token const& stop = {});
 
-// Where an organ's prototype stands.
+// Returns the transform from an organ's prototype to the plant's frame.
 InstanceTransform transform_of(Organ const& organ);
 
-// One organ of scale 1, in its own frame.
+// Returns the mesh of one organ at scale 1, in the organ frame.
 TriangleMesh make_prototype(Plant const& plant, OrganShapeId shape,
                             MeshOptions const& options = {});
 
-// The organs alone: one prototype for each shape that has triangles and is used, and its copies.
+// Returns only the organs: for each shape that is used and has triangles, its prototype and all
+// copies.
 std::vector<InstancedMesh> make_organs(Plant const& plant, MeshOptions const& options = {});
 
 } // namespace tractus::mesh

@@ -10,44 +10,45 @@
 
 namespace tractus::mesh {
 
-constexpr double kSameNode_mm = 1e-4; // Nodes closer than this are one.
+constexpr double kSameNode_mm = 1e-4; // Nodes closer together than this are merged.
 
-// Triangles of one material. Plant frame (tubes, polygons) or organ frame (prototypes),
-// millimetres. The vertex arrays have equal sizes; indices are counter-clockwise seen from outside,
-// three to a triangle.
+// Triangles of one material, in millimetres; in the plant frame (tubes, polygons) or the organ
+// frame (prototypes). The vertex arrays have equal sizes. Three indices per triangle,
+// counter-clockwise seen from outside.
 struct TriangleMesh {
     MaterialId material = 0;
     BulkVector<Vec3f> positions_mm;
     BulkVector<Vec3f> normals; // Unit length.
-    // Tubes: u once around, v in the same scale along the axis. Blades: the unit square, midrib at
-    // u = 0.5, base at v = 0.
+    // Tubes: u runs once around, v along the axis at the same scale. Blades: the unit square, with
+    // the midrib at u = 0.5 and the base at v = 0.
     BulkVector<Vec2f> texture_coordinates;
     BulkVector<std::uint32_t> indices;
 
     std::size_t triangle_count() const { return indices.size() / 3; }
 };
 
-// Where one copy of a prototype stands: scaled along its own axes, then rotated, then moved.
+// Transform of one copy of a prototype: scaled along the prototype's axes, then rotated, then
+// translated.
 struct InstanceTransform {
     Vec3f translation_mm = Vec3f::Zero();
     Quatf rotation = Quatf::Identity();
     Vec3f scale = Vec3f::Ones();
 };
 
-// One organ shape and all its copies in a plant.
+// The mesh of one organ shape and the transforms of all its copies in a plant.
 struct InstancedMesh {
     TriangleMesh prototype;
-    std::vector<InstanceTransform> instances; // Instances in the order of the plant's organs.
-    std::uint16_t shape = 0;                  // Index of the plant's organ shape.
+    std::vector<InstanceTransform> instances; // In the order of the plant's organs.
+    std::uint16_t shape = 0; // Index of the shape in the plant's list of organ shapes.
 };
 
-// A plant as triangles: what renderers and exporters take.
+// A plant as triangles: the input of renderers and exporters.
 struct Mesh {
-    std::vector<Material> materials;    // MaterialId is an index into it.
-    std::vector<TriangleMesh> surfaces; // Tubes and polygons; at most one per material.
-    std::vector<InstancedMesh> organs;  // One per organ shape that the plant uses.
+    std::vector<Material> materials;    // Indexed by MaterialId.
+    std::vector<TriangleMesh> surfaces; // Tubes and polygons; at most one surface per material.
+    std::vector<InstancedMesh> organs;  // One entry per organ shape that the plant uses.
 
-    // Triangles as drawn: every instance counted.
+    // Number of triangles as drawn, counting each instance.
     std::size_t triangle_count() const;
 };
 

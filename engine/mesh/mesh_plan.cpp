@@ -13,13 +13,13 @@ namespace tractus::mesh {
 namespace {
 
 constexpr std::size_t kAxesPerBlock = 1024;
-constexpr std::size_t kStationsPerSegment = 2; // About, to begin with.
+constexpr std::size_t kStationsPerSegment = 2; // Initial estimate, for reserving memory.
 constexpr std::size_t kPolygonsPerTask = 4096;
-// Vertices of a piece: about half a megabyte, so that it stays in a cache until it is written to a
-// file.
+// Vertices of a piece: about half a megabyte, so that it stays in the cache until it is written to
+// a file.
 constexpr std::size_t kPieceVertices = 12 << 10;
 
-// An item before it has a place.
+// An item whose place in the surface is not known yet.
 struct Planned {
     MaterialId material;
     std::uint32_t number;
@@ -28,8 +28,8 @@ struct Planned {
     std::uint32_t indices;
 };
 
-// Calls `use(material, part)` for each stretch of an axis' stations that has one material and any
-// length.
+// Calls `use(material, part)` for each range of an axis' stations that has one material and is not
+// of zero length.
 template<typename Stations, typename Use>
 void for_each_part(Plant const& plant, Axis const& axis, Stations const& stations, Use const& use)
 {
@@ -49,14 +49,14 @@ void for_each_part(Plant const& plant, Axis const& axis, Stations const& station
     }
 }
 
-// Consecutive axes.
+// Result of one block of consecutive axes.
 struct Block {
     std::vector<Planned> items;
     Bounds bounds_mm;
 };
 
-// A ball around each section holds its ring, and the last one's the dome too. `reach`: how far a
-// section of radius 1 goes.
+// Adds a ball around each section, which contains its ring; that of the last section also contains
+// the dome. `reach`: distance of the ring's corners from the centre, for radius 1.
 template<typename Stations>
 void add_sections(Stations const& stations, double reach, Bounds& bounds)
 {
@@ -88,7 +88,7 @@ void place(MeshPlan::Surface& surface, Planned const& item)
 
 void cut_into_pieces(MeshPlan::Surface& surface)
 {
-    std::size_t end = 0; // End of the vertices of the piece that is being filled.
+    std::size_t end = 0; // Vertex index at which the current piece ends.
     for (std::uint32_t i = 0; i < surface.items.size(); ++i)
         if (surface.items[i].first_vertex >= end) {
             surface.pieces.push_back(i);

@@ -6,13 +6,13 @@
 
 namespace tractus::mesh {
 
-// A thin organ's prototype as it looks from afar: a rhombus from its base to its tip, across its x,
-// as large as the prototype. For a closed prototype (a needle) two that cross, each as large as
-// what it shows to a side, about a quarter of its surface. The first four vertices are base, right,
-// tip and left of the first rhombus.
+// Returns a simplified prototype of a thin organ for distant views: a rhombus from its base to its
+// tip, across its x axis, with the area of the prototype. A closed prototype (a needle) becomes two
+// crossing rhombi, each with the area of its silhouette from the side, about a quarter of its
+// surface. The first four vertices are the base, right, tip and left corners of the first rhombus.
 //
-// Its material is the prototype's. No value for what does not lie along +y as our organs do
-// (organ_shape.h), as others' may not.
+// The material is that of the prototype. Returns no value for a prototype that does not extend
+// along +y as organ shapes do (organ_shape.h), which imported prototypes may not.
 std::optional<TriangleMesh> organ_card(TriangleMesh const& prototype);
 
 } // namespace tractus::mesh

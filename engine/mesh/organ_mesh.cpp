@@ -23,7 +23,7 @@ void add_triangles(TriangleMesh& mesh, std::initializer_list<std::uint32_t> indi
     mesh.indices.insert(mesh.indices.end(), indices);
 }
 
-// The midrib: straight along +y, then bent down (towards -z) along an arc of a circle.
+// The midrib: straight along +y for the petiole, then bent down (towards -z) along a circular arc.
 struct Midrib {
     double straight_mm;
     double bent_mm;
@@ -47,8 +47,9 @@ struct Midrib {
     Vec3 up(double share) const { return { 0, std::sin(angle(share)), std::cos(angle(share)) }; }
 };
 
-// One end of the outline, 0 at the end to 1 at the greatest width: an ellipse's arc for sharpness
-// 0, a quarter of a sine (an angle at the end) for 1, hollow before the end above.
+// Relative width of one end of the outline; x is 0 at the end and 1 at the greatest width.
+// Sharpness 0 gives an elliptical arc, 1 a quarter of a sine (a pointed end), and more a concave
+// taper.
 double end_width(double x, double sharpness)
 {
     double const power
@@ -56,7 +57,7 @@ double end_width(double x, double sharpness)
     return std::pow(std::sin(0.5 * kPi * std::clamp(x, 0.0, 1.0)), power);
 }
 
-// Half the blade's width as a share of half its greatest, `share` of the way from base to tip.
+// Half the blade's width relative to its maximum, at `share` of the way from base to tip.
 double outline(OrganShape const& shape, double share)
 {
     double const widest = std::clamp(shape.widest, 0.02, 0.98);
@@ -65,12 +66,13 @@ double outline(OrganShape const& shape, double share)
         : end_width((1 - share) / (1 - widest), shape.tip_sharpness);
     if (shape.lobe_count <= 0)
         return width;
-    // The tip is a lobe of its own.
+    // The tip counts as a lobe of its own.
     double const lobe = 0.5 + 0.5 * std::cos(2 * kPi * (shape.lobe_count + 1) * share);
     return width * (1 - std::clamp(shape.lobes, 0.0, 0.95) * (1 - lobe));
 }
 
-// Where the blade's rows lie: an entire blade closer together at its ends, where the outline turns.
+// Positions of the blade's rows of vertices: in an entire blade closer together at its ends, where
+// the outline curves most.
 std::vector<double> blade_rows(OrganShape const& shape)
 {
     int const lobes = std::clamp(shape.lobe_count, 0, 16);
@@ -88,7 +90,8 @@ void add_petiole(TriangleMesh& mesh, double length_mm, double radius_mm)
 {
     constexpr std::uint32_t kSides = 3;
     auto const first = static_cast<std::uint32_t>(mesh.positions_mm.size());
-    for (double const y : { 0.0, length_mm + radius_mm }) // A little way into the blade.
+    // The petiole ends a little inside the blade.
+    for (double const y : { 0.0, length_mm + radius_mm })
         for (std::uint32_t j = 0; j < kSides; ++j) {
             double const angle = 2 * kPi * (j + 0.25) / kSides;
             Vec3 const out(std::cos(angle), 0, std::sin(angle));
@@ -101,7 +104,7 @@ void add_petiole(TriangleMesh& mesh, double length_mm, double radius_mm)
     }
 }
 
-// One row of a blade: the midrib's vertex between the margins'.
+// One row of a blade: vertices on the left margin, the midrib and the right margin.
 struct BladeRow {
     std::uint32_t left;
     std::uint32_t middle;
@@ -174,7 +177,7 @@ void add_cut_leaf(TriangleMesh& mesh, OrganShape const& shape)
         add_triangles(mesh, { a, b, c });
 }
 
-// Joins two rings of `sides` + 1 vertices each; `lower` and `upper` are their first ones.
+// Joins two rings of `sides` + 1 vertices each; `lower` and `upper` are their first vertices.
 void join_rings(TriangleMesh& mesh, std::uint32_t lower, std::uint32_t upper, std::uint32_t sides)
 {
     for (std::uint32_t j = 0; j < sides; ++j)
@@ -208,7 +211,7 @@ void add_needle(TriangleMesh& mesh, OrganShape const& shape)
     }
 }
 
-// A point of the outline of a body of revolution about +y.
+// A point of the profile of a solid of revolution about +y.
 struct ProfilePoint {
     double radius_mm;
     double y_mm;
@@ -216,12 +219,12 @@ struct ProfilePoint {
     double normal_y;
 };
 
-// Turns a profile, given from the bottom to the top, about +y. Its first and last points are on the
-// axis; there each side has a vertex of its own, for the texture.
+// Revolves a profile, given from bottom to top, about +y. The first and last profile points are on
+// the axis; each side has its own vertex there, for the texture.
 void revolve(TriangleMesh& mesh, std::span<ProfilePoint const> profile, std::uint32_t sides)
 {
     auto const vertex = [&](ProfilePoint const& point, double turn) {
-        // Angles go from +z towards +x, so that counter-clockwise is outside.
+        // Angles run from +z towards +x, so that counter-clockwise triangles face outwards.
         Vec3 const out(std::sin(2 * kPi * turn), 0, std::cos(2 * kPi * turn));
         return add_vertex(mesh, point.radius_mm * out + Vec3(0, point.y_mm, 0),
                           point.normal_radial * out + Vec3(0, point.normal_y, 0),
@@ -232,7 +235,8 @@ void revolve(TriangleMesh& mesh, std::span<ProfilePoint const> profile, std::uin
         rings.push_back(static_cast<std::uint32_t>(mesh.positions_mm.size()));
         for (std::uint32_t j = 0; j <= sides; ++j)
             vertex(point, static_cast<double>(j) / sides);
-        mesh.positions_mm.back() = mesh.positions_mm[rings.back()]; // The seam, to the last bit.
+        // Makes the seam exact to the last bit.
+        mesh.positions_mm.back() = mesh.positions_mm[rings.back()];
     }
     for (std::size_t i = 1; i < rings.size(); ++i)
         for (std::uint32_t j = 0; j < sides; ++j) {

@@ -42,8 +42,8 @@ bool is_ear(std::vector<Vec2> const& points, std::vector<std::uint32_t> const& r
     });
 }
 
-// Cuts ears off until a triangle is left. Where none is left because the outline crosses itself,
-// the next corner goes, so that it always ends.
+// Clips ears until one triangle is left. If the outline crosses itself and has no ear left, clips
+// the next corner, so that the loop always ends.
 std::vector<std::uint32_t> clip_ears(std::vector<Vec2> const& points)
 {
     std::vector<std::uint32_t> ring(points.size());
@@ -67,7 +67,7 @@ std::vector<std::uint32_t> clip_ears(std::vector<Vec2> const& points)
     return triangles;
 }
 
-// The direction of the texture's v: to the vertex farthest from the first.
+// Direction of the texture's v: from the first vertex to the one farthest from it.
 Vec3 long_direction(std::span<Vec3 const> vertices, Vec3 const& normal)
 {
     Vec3 longest = Vec3::Zero();
@@ -79,7 +79,7 @@ Vec3 long_direction(std::span<Vec3 const> vertices, Vec3 const& normal)
     return longest.norm() > 0 ? Vec3(longest.normalized()) : normal.unitOrthogonal();
 }
 
-// Unit length. No value without area.
+// Unit normal of the polygon, or no value if it has no area.
 std::optional<Vec3> flat_normal(std::span<Vec3 const> vertices)
 {
     Vec3 const area = newell_normal(vertices);

@@ -6,12 +6,12 @@
 
 namespace tractus::mesh {
 
-// A filled polygon: one flat normal by Newell's method, so that counter-clockwise is the front;
-// triangles by ear clipping, so that it may be concave. Texture coordinates are the unit square
-// around it, v from the first vertex towards the one farthest from it, as a blade's. A polygon
-// without area has no vertices. At least three vertices are given.
+// Filled polygons: one flat normal by Newell's method, so that the counter-clockwise side is the
+// front; triangulated by ear clipping, so that the polygon may be concave. Texture coordinates are
+// those of the enclosing unit square, with v from the first vertex towards the one farthest from
+// it, as for a blade. A polygon without area has no vertices. `vertices_mm`: at least three.
 
-// Returns what write_polygon() will write.
+// Returns the numbers of vertices and indices that write_polygon() writes.
 MeshExtent polygon_extent(std::span<Vec3 const> vertices_mm);
 
 void write_polygon(std::span<Vec3 const> vertices_mm, TrianglePlace& place);

@@ -7,10 +7,10 @@
 
 namespace tractus::mesh {
 
-// Tells to which section the vertices of a tube or an extrusion belong: calls use(station, count)
-// for one run of vertices after the other, in the order of write_tube() or write_extrusion().
-// Filled ends and tips belong to the first and the last section. `vertices`: as many as the part's
-// extent has.
+// Assigns the vertices of a tube or an extrusion to its sections: calls use(station, count) for
+// each run of vertices, in the order of write_tube() or write_extrusion(). The vertices of end caps
+// and tips belong to the first and last section. `vertices`: number of vertices in the extent of
+// the part.
 
 template<typename Use>
 void for_each_ring(Spine const& spine, TubePart const& part, std::size_t vertices, Use const& use)
@@ -40,7 +40,7 @@ void for_each_ring(Extrusion const& extrusion, TubePart const& part, std::size_t
             use(i, width);
             vertices -= width;
         }
-    // The rest are filled ends, each with as many vertices as the other.
+    // The remaining vertices are end caps; if there are two, they have equally many.
     bool const has_tip = part.last + 1 == extrusion.stations.size();
     auto const base = part.first > 0 ? 0 : has_tip ? vertices / 2 : vertices;
     if (base > 0)

@@ -7,18 +7,21 @@
 namespace tractus::mesh {
 namespace {
 
-constexpr double kLeastRadius_mm = 1e-3;   // A tube's, so that its sections keep a direction.
-constexpr double kPointedShare = 0.02;     // A tip below this share of the axis' radius is a point.
-constexpr double kTurnPerPiece_rad = 0.1;  // Turn per piece of a rounded bend.
-constexpr double kElbowStep_rad = 0.5;     // Turn between sections of an elbow.
+// Minimum radius of a tube, so that its sections keep a direction.
+constexpr double kLeastRadius_mm = 1e-3;
+// A tip radius below this share of the axis' radius is meshed as a point.
+constexpr double kPointedShare = 0.02;
+constexpr double kTurnPerPiece_rad = 0.1;  // Maximum turn per piece of a rounded bend.
+constexpr double kElbowStep_rad = 0.5;     // Maximum turn between two sections of an elbow.
 constexpr double kRoundable_cosine = 0.26; // Bends sharper than 75 degrees become elbows.
-constexpr double kStraight_cosine = 0.878; // Limit without rounding: 0.5 radians.
+// Cosine of 0.5 radians: sharper bends become elbows if rounding is off.
+constexpr double kStraight_cosine = 0.878;
 
-// Place that an axis starts on.
+// The segment to which an axis is attached.
 struct Parent {
     double radius_mm;
     Vec3 direction;
-    bool continued; // The axis goes on where its parent ends: a sympodial fork.
+    bool continued; // The axis continues its parent from the parent's end: a sympodial fork.
 };
 
 void collect_nodes(Plant const& plant, Axis const& axis, std::vector<SpineRoom::Node>& nodes)
@@ -57,13 +60,13 @@ int sides_for(std::vector<SpineRoom::Node> const& nodes, MeshOptions const& opti
                       std::min(options.min_sides, options.max_sides), options.max_sides);
 }
 
-// Distance to the corners of a regular polygon with the area of a circle of radius 1.
+// Circumradius of a regular polygon with the area of the unit circle.
 double same_area_radius(int sides)
 {
     return std::sqrt(2 * kPi / (sides * std::sin(2 * kPi / sides)));
 }
 
-// No value where the axis stands on the ground, or away from what it should stand on.
+// Returns no value if the axis stands on the ground, or its base is away from its parent.
 std::optional<Parent> find_parent(Plant const& plant, Axis const& axis)
 {
     if (axis.parent_axis == kNone)
@@ -111,8 +114,8 @@ public:
     }
 
 private:
-    // Where a limb goes on, it leaves in its parent's direction and bends into its own, so that the
-    // two limbs of a fork part slowly.
+    // An axis that continues its parent leaves in the parent's direction and bends into its own, so
+    // that the two limbs of a fork separate gradually.
     Vec3 base_tangent(std::optional<Parent> const& parent) const
     {
         Vec3 const& own = nodes_[0].direction;
@@ -127,8 +130,8 @@ private:
         return cosine < (rounding_ ? kRoundable_cosine : kStraight_cosine);
     }
 
-    // The bisector without rounding; with it, nearer to the shorter neighbour, as on a circle
-    // through the three nodes.
+    // Tangent at a node: without rounding the bisector of its segments; with rounding closer to the
+    // direction of the shorter segment, as on a circle through the three nodes.
     Vec3 tangent_at(std::size_t node) const
     {
         auto const& before = nodes_[node - 1];
@@ -148,7 +151,7 @@ private:
     }
 
     // Adds the stretch from node `i` to the next: a cubic Hermite curve in as many pieces as its
-    // turn needs.
+    // turn requires.
     void add_stretch(std::size_t i, Vec3 const& start, Vec3 const& end)
     {
         auto const& from = nodes_[i];
@@ -171,15 +174,15 @@ private:
         add({ to.position_mm, end, to.radius_mm, 0, to.segment });
     }
 
-    // Sections around a node, from the direction before it to the one after it. Outside the bend
-    // they make a rounded corner; inside it they lie within the two tubes that meet.
+    // Adds sections around a node, from the direction before it to the direction after it. On the
+    // outside of the bend they form a rounded corner; on the inside they lie within the two tubes.
     void add_elbow(std::size_t node)
     {
         Vec3 const& before = nodes_[node - 1].direction;
         Vec3 const& after = nodes_[node].direction;
         double const angle = std::acos(std::clamp(before.dot(after), -1.0, 1.0));
         Vec3 side = after - before * before.dot(after);
-        if (side.norm() < 1e-6) // Straight back: any way round will do.
+        if (side.norm() < 1e-6) // The direction reverses: any axis of rotation will do.
             side = before.unitOrthogonal();
         side.normalize();
         int const steps = std::max(1, static_cast<int>(std::ceil(angle / kElbowStep_rad)));
@@ -197,7 +200,8 @@ private:
     std::vector<SpineStation>& stations_;
 };
 
-// Puts a station at `arc_mm`, unless one is nearer than `spacing_mm` or the spine ends before.
+// Inserts a station at `arc_mm`, unless another one is within `spacing_mm` or the spine ends before
+// it.
 void insert_station(std::vector<SpineStation>& stations, double arc_mm, double spacing_mm)
 {
     auto const after = std::lower_bound(
@@ -217,16 +221,16 @@ void insert_station(std::vector<SpineStation>& stations, double arc_mm, double s
     stations.insert(after, station);
 }
 
-// The base of an axis on its parent: constant inside it, then falling to the axis' own radius. A
-// lateral axis falls fast at first, as the swelling around a real branch does; one that continues
-// its parent leaves with the parent's own slope.
+// Radius profile of an axis at its base: constant inside the parent, then decreasing to the axis'
+// own radius. A lateral axis narrows fast at first, like the swelling around a real branch; an axis
+// that continues its parent starts with the parent's slope.
 struct Collar {
     double base_radius_mm; // Radius at the parent's centre line.
-    double level_mm;       // The axis keeps that radius so far.
-    double fall_mm;        // Over this length it falls to the axis' own.
-    bool soft;             // The fall begins gently, too.
+    double level_mm;       // Arc length over which the base radius is kept.
+    double fall_mm;        // Length over which the radius decreases to the axis' own.
+    bool soft;             // The decrease begins gently, too.
 
-    // How much of the swelling is left at a place, 1 to 0.
+    // Share of the swelling that is left at an arc length, from 1 to 0.
     double share(double arc_mm) const
     {
         double const x = std::clamp((arc_mm - level_mm) / fall_mm, 0.0, 1.0);

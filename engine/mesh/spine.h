@@ -7,41 +7,42 @@
 
 namespace tractus::mesh {
 
-// One cross-section of a tube before it has a frame.
+// One cross-section of a tube, before a frame is computed.
 struct SpineStation {
     Vec3 center_mm;
     Vec3 tangent;      // Unit length.
-    double radius_mm;  // Above 0, but for a point at the tip.
-    double arc_mm;     // Along the spine from its first station.
-    SegmentId segment; // Segment that the stretch from the station before belongs to.
+    double radius_mm;  // Above 0, except at a pointed tip.
+    double arc_mm;     // Arc length along the spine from its first station.
+    SegmentId segment; // The segment between the previous station and this one.
 };
 
-// An axis made ready for sections: bends rounded, collar flared, coinciding nodes joined.
+// An axis prepared for meshing: bends rounded, collar widened, coincident nodes merged.
 struct Spine {
-    std::span<SpineStation const> stations; // None, or two and more. Whoever traced it has them.
+    // Empty, or at least two; owned by the SpineRoom of the caller.
+    std::span<SpineStation const> stations;
     int sides = 0;
-    bool closed_base = false; // Stands on nothing: its first section is filled.
+    bool closed_base = false; // The axis has no parent: its first section is filled.
     enum class Tip { Dome, Point, Open };
     Tip tip = Tip::Dome;
 };
 
-// Room for one spine after another, allocated once.
+// Reusable memory for tracing spines one after another.
 struct SpineRoom {
     std::vector<SpineStation> stations {};
 
     struct Node {
         Vec3 position_mm;
-        // Direction of the stretch that starts here; the last node repeats the one before.
+        // Direction from this node to the next; the last node repeats that of the node before.
         Vec3 direction;
         double length_mm;
         double radius_mm;
-        SegmentId segment; // Segment that ends here.
+        SegmentId segment; // The segment that ends at this node.
     };
     std::vector<Node> nodes {}; // Scratch space.
 };
 
-// The spine of `axis`, with its stations in `room`: what was in there is lost. `thickest_mm` is the
-// plant's greatest radius.
+// Returns the spine of `axis`, with its stations in `room`, whose contents are replaced.
+// `thickest_mm` is the plant's greatest radius.
 Spine trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& options,
                   double thickest_mm, SpineRoom& room);
 

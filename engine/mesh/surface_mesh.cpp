@@ -12,8 +12,10 @@ namespace tractus::mesh {
 namespace {
 
 constexpr int kMaxStrips = 24;
-constexpr double kFlatness = 0.064;  // Deviation allowed at subdivision 1, as a share of the size.
-constexpr double kSameVertex = 1e-5; // Distance as a share of the size.
+// Deviation allowed at subdivision 1, as a share of the surface's size.
+constexpr double kFlatness = 0.064;
+// Vertices this close, as a share of the surface's size, coincide.
+constexpr double kSameVertex = 1e-5;
 
 Eigen::AlignedBox3d box_of(OrganShape const& shape)
 {
@@ -24,8 +26,8 @@ Eigen::AlignedBox3d box_of(OrganShape const& shape)
     return box;
 }
 
-// A cubic deviates from its chords by at most 6 / 8 of its second differences, over the square of
-// their number.
+// Number of strips from the curvature: a cubic deviates from its chords by at most 6 / 8 of its
+// second differences, divided by the square of the number of chords.
 int strip_count(OrganShape const& shape, double size, int subdivision)
 {
     double bend = 0;
@@ -44,19 +46,20 @@ int strip_count(OrganShape const& shape, double size, int subdivision)
     return std::clamp(static_cast<int>(std::ceil(std::sqrt(0.75 * bend / allowed))), 1, kMaxStrips);
 }
 
-// The grid of vertices of all patches, before seams are joined.
+// The vertices of all patches, before seams are joined.
 struct Grid {
     int strips = 1;
     std::vector<Vec3> positions;
     std::vector<Vec3> normals;
-    std::vector<std::size_t> same_as; // Neighbour's vertex at the same place, if there is one.
+    // By vertex: the coinciding vertex of a neighbouring patch, if there is one.
+    std::vector<std::size_t> same_as;
 
     std::size_t at(std::size_t patch, int i, int j) const
     {
         auto const width = static_cast<std::size_t>(strips) + 1;
         return (patch * width + static_cast<std::size_t>(i)) * width + static_cast<std::size_t>(j);
     }
-    // The k-th vertex of one side of a patch.
+    // Index of the k-th vertex on one side of a patch.
     std::size_t on_side(std::size_t patch, std::size_t side, int k) const
     {
         switch (side) {
@@ -78,7 +81,8 @@ struct Grid {
     }
 };
 
-// Where rows of control points coincide the surface has no normal; a little way inside it has.
+// Unit normal at (s, t). If rows of control points coincide the surface has no normal there; the
+// normal a little further inside is used.
 Vec3 unit_normal(BezierPatch const& patch, double s, double t, double size)
 {
     for (double const inward : { 0.0, 0.01, 0.1, 0.5 }) {
@@ -107,7 +111,7 @@ Grid sample(OrganShape const& shape, int strips, double size)
     return grid;
 }
 
-// Calls `use(vertex, the neighbour's vertex)` along every seam.
+// Calls `use(vertex, the neighbour's vertex)` for each vertex on each seam.
 template<typename Use> void for_each_seam_vertex(OrganShape const& shape, Grid const& grid, Use use)
 {
     constexpr std::array<std::size_t, 4> kOpposite { BezierPatch::Below, BezierPatch::Above,
@@ -124,7 +128,7 @@ template<typename Use> void for_each_seam_vertex(OrganShape const& shape, Grid c
 
 void join_seams(OrganShape const& shape, Grid& grid, double size)
 {
-    // Sums of the normals that meet, from the patches' own, whatever their order.
+    // Adds the patches' own normals, so that the sums do not depend on the order of the seams.
     auto normals = grid.normals;
     for_each_seam_vertex(shape, grid, [&](std::size_t vertex, std::size_t other) {
         normals[vertex] += grid.normals[other];
@@ -142,7 +146,7 @@ void join_seams(OrganShape const& shape, Grid& grid, double size)
             grid.normals[i] = normals[i] / length;
 }
 
-// Patches side by side in rows: which place each has.
+// Position of each patch in a grid of patches.
 struct PatchRows {
     struct Place {
         int row = 0;
@@ -153,7 +157,8 @@ struct PatchRows {
     int columns = 0;
 };
 
-// No value where rows have different lengths, meet their own beginning, or leave patches out.
+// Arranges the patches in a grid. Returns no value if rows have different lengths, form a closed
+// ring, or do not contain all patches.
 std::optional<PatchRows> rows_of(std::vector<BezierPatch> const& patches)
 {
     constexpr auto kNone = BezierPatch::kNoPatch;
@@ -183,14 +188,14 @@ std::optional<PatchRows> rows_of(std::vector<BezierPatch> const& patches)
     return count == patches.size() ? std::optional(std::move(result)) : std::nullopt;
 }
 
-// Where on the whole surface a vertex is: (u, v).
+// Computes the texture coordinates (u, v) of the vertices on the whole surface.
 class PatchTexture {
 public:
     PatchTexture(std::vector<BezierPatch> const& patches, PatchRows rows, int strips)
         : rows_(std::move(rows))
         , strips_(strips)
     {
-        Vec3 down = Vec3::Zero(); // Along s, over all patches.
+        Vec3 down = Vec3::Zero(); // Sum of the directions along s over all patches.
         Vec3 right = Vec3::Zero();
         for (auto const& patch : patches)
             for (std::size_t k = 0; k < 4; ++k) {
@@ -219,7 +224,7 @@ public:
 private:
     PatchRows rows_;
     int strips_ = 1;
-    bool is_turned_ = false; // Rows of patches go along the organ.
+    bool is_turned_ = false; // Rows of patches run along the organ instead of across it.
     bool is_u_back_ = false;
     bool is_v_back_ = false;
 };
@@ -236,7 +241,7 @@ public:
     {
     }
 
-    // The triangles of one side; the back turns the other way.
+    // Writes the triangles of one side; those of the back have the opposite orientation.
     void write(std::size_t patch_count, bool is_back)
     {
         std::fill(index_.begin(), index_.end(), kUnwritten);
@@ -271,7 +276,7 @@ private:
         return index_[root];
     }
 
-    // Left out where a patch narrows to a point.
+    // Adds a triangle, unless it is degenerate because the patch narrows to a point.
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool is_back)
     {
         auto const& p = mesh_.positions_mm;
@@ -286,7 +291,7 @@ private:
     Eigen::AlignedBox3d const& box_;
     std::optional<PatchTexture> texture_;
     TriangleMesh& mesh_;
-    std::vector<std::uint32_t> index_; // Indices in the mesh, by root vertex.
+    std::vector<std::uint32_t> index_; // Index in the mesh, by merged vertex.
 };
 
 } // namespace

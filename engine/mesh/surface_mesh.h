@@ -5,19 +5,20 @@
 
 namespace tractus::mesh {
 
-// How the texture lies on a surface.
+// How texture coordinates are assigned to a surface.
 enum class TextureLies {
-    OnBox, // On the surface's box: u across it, v along the organ.
-    // On the patches, where these are a grid: their sides are the texture's. u goes to the right
-    // and v along the organ, whatever way the patches go. On the box where they are no grid.
+    OnBox, // By position in the surface's bounding box: u across, v along the organ.
+    // By patch, if the patches form a grid, whose outer sides are those of the texture. u runs to
+    // the right and v along the organ, regardless of the orientation of the patches. Falls back to
+    // OnBox if the patches form no grid.
     OnPatches,
 };
 
-// The triangles of an organ of Bézier patches (OrganShape::Kind::Surface), in the organ frame.
+// Returns the mesh of an organ of Bézier patches (OrganShape::Kind::Surface), in the organ frame.
 //
-// All patches are cut into the same number of strips both ways, more for a finer `subdivision`
-// (MeshOptions) and for patches that bend more: 1 to 24. Patches that are named as neighbours share
-// the vertices of their seam where these coincide, and its normals in any case.
+// All patches are divided into the same number of strips in both directions, 1 to 24, growing with
+// `subdivision` (MeshOptions) and with the curvature of the patches. Patches that are declared
+// neighbours share the vertices of their seam where these coincide, and its normals in any case.
 TriangleMesh surface_mesh(OrganShape const& shape, int subdivision,
                           TextureLies lies = TextureLies::OnBox);
 

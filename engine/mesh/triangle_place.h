@@ -7,7 +7,7 @@
 
 namespace tractus::mesh {
 
-// How many vertices and indices something has, or how many lie before it.
+// Numbers of vertices and indices of a part of a mesh, or of everything before it.
 struct MeshExtent {
     std::size_t vertices = 0;
     std::size_t indices = 0;
@@ -20,17 +20,17 @@ struct MeshExtent {
     }
 };
 
-// Where triangles are written next: into arrays of a surface, or into a buffer that holds a part of
-// them. Writers move it on; whoever hands it out has made room for the extent that was asked for.
+// Write position in the arrays of a surface, or in a buffer for a part of them. The writing
+// functions advance it; the caller provides room for the extent that was computed beforehand.
 struct TrianglePlace {
     Vec3f* position_mm = nullptr;
     Vec3f* normal = nullptr;
     Vec2f* texture = nullptr;
     std::uint32_t* index = nullptr;
-    std::uint32_t vertex = 0; // The number that indices give to the next vertex.
+    std::uint32_t vertex = 0; // Index of the next vertex, as used by the triangle indices.
 };
 
-// The place `at` within a surface's arrays.
+// The write position at offset `at` in a surface's arrays.
 inline TrianglePlace place_in(TriangleMesh& mesh, MeshExtent const& at)
 {
     return { mesh.positions_mm.data() + at.vertices, mesh.normals.data() + at.vertices,

@@ -8,21 +8,22 @@ namespace tractus::mesh {
 namespace {
 
 constexpr int kMaxSides = 64;
-constexpr double kSteepest = 4; // Slopes beyond this come from sections that nearly coincide.
+// Steeper slopes come from sections that nearly coincide, and are clamped.
+constexpr double kSteepest = 4;
 
-// Twelve numbers: four points, or three of a processor's vectors.
+// Twelve floats: four points, or three SIMD vectors.
 constexpr int kLanes = 12;
 using Lanes = Eigen::Array<float, kLanes, 1>;
 
-// Values that all rings with one number of sides have in common. The first corner comes again as
-// the last.
+// Tables shared by all rings with one number of sides. The first corner is repeated as the last.
 struct Circle {
-    // Three times each: for x, y and z.
+    // Each value three times, for x, y and z.
     std::array<float, 3 * (kMaxSides + 1)> cosines;
     std::array<float, 3 * (kMaxSides + 1)> sines;
-    std::array<float, kMaxSides + 1> shares;        // Shares of the way around.
-    std::array<Vec2f, kMaxSides> middles;           // Middles between two corners.
-    std::array<std::uint32_t, 6 * kMaxSides> quads; // Counted from the lower ring's first corner.
+    std::array<float, kMaxSides + 1> shares; // Share of the circumference at each corner.
+    std::array<Vec2f, kMaxSides> middles;    // Middle of each side.
+    // Two triangles per side, counted from the first corner of the lower ring.
+    std::array<std::uint32_t, 6 * kMaxSides> quads;
 };
 
 Circle make_circle(int sides)
@@ -56,13 +57,13 @@ Circle const& circle_of(int sides)
     return circles[static_cast<std::size_t>(sides)];
 }
 
-// Returns the point four times.
+// Returns the point repeated four times.
 Lanes repeated(Vec3f const& point)
 {
     return point.replicate<kLanes / 3, 1>();
 }
 
-// center + cosine * x + sine * y for the first `count` corners of a circle.
+// Writes center + cosine * x + sine * y for the first `count` corners of a circle.
 void write_corners(Circle const& circle, std::size_t count, Vec3f const& center, Vec3f const& x,
                    Vec3f const& y, float* to)
 {
@@ -79,7 +80,7 @@ void write_corners(Circle const& circle, std::size_t count, Vec3f const& center,
             + circle.sines[i] * ys[static_cast<Eigen::Index>(k)];
 }
 
-// Rings of a dome between the end of the tube and its apex; thin tubes do without.
+// Number of rings of a dome between the end of the tube and its apex; 0 for thin tubes.
 constexpr int kMostDomeRings = 2;
 int dome_rings(int sides)
 {
@@ -96,19 +97,20 @@ double slope_at(std::span<SpineStation const> stations, std::size_t i)
     return std::clamp((after.radius_mm - before.radius_mm) / length, -kSteepest, kSteepest);
 }
 
-// The smallest rotation that takes the unit vector `from` to `to`, applied to a unit normal of
-// `from`.
+// Parallel transport: applies the smallest rotation from the unit vector `from` to `to` to a unit
+// vector orthogonal to `from`.
 Vec3 carry(Vec3 const& normal, Vec3 const& from, Vec3 const& to)
 {
     double const w = 1 + from.dot(to);
-    if (w < 1e-6) [[unlikely]] // Straight back: any way round will do.
+    if (w < 1e-6) [[unlikely]] // The direction reverses: any normal will do.
         return to.unitOrthogonal();
     Vec3 const carried = normal - (to.dot(normal) / w) * (from + to);
     Vec3 const flat = carried - to * to.dot(carried);
-    return flat * (1.5 - 0.5 * flat.squaredNorm()); // Length 1 but for rounding errors.
+    // Normalises the length, which is 1 up to rounding errors.
+    return flat * (1.5 - 0.5 * flat.squaredNorm());
 }
 
-// Writes the pieces of a tube one after another.
+// Writes the parts of a tube in sequence.
 class Writer {
 public:
     Writer(TrianglePlace& place, int sides)
@@ -118,7 +120,7 @@ public:
     {
     }
 
-    // A closed ring whose first corner comes twice, for the texture's seam.
+    // Writes a closed ring whose first corner is duplicated for the texture seam.
     void ring(Section const& section)
     {
         std::size_t const count = sides_ + 1;
@@ -135,7 +137,7 @@ public:
         advance(count);
     }
 
-    // Two triangles a side between the last two rings.
+    // Joins the last two rings with two triangles per side.
     void join()
     {
         auto const lower = place_.vertex - 2 * (sides_ + 1);
@@ -145,8 +147,9 @@ public:
         place_.index += 6 * std::size_t { sides_ };
     }
 
-    // A point above the last ring, once for each side, so that each has its texture. `side_share`
-    // of the sides stays in the normals: 1 is a cone's, 0 is a dome's.
+    // Writes an apex above the last ring, duplicated for each side so that each has its texture
+    // coordinates. `side_share`: weight of the side's direction in the normals, 1 for a cone, 0 for
+    // a dome.
     void apex(Section const& section, float side_share)
     {
         auto const ring = place_.vertex - (sides_ + 1);
@@ -165,7 +168,7 @@ public:
         advance(sides_);
     }
 
-    // A flat face that looks back along the axis.
+    // Writes a flat cap that faces backwards along the axis.
     void base(Section const& section)
     {
         write_corners(circle_, sides_, section.center_mm, section.radius_mm * section.normal,
@@ -201,12 +204,12 @@ private:
     Circle const& circle_;
 };
 
-// A place on a dome, `share` of the quarter circle from its foot to its top.
+// A ring of a dome of unit radius at `share` of the quarter circle from its foot to its apex.
 struct DomeStep {
     float height;
     float radius;
     float slope;
-    float v; // Beyond the foot's.
+    float v; // Added to the texture coordinate v of the foot.
 };
 
 DomeStep dome_step(double share)
@@ -217,8 +220,8 @@ DomeStep dome_step(double share)
              static_cast<float>(angle / (2 * kPi)) };
 }
 
-// Half a sphere on the last section. It meets the tube at a right angle, whatever the tube's slope:
-// the last ring's normals stay the tube's, so that no edge shows.
+// Writes a hemisphere on the last section. Its silhouette meets the tube at an angle if the tube
+// tapers, but the normals of the last ring stay those of the tube, so that no edge is visible.
 void write_dome(Writer& writer, Section const& end, int rings)
 {
     static auto const steps = [] {

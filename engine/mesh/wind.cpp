@@ -9,9 +9,9 @@ namespace tractus::mesh {
 
 namespace {
 
-constexpr std::uint32_t kPhases = 0x7068; // The random stream of phases.
+constexpr std::uint32_t kPhases = 0x7068; // Random stream of the phases.
 
-// Names a branch by where its tip is, which unlike its number is the same in every level of detail.
+// Hash of a branch's tip position: unlike its index, it is the same in every level of detail.
 std::uint64_t name_of(Vec3 const& tip_mm)
 {
     std::uint64_t name = 0;

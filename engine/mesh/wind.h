@@ -11,33 +11,33 @@
 
 namespace tractus::mesh {
 
-// Data to bend a plant in the wind, for one vertex or one organ: every axis turns about its base.
-// Engines differ in what they want of it and where; this is what all of them can be given (Unreal's
-// pivot painter has pivot and axis, CryEngine's and Source's foliage phase and bend).
+// Data to animate a plant in the wind, for one vertex or organ: every axis bends about its base.
+// Game engines expect different subsets of it in different places: Unreal's pivot painter uses
+// pivot and axis, the foliage of CryEngine and Source uses phase and bend.
 struct WindVertex {
-    Vec3f pivot_mm = Vec3f::Zero(); // Plant frame: the base of the axis that it belongs to.
-    Vec3f axis = Vec3f::UnitZ();    // Unit length: from there to the axis' tip.
-    float level = 0;                // The axis' order: 0 for the trunk.
-    float phase = 0;                // [0, 1): the axis' own, so that branches do not sway as one.
-    float bend = 0; // 0 at the base to 1 at the tip, with the length along the axis.
+    Vec3f pivot_mm = Vec3f::Zero(); // Plant frame: the base of the vertex's axis.
+    Vec3f axis = Vec3f::UnitZ();    // Unit vector from the base to the tip of the axis.
+    float level = 0;                // Order of the axis: 0 for the trunk.
+    float phase = 0; // [0, 1): differs between axes, so that branches do not sway in step.
+    float bend = 0; // 0 at the base to 1 at the tip, proportional to the arc length along the axis.
 };
 
-// Names a plant: axes of plants with other keys have other phases.
+// Identifies a plant: plants with different keys have different phases.
 struct WindKey {
     std::uint64_t seed = 0;
     std::uint32_t plant = 0;
 };
 
-// Returns the data of any vertex at the base of an axis. A branch keeps its phase in every level of
-// detail.
+// Returns the wind data of a vertex at the base of an axis. A branch has the same phase in every
+// level of detail.
 WindVertex wind_of(Plant const& plant, Axis const& axis, WindKey const& key);
 
-// Returns the data of an organ or a polygon: it moves with the place where its segment ends.
-// Nothing moves on the ground.
+// Returns the wind data of an organ or polygon, which moves with the end of its segment. A segment
+// on the ground does not move.
 WindVertex wind_at(Plant const& plant, SegmentId segment, WindKey const& key);
 
-// How far along its axis each vertex is that write_tube() or write_extrusion() makes, as `bend`.
-// `to` has as many elements as the extent has vertices.
+// Sets `bend` of each vertex that write_tube() or write_extrusion() makes: its relative position
+// along the axis. The size of `to` is the number of vertices in the extent.
 void bend_tube(Spine const& spine, TubePart const& part, std::span<WindVertex> to);
 void bend_extrusion(Extrusion const& extrusion, TubePart const& part, std::span<WindVertex> to);
 
