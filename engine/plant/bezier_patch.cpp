@@ -26,7 +26,8 @@ Vec3 blend(std::array<Vec3, 16> const& control, std::array<double, 4> const& acr
     return sum;
 }
 
-// Row i says how the i-th Bézier point of a cubic comes from the points of the basis.
+// Row i holds the weights that give the i-th Bézier point of a cubic from the four points of the
+// basis.
 using BasisMatrix = std::array<std::array<double, 4>, 4>;
 
 constexpr BasisMatrix kFromBSpline { { { 1.0 / 6, 4.0 / 6, 1.0 / 6, 0 },
@@ -34,7 +35,7 @@ constexpr BasisMatrix kFromBSpline { { { 1.0 / 6, 4.0 / 6, 1.0 / 6, 0 },
                                        { 0, 2.0 / 6, 4.0 / 6, 0 },
                                        { 0, 1.0 / 6, 4.0 / 6, 1.0 / 6 } } };
 
-// Catmull and Rom's: tangents are half the chord between the neighbours.
+// Catmull-Rom: tangents are half the chord between the two neighbours.
 constexpr BasisMatrix kFromCardinal {
     { { 0, 1, 0, 0 }, { -1.0 / 6, 1, 1.0 / 6, 0 }, { 0, 1.0 / 6, 1, -1.0 / 6 }, { 0, 0, 1, 0 } }
 };

@@ -23,11 +23,12 @@ std::uint32_t axis_key(std::string_view name)
 
 std::size_t segment_count(PathAddress const& path)
 {
-    constexpr std::uint32_t kLeastName = 0xFFFFFFFE; // Axes' keys and parts' prefixes.
+    // Numbers from here on mark the key of an axis or the prefix of a part.
+    constexpr std::uint32_t kLeastName = 0xFFFFFFFE;
     if (path.first.empty() || path.first.front() >= kLeastName || path.last.empty()
         || path.last.front() >= kLeastName)
         return 0;
-    std::size_t count = 0; // Axes from the first's on, whole.
+    std::size_t count = 0; // Number of segments on complete axes between the two ends.
     for (auto i = path.first.size(); i <= path.last.size(); i += 2)
         count += path.last[i - 1] + std::size_t { 1 };
     return count - std::min(count, std::size_t { path.first.back() });
@@ -60,7 +61,7 @@ std::vector<AxisId>::const_iterator AddressIndex::first_on(Plant const& plant,
         [&](AxisId axis, SegmentId segment) { return plant.axes[axis].parent_segment < segment; });
 }
 
-// `share` of the segment itself is the place that its axis' key is told with.
+// `share`: position on the segment itself, 0 to 1, used if its axis has a key.
 SegmentAddress AddressIndex::address_at(Plant const& plant, SegmentId segment, double share) const
 {
     SegmentAddress backwards;
@@ -104,7 +105,8 @@ SegmentAddress AddressIndex::address_of(Plant const& plant, SegmentId segment) c
     return address_at(plant, segment, 0.5);
 }
 
-// The ends' own ends, nearly: the whole of an axis stays the whole where it gets other segments.
+// Uses positions slightly inside both ends of the path, so that a path over a whole axis still
+// covers the whole axis when that is divided into other segments.
 PathAddress AddressIndex::address_of(Plant const& plant, std::vector<SegmentId> const& path) const
 {
     CHECK(!path.empty());

@@ -9,19 +9,21 @@
 
 namespace tractus {
 
-// A leaf as a flat shape of few triangles, cut out along its outline and its midrib, so that it can
-// be folded and bent, and where it lies in the picture of its material.
+// A leaf as a flat shape of few triangles, cut along its outline and midrib so that it can be
+// folded and bent, and its place in the picture of its material.
 //
-// x to the leaf's right, y from the stalk's end towards the tip, seen from the upper side. The
-// blade is 1 long, but for the variation from leaf to leaf; the stalk is not counted.
+// Frame: x to the leaf's right, y from the end of the petiole towards the tip, seen from the upper
+// side. The blade has length 1, except for the variation from leaf to leaf; the petiole is not
+// included.
 struct CutLeaf {
     std::vector<Vec2> corners;
     std::vector<std::array<std::uint32_t, 3>> triangles; // Counter-clockwise.
-    // Where the stalk's end is in the picture, in texture coordinates (v downwards), and how far it
-    // is there for a length of 1.
+    // Position of the end of the petiole in the picture, in texture coordinates (v downwards), and
+    // `length_in_picture`: the size of the unit length there.
     Vec2 stem_in_picture = Vec2::Zero();
     double length_in_picture = 1;
-    // The name of the sheet that it is of (engine/lsystem/view/leaf_sheet.h) and its number there.
+    // Name of the leaf sheet that it comes from (engine/lsystem/view/leaf_sheet.h), and `number`:
+    // its index on that sheet.
     std::string sheet {};
     int number = 0;
 
@@ -31,7 +33,7 @@ struct CutLeaf {
     }
 };
 
-// The box round the corners; empty without corners.
+// Bounding box of the corners; empty if there are none.
 inline Eigen::AlignedBox2d box_of(CutLeaf const& leaf)
 {
     Eigen::AlignedBox2d box;

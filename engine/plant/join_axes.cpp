@@ -7,7 +7,7 @@ namespace tractus {
 
 namespace {
 
-// Axis that each one goes on into, if any, and whether it is itself such a continuation.
+// For each axis the axis that continues it, if any, and whether it is itself a continuation.
 struct Continuations {
     std::vector<AxisId> next;
     std::vector<bool> continues;
@@ -18,7 +18,7 @@ NodeId last_node(Axis const& axis)
     return axis.first_node + axis.segment_count;
 }
 
-// Cosine of the bend where `axis` would go on into `next`.
+// Cosine of the bend between the end of `axis` and the beginning of `next`.
 double straightness(Plant const& plant, Axis const& axis, Axis const& next)
 {
     auto const& nodes = plant.node_position_mm;
@@ -28,7 +28,7 @@ double straightness(Plant const& plant, Axis const& axis, Axis const& next)
     return lengths > 0 ? before.dot(after) / lengths : -1;
 }
 
-// True if `axis` goes on into `a` rather than into `b`.
+// True if `axis` is continued by `a` rather than by `b`.
 bool is_preferred(Plant const& plant, Axis const& axis, Axis const& a, Axis const& b)
 {
     float const radius_a = plant.node_radius_mm[a.first_node];
@@ -37,7 +37,7 @@ bool is_preferred(Plant const& plant, Axis const& axis, Axis const& a, Axis cons
                                 : straightness(plant, axis, a) > straightness(plant, axis, b);
 }
 
-// Where the outline changes, one tube ends and another begins.
+// False if the outline changes between two nodes: there one tube ends and another begins.
 bool same_outline(Plant const& plant, NodeId a, NodeId b)
 {
     return plant.node_section.empty()
@@ -67,8 +67,7 @@ Continuations find_continuations(Plant const& plant)
     return result;
 }
 
-// Whether axes have the numbers and orders that they would have in a plant that is put together
-// anew.
+// True if axes already have the numbers and orders that a newly built plant would have.
 bool is_in_order(Plant const& plant)
 {
     NodeId next_node = 0;
@@ -85,8 +84,8 @@ bool is_in_order(Plant const& plant)
     return next_node == plant.node_position_mm.size() && next_segment == plant.segment_count();
 }
 
-// Appends `part`'s segments to the last axis of `to`. The node where the two meet is shared and has
-// the radius of what begins there, unless that is thicker than what ends there.
+// Appends the segments of `part` to the last axis of `to`. The node where they meet is shared; its
+// radius is the smaller of the two.
 void append(Plant& to, Plant const& from, Axis const& part, std::vector<SegmentId>& new_segment)
 {
     auto& axis = to.axes.back();

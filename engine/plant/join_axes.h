@@ -7,18 +7,18 @@
 
 namespace tractus {
 
-// Returns the plant with axes as a person sees branches: where an axis ends and others continue
-// from its end (sympodial growth, as in F[+A][-A]), it goes on into the thickest of them. Of
-// equally thick ones the straightest goes on, then the first. An axis that starts elsewhere than
-// where its parent ends (a gap) stays apart. Geometry, materials and what rides on each segment
-// stay as they are; orders, and the numbers of axes and segments, are new.
+// Returns the plant with its axes joined into branches as people see them: if an axis ends and
+// others continue from its end (sympodial growth, as in F[+A][-A]), it is continued by the thickest
+// of these; of equally thick ones by the straightest, then by the first. An axis that starts at a
+// distance from its parent's end (a gap) stays separate. Geometry, materials, and the organs on
+// each segment are unchanged; orders and the numbers of axes and segments are new.
 Plant join_axes(Plant plant);
 
-// The axes in the order in which a person would draw them: the trunks first, then the first order,
-// then the second, …; within an order the longest first, and of equals the one that comes first.
+// Returns the axes in the order in which a person would draw them: trunks first, then by increasing
+// order; within an order by decreasing length, and equally long ones by number.
 std::vector<AxisId> axes_in_drawing_order(Plant const& plant);
 
-// Serves a caller that knows the axes' lengths along their segments.
+// For callers that have already computed the arc lengths of the axes.
 std::vector<AxisId> axes_in_drawing_order(Plant const& plant,
                                           std::span<double const> axis_length_mm);
 

@@ -8,7 +8,7 @@ namespace tractus {
 
 namespace {
 
-// Difference between the numbers of what is added and those in its own plant.
+// Offsets that are added to the indices of the appended plant.
 struct Shift {
     explicit Shift(Plant const& plant)
         : material(static_cast<MaterialId>(plant.materials.size()))
@@ -27,7 +27,7 @@ ContourId shifted(ContourId number, ContourId by)
     return number == kNoContour ? kNoContour : static_cast<ContourId>(number + by);
 }
 
-// Adds one plant to another.
+// Appends one plant to another.
 class Joining {
 public:
     Joining(Plant& plant, Plant const& part, PartPlace const& place,
@@ -63,7 +63,7 @@ private:
         return turned_mm + place_.moved_mm;
     }
 
-    // How many segments of an axis are there.
+    // Number of visible segments of an axis.
     std::uint32_t count_shown(Axis const& axis) const
     {
         if (axis.parent_segment != kNone && segments_[axis.parent_segment] == kNone)
@@ -125,7 +125,7 @@ private:
         }
     }
 
-    // Whether what rides on a segment, or stands on the ground, is there.
+    // True if a segment is visible, or kNone (the ground).
     bool is_shown(SegmentId segment) const
     {
         return segment == kNone || segments_[segment] != kNone;
@@ -184,7 +184,7 @@ private:
     std::vector<bool> const& hidden_;
     Shift shift_;
     bool is_turned_;
-    std::vector<SegmentId> segments_; // Of the whole, by those of the part.
+    std::vector<SegmentId> segments_; // By segment of the part: its number in the whole.
 };
 
 } // namespace

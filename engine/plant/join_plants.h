@@ -7,24 +7,25 @@
 
 namespace tractus {
 
-// Adds another plant to a plant, moved: its axes, organs, polygons, materials and shapes behind
-// those that are there. Both keep their order.
+// Appends the axes, organs, polygons, materials and shapes of another plant, translated by
+// `moved_mm`. The order within both is kept.
 void append_plant(Plant& plant, Plant const& other, Vec3 const& moved_mm);
 
-// Where a plant stands that becomes a part of another.
+// Placement of a plant that becomes a part of another.
 struct PartPlace {
-    // The segment of the whole on whose end it stands; kNone: on the ground.
+    // Segment of the whole plant to whose end the part is attached; kNone: on the ground.
     SegmentId on = kNone;
-    // Takes the part's frame to the whole's: first turned, then moved.
+    // Transform from the part's frame to the whole's: rotated by `turn`, then translated by
+    // `moved_mm`.
     Quat turn = Quat::Identity();
     Vec3 moved_mm = Vec3::Zero();
 };
 
-// Adds a plant as a part of another, behind what is there, without the segments that `hidden` marks
-// and all that they bear; an empty list hides nothing. Where it stands on a segment its stems begin
-// at that segment's end, wherever their first nodes were; all else is where the place says.
+// Appends a plant as a part of another, without the segments marked in `hidden` and their
+// descendants; an empty list hides nothing. If the part is attached to a segment, its stems begin
+// at that segment's end, wherever their first nodes were; everything else is placed by `place`.
 //
-// Returns the number that each segment of the part has in the whole; kNone: it is hidden.
+// Returns the number of each of the part's segments in the whole, kNone for hidden ones.
 std::vector<SegmentId> append_part(Plant& plant, Plant const& part, PartPlace const& place,
                                    std::vector<bool> const& hidden = {});
 

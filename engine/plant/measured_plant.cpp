@@ -12,7 +12,7 @@ namespace tractus {
 
 namespace {
 
-constexpr double kTipShare = 0.002; // Share of the height.
+constexpr double kTipShare = 0.002; // Default tip radius as a share of the height.
 constexpr double kLargest_mm = 1e7;
 
 Result<void> check_nodes(std::string const& name, std::span<MeasuredNode const> nodes)
@@ -59,7 +59,7 @@ public:
         for (std::uint32_t i = 0; i < nodes_.size(); ++i)
             if (nodes_[i].below == kNone)
                 start_at(i, kNone, kNone);
-        for (std::size_t i = 0; i < starts_.size(); ++i) // Grows as axes are followed.
+        for (std::size_t i = 0; i < starts_.size(); ++i) // The list grows while axes are followed.
             follow(starts_[i]);
         return { .plant = std::move(plant_), .segments = std::move(segments_) };
     }
@@ -86,7 +86,7 @@ private:
         plant_.node_radius_mm.push_back(static_cast<float>(radius_mm));
     }
 
-    void follow(AxisStart start) // A copy, as starts_ grows.
+    void follow(AxisStart start) // By value, since starts_ grows.
     {
         Axis axis { .first_node = static_cast<NodeId>(plant_.node_position_mm.size()),
                     .first_segment = static_cast<SegmentId>(plant_.segment_count()),
@@ -110,10 +110,11 @@ private:
     }
 
     std::span<MeasuredNode const> nodes_;
-    std::vector<std::uint32_t> next_;                  // Next node on the same axis.
-    std::vector<std::vector<std::uint32_t>> laterals_; // Laterals in the order of the nodes.
+    std::vector<std::uint32_t> next_; // By node: the next node on the same axis.
+    // By node: the first nodes of its lateral axes, in the order of the nodes.
+    std::vector<std::vector<std::uint32_t>> laterals_;
     std::vector<double> radius_mm_;
-    std::vector<SegmentId> segments_; // The one that ends at each node.
+    std::vector<SegmentId> segments_; // By node: the segment that ends there.
     std::vector<AxisStart> starts_;
     Plant plant_;
 };

@@ -10,40 +10,42 @@
 
 namespace tractus {
 
-// One node of a plant that was measured, or written by another program, with what bears it.
+// One node of a plant that was measured or imported from another program, with its parent node.
 struct MeasuredNode {
-    std::uint32_t below = kNone; // The node that it stands on, one before it; kNone: the ground.
-    bool continues = false;      // The axis of `below` goes on here; otherwise a lateral begins.
-    Vec3 position_mm = Vec3::Zero(); // Plant frame, anywhere.
+    // Index of the parent node, which must come earlier in the list; kNone: on the ground.
+    std::uint32_t below = kNone;
+    // True: this node continues the axis of `below`. False: a lateral axis begins.
+    bool continues = false;
+    Vec3 position_mm = Vec3::Zero(); // Plant frame; the origin is arbitrary.
     std::optional<double> radius_mm {};
-    // Radius of the segment that ends here, where it begins. Counts at the base of an axis only.
+    // Radius at the lower end of the segment that ends here. Used at the base of an axis only.
     std::optional<double> base_radius_mm {};
 };
 
-// A plant of such nodes: a segment from each node to the one below. The base of the first goes to
-// the origin. If no node has a radius, radii follow from the pipe model, with tips of 0.2 % of the
-// height; otherwise a node without one has that of what is below it, and a lateral begins as thick
-// as it is at its first node, unless it says otherwise.
+// Builds a plant with a segment from each node to its parent node. The plant is translated so that
+// the first base is at the origin. If no node has a radius, the radii follow from the pipe model,
+// with tips of 0.2 % of the height; otherwise a node without a radius has that of its parent, and a
+// lateral begins with the radius of its first node unless `base_radius_mm` is given.
 //
-// Refuses, in a sentence that begins with `name`, numbers that are not finite, radii below 0, nodes
-// without a single segment that has a length, and what check_size() does.
+// Fails, in a sentence that begins with `name`, if a number is not finite, a radius is negative, no
+// segment has a length, or check_size() fails.
 Result<Plant> plant_from_nodes(std::string const& name, std::span<MeasuredNode const> nodes);
 
-// Such a plant, and where its nodes went.
+// A plant built from measured nodes, and the correspondence of its segments.
 struct MeasuredPlant {
     Plant plant {};
-    std::vector<SegmentId> segments {}; // The one that ends at each node; kNone: none does.
-    Vec3 base_mm = Vec3::Zero();        // The node that went to the origin.
+    std::vector<SegmentId> segments {}; // By node: the segment that ends there, or kNone.
+    Vec3 base_mm = Vec3::Zero(); // Original position of the node that was moved to the origin.
 };
 Result<MeasuredPlant> measured_plant_from_nodes(std::string const& name,
                                                 std::span<MeasuredNode const> nodes);
 
-// Lengths in such files are metres where the whole is smaller than 100 units, else millimetres:
-// what they are to be multiplied with.
+// Guesses the unit of a file: returns the factor to millimetres for metres if the whole is smaller
+// than 100 units, and 1 (millimetres) otherwise.
 double millimetres_per_unit(Bounds const& units);
 
-// Refuses, in a sentence that begins with `name`, a plant that no plant can be: more than 10 km
-// large, or more than a million km away from where its file has its origin.
+// Fails, in a sentence that begins with `name`, if the plant is implausible: larger than 10 km, or
+// more than a million km from the file's origin.
 Result<void> check_size(std::string const& name, Bounds const& box_mm);
 
 } // namespace tractus

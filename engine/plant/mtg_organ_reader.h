@@ -14,41 +14,41 @@
 
 namespace tractus {
 
-// A word in small letters, without what is neither letter nor digit: how columns and classes of
-// graphs are compared.
+// Returns a word in lower case with only its letters and digits, for comparing the names of columns
+// and classes.
 std::string lower_letters(std::string_view text);
 
-// Gathers the organs of a multiscale tree graph while it is read (mtg.h), and counts those that the
-// file says too little of to place them. Lengths are in the file's unit.
+// Collects the organs of a multiscale tree graph while it is read (mtg.h), and counts those with
+// too little data to place them. Lengths are in the file's unit.
 class MtgOrganReader {
 public:
     using ClassId = std::uint32_t;
 
-    // A new class of organs, by whose name those that are left out are counted.
+    // Adds a class of organs; its name is used in the warning about omitted organs.
     ClassId add_class(std::string_view name, MtgOrganClass kind);
 
-    // Adds the class if its name is the word for an organ.
+    // Adds the class if its name is one of the known words for an organ.
     std::optional<ClassId> class_of_name(std::string_view name);
 
-    // Finds the columns of organs from `first` on; false if there are none.
+    // Finds the organ columns from column `first` on; returns false if there are none.
     bool find_columns(std::span<std::string_view const> names, std::size_t first);
 
-    // Adds the organ of a row, if that says enough. `node` bears it.
+    // Adds the organ of a row if its data suffice. `node` is the node it is attached to.
     void add(ClassId of, std::uint32_t node, std::array<std::optional<double>, 3> const& position,
              std::span<std::string_view const> cells);
     void leave_out(ClassId of) { ++classes_[of].left_out; }
 
-    // Puts the organs on the plant, `scale` times as large.
+    // Adds the organs to the plant, with lengths multiplied by `scale`.
     void place(MeasuredPlant& measured, double scale);
 
-    // A warning; empty if there are no organs that were left out.
+    // Returns a warning about omitted organs, or an empty string if there are none.
     std::string said_of_left_out(std::string const& file) const;
 
 private:
     struct Class {
         std::string name;
         MtgOrganClass kind = MtgOrganClass::Other;
-        std::size_t left_out = 0; // How many organs cannot be placed.
+        std::size_t left_out = 0; // Number of organs that cannot be placed.
     };
     struct ReadOrgan {
         MtgOrgan organ;

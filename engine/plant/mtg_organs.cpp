@@ -15,10 +15,10 @@ namespace tractus {
 namespace {
 
 constexpr double kLargestOrgan_mm = 1e7;
-// A file may name as many as it has organs, but each costs a mesh.
+// A file may name a shape for every organ, but each shape costs a mesh.
 constexpr std::size_t kMaxMtgShapes = 1000;
 
-// Places in kMtgOrganColumns.
+// Indices into kMtgOrganColumns.
 enum MtgColumn : std::size_t {
     LengthColumn,
     WidthColumn,
@@ -43,7 +43,7 @@ MtgOrganClass class_of(Plant const& plant, OrganShape const& shape)
     return material == Material::Kind::Leaf || is_flat ? MtgOrganClass::Leaf : MtgOrganClass::Other;
 }
 
-// The nearest form that a few numbers describe.
+// Returns the nearest kind of shape that a few numbers describe.
 OrganShape::Kind nearest_kind(MtgOrganClass organ_class, std::string_view shape)
 {
     auto const word = shape.substr(0, shape.find('-'));
@@ -78,7 +78,7 @@ Material material_of(MtgOrganClass organ_class)
              .roughness = 0.6f };
 }
 
-// The length of a part as a share of the whole; `otherwise` where there is no such share.
+// Length of a part as a share of the whole, or `otherwise` if that is not a valid share.
 float share_of(double part, double whole, float otherwise)
 {
     constexpr double kGreatest = 1e6;
@@ -86,7 +86,7 @@ float share_of(double part, double whole, float otherwise)
     return whole > 0 && std::abs(share) <= kGreatest ? static_cast<float>(share) : otherwise;
 }
 
-// From the organ's frame to the plant's.
+// Rotation from the organ frame to the plant frame.
 Quat orientation_of(MtgOrgan const& organ)
 {
     Vec3 const along = organ.direction.normalized();
@@ -94,7 +94,7 @@ Quat orientation_of(MtgOrgan const& organ)
         = [&](Vec3 const& normal) -> Vec3 { return along.cross(normal.normalized()); };
     constexpr double kLeastSine = 1e-6;
     Vec3 right = across(organ.normal);
-    if (!(right.norm() > kLeastSine)) // There is no normal, or it lies along the organ.
+    if (!(right.norm() > kLeastSine)) // The normal is missing or parallel to the organ.
         right = across(Vec3::UnitZ());
     if (!(right.norm() > kLeastSine))
         right = along.unitOrthogonal();
@@ -104,7 +104,7 @@ Quat orientation_of(MtgOrgan const& organ)
     return Quat(axes);
 }
 
-// The shapes of organs that are added to a plant.
+// The organ shapes that are added to a plant.
 class MtgShapes {
 public:
     explicit MtgShapes(Plant& plant)
@@ -112,7 +112,7 @@ public:
     {
     }
 
-    // All organs are counted before the first is placed.
+    // Must be called for all organs before the first is placed.
     void count(MtgOrgan const& organ)
     {
         auto const [found, is_new] = ids_.try_emplace(key_of(organ));
@@ -143,7 +143,7 @@ public:
 private:
     using Key = std::pair<MtgOrganClass, std::string_view>;
 
-    // Shapes beyond the most that a plant may have share the one without a name.
+    // Shapes beyond the maximum share the shape without a name.
     Key key_of(MtgOrgan const& organ) const
     {
         Key const key { organ.kind, organ.shape };
@@ -229,7 +229,7 @@ std::optional<MtgOrgan> MtgOrganColumns::read(std::span<std::string_view const> 
     auto const vector = [&](std::size_t which) {
         return Vec3(coordinate(which), coordinate(which + 1), coordinate(which + 2));
     };
-    constexpr double kGreatest = 1e9; // So that squares are finite.
+    constexpr double kGreatest = 1e9; // Limits numbers so that their squares are finite.
     auto const is_vector = [&](Vec3 const& v) {
         return v.allFinite() && v.cwiseAbs().maxCoeff() < kGreatest && v.norm() > 1 / kGreatest;
     };

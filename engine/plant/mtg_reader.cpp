@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::size_t kMaxScales = 64;
 constexpr std::size_t kMaxGraphColumns = 100'000;
-constexpr long kMaxRepeats = 1'000'000; // Sum over all entities for which << and ++ stand.
+// Limit on the total number of entities that << and ++ abbreviate.
+constexpr long kMaxRepeats = 1'000'000;
 
 constexpr std::array<std::string_view, 5> kTopDiameters { "topdiameter", "topdia", "diameter",
                                                           "diam", "diasom" };
@@ -29,15 +30,15 @@ constexpr std::array<std::string_view, 4> kBaseDiameters { "bottomdiameter", "bo
                                                            "diabase" };
 constexpr std::array<std::string_view, 1> kRadii { "radius" };
 
-// Where one stands in the graph: what the next entity is a part of, or stands on.
+// The current position in the graph, to which the next entity is attached.
 struct GraphPlace {
-    std::array<bool, kMaxScales> has_entity {}; // Whether there is one at each scale.
-    std::uint32_t node = kNone;                 // The last one that had a position.
-    bool is_branch = false;                     // A + came since then.
+    std::array<bool, kMaxScales> has_entity {}; // By scale: whether there is an entity.
+    std::uint32_t node = kNone;                 // The last entity that has a position.
+    bool is_branch = false;                     // A + has been read since that entity.
 };
 
-// The last entity of a column of the file; and a branch on it that the same column has named, until
-// another is named or its parts follow.
+// The last entity in a column of the file, and a branch on it named in the same column, until
+// another branch is named or the parts of this one follow.
 struct GraphColumn {
     GraphPlace place;
     std::optional<GraphPlace> branch;
@@ -58,12 +59,12 @@ public:
 private:
     struct Class {
         std::size_t scale = 0;
-        std::optional<MtgOrganReader::ClassId> organ {}; // No value: it is no organ.
+        std::optional<MtgOrganReader::ClassId> organ {}; // No value if the class is not an organ.
     };
     struct Entity {
         char relation = '/';
         Class kind {};
-        bool is_last = false; // Last of its line: the columns belong to it.
+        bool is_last = false; // Last entity of its line: the line's feature columns belong to it.
     };
     enum class Section { None, Classes, Other, Header, Graph };
 
@@ -130,7 +131,7 @@ Result<void> MtgReader::read(std::string_view line)
     return {};
 }
 
-// CODE, CLASSES, DESCRIPTION, FEATURES or MTG, and a colon.
+// True if the line is CODE, CLASSES, DESCRIPTION, FEATURES or MTG, followed by a colon.
 bool MtgReader::begins_section(std::string_view line)
 {
     if (section_ == Section::Header || section_ == Section::Graph)
@@ -174,7 +175,8 @@ std::optional<std::size_t> MtgReader::column_of(std::span<std::string_view const
     return std::nullopt;
 }
 
-// "ENTITY-CODE", and behind as many tabs as there are columns for entities the features' names.
+// Reads the header: "ENTITY-CODE", a tab for each column of entities, then the names of the
+// features.
 Result<void> MtgReader::read_header(std::string_view line)
 {
     auto const cells = columns_of(line, '\t');
@@ -198,7 +200,8 @@ Result<void> MtgReader::read_header(std::string_view line)
     return {};
 }
 
-// L, F and O are organs in such files as write_mtg() writes; in others they may be internodes.
+// In files with organ columns, such as those of write_mtg(), L, F and O are organs; in others they
+// may be internodes.
 void MtgReader::find_organ_columns(std::vector<std::string_view> const& names)
 {
     if (!organs_.find_columns(names, entity_columns_))
@@ -244,8 +247,8 @@ Result<void> MtgReader::read_entities(std::string_view line)
     return {};
 }
 
-// A line that begins with ^ goes on at the entity above it; + names a branch there, and what
-// follows in the same column stands on the same entity as the branch.
+// Continues a line that begins with ^ from the entity above it. + names a branch there; what
+// follows in the same column is attached to the same entity as the branch.
 Result<void> MtgReader::go_on(std::size_t column, std::span<Entity const> entities,
                               std::vector<std::string_view> const& cells)
 {
@@ -282,7 +285,7 @@ Result<MtgReader::Class> MtgReader::take_label(std::string_view& code, std::opti
     return found->second;
 }
 
-// "/A1/U2<U3<<U9" is A1, U2, U3, and U4 to U9.
+// Expands abbreviations: "/A1/U2<U3<<U9" is A1, U2, U3, and U4 to U9.
 Result<std::vector<MtgReader::Entity>> MtgReader::entities_in(std::string_view code)
 {
     std::vector<Entity> result;
@@ -330,7 +333,7 @@ Result<void> MtgReader::walk(GraphPlace& place, std::span<Entity const> entities
     return {};
 }
 
-// The file is read however little it says of its organs.
+// Never fails: an organ with too little data is only counted.
 void MtgReader::add_organ(GraphPlace const& place, Entity const& entity,
                           std::vector<std::string_view> const& cells)
 {

@@ -43,16 +43,16 @@ constexpr std::string_view kHeader = "# Lengths, diameters and positions are in 
                                      "TopDiameter\tREAL\n"
                                      "BottomDiameter\tREAL\n";
 
-// Columns of segments behind XX, YY and ZZ; the first is that of organs, too.
+// Columns of segments after XX, YY and ZZ; organs share the first.
 constexpr std::string_view kSegmentColumns = "Length\tTopDiameter\tBottomDiameter";
 // Columns that only organs have.
 constexpr auto kOwnColumns = std::span(kMtgOrganColumns).subspan<1>();
 
-// A number of a direction, which is at most 1.
+// Rounds a component of a unit vector.
 double rounded(double value)
 {
     constexpr double kSteps = 1e6;
-    return std::round(value * kSteps) / kSteps + 0.0; // Adding it takes the sign off -0.
+    return std::round(value * kSteps) / kSteps + 0.0; // Adding 0.0 turns -0 into 0.
 }
 
 class MtgWriter {
@@ -72,7 +72,7 @@ public:
         for (std::size_t i = 0; i < plant.organs.size(); ++i)
             (plant.organs[i].segment == kNone ? on_ground_ : organs_[plant.organs[i].segment])
                 .push_back(i);
-        columns_ = orders + 2; // Organs stand one further to the right.
+        columns_ = orders + 2; // Organs are one column further to the right.
     }
 
     void write()
@@ -88,7 +88,8 @@ public:
     }
 
 private:
-    // Plants are deep: a stack of axes, and how far each is written, in place of recursion.
+    // Writes a part with an explicit stack of axes and their progress instead of recursion, since
+    // plants can be deep.
     void write_part(AxisId trunk)
     {
         out_ << fmt::format("/P{}\n", ++part_count_);
@@ -110,14 +111,14 @@ private:
             write_segment(axis, segment++);
             for (auto const organ : organs_[id])
                 write_organ(plant_.axes[axis].order + 1, organ);
-            // The last is opened first, as what is at the stack's top is written first.
+            // The last axis is pushed first, so that the top of the stack is written first.
             auto const& standing = standing_[id];
             if (!standing.empty())
                 write_standing(standing, open);
         }
     }
 
-    // Laterals of one segment, one after the other; the axis below goes on when they are written.
+    // Opens the lateral axes of one segment; the parent axis continues when they have been written.
     void write_standing(std::vector<AxisId> const& standing,
                         std::vector<std::pair<AxisId, std::uint32_t>>& open)
     {
@@ -182,10 +183,10 @@ private:
 
     std::ostream& out_;
     Plant const& plant_;
-    std::vector<std::vector<AxisId>> standing_; // Axes on the end of each segment.
+    std::vector<std::vector<AxisId>> standing_; // By segment: the axes attached to its end.
     std::vector<std::vector<std::size_t>> organs_;
-    std::vector<std::size_t> on_ground_; // Organs there that are not written yet.
-    std::uint32_t columns_ = 0;          // Columns for entities.
+    std::vector<std::size_t> on_ground_; // Organs on the ground that have not been written yet.
+    std::uint32_t columns_ = 0;          // Number of columns for entities.
     std::size_t part_count_ = 0;
 };
 

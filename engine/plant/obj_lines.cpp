@@ -8,10 +8,10 @@ namespace tractus {
 
 namespace {
 
-// Largest extent of files that are taken to be in metres.
+// Files with a smaller extent, in units, are assumed to be in metres.
 constexpr double kLargestInMetres = 100;
 
-// The words of a line of text, one after the other.
+// Iterates over the words of a line.
 class Words {
 public:
     explicit Words(std::string_view text)
@@ -95,7 +95,8 @@ private:
                             fmt::format("{}:{}: \"{}\" is not a coordinate", name_, line_, word));
             coordinate = *value;
         }
-        vertices_.push_back({ read.x(), -read.z(), read.y() }); // The file has y up, a plant z.
+        // OBJ files have y up, plants have z up.
+        vertices_.push_back({ read.x(), -read.z(), read.y() });
         return {};
     }
 

@@ -7,8 +7,10 @@ namespace tractus {
 void apply_pipe_model(Plant& plant, double exponent, double tip_radius_mm)
 {
     double const tip = std::pow(tip_radius_mm, exponent);
-    std::vector<double> borne(plant.segment_count()); // Sums over the lateral axes of each segment.
-    // Children come after their parents, so backwards every axis is done before what bears it.
+    // By segment: sum of r^exponent over its lateral axes.
+    std::vector<double> borne(plant.segment_count());
+    // Children come after their parents, so in reverse order every axis is finished before its
+    // parent.
     for (auto axis = plant.axes.rbegin(); axis != plant.axes.rend(); ++axis) {
         double sum = 0;
         auto const set_radius = [&](std::size_t node) {

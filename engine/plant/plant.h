@@ -12,64 +12,68 @@
 
 namespace tractus {
 
-// Numbers every segment of a plant, axis after axis, from base to tip within an axis.
+// Segment number: axis after axis, from base to tip within an axis.
 using SegmentId = std::uint32_t;
 using AxisId = std::uint32_t;
 using NodeId = std::uint32_t;
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-// A sequence of segments (internodes) that one apex made. Its nodes and segments are contiguous in
-// the plant's arrays; segment i of the axis joins its nodes i and i + 1.
+// A sequence of segments (internodes) produced by one apex. Its nodes and segments are contiguous
+// in the plant's arrays; segment i of the axis connects its nodes i and i + 1.
 struct Axis {
     NodeId first_node = 0;
     SegmentId first_segment = 0;
-    std::uint32_t segment_count = 0;  // At least 1; the axis has one more node than segments.
-    SegmentId parent_segment = kNone; // Stands on its end; kNone: stands on the ground.
-    AxisId parent_axis = kNone;       // The axis of that segment.
-    std::uint32_t order = 0; // 0 for the trunk; a lateral axis has its parent's order plus 1.
+    std::uint32_t segment_count = 0; // At least 1; the axis has one more node than segments.
+    // The segment to whose end the axis is attached; kNone: on the ground.
+    SegmentId parent_segment = kNone;
+    AxisId parent_axis = kNone; // The axis that contains parent_segment.
+    std::uint32_t order = 0; // Branching order: 0 for the trunk, the parent's plus 1 for a lateral.
 };
 
-// A leaf, flower, fruit: an instance of one of the plant's organ shapes.
+// A leaf, flower or fruit: an instance of one of the plant's organ shapes.
 struct Organ {
     OrganShapeId shape = 0;
-    SegmentId segment = kNone; // Rides on the end of this segment; kNone: stands on the ground.
+    // The segment to whose end the organ is attached; kNone: on the ground.
+    SegmentId segment = kNone;
     Vec3 position_mm = Vec3::Zero();
-    Quat orientation = Quat::Identity(); // Takes the organ's frame (organ_shape.h) to the plant's.
-    Vec3f scale = Vec3f::Ones();         // Along the organ's own axes.
+    // Rotation from the organ frame (organ_shape.h) to the plant frame.
+    Quat orientation = Quat::Identity();
+    Vec3f scale = Vec3f::Ones(); // Along the axes of the organ frame.
 };
 
-// A filled polygon that the turtle drew. Flat or nearly so; at least three vertices.
+// A filled polygon drawn by the turtle; flat or nearly so, with at least three vertices.
 struct Polygon {
-    std::uint32_t first_vertex = 0; // Into Plant::polygon_vertices_mm.
+    std::uint32_t first_vertex = 0; // Index into Plant::polygon_vertices_mm.
     std::uint32_t vertex_count = 0;
-    SegmentId segment = kNone; // Rides on the end of this segment.
+    SegmentId segment = kNone; // The segment to whose end the polygon is attached.
     MaterialId material = 0;
 };
 
-// A plant's skeleton and organs: pure data, as L-systems, growth and other makers give it.
+// The skeleton and organs of a plant: pure data, produced by L-systems, growth models and
+// importers.
 //
 // Plant frame: right-handed, +z up, origin at the plant's base, millimetres at the plant's natural
-// size. Topology invariants, which check_plant() proves: parents come before their children, arrays
-// are contiguous and complete, every index is in range, every number is finite.
+// size. Invariants, verified by check_plant(): parents come before their children, arrays are
+// contiguous and complete, every index is in range, every number is finite.
 struct Plant {
     std::vector<Axis> axes;
     std::vector<Vec3> node_position_mm;       // One per node.
-    std::vector<float> node_radius_mm;        // One per node; 0 or more.
+    std::vector<float> node_radius_mm;        // One per node; at least 0.
     std::vector<MaterialId> segment_material; // One per segment.
     std::vector<Organ> organs;
     std::vector<Polygon> polygons;
     std::vector<Vec3> polygon_vertices_mm;
     std::vector<Material> materials;
     std::vector<OrganShape> organ_shapes;
-    // Cross-sections that are not round. Most plants have none: then both are empty. Otherwise
-    // there is one section per node.
+    // Cross-sections that are not round. If there are any, there is one section per node; otherwise
+    // both lists are empty.
     std::vector<Contour> contours;
     std::vector<NodeSection> node_section;
 
     std::size_t segment_count() const { return segment_material.size(); }
 
-    // The nodes of an axis, base first.
+    // Positions of the nodes of an axis, base first.
     std::span<Vec3 const> positions(Axis const& axis) const
     {
         return std::span(node_position_mm)
@@ -77,23 +81,25 @@ struct Plant {
     }
 };
 
-// Whether any cross-section of the axis is not round.
+// True if any cross-section of the axis is not round.
 bool has_contour(Plant const& plant, Axis const& axis);
 
-// The axis of a segment. O(log axes).
+// Returns the axis of a segment, in O(log axes).
 AxisId axis_of(Plant const& plant, SegmentId segment);
 
-// The two ends of a segment, base end first. O(log axes); loops over an axis use its node range.
+// The two nodes of a segment. nodes_of() takes O(log axes): loops over an axis should use its node
+// range.
 struct SegmentNodes {
     NodeId base = 0;
     NodeId tip = 0;
 };
 SegmentNodes nodes_of(Plant const& plant, SegmentId segment);
 
-// The segment below this one: within its axis, or the one its axis stands on. kNone at the base.
+// Returns the segment below this one: the previous one on its axis, or the one that its axis is
+// attached to. kNone at the base of the plant.
 SegmentId parent_segment(Plant const& plant, SegmentId segment);
 
-// Length of an axis along its segments.
+// Arc length of an axis.
 double axis_length_mm(Plant const& plant, Axis const& axis);
 
 struct Bounds {
@@ -104,10 +110,11 @@ struct Bounds {
     void add(Vec3 const& point);
 };
 
-// The box around the nodes and organs' attachments. Empty for an empty plant.
+// Bounding box of the nodes and the organs' points of attachment. Empty for an empty plant.
 Bounds bounds(Plant const& plant);
 
-// Aborts with CHECK if `plant` breaks an invariant above: whoever makes plants calls it in tests.
+// Aborts with CHECK if `plant` violates an invariant above. For the tests of everything that makes
+// plants.
 void check_plant(Plant const& plant);
 
 } // namespace tractus

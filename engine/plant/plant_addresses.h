@@ -11,80 +11,82 @@
 
 namespace tractus {
 
-// What addresses begin with in a part of a plant that once was a plant of its own: four numbers for
-// each plant that it is a part of, the outermost first. Behind it stands the address in that plant.
-// Empty for what the whole grew from.
+// Prefix of addresses in a part of a plant, where the part was once a separate plant: four numbers
+// for each level of nesting, outermost first. It is followed by the address within the part. Empty
+// for the plant that the others were added to.
 using PartPrefix = SegmentAddress;
 constexpr std::uint32_t kPartOfPlant = 0xFFFFFFFE;
 
-// `id` is the part's name, which no other part of the same plant has.
+// `id` identifies the part and is unique within the plant.
 PartPrefix part_prefix(std::uint64_t id);
 
-// The id of the outermost part; 0 for an address in none.
+// Returns the id of the outermost part, or 0 for an address outside all parts.
 std::uint64_t part_of(SegmentAddress const& address);
 
-// `prefix` before the address.
+// Puts `prefix` before the address.
 SegmentAddress in_part(PartPrefix const& prefix, SegmentAddress const& address);
 PathAddress in_part(PartPrefix const& prefix, PathAddress const& address);
 
-// Whether the address is in the part, or in a part of it.
+// True if the address is in the part with this prefix, or in one of its parts.
 bool is_in_part(PartPrefix const& prefix, SegmentAddress const& address);
 
-// The address without the prefix with which it begins.
+// Removes the prefix; the address must begin with it.
 SegmentAddress without_part(PartPrefix const& prefix, SegmentAddress const& address);
 PathAddress without_part(PartPrefix const& prefix, PathAddress const& address);
 
-// One of the plants that a plant was put together from.
+// One of the plants that a plant was composed of.
 struct PlantPart {
     PartPrefix prefix {};
-    std::shared_ptr<Plant const> plant {}; // With what is hidden of it in the whole.
+    std::shared_ptr<Plant const> plant {}; // Includes what is hidden in the whole.
     AddressIndex index {};
-    // What each of its segments is in the whole; kNone: hidden. In the whole they stand together
-    // and in this order, behind those of the parts before.
+    // By segment of the part: its number in the whole, or kNone if it is hidden. In the whole these
+    // are contiguous and in the same order, after those of the preceding parts.
     std::vector<SegmentId> in_whole {};
 };
 
-// Addresses in a plant that may have been put together from several: each segment's address is the
-// one that it has in its own part, so addresses stay what they are while other parts come and go
-// and branches are hidden and shown.
+// Addresses in a plant that may be composed of several. The address of a segment is its address
+// within its own part, so it is unaffected when other parts are added or removed, or branches are
+// hidden or shown.
 class PlantAddresses {
 public:
-    PlantAddresses() = default; // Of a plant without axes.
+    PlantAddresses() = default; // Addresses of a plant without axes.
 
-    // Of one that was not put together; the plant is the one that is asked about afterwards.
+    // Addresses of a plant that is not composed. The same plant must be passed to the other
+    // functions.
     explicit PlantAddresses(Plant const& plant, AxisKeys keys = {})
         : whole_(plant, std::move(keys))
     {
     }
 
-    // Of one that was, at least from one. What it grew from comes first.
+    // Addresses of a composed plant. `parts`: at least one; the original plant comes first.
     explicit PlantAddresses(std::vector<PlantPart> parts);
 
     SegmentAddress address_of(Plant const& plant, SegmentId segment) const;
 
-    // `path` as in Association, not empty.
+    // `path` as in Association; not empty.
     PathAddress address_of(Plant const& plant, std::vector<SegmentId> const& path) const;
 
-    // No value where the plant has nothing at the address, or has it hidden.
+    // Returns no value if there is no segment at the address, or it is hidden.
     std::optional<SegmentId> find_segment(Plant const& plant, SegmentAddress const& address) const;
 
-    // No value where one of its ends is missing, or they are no longer on one way from root to tip.
+    // Returns no value if an end is missing, or if both are no longer on one way from root to tip.
     std::optional<std::vector<SegmentId>> find_path(Plant const& plant,
                                                     PathAddress const& address) const;
 
-    // The index of what a plant that was not put together is.
+    // The index of a plant that is not composed.
     AddressIndex const& index() const { return whole_; }
 
 private:
     struct ShownPart : PlantPart {
-        SegmentId first = 0;           // Of the whole: the first that is of this part.
-        std::vector<SegmentId> own {}; // Its number in the part, and those of all behind it.
+        SegmentId first = 0; // First segment of the whole that belongs to this part.
+        // The segment numbers within the part, for the segments of the whole from `first` on.
+        std::vector<SegmentId> own {};
     };
 
-    // The part that a segment of the whole belongs to, and its number there.
+    // Returns the part that contains a segment of the whole, and the segment's number there.
     std::pair<PlantPart const*, SegmentId> part_with(SegmentId segment) const;
 
-    AddressIndex whole_; // Without parts.
+    AddressIndex whole_; // Used if there are no parts.
     std::vector<ShownPart> parts_;
 };
 

@@ -25,7 +25,7 @@ struct PlyType {
     std::string_view name;
     std::string_view other_name;
     std::size_t size;
-    char kind; // i signed, u unsigned, f floating.
+    char kind; // 'i' signed, 'u' unsigned, 'f' floating-point.
 };
 constexpr std::array kPlyTypes {
     PlyType { "char", "int8", 1, 'i' },     PlyType { "uchar", "uint8", 1, 'u' },
@@ -45,7 +45,8 @@ PlyType const* find_ply_type(std::string_view name)
 struct PlyProperty {
     std::string name;
     PlyType const* type = nullptr;
-    PlyType const* count_type = nullptr; // Type of a list's count.
+    // Type of the element count of a list property; null if it is not a list.
+    PlyType const* count_type = nullptr;
 };
 struct PlyElement {
     std::string name;
@@ -54,7 +55,7 @@ struct PlyElement {
 };
 
 constexpr std::size_t kMaxPlyList = 1000;
-constexpr double kMaxPlyRadius_mm = 1e6; // What is larger, or no number, is no radius.
+constexpr double kMaxPlyRadius_mm = 1e6; // Larger or invalid radii are ignored.
 
 class PlyReader {
 public:
@@ -92,7 +93,7 @@ private:
     Format format_ = Format::Ascii;
     std::vector<PlyElement> elements_;
     std::vector<Vec3> vertices_; // Positions in the file's units.
-    std::vector<double> radii_;  // Radii of vertices; empty where there are none.
+    std::vector<double> radii_;  // By vertex; empty if the file has no radii.
     std::vector<std::array<double, 2>> edges_;
 };
 
@@ -176,7 +177,7 @@ Result<double> PlyReader::scalar(PlyType const& type)
                           : as(std::int32_t {});
 }
 
-// Elements of other names are passed over.
+// Elements with other names are skipped.
 Result<void> PlyReader::read_element(PlyElement const& element)
 {
     std::array<std::string_view, 4> constexpr kVertex { "x", "y", "z", "radius" };
@@ -231,13 +232,13 @@ Result<Plant> PlyReader::plant() const
     if (pieces.empty())
         return error("there are no edges in it: export the skeleton, not its surface or points");
     auto plant = TRY(plant_from_lines(name_, pieces));
-    if (radii_.size() == vertices_.size()) // Else only some of the file's vertices have one.
+    if (radii_.size() == vertices_.size()) // Otherwise only some of the vertices have a radius.
         set_radii(plant, scale);
     return plant;
 }
 
-// Joints are where the first of their vertices is, and the plant's first node is at the origin:
-// that tells which vertex a node was.
+// Finds each node's vertex by its position: a joint has the position of the first of its vertices,
+// relative to the plant's first node at the origin.
 void PlyReader::set_radii(Plant& plant, double scale) const
 {
     std::map<std::array<double, 3>, double> radius_at;

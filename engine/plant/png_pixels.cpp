@@ -68,7 +68,8 @@ std::string upside_down_png(PixelRows const& rows)
     png.format = has_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
     png.flags = PNG_IMAGE_FLAG_FAST;
     PngImage const freed(&png, png_image_free);
-    auto const stride = -static_cast<png_int_32>(PNG_IMAGE_ROW_STRIDE(png)); // From the last row.
+    // A negative stride starts at the last row.
+    auto const stride = -static_cast<png_int_32>(PNG_IMAGE_ROW_STRIDE(png));
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
     std::string bytes(size, '\0');
     bool const is_written

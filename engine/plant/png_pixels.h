@@ -10,28 +10,28 @@
 
 namespace tractus {
 
-// Fails, as the user's fault, for a picture without pixels, or with more than that many.
+// Fails with Fault::User if a picture has no pixels, or more than `most_pixels`.
 Result<void> check_picture_size(std::int64_t width, std::int64_t height, std::int64_t most_pixels);
 
-// Gives room for 4 bytes of each pixel, 4-byte aligned, as long as they are written.
+// Allocates 4 bytes per pixel, 4-byte aligned; the memory must stay valid while they are written.
 using PixelRoom = std::function<std::uint8_t*(int width, int height)>;
 
-// The pixels of a PNG file (ISO/IEC 15948) of any kind: rows from the top, red, green, blue, and
-// alpha, not premultiplied; one without alpha is opaque. Any bytes are safe to give, and sizes that
-// they claim are looked at before memory is taken. Fails, as the user's fault, in a sentence
-// without the file's name.
+// Reads the pixels of a PNG file (ISO/IEC 15948) of any kind: rows from the top; red, green, blue
+// and alpha, not premultiplied; opaque if the file has no alpha. Safe for arbitrary bytes: claimed
+// sizes are checked before memory is allocated. Fails with Fault::User, in a sentence without the
+// file's name.
 Result<void> read_png_pixels(std::string_view bytes, std::int64_t most_pixels,
                              PixelRoom const& room);
 
-// Such pixels.
+// The pixels of a picture, as read by read_png_pixels().
 struct PixelRows {
     int width = 0;
     int height = 0;
-    std::vector<std::uint8_t> rgba {}; // 4 * width * height.
+    std::vector<std::uint8_t> rgba {}; // Size 4 * width * height.
 };
 
-// A PNG file of the pixels, upside down: its first row is their last one. Without alpha where all
-// are opaque. Same pixels, same bytes.
+// Returns a PNG file of the pixels with the order of rows reversed. It has no alpha channel if all
+// pixels are opaque. Deterministic.
 std::string upside_down_png(PixelRows const& rows);
 
 } // namespace tractus

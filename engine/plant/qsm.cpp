@@ -27,7 +27,7 @@ enum QsmColumn : std::size_t {
     AxisY,
     AxisZ,
     Parent,
-    Extension, // All versions of TreeQSM have this order up to here, and then different ones.
+    Extension, // In all versions of TreeQSM the order is the same up to here.
     Branch,
     EndX,
     EndY,
@@ -37,7 +37,7 @@ enum QsmColumn : std::size_t {
 };
 
 struct QsmColumnName {
-    std::string_view name; // Lower case, letters and digits alone.
+    std::string_view name; // Lower case, letters and digits only.
     QsmColumn column;
 };
 constexpr std::array kQsmNames {
@@ -68,7 +68,7 @@ constexpr std::array kQsmNames {
 };
 
 struct QsmCylinder {
-    Vec3 start = Vec3::Zero(); // The file's units.
+    Vec3 start = Vec3::Zero(); // In the file's units.
     Vec3 end = Vec3::Zero();
     double radius = 0;
     double id = 0;
@@ -129,11 +129,11 @@ private:
     std::size_t line_ = 0;
     std::optional<char> separator_;
     std::array<std::optional<std::size_t>, QsmColumnCount> columns_;
-    bool is_named_ = false; // Whether the file's first line names its columns.
+    bool is_named_ = false; // True if the first line of the file names the columns.
     std::vector<QsmCylinder> cylinders_;
 };
 
-// Names that TreeQSM itself writes stand for three columns each: its order is known.
+// TreeQSM's own column names each stand for three columns, in the known order.
 Result<void> QsmReader::read_names(std::vector<std::string_view> const& cells)
 {
     std::array<std::optional<std::size_t>, QsmColumnCount> named;
@@ -216,7 +216,7 @@ std::vector<std::size_t> QsmReader::parents() const
     return result;
 }
 
-// Tells which cylinders go on from the one below.
+// By cylinder: whether it continues the axis of its parent.
 std::vector<bool> QsmReader::continued(std::span<std::size_t const> parents) const
 {
     bool const has_extensions

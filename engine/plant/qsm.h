@@ -8,23 +8,24 @@
 
 namespace tractus {
 
-// Reads a quantitative structure model: a measured tree as cylinders, one in each line (Raumonen et
-// al. 2013, "Fast automatic precision tree models from terrestrial laser scanner data").
+// Reads a quantitative structure model (QSM): a measured tree as cylinders, one per line (Raumonen
+// et al. 2013, "Fast automatic precision tree models from terrestrial laser scanner data").
 //
-// Columns are parted by commas, semicolons, tabs or blanks. A first line may name them, as
-// TreeQSM's users do: start_x, start_y, start_z, either axis_x, axis_y, axis_z and length or end_x,
-// end_y, end_z, radius, parent, and perhaps id, branch and extension, whatever their case and their
-// underscores. Without such names they are TreeQSM's own: radius, length, start (3), axis (3),
-// parent, extension, and others that differ from version to version. Parents and extensions are
-// ids, or lines counted from 1; a number that is none, such as 0, is the ground, or no extension.
-// +z is up; lengths as millimetres_per_unit() says (measured_plant.h).
+// Columns are separated by commas, semicolons, tabs or spaces. The first line may name them, as
+// users of TreeQSM do: start_x, start_y, start_z, either axis_x, axis_y, axis_z and length or
+// end_x, end_y, end_z, then radius, parent, and optionally id, branch and extension; case and
+// underscores are ignored. Without names the order is TreeQSM's: radius, length, start (3), axis
+// (3), parent, extension, and others that depend on the version. Parents and extensions refer to
+// ids, or to lines counted from 1; a number that refers to no cylinder, such as 0, means the
+// ground, or no extension. +z is up; the unit is guessed by millimetres_per_unit()
+// (measured_plant.h).
 //
-// A cylinder reaches from where the one below it ends to its own end. An axis goes on where
-// `extension` leads; in files without extensions where the branch is the same, or else, without
-// that column, into the thickest.
+// A segment reaches from the end of the parent cylinder to the cylinder's own end. An axis is
+// continued by the `extension`; in files without extensions by the child of the same branch, or,
+// without that column, by the thickest child.
 //
-// Refuses, in a sentence that begins with `name` and the line, numbers that are none, lines that
-// are too short, and cylinders that stand on each other.
+// Fails, in a sentence that begins with `name` and the line, if a number is invalid, a line is too
+// short, or the parents form a cycle.
 Result<Plant> parse_qsm(std::string const& name, std::string_view text);
 
 } // namespace tractus

@@ -15,13 +15,13 @@ namespace tractus {
 
 namespace {
 
-// A joint of the skeleton, and the lines that meet there.
+// A joint of the skeleton and its neighbours along the lines.
 struct SkeletonJoint {
     Vec3 place_mm;
     std::vector<std::uint32_t> neighbours;
 };
 
-// Finds the joint at a place by cells of the tolerance's size.
+// Finds the joint at a position, with a hash grid whose cells have the size of the tolerance.
 class JointFinder {
 public:
     explicit JointFinder(double tolerance_mm)
@@ -64,7 +64,8 @@ private:
 
     Cell cell_of(Vec3 const& place_mm) const
     {
-        constexpr double kFarthest = 0x1p62; // Beyond that, places share a cell.
+        // Positions beyond this are clamped to the outermost cells.
+        constexpr double kFarthest = 0x1p62;
         Vec3 const cell = (place_mm / tolerance_mm_).array().floor().max(-kFarthest).min(kFarthest);
         return { static_cast<std::int64_t>(cell.x()), static_cast<std::int64_t>(cell.y()),
                  static_cast<std::int64_t>(cell.z()) };
@@ -74,7 +75,7 @@ private:
     std::unordered_map<Cell, std::vector<std::uint32_t>, Hash> cells_;
 };
 
-// The joints as a forest: which is below which, and the longest way from each to a tip.
+// The joints as a forest: the parent of each, and the longest way from each to a tip.
 class Forest {
 public:
     explicit Forest(std::vector<SkeletonJoint> const& joints)
@@ -97,7 +98,8 @@ public:
     Plant plant() const;
 
 private:
-    // The longest way first. Of ways that are equally long, but for rounding, the straightest.
+    // Sorts by the longest way to a tip, longest first; of equally long ones, up to rounding, the
+    // straightest first.
     void sort_children(std::uint32_t joint)
     {
         auto& children = children_[joint];
@@ -121,8 +123,8 @@ private:
         return (joints_[child].place_mm - joints_[joint].place_mm).norm() + reach_mm_[child];
     }
 
-    // Roots each part at its lowest joint and follows it upwards, breadth first, so that a loop is
-    // cut at its far side.
+    // Roots each part at its lowest joint and traverses it breadth first, so that a loop is cut at
+    // its far side.
     void find_roots()
     {
         std::vector<std::uint32_t> lowest_first(joints_.size());
@@ -148,9 +150,10 @@ private:
     }
 
     std::vector<SkeletonJoint> const& joints_;
-    std::vector<std::uint32_t> below_; // A root is below itself.
+    std::vector<std::uint32_t> below_; // By joint: its parent. A root is its own parent.
     std::vector<double> reach_mm_;
-    std::vector<std::vector<std::uint32_t>> children_; // The one with the longest way comes first.
+    // By joint: its children, the one with the longest way to a tip first.
+    std::vector<std::vector<std::uint32_t>> children_;
     std::vector<std::uint32_t> roots_;
     std::vector<std::uint32_t> order_;
 };
@@ -169,7 +172,7 @@ Plant Forest::plant() const
     for (auto const root : roots_)
         for (auto const child : children_[root])
             starts.push_back({ root, child });
-    for (std::size_t i = 0; i < starts.size(); ++i) { // Grows as axes are followed.
+    for (std::size_t i = 0; i < starts.size(); ++i) { // The list grows while axes are followed.
         auto const start = starts[i];
         Axis axis { .first_node = static_cast<NodeId>(plant.node_position_mm.size()),
                     .first_segment = static_cast<SegmentId>(plant.segment_count()),

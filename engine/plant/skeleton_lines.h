@@ -10,7 +10,7 @@
 
 namespace tractus {
 
-// One piece of a skeleton, in no particular direction.
+// One line of a skeleton; its direction has no meaning.
 struct SkeletonPiece {
     Vec3 from_mm = Vec3::Zero(); // Plant frame.
     Vec3 to_mm = Vec3::Zero();
@@ -19,26 +19,28 @@ struct SkeletonPiece {
 };
 
 struct SkeletonOptions {
-    // Ends nearer than this belong to one joint, as a share of the skeleton's greatest extent.
+    // Ends closer together than this belong to one joint; as a share of the skeleton's greatest
+    // extent.
     double tolerance = 1e-5;
-    // Radius of the leaf branches as a share of the skeleton's height; the others follow by the
-    // pipe model (pipe_model.h).
+    // Radius of the tips as a share of the skeleton's height; the others follow from the pipe model
+    // (pipe_model.h).
     double tip_radius = 0.002;
 };
 
-// A plant from lines that another program drew: segments joined at common ends, root to tip
-// (Streit 2006 section 4.1). The root of each connected part is its lowest joint. From a joint that
-// several lines leave, the axis goes on into the one that bears the longest way to a tip. A loop is
-// cut where both ways around it meet. Lines without length are left out. The base of the lowest
-// part is put at the origin.
+// Builds a plant from lines that another program drew: segments joined at common ends, oriented
+// from root to tip (Streit 2006, section 4.1). The root of each connected part is its lowest joint.
+// At a fork the axis is continued by the line from which the way to the furthest tip is longest. A
+// loop is cut where the two ways around it meet. Lines of length 0 are left out. The base of the
+// lowest part is moved to the origin.
 //
-// Refuses, in a sentence that begins with `name`, no lines, infinite lines, and as check_size().
+// Fails, in a sentence that begins with `name`, if there are no lines, a coordinate is not finite,
+// or check_size() fails.
 Result<Plant> plant_from_lines(std::string const& name, std::span<SkeletonPiece const> lines,
                                SkeletonOptions const& options = {});
 
-// The lines ("l" elements) of a Wavefront OBJ text; its y axis is up. Lengths are metres where the
-// whole is smaller than 100 units, else millimetres. Refuses, in a sentence that begins with
-// `name`, numbers that are none, vertices that are not there, and a text without lines.
+// Reads the lines ("l" elements) of a Wavefront OBJ text, with y up. Lengths are taken as metres if
+// the whole is smaller than 100 units, and as millimetres otherwise. Fails, in a sentence that
+// begins with `name`, if a number is invalid, a vertex is missing, or there are no lines.
 Result<std::vector<SkeletonPiece>> parse_obj_lines(std::string const& name, std::string_view text);
 
 } // namespace tractus

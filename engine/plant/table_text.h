@@ -9,9 +9,9 @@
 
 namespace tractus {
 
-// Functions that readers of tables share: lines, and the columns of a line.
+// Helpers for readers of tables: splitting text into lines and lines into columns.
 
-// The next line, without its end; takes it off the text.
+// Removes the first line from the text and returns it without its end-of-line characters.
 inline std::string_view take_text_line(std::string_view& text)
 {
     auto const end = std::min(text.find('\n'), text.size());
@@ -30,7 +30,7 @@ inline std::string_view without_blanks(std::string_view text)
     return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
-// Returns what stands between separators, of which each counts; blanks and quotes around it go.
+// Splits a line at every separator; surrounding blanks and quotes are removed from each column.
 inline std::vector<std::string_view> columns_of(std::string_view line, char separator)
 {
     std::vector<std::string_view> columns;
@@ -42,7 +42,7 @@ inline std::vector<std::string_view> columns_of(std::string_view line, char sepa
     return columns;
 }
 
-// Returns what stands between blanks, of which several are one.
+// Splits a line at runs of blanks.
 inline std::vector<std::string_view> words_of(std::string_view line)
 {
     constexpr std::string_view kBlanks = " \t";
@@ -55,7 +55,7 @@ inline std::vector<std::string_view> words_of(std::string_view line)
     return words;
 }
 
-// No value where the word is no number, or one too large.
+// Returns no value if the word is not a number, or is out of range.
 inline std::optional<double> number_in(std::string_view word)
 {
     double value = 0;
