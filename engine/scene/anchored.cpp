@@ -4,7 +4,8 @@
 
 namespace tractus::scene {
 
-static constexpr int kItemBits = 24; // More branches than that no plant has.
+// Limits an edit to 2^24 items, more than any plant has branches.
+static constexpr int kItemBits = 24;
 
 ItemId item_id(std::uint64_t edit, std::size_t item)
 {

@@ -10,29 +10,29 @@
 
 namespace tractus::scene {
 
-// A picture that lies behind what is drawn, to be drawn after: a photograph, an illustration. It
-// lies on the tablet: on the sheet for tools that draw on paper (paper.h), and flat on the surface
-// for all others.
+// A background picture to draw over, such as a photograph or an illustration. It lies on the
+// tablet: on the upright sheet for tools that draw on paper (paper.h), and flat on the surface for
+// all others.
 
-// Where and how it lies.
+// Position, size and appearance of the picture.
 struct PicturePlace {
-    // Its middle, in tablet-centred millimetres.
+    // Centre of the picture, in tablet-centred millimetres.
     double x_mm = 0;
     double y_mm = 0;
     double width_mm = 200;
-    double turn_deg = 0;    // Counter-clockwise about its middle.
-    double strength = 0.5;  // 1: as it is; towards 0 it fades into the background.
-    bool is_locked = false; // The pen leaves it as it lies.
+    double turn_deg = 0;    // Rotation about its centre, counter-clockwise.
+    double strength = 0.5;  // Opacity: 1 as it is, towards 0 it fades into the background.
+    bool is_locked = false; // The pen cannot move the picture.
 
     bool operator==(PicturePlace const&) const = default;
 };
 
-// What a person says of the ground that the picture shows (picture_ground.h). Places are on the
-// sheet, from the picture's middle, as shares of its width: they go with the picture where it is
-// moved and sized, and stay where they are when it turns.
+// What the user has specified about the ground that the picture shows (picture_ground.h). Positions
+// are on the sheet, relative to the picture's centre, as shares of its width: they move and scale
+// with the picture, but do not rotate with it.
 struct PictureGround {
-    std::optional<double> horizon {}; // How far above the middle it is.
-    // Something upright of a known height, 0.05 to 200 m, by its foot and its top.
+    std::optional<double> horizon {}; // Height of the horizon above the centre.
+    // An upright object of known height, 0.05 to 200 m, by its foot and its top in the picture.
     struct Measured {
         Vec2 foot = Vec2::Zero();
         Vec2 top = Vec2::Zero();
@@ -46,8 +46,8 @@ struct PictureGround {
 };
 
 struct BackPicture {
-    std::string name {}; // For people: of the file that it came from.
-    // The whole file, a PNG or a JPEG; never null. Shared with earlier states.
+    std::string name {}; // Name of the picture's file, for display.
+    // Contents of the PNG or JPEG file; never null. Shared with earlier states.
     std::shared_ptr<std::string const> file {};
     PicturePlace place {};
     PictureGround ground {};
@@ -58,30 +58,30 @@ constexpr double kGreatestPictureWidth_mm = 10'000;
 constexpr double kLeastPictureStrength = 0.05;
 constexpr std::size_t kMostPictureBytes = std::size_t { 64 } << 20;
 
-// Lays a picture behind what is drawn, in place of the one that lies there.
+// Sets the background picture, replacing the present one.
 struct LayPicture {
     static EditKind const kKind;
 
     std::string name {};
-    std::string file {}; // All of it.
+    std::string file {}; // Contents of the picture's file.
     PicturePlace place {};
 };
 
-// Lets the picture lie somewhere else, or otherwise.
+// Changes the position, size or appearance of the background picture.
 struct PlacePicture {
     static EditKind const kKind;
 
     PicturePlace place {};
 };
 
-// Says what ground the picture shows.
+// Sets the ground that the background picture shows.
 struct SetPictureGround {
     static EditKind const kKind;
 
     PictureGround ground {};
 };
 
-// Takes the picture away.
+// Removes the background picture.
 struct RemovePicture {
     static EditKind const kKind;
 };

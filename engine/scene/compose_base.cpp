@@ -46,7 +46,7 @@ public:
     {
         auto base = std::make_shared<BasePlant>();
         base->fitted = place_on_desk(whole_);
-        rescale(base->fitted, own.fitted.scale); // Parts do not change the document's scale.
+        rescale(base->fitted, own.fitted.scale); // Parts do not affect the document's scale.
         base->plant = std::make_shared<Plant const>(std::move(whole_));
         base->rest = variation::SharedRestShape(base->plant, addresses());
         base->warnings = std::move(warnings_);
@@ -56,7 +56,7 @@ public:
 private:
     PlantAddresses addresses() const { return PlantAddresses(parts_); }
 
-    // Which segments of a part are hidden; what they bear is so by that.
+    // By segment of the part: whether it is hidden. Descendants of hidden segments are not marked.
     std::vector<bool> hidden_of(PlantPart const& part) const
     {
         std::vector<bool> hidden;
@@ -64,7 +64,7 @@ private:
             if (!is_in_part(part.prefix, at))
                 continue;
             auto const own = part.index.find_segment(*part.plant, without_part(part.prefix, at));
-            if (!own) // It is in a part of this part, or waits.
+            if (!own) // The segment is in a part of this part, or does not exist at present.
                 continue;
             hidden.resize(part.plant->segment_count());
             hidden[*own] = true;

@@ -8,12 +8,13 @@
 
 namespace tractus::scene {
 
-// Whether a plant is more than its own source: parts were put on it, or branches are hidden.
+// True if a plant consists of more than the plant of its source, or less: parts were grafted onto
+// it, or branches are hidden.
 bool is_composed(PlantState const& plant);
 
-// Puts the base plant of a document's plant together: its own source's, then each part on its
-// branch, without what is hidden. A part whose branch is not there waits, which a warning says.
-// `parts` are the base plants of plant.grafts, in their order.
+// Composes the base plant of a document's plant: the plant of its own source, with each part on its
+// branch, without what is hidden. A part whose branch does not exist is left out, with a warning.
+// `parts`: the base plants of plant.grafts, in the same order.
 std::shared_ptr<BasePlant const>
 compose_base(PlantState const& plant, std::shared_ptr<BasePlant const> const& own,
              std::vector<std::shared_ptr<BasePlant const>> const& parts);

@@ -14,7 +14,8 @@ static double fitting_scale(double shown_mm, double natural_mm)
     return natural_mm > 0 ? shown_mm / natural_mm : 1;
 }
 
-// The highest order up to which a plant has so few axes that a pen can tell them apart; at least 1.
+// Returns the highest order up to which the plant has few enough axes for the pen to distinguish;
+// at least 1.
 static std::uint32_t sparse_order(Plant const& plant)
 {
     constexpr std::size_t kMostAxes = 60;
@@ -57,7 +58,8 @@ void rescale(DeskPlacement& placement, double scale)
 
 SelectionView fit_selection_view(Bounds const& box, SelectionAngle const& angle)
 {
-    // Of the tablet's area on each side, so that tips can be passed.
+    // Margin on each side, as a share of the tablet's area, so that strokes can extend past the
+    // tips.
     constexpr double kMargin = 0.06;
     SelectionView view;
     view.area_mm = angle.area_mm;
@@ -101,7 +103,7 @@ variation::SkeletonProjection skeleton_projection(SelectionView const& view)
     Vec3 const up = view.scale * view.up;
     result.to_plane << right.x(), right.y(), right.z(), view.origin_mm.x(), //
         up.x(), up.y(), up.z(), view.origin_mm.y(),                         //
-        -view.back.x(), -view.back.y(), -view.back.z(), 0,                  // Farther is deeper.
+        -view.back.x(), -view.back.y(), -view.back.z(), 0, // Depth increases away from the viewer.
         0, 0, 0, 1;
     result.max = view.area_mm / 2;
     result.min = -result.max;

@@ -23,94 +23,103 @@
 
 namespace tractus::scene {
 
-// A plant that was put on a branch of another and is a part of it since.
+// A plant that was grafted onto a branch of another plant and is now a part of it.
 struct Graft {
-    PartPrefix prefix {}; // What addresses in it begin with; by the ids of the plants that it was.
-    std::string name {};  // As of PlantState, as the next ones.
+    // Prefix of the addresses in this part, formed from the ids of the plants that it consists of.
+    PartPrefix prefix {};
+    std::string name {}; // As in PlantState; also the next three fields.
     PlantSource source {};
     std::uint64_t source_edit = 0;
     std::optional<Vec2> paper_mm {};
-    SetGrowth growth {}; // For when it is taken off; until then it grows as what bears it does.
+    // Used again when the part is taken off; until then it grows with the plant it is part of.
+    SetGrowth growth {};
 
-    SegmentAddress at {}; // The segment on whose end it stands. Where there is none it waits.
-    // From its own frame to the frame of what bears it, both at rest: a rotation vector (axis times
-    // angle, radians), and from the segment's end to its base.
+    // The segment to whose end the part is attached. While there is no such segment the part is not
+    // shown.
+    SegmentAddress at {};
+    // Transform from the part's frame to that of the whole plant, both at rest: a rotation vector
+    // (axis times angle, radians), and the displacement from the segment's end to the part's base.
     Vec3 turn_rad = Vec3::Zero();
     Vec3 base_mm = Vec3::Zero();
 
-    bool operator==(Graft const& other) const; // Whether it is the same for what is built.
+    bool operator==(Graft const& other) const; // Compares only what affects the resulting plant.
 };
 
-// One plant of a document: what was drawn and set, and nothing that follows from it.
+// One plant of a document: only what the user drew and set, without anything derived from it.
 struct PlantState {
-    ItemId id = 0;       // Of the edit that added it.
-    std::string name {}; // For people; usually the model's.
+    ItemId id = 0;       // Id given by the edit that added the plant.
+    std::string name {}; // For display; usually the name of the model.
     PlantSource source {};
-    std::uint64_t source_edit = 0;    // The number of the edit that brought the source.
-    Vec3 stands_at_mm = Vec3::Zero(); // Its base. World frame.
-    // Where its base is on the paper that it was drawn on (paper.h); no value: on none.
+    std::uint64_t source_edit = 0;    // Number of the edit that set the source.
+    Vec3 stands_at_mm = Vec3::Zero(); // Position of the base, world frame.
+    // Position of the base on the paper that the plant was drawn on (paper.h). No value if it was
+    // not drawn on paper.
     std::optional<Vec2> paper_mm {};
-    double paper_unit = 1;        // Of that paper: Paper::unit.
-    bool is_hidden = false;       // Neither shown nor exported.
-    std::string leaves {};        // The name of their sheet; empty: the source's own.
-    std::vector<Graft> grafts {}; // In the order in which they were put on it.
-    // Segments that are not shown, with all that they bear. What was drawn on them waits.
+    double paper_unit = 1;  // Paper::unit of that paper.
+    bool is_hidden = false; // Neither displayed nor exported.
+    // Name of the leaf sheet for its leaves; empty for the leaves of the source.
+    std::string leaves {};
+    std::vector<Graft> grafts {}; // In the order in which they were added.
+    // Segments that are hidden with all their descendants. Items drawn on them have no effect
+    // meanwhile.
     std::vector<SegmentAddress> hidden_branches {};
 
     SharedVector<PathAddress> selection {};
-    // In order: a later one overrides an earlier one. Each is at one path.
+    // In drawing order: a later stroke overrides an earlier one. Each has one path.
     SharedList<Anchored<variation::ShapingStroke>> strokes {};
-    // Each at what it acts below, which its own list of segments does not say.
+    // Each with the paths below which it acts; its own list of segments is not used.
     std::vector<Anchored<variation::MotionIndicator>> indicators {};
     SetGrowth growth {};
 };
 
-// What all edits so far amount to: what was drawn and set. A value of which copies are cheap; the
+// The result of all edits so far: everything that was drawn and set. A value with cheap copies; the
 // plants themselves are built from it (scene_builder.h).
 struct DocumentState {
-    // In the order in which they were added. Shared with earlier states, and changed by nobody: a
-    // plant that is the same object has not changed.
+    // In the order in which they were added. Shared with earlier states and immutable, so a plant
+    // with an unchanged pointer has not changed.
     std::vector<std::shared_ptr<PlantState const>> plants {};
-    ItemId active = 0; // The plant that takes what is drawn; 0 where there is none.
-    // World millimetres per plant millimetre, of all plants alike. No value: such that the first
-    // plant fits the drawing volume.
+    ItemId active = 0; // Id of the plant that new strokes are drawn on; 0 if there are no plants.
+    // World millimetres per plant millimetre, for all plants. Default: such that the first plant
+    // fits the drawing volume.
     std::optional<double> scale {};
-    std::optional<Season> season {}; // No value: plants are as their sources give them.
-    LeafSheets leaf_sheets {};       // Grown leaves that plants and seasons need.
-    // The texts of the user's own grammars, by their names. Shared with earlier states.
+    // Without a value, plants are displayed as their sources define them.
+    std::optional<Season> season {};
+    LeafSheets leaf_sheets {}; // The grown leaves that plants and seasons use.
+    // Texts of the user's leaf grammars, by name. Shared with earlier states.
     std::map<std::string, std::shared_ptr<std::string const>, std::less<>> leaf_grammars {};
-    std::shared_ptr<BackPicture const> picture {}; // Null: none lies behind what is drawn.
-    std::uint64_t last_edit = 0; // The number of edits so far: of it, ids of items are made.
+    std::shared_ptr<BackPicture const> picture {}; // The background picture; null if there is none.
+    std::uint64_t last_edit = 0; // Number of edits so far, from which the ids of items are made.
 };
 
-// The number of a plant in the document's list; no value where there is none of this id.
+// Returns the index of a plant in the document's list, or no value if no plant has this id.
 std::optional<std::size_t> find_plant(DocumentState const& state, ItemId id);
 
-// Like find_plant(), but fails, as the user's fault, where there is none.
+// Like find_plant(), but fails with Fault::User if there is none.
 Result<std::size_t> plant_number(DocumentState const& state, ItemId id);
 
-// Null where the document has no plant.
+// Returns null if the document has no plant.
 PlantState const* active_plant(DocumentState const& state);
 
-// Puts what `change` makes of it in the place of a plant.
+// Replaces a plant by a copy that `change` has modified.
 void change_plant(DocumentState& state, std::size_t number,
                   std::function<void(PlantState& plant)> const& change);
 
-// The same for the active plant. A document without plants gets one.
+// The same for the active plant. A document without plants gets one first.
 void change_active(DocumentState& state, std::function<void(PlantState& plant)> const& change);
 
-// The id of the first item that the edit at work makes: the one that it has already or, where that
-// is 0, one that tells its number.
+// Returns the id of the first item made by the current edit: `own`, or, if that is 0, an id derived
+// from the number of the edit.
 ItemId take_id(DocumentState& state, ItemId own);
 
-// Puts a source under the active plant: what becomes of its strokes and indicators is what `drawn`
-// says. Drawn::Beside adds a plant of that id, which becomes the active one.
+// Sets the source of the active plant; `drawn` decides what happens to its strokes and indicators.
+// Drawn::Beside instead adds a plant with this id and makes it active.
 struct NewSource {
     std::string name {};
     PlantSource source {};
     Drawn drawn = Drawn::Forget;
-    Vec3 stands_at_mm = Vec3::Zero(); // Of one that is added.
-    std::optional<Vec2> paper_mm {};  // Likewise.
+    Vec3 stands_at_mm = Vec3::Zero(); // Position of the base of an added plant, world frame.
+    // Position of an added plant's base on paper, as in PlantState.
+    std::optional<Vec2> paper_mm {};
     double paper_unit = 1;
     ItemId id = 0;
 };

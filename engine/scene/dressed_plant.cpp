@@ -22,7 +22,8 @@ public:
 
     Plant run()
     {
-        // Shapes are added, but for plants of more kinds of leaves than shapes have numbers.
+        // Appends new shapes; if their number would exceed the range of OrganShapeId, existing
+        // shapes are kept.
         auto const own = plant_.organ_shapes.size();
         std::vector<std::optional<OrganShapeId>> first(own);
         for (std::size_t i = 0; i < own; ++i)
@@ -46,10 +47,10 @@ private:
             <= std::numeric_limits<OrganShapeId>::max();
     }
 
-    // Returns the first of them.
+    // Returns the id of the first added shape.
     OrganShapeId add_leaves(OrganShape const& of)
     {
-        auto organ = of; // The original moves with the list.
+        auto organ = of; // A copy, since the list may be reallocated.
         organ.material = material_of(of.material);
         auto const first = static_cast<OrganShapeId>(plant_.organ_shapes.size());
         for (auto const& leaf : sheet_.leaves)

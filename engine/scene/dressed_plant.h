@@ -5,14 +5,13 @@
 
 namespace tractus::scene {
 
-// Whether organs of that shape are leaves: flat ones of a leaf's material. Needles, discs and balls
-// are none.
+// True if organs of this shape are leaves: flat ones with a leaf's material. Needles, discs and
+// balls are not.
 bool is_leaf(Plant const& plant, OrganShape const& shape);
 
-// The plant with the grown leaves of a sheet in the place of its own, by chance one of them for
-// each; the same plant and sheet give the same ones. A leaf's blade is as long as the one that it
-// stands for, and folds and bends as that does. All other organs stay, and so does the plant where
-// it has no leaves.
+// Returns the plant with its leaves replaced by grown leaves of a sheet, chosen at random for each
+// but reproducibly for the same plant and sheet. Each new blade has the length, fold and curl of
+// the leaf that it replaces. Other organs are unchanged, and so is a plant without leaves.
 Plant dressed(Plant const& plant, lsystem::LeafSheet const& sheet);
 
 } // namespace tractus::scene

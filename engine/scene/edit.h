@@ -23,48 +23,54 @@ namespace tractus::scene {
 
 struct BuiltPlant;
 
-// What the user did, as values. A document is the fold of its edits, so an edit holds all that is
-// needed to do it again: the model's text, the pen's tips, the chosen segments. Each struct is a
-// kind of edit (edit_kind.h).
+// The user's edits, as values. A document is the fold of its edits, so each edit contains
+// everything needed to repeat it: the text of a model, the tips of a stroke, the chosen segments.
+// Each struct below is a kind of edit (edit_kind.h).
 
-// What becomes of what was drawn when the plant changes.
+// What happens to strokes and indicators when the source of a plant changes.
 enum class Drawn {
-    Forget, // Another plant: strokes and indicators go.
-    Keep,   // The same plant, edited: what was drawn on branches goes to those at the same place
-          // (branch_address.h). Where there is none it is orphaned: kept without effect, and found
-          // again when a later edit brings the branch back.
-    Beside, // The plant is one more, beside those that are there.
+    Forget, // It is a different plant: strokes and indicators are removed.
+    // It is the same plant, edited: items drawn on branches move to the branches at the same
+    // addresses (branch_address.h). Items without such a branch become orphans: they are kept
+    // without effect, and take effect again when a later edit brings the branch back.
+    Keep,
+    // (branch_address.h). Where there is none it is orphaned: kept without effect, and found
+    // again when a later edit brings the branch back.
+    Beside, // The source becomes an additional plant.
 };
 
-// Takes a base plant from an L-system.
+// Sets an L-system model as the source of a plant.
 struct LoadModel {
     static EditKind const kKind;
 
     lsystem::ModelSource source;
-    std::map<std::string, std::string> includes {}; // What the model includes, by name: the texts.
-    std::optional<int> steps {};                    // Derivation steps; no value: the model's own.
-    std::uint64_t seed = 1;                         // Of the model's stochastic rules.
+    // Texts of the files that the model includes, by name.
+    std::map<std::string, std::string> includes {};
+    std::optional<int> steps {}; // Number of derivation steps. Default: as given in the model.
+    std::uint64_t seed = 1;      // Seed of the model's stochastic rules.
     Drawn drawn = Drawn::Forget;
-    Vec3 stands_at_mm = Vec3::Zero(); // With Drawn::Beside: the base of the plant. World frame.
-    ItemId id = 0;                    // Likewise: of the plant; 0: it has none yet.
+    // For Drawn::Beside: position of the plant's base, world frame.
+    Vec3 stands_at_mm = Vec3::Zero();
+    ItemId id = 0; // For Drawn::Beside: id of the plant; 0 if not assigned yet.
 
     bool operator==(LoadModel const&) const = default;
 };
 
-// Takes a base plant from the lines that another program drew of it (skeleton_lines.h).
+// Sets the lines of a skeleton drawn by another program as the source of a plant
+// (skeleton_lines.h).
 struct LoadSkeleton {
     static EditKind const kKind;
 
     std::string name {};
     std::vector<SkeletonPiece> lines {};
     Drawn drawn = Drawn::Forget;
-    Vec3 stands_at_mm = Vec3::Zero(); // As of LoadModel, as the next one.
+    Vec3 stands_at_mm = Vec3::Zero(); // As in LoadModel; also `id`.
     ItemId id = 0;
 
     bool operator==(LoadSkeleton const&) const = default;
 };
 
-// Takes a base plant from the file of a plant that was measured, or that another program keeps as a
+// Sets a file as the source of a plant: a measured plant, or one that another program stores as a
 // graph, a list of cylinders or a skeleton (measured_source.h).
 struct LoadMeasured {
     static EditKind const kKind;
@@ -76,56 +82,58 @@ struct LoadMeasured {
     };
 
     std::string name {};
-    std::string text {}; // All of the file: bytes, if it is a binary one.
+    std::string text {}; // Contents of the file; may be binary.
     Format format = Format::Mtg;
     Drawn drawn = Drawn::Forget;
-    Vec3 stands_at_mm = Vec3::Zero(); // As of LoadModel, as the next one.
+    Vec3 stands_at_mm = Vec3::Zero(); // As in LoadModel; also `id`.
     ItemId id = 0;
 
     bool operator==(LoadMeasured const&) const = default;
 };
 
-// The edit that has put a source into a document; null for a source of another kind.
+// Returns the edit that set this source, or null if the source is of another kind.
 LoadModel const* loaded_model(PlantSource const& source);
 LoadSkeleton const* loaded_skeleton(PlantSource const& source);
 LoadMeasured const* loaded_measured(PlantSource const& source);
 
-// Chooses what the next associations go to, in place of what was chosen. Usually one path, or one
-// for each branch that the pen left undetermined (Streit 2006, section 4.1); none chooses nothing.
+// Replaces the selection, to which subsequent associations apply. Usually it is one path, or
+// several if the pen left the choice of branch open (Streit 2006, section 4.1). An empty list
+// clears the selection.
 struct Select {
     static EditKind const kKind;
 
-    variation::Selection paths {};  // By their segments, as sessions before format 4 say it, or
-    std::vector<PathAddress> at {}; // by where they are.
+    variation::Selection paths {};  // Paths by their segments, as in sessions before format 4.
+    std::vector<PathAddress> at {}; // Paths by their addresses.
 };
 
-// Paths of a plant, said by where they are.
+// Returns an edit that selects paths of a plant by their addresses.
 Select select_paths(BuiltPlant const& plant, variation::Selection const& paths);
 
-// Lets a stroke shape each selected path, its descendants, or both (Streit 2006, section 4.3).
+// Applies a stroke to each selected path, to its descendants, or to both (Streit 2006, section
+// 4.3).
 struct Associate {
     static EditKind const kKind;
 
     Stroke stroke;
     variation::Propagation propagation = variation::Propagation::Selected;
     variation::StrokeFit fit = variation::StrokeFit::Start;
-    double detail_weight = 1; // See Association.
+    double detail_weight = 1; // As in Association.
     variation::StrokeLaying laying = variation::StrokeLaying::LeastTwist;
-    ItemId id = 0; // Of the stroke of the first path; 0: it has none yet.
+    ItemId id = 0; // Id of the stroke on the first path; 0 if not assigned yet.
 };
 
-// Which of the things drawn so far an edit is about.
+// The drawn items that an edit applies to.
 struct Items {
     std::vector<ItemId> ids {};
-    // Sessions before format 4 say it by the numbers in the list of that time.
+    // Used in sessions before format 4: positions in the list of items at that time.
     std::vector<std::uint64_t> numbers {};
 
     bool empty() const { return ids.empty() && numbers.empty(); }
 };
 
-// The next ones edit strokes that shape something already, at least one.
+// The following edits modify existing strokes, at least one.
 
-// Redraws a part of them (oversketch.h).
+// Redraws a part of the strokes (oversketch.h).
 struct Oversketch {
     static EditKind const kKind;
 
@@ -133,7 +141,7 @@ struct Oversketch {
     Stroke over;
 };
 
-// From here on keeps so much of the hand in them, 0 (smooth) to 1 (as drawn).
+// Sets how much of the hand's detail the strokes keep, from 0 (smooth) to 1 (as drawn).
 struct SmoothStroke {
     static EditKind const kKind;
 
@@ -141,37 +149,37 @@ struct SmoothStroke {
     double detail_weight = 0;
 };
 
-// Takes them away; what they overrode counts again.
+// Deletes strokes; earlier strokes that they overrode take effect again.
 struct DeleteStroke {
     static EditKind const kKind;
 
     Items strokes;
 };
 
-// Takes these tips of each of them away (erase_tips.h); where none would be left that shape
-// anything, DeleteStroke takes the whole.
+// Erases these tips of each stroke (erase_tips.h). To remove a stroke altogether use DeleteStroke.
 struct EraseTips {
     static EditKind const kKind;
 
     Items strokes;
-    std::vector<TipRange> ranges; // Of its tips as they are now, in order.
+    std::vector<TipRange> ranges; // Ranges of tips of the stroke in its present form, in order.
 };
 
-// Adds one motion indicator (Streit 2006, section 4.4).
+// Adds a motion indicator (Streit 2006, section 4.4).
 struct Indicate {
     static EditKind const kKind;
 
     variation::MotionIndicator indicator;
-    std::vector<SegmentAddress> below {}; // What it acts below, if `indicator` does not say it.
-    ItemId id = 0;                        // 0: it has none yet.
+    // The segments below which it acts, unless `indicator` contains them.
+    std::vector<SegmentAddress> below {};
+    ItemId id = 0; // 0 if not assigned yet.
 };
 
-// Puts another in the place of an indicator. One that is named by its id stays at the segments that
-// it acts below.
+// Replaces an indicator. If it is identified by its id it keeps acting below the same segments.
 struct ChangeIndicator {
     static EditKind const kKind;
 
-    ItemId which = 0; // 0, in sessions before format 4: the one with this number in their list.
+    // 0 in sessions before format 4, which use `number`: the position in the list of indicators.
+    ItemId which = 0;
     std::uint64_t number = 0;
     variation::MotionIndicator indicator;
 };
@@ -179,30 +187,30 @@ struct ChangeIndicator {
 struct DeleteIndicator {
     static EditKind const kKind;
 
-    ItemId which = 0; // As of ChangeIndicator.
+    ItemId which = 0; // As in ChangeIndicator; also `number`.
     std::uint64_t number = 0;
 };
 
-// Sets how plants grow from here on.
+// Sets the growth parameters.
 struct SetGrowth {
     static EditKind const kKind;
 
     variation::GrowthParameters parameters;
-    std::uint64_t seed = 1; // Of the variations.
-    double variability = 1; // At which the parameters count; see at_variability().
+    std::uint64_t seed = 1; // Seed of the variations.
+    double variability = 1; // Factor on the variation parameters; see at_variability().
     double age = 1;         // See Grower::grow().
 };
 
-// The plants of a document. Their kinds are in plant_edits.cpp.
+// Edits of the list of plants; their kinds are defined in plant_edits.cpp.
 
-// From here on what is drawn goes to this plant.
+// Makes a plant the active one, to which subsequent drawing applies.
 struct ActivatePlant {
     static EditKind const kKind;
 
     ItemId plant = 0;
 };
 
-// Puts the base of a plant somewhere else in the drawing volume.
+// Moves the base of a plant in the drawing volume.
 struct MovePlant {
     static EditKind const kKind;
 
@@ -210,16 +218,16 @@ struct MovePlant {
     Vec3 to_mm = Vec3::Zero(); // World frame.
 };
 
-// Adds a plant that is like another in all that was drawn and set; it becomes the active one.
+// Adds a copy of a plant with everything drawn and set on it, and makes the copy active.
 struct CopyPlant {
     static EditKind const kKind;
 
     ItemId plant = 0;
     Vec3 stands_at_mm = Vec3::Zero(); // World frame.
-    ItemId id = 0;                    // Of the copy; 0: it has none yet.
+    ItemId id = 0;                    // Id of the copy; 0 if not assigned yet.
 };
 
-// A hidden plant is neither shown nor exported, until it is shown again.
+// Hides a plant from display and export, or shows it again.
 struct HidePlant {
     static EditKind const kKind;
 
@@ -234,41 +242,40 @@ struct NamePlant {
     std::string name {};
 };
 
-// Takes a plant away with all that was drawn on it. The plant before it becomes the active one if
-// it was that.
+// Removes a plant with everything drawn on it. If it was active, the plant before it becomes
+// active.
 struct RemovePlant {
     static EditKind const kKind;
 
     ItemId plant = 0;
 };
 
-// Parts of plants. Their kinds are in graft_edits.cpp.
+// Edits of plants' parts; their kinds are defined in graft_edits.cpp.
 
-// Puts a plant on a branch of another, of which it is a part from then on: what is drawn below
-// carries it, and it grows, varies and goes into files with what bears it. What was drawn on it
-// stays; the other one becomes the active plant if it was that.
+// Grafts a plant onto a branch of another, of which it then is a part: it moves, grows, varies and
+// is exported with that plant. Everything drawn on it is kept. If it was active, the other plant
+// becomes active.
 struct GraftPlant {
     static EditKind const kKind;
 
-    ItemId plant = 0;             // 0: the active one.
-    ItemId onto = 0;              // Another.
-    SegmentAddress at {};         // Of `onto`: the segment on whose end it shall stand.
-    Vec3 turn_rad = Vec3::Zero(); // As in Graft, as the next one.
+    ItemId plant = 0;             // Id of the plant to graft; 0: the active one.
+    ItemId onto = 0;              // Id of the plant that it is grafted onto.
+    SegmentAddress at {};         // In `onto`: the segment to whose end it is attached.
+    Vec3 turn_rad = Vec3::Zero(); // As in Graft; also `base_mm`.
     Vec3 base_mm = Vec3::Zero();
 };
 
-// Makes a part that was put on a plant a plant of its own again, which becomes the active one. What
-// was drawn on it goes with it.
+// Turns a grafted part back into a separate plant with everything drawn on it, and makes it active.
 struct TakeOffGraft {
     static EditKind const kKind;
 
-    ItemId plant = 0;                 // What bears it,
-    ItemId graft = 0;                 // and the id that it had as a plant.
+    ItemId plant = 0;                 // Id of the plant that contains the part.
+    ItemId graft = 0;                 // Id that the part had as a plant.
     Vec3 stands_at_mm = Vec3::Zero(); // World frame.
-    ItemId id = 0;                    // From now on; 0: it has none yet.
+    ItemId id = 0;                    // New id of the plant; 0 if not assigned yet.
 };
 
-// Hides a segment of a plant and all that it bears, or shows one that is hidden.
+// Hides a segment of a plant with all its descendants, or shows a hidden one.
 struct HideBranch {
     static EditKind const kKind;
 
@@ -277,59 +284,61 @@ struct HideBranch {
     bool hidden = true;
 };
 
-// The size in which all plants of the document are shown.
+// Sets the scale at which all plants of the document are displayed.
 struct SetScale {
     static EditKind const kKind;
 
     double scale = 0.1; // World millimetres per plant millimetre; above 0.
 };
 
-// Leaves and seasons. Their kinds are in leaf_edits.cpp and season_edits.cpp.
+// Edits of leaves and season; their kinds are defined in leaf_edits.cpp and season_edits.cpp.
 
-// Keeps grown leaves for the plants and seasons that need them: a session has them as they were.
+// Stores grown leaves in the document for the plants and seasons that use them, so that a session
+// reproduces them unchanged.
 struct KeepLeaves {
     static EditKind const kKind;
 
-    std::string name {};  // Of the sheet, which says what they are (leaf_sheet.h).
-    std::string sheet {}; // Its text.
+    // Name of the sheet, which encodes how its leaves were grown (leaf_sheet.h).
+    std::string name {};
+    std::string sheet {}; // Text of the sheet.
 };
 
-// Keeps a leaf grammar that does not come with the program, for leaves of other ages.
+// Stores a leaf grammar of the user in the document, so that its leaves can be grown at other ages.
 struct KeepGrammar {
     static EditKind const kKind;
 
-    std::string name {}; // As sheets of its leaves name it.
+    std::string name {}; // The name by which leaf sheets refer to it.
     std::string text {};
 };
 
-// Gives a plant other leaves (dressed_plant.h).
+// Replaces the leaves of a plant (dressed_plant.h).
 struct DressPlant {
     static EditKind const kKind;
 
     ItemId plant = 0;
-    std::string leaves {}; // The name of a sheet that the document keeps; empty: the plant's own.
+    std::string leaves {}; // Name of a sheet in the document; empty for the plant's own leaves.
 };
 
 // Shows all plants of the document at a time of the year (season.h).
 struct SetSeason {
     static EditKind const kKind;
 
-    double month = 0;     // 1 to below 13; 0: as the plants' sources give them.
-    double fallen = 0.25; // Share of the fallen leaves that are seen on the ground, 0 to 1.
+    double month = 0;     // 1 to below 13; 0: without a season, as the sources define the plants.
+    double fallen = 0.25; // Share of the fallen leaves that are displayed on the ground, 0 to 1.
 };
 
-// An edit that another tractus has made, a newer one or one with more methods, in the words of its
-// record (app/session/edit_record.h). It is kept as it is, and refused when it is to be applied.
+// An edit of unknown kind, from a newer version of the program or one with more methods, in the
+// form of its record (app/session/edit_record.h). It is kept unchanged; applying it fails.
 struct UnknownEdit {
     static EditKind const kKind;
 
     std::string word;
     std::string fields;
     std::string numbers;
-    std::string why; // A sentence: what of it is unknown.
+    std::string why; // One sentence: what is unknown about it.
 };
 
-// The kinds above but for the last, which stands for all that are not in a table.
+// All kinds above except UnknownEdit, which represents kinds that are not in the table.
 EditKinds core_edit_kinds();
 
 } // namespace tractus::scene

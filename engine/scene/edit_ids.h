@@ -6,8 +6,9 @@
 
 namespace tractus::scene {
 
-// The edit with an id for the first item that it makes, if it makes any and has none yet: that of
-// edit `number` of a document, counted from 1. Then its items keep their ids wherever it goes.
+// Returns the edit, which is number `number` (from 1) of a document, with the id of its first item
+// filled in, if it makes items and has no id yet. Its items then keep their ids even if the edit is
+// moved.
 Edit with_id(Edit const& edit, std::uint64_t number);
 
 } // namespace tractus::scene

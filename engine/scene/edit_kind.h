@@ -15,21 +15,21 @@ namespace tractus::scene {
 struct DocumentState;
 class SceneBuilder;
 
-// All that the program knows of a kind of edit: a row of the table of kinds. Sessions, their log
-// and their repair, undo, export and tests work by it and know no kind by name.
+// Everything the program knows about one kind of edit: a row in the table of kinds. Sessions, their
+// log and its repair, undo, export and tests use this table and refer to no kind by name.
 struct EditKind {
-    char const* word;                // In sessions: "associate". Never changes.
-    bool loads_plant;                // It brings a source for a plant.
-    std::shared_ptr<void> (*make)(); // An edit as it is by default.
+    char const* word;                // Name in sessions, such as "associate". Must never change.
+    bool loads_plant;                // True if the edit sets the source of a plant.
+    std::shared_ptr<void> (*make)(); // Makes an edit with default values.
     std::shared_ptr<void> (*copy)(void const* edit);
     void (*fields)(Fields& visitor, void* edit);
     // See apply_edit().
     Result<DocumentState> (*apply)(DocumentState state, void const* edit, SceneBuilder& builder);
-    // What it does, for people: "selects 1 path, 3 segments".
+    // A description for the user, such as "selects 1 path, 3 segments".
     std::string (*describe)(void const* edit);
 };
 
-// A struct whose edits have a kind: its static member kKind.
+// A struct that represents a kind of edit: it has a static member kKind.
 template<typename T>
 concept EditFields = requires
 {
@@ -38,17 +38,17 @@ concept EditFields = requires
         } -> std::convertible_to<EditKind const&>;
 };
 
-// Something that the user did, of any kind. A value: copies share its fields, which nobody changes.
+// An edit of any kind. A value: copies share the immutable fields.
 class Edit {
 public:
     template<EditFields T>
-    Edit(T edit) // NOLINT(google-explicit-constructor): is one.
+    Edit(T edit) // NOLINT(google-explicit-constructor): conversion is intended.
         : kind_(&T::kKind)
         , fields_(std::make_shared<T const>(std::move(edit)))
     {
     }
 
-    // `fields` point to the type that belongs to the kind.
+    // `fields` must point to the struct that belongs to the kind.
     Edit(EditKind const& kind, std::shared_ptr<void const> fields)
         : kind_(&kind)
         , fields_(std::move(fields))
@@ -58,16 +58,16 @@ public:
     EditKind const& kind() const { return *kind_; }
     std::string describe() const { return kind_->describe(fields_.get()); }
 
-    // Null for an edit of another type.
+    // Returns null if the edit is of another type.
     template<EditFields T> T const* get() const
     {
         return kind_ == &T::kKind ? static_cast<T const*>(fields_.get()) : nullptr;
     }
 
-    // Lets the visitor look at the fields, which it leaves as they are.
+    // Passes the fields to a visitor that only reads them.
     void show(Fields& visitor) const;
 
-    // The same edit after the visitor has changed its fields.
+    // Returns a copy of the edit whose fields the visitor has changed.
     Edit changed_by(Fields& visitor) const;
 
 private:
@@ -78,10 +78,10 @@ private:
     std::shared_ptr<void const> fields_; // Shared between copies.
 };
 
-// The kinds of edits that a program knows. No two have the same word.
+// The kinds of edits that a program knows. Words are unique.
 using EditKinds = std::span<EditKind const* const>;
 
-// Null if there is none.
+// Returns null if there is no such kind.
 EditKind const* find_edit_kind(EditKinds kinds, std::string_view word);
 
 } // namespace tractus::scene

@@ -13,7 +13,7 @@ namespace {
 
 void list(Fields&, UnknownEdit&) { }
 
-// NOLINTNEXTLINE(performance-unnecessary-value-param): as for all kinds.
+// NOLINTNEXTLINE(performance-unnecessary-value-param): all kinds have the same signature.
 Result<DocumentState> applied(DocumentState, UnknownEdit const& edit, SceneBuilder&)
 {
     return fail(Fault::User, edit.why);

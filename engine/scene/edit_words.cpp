@@ -9,7 +9,6 @@ std::string counted(std::size_t count, char const* what)
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-// "1, 2 and 3" for numbers that count from 0.
 std::string list_numbers(std::vector<std::size_t> const& numbers)
 {
     std::string list;
@@ -27,7 +26,7 @@ std::string describe_stroke(Stroke const& stroke)
     double length_mm = 0;
     for (std::size_t i = 1; i < stroke.tips.size(); ++i)
         length_mm += (stroke.tips[i].position_mm - stroke.tips[i - 1].position_mm).norm();
-    // Times of a session that somebody has made may be too far apart for a duration.
+    // In an edited session, times may be too far apart for a Duration.
     double const seconds = stroke.tips.empty()
         ? 0
         : to_seconds(stroke.tips.back().time) - to_seconds(stroke.tips.front().time);

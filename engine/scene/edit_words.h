@@ -8,15 +8,15 @@
 
 namespace tractus::scene {
 
-// Words for what edits do.
+// Phrases for describing edits to the user.
 
-// "1 tip", "2 tips".
+// Returns "1 tip", "2 tips".
 std::string counted(std::size_t count, char const* what);
 
-// "1, 2 and 3" for numbers that count from 0.
+// Returns "1, 2 and 3" for the numbers 0, 1 and 2.
 std::string list_numbers(std::vector<std::size_t> const& numbers);
 
-// "120 tips, 240 mm in 1.2 s".
+// Returns a phrase such as "120 tips, 240 mm in 1.2 s".
 std::string describe_stroke(Stroke const& stroke);
 
 } // namespace tractus::scene

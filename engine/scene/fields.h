@@ -18,39 +18,39 @@
 
 namespace tractus::scene {
 
-// A field of any type that edits have. Another type of field is another alternative here, and a way
-// to write it in each visitor.
+// Pointer to a field of any type that edits contain. A new type of field needs an alternative here
+// and support in each visitor.
 using FieldRef
     = std::variant<bool*, int*, std::uint64_t*, double*, std::string*, Vec3*, std::optional<int>*,
                    std::optional<double>*, std::vector<std::uint32_t>*, std::vector<std::uint64_t>*,
                    variation::Selection*, std::vector<PathAddress>*, std::vector<TipRange>*,
                    std::map<std::string, std::string>*>;
 
-// Visits the fields of a value in their order. What an edit consists of is said once, in a function
-// that hands its fields to a visitor; visitors write them as JSON, read them back, look for strokes
-// or give them random values.
+// Visitor of the fields of an edit, in order. Each kind of edit lists its fields once, in a
+// function that passes them to a visitor; the visitors write them as JSON, read them back, search
+// for strokes or fill in random values.
 class Fields {
 public:
     virtual ~Fields() = default;
 
-    // `name` identifies the field in sessions: it never changes.
+    // `name` identifies the field in sessions and must never change.
     virtual void field(char const* name, FieldRef value) = 0;
 
-    // A field that is not written where it is 0 or empty.
+    // A field that is not written if it is 0 or empty.
     virtual void sparse_field(char const* name, FieldRef value) { field(name, value); }
 
-    // The id of the first item that the edit makes; 0 as long as it has none.
+    // The id of the first item that the edit makes; 0 if not assigned yet.
     virtual void id(std::uint64_t& id) { sparse_field("id", &id); }
 
-    // A choice among words; the value is the word's number.
+    // A choice from a list of words; the value is the index of the word.
     virtual void word(char const* name, int& value, std::span<char const* const> words) = 0;
 
-    // Bulk, of which a value has at most one: it has no name.
+    // Bulk data without a name; an edit has at most one such field.
     virtual void numbers(Stroke& stroke) = 0;
     virtual void numbers(std::vector<SkeletonPiece>& lines) = 0;
-    virtual void bytes(std::string& file) = 0; // The whole of a foreign file.
+    virtual void bytes(std::string& file) = 0; // Contents of a file from another program.
 
-    // An enumeration as words in the order of its values.
+    // An enumeration, written as words; `words` in the order of its values.
     template<typename Enum, std::size_t N>
     void word(char const* name, Enum& value, std::array<char const*, N> const& words)
     {

@@ -14,7 +14,7 @@ namespace {
 
 using Addresses = SharedVector<PathAddress>;
 
-// Paths that were one stay one: places that are alike share their elements.
+// Applies a change to lists of paths. Lists that shared their elements still do afterwards.
 template<typename Change> class ChangedPaths {
 public:
     explicit ChangedPaths(Change change)
@@ -36,10 +36,12 @@ public:
 
 private:
     Change change_;
-    std::map<void const*, std::pair<Addresses, Addresses>> changed_; // Kept: ids are addresses.
+    // Keeps the original lists alive, since ids are memory addresses.
+    std::map<void const*, std::pair<Addresses, Addresses>> changed_;
 };
 
-// Whether all of it was drawn on the part; what reaches down to what bears the part stays there.
+// True if the item was drawn entirely on the part. An item that extends to the rest of the plant
+// stays there.
 bool is_on_part(PartPrefix const& prefix, Addresses const& at)
 {
     return !at.empty() && std::all_of(at.begin(), at.end(), [&](PathAddress const& path) {
@@ -47,14 +49,15 @@ bool is_on_part(PartPrefix const& prefix, Addresses const& at)
     });
 }
 
-// The first stem of a part: what acts on all of a plant acts below that.
+// Path of the first stem of a part. Indicators that act on a whole plant act below this path once
+// it is grafted.
 PathAddress stem_of(PartPrefix const& prefix)
 {
     auto const at = in_part(prefix, SegmentAddress { 0, 0 });
     return { at, at };
 }
 
-// Adds what was drawn on `part` to what bears it.
+// Moves the items drawn on `part` to the plant that it becomes a part of.
 void take_over(PlantState& plant, PlantState const& part, PartPrefix const& prefix)
 {
     ChangedPaths paths([&](PathAddress const& path) { return in_part(prefix, path); });
@@ -76,7 +79,7 @@ void take_over(PlantState& plant, PlantState const& part, PartPrefix const& pref
     }
 }
 
-// Takes what was drawn on a part of `plant` away from it and gives it to `part`.
+// Moves the items drawn on a part of `plant` back to `part`.
 void hand_back(PlantState& plant, PlantState& part, PartPrefix const& prefix)
 {
     ChangedPaths paths([&](PathAddress const& path) { return without_part(prefix, path); });

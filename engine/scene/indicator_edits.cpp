@@ -24,7 +24,7 @@ void list(Fields& fields, variation::MotionIndicator& indicator)
     fields.field("is_orphaned", &indicator.is_orphaned);
 }
 
-// Where an indicator acts that says it by segments, as sessions before format 4 do.
+// Returns the addresses of an indicator that is given by segments, as in sessions before format 4.
 Result<std::vector<PathAddress>> places_of(variation::MotionIndicator const& indicator,
                                            DocumentState const& state, SceneBuilder& builder)
 {
@@ -40,7 +40,7 @@ Result<std::vector<PathAddress>> places_of(variation::MotionIndicator const& ind
     return places;
 }
 
-// As a document keeps it: its places say what it acts below.
+// Removes the segments from an indicator: a document stores its addresses instead.
 Result<variation::MotionIndicator> placeless(variation::MotionIndicator indicator)
 {
     indicator.below.clear();
@@ -49,10 +49,10 @@ Result<variation::MotionIndicator> placeless(variation::MotionIndicator indicato
     return indicator;
 }
 
-// An indicator by its plant's number, and its own among those of that plant.
+// Index of a plant, and index of an indicator of that plant.
 using IndicatorNumber = std::pair<std::size_t, std::size_t>;
 
-// `number` is what older sessions say in place of an id.
+// `number` is used by older sessions in place of an id.
 Result<IndicatorNumber> find_indicator(DocumentState const& state, ItemId id, std::uint64_t number)
 {
     if (id != 0) {
@@ -82,7 +82,7 @@ std::string name_of_indicator(ItemId id, std::uint64_t number)
 std::string describe_indicator(variation::MotionIndicator const& indicator, std::size_t places)
 {
     Vec3 const way_mm = indicator.end_mm - indicator.start_mm;
-    auto const whole = [](double mm) { return std::round(mm) + 0.0; }; // Never -0.
+    auto const whole = [](double mm) { return std::round(mm) + 0.0; }; // Adding 0.0 avoids -0.
     auto text
         = fmt::format("({}, {}, {}) mm{}", whole(way_mm.x()), whole(way_mm.y()), whole(way_mm.z()),
                       indicator.kind == variation::MotionIndicator::Kind::Light ? ", light" : "");
@@ -130,7 +130,7 @@ Result<DocumentState> applied(DocumentState state, ChangeIndicator const& edit,
 {
     auto const number = TRY(find_indicator(state, edit.which, edit.number));
     auto changed = state.plants[number.first]->indicators[number.second];
-    // An orphan that is only moved still waits for its branch.
+    // An orphan that is only moved keeps the address of its missing branch.
     if (edit.which == 0 && !edit.indicator.is_orphaned)
         changed.at = TRY(places_of(edit.indicator, state, builder));
     changed.what = TRY(placeless(edit.indicator));

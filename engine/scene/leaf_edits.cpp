@@ -38,8 +38,8 @@ void list(Fields& fields, KeepGrammar& edit)
     fields.field("text", &edit.text);
 }
 
-// Leaves that an earlier text of that name has given are forgotten: the drawing of a leaf that is
-// worn changes under one name (app/methods/all_leaves.h).
+// Removes leaves that were grown with an earlier grammar of the same name: the drawing of a leaf
+// that is in use changes without changing its name (app/methods/all_leaves.h).
 Result<DocumentState> applied(DocumentState state, KeepGrammar const& edit, SceneBuilder&)
 {
     if (edit.name.empty())

@@ -29,7 +29,7 @@ char const* describe_drawn(Drawn drawn)
     return kWords[static_cast<std::size_t>(drawn)];
 }
 
-// After the field "drawn": only a plant that is added stands somewhere and has an id of its own.
+// Lists the fields that only an added plant has. They come after the field "drawn".
 template<typename T> void list_plant(Fields& fields, T& edit)
 {
     if (edit.drawn != Drawn::Beside)

@@ -5,9 +5,8 @@
 
 namespace tractus::scene {
 
-// Derives and interprets a model, as the edit that loads it says: what methods whose plants are
-// models build them with. Fails for a model that does not compile or derive, or not within its
-// limits.
+// Derives and interprets the model of a LoadModel edit; also used by methods that generate models.
+// Fails if the model does not compile or derive, or exceeds its limits.
 Result<BuiltSource> build_lsystem(LoadModel const& model, LoadOptions const& options);
 
 } // namespace tractus::scene

@@ -8,7 +8,8 @@ namespace tractus::scene {
 
 Paper paper_of(DocumentState const& state)
 {
-    constexpr double kGround = 0.1; // Of the tablet's depth, above its lower edge.
+    // Height of the default base above the lower edge, as a share of the tablet's depth.
+    constexpr double kGround = 0.1;
     Paper paper { .base_mm = { 0, (kGround - 0.5) * DrawingVolume {}.depth_mm } };
     auto const* const plant = active_plant(state);
     if (!plant)

@@ -7,16 +7,16 @@
 
 namespace tractus::scene {
 
-// The tablet as a sheet of paper that stands upright in the drawing volume: what lies to the right
-// on it lies to the right, along x, and what was drawn away from the user, along the sheet's y, is
-// up. Sheets are moved so that plants stand on the desk: the base of a plant whose place on the
-// paper is known lies there, that of any other plant a tenth of the tablet's depth above its lower
-// edge.
+// The tablet as a sheet of paper that stands upright in the drawing volume: right on the sheet is
+// right in the world (+x), and away from the user on the sheet (+y) is up. The sheet is placed so
+// that plants stand on the desk: the base of a plant coincides with its known position on the
+// paper, or by default with a point one tenth of the tablet's depth above the sheet's lower edge.
 struct Paper {
-    Vec2 base_mm = Vec2::Zero();   // On the sheet, in tablet-centred millimetres,
-    Vec3 stands_mm = Vec3::Zero(); // and where that is in the world.
-    // World millimetres per millimetre of the sheet: 1, but for plants that were drawn smaller
-    // since they are farther away (picture_ground.h).
+    // Position of the base on the sheet, in tablet-centred millimetres.
+    Vec2 base_mm = Vec2::Zero();
+    Vec3 stands_mm = Vec3::Zero(); // Position of the same point in the world.
+    // World millimetres per millimetre of the sheet: 1, except for plants that were drawn smaller
+    // because they are farther away (picture_ground.h).
     double unit = 1;
 
     Vec3 world_of_sheet(Vec2 const& sheet_mm) const
@@ -25,7 +25,7 @@ struct Paper {
         return stands_mm + Vec3(off.x(), 0, off.y());
     }
 
-    // The place in front of which a point stands.
+    // Projects a point onto the sheet, along y.
     Vec2 sheet_of_world(Vec3 const& world_mm) const
     {
         Vec3 const off = world_mm - stands_mm;
@@ -33,14 +33,14 @@ struct Paper {
     }
 };
 
-// The paper on which a plant was drawn. No value: on none.
+// Returns the paper on which a plant was drawn, or no value if there was none.
 std::optional<Paper> paper_of(PlantState const& plant);
 
-// The paper on which the active plant was drawn, or would be.
+// Returns the paper on which the active plant was drawn, or would be drawn.
 Paper paper_of(DocumentState const& state);
 
-// Puts another source in the place of a plant's that was drawn on paper, with its base there now:
-// the plant stays under its ink.
+// Replaces the source of a plant that was drawn on paper; `base_mm` is the new position of its base
+// on the sheet. The plant stays aligned with its ink.
 void redraw_on_paper(DocumentState& state, std::size_t number, PlantSource source,
                      Vec2 const& base_mm);
 

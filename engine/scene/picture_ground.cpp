@@ -7,7 +7,8 @@ namespace tractus::scene {
 
 namespace {
 
-constexpr double kLeastDrop = 0.004; // Of a foot below the horizon, as a share of the width.
+// Minimum distance of a foot below the horizon, as a share of the picture's width.
+constexpr double kLeastDrop = 0.004;
 
 } // namespace
 
@@ -42,7 +43,8 @@ Vec2 on_picture(PicturePlace const& place, Vec2 const& sheet_mm)
 
 Result<std::optional<GroundPlace>> place_on_ground(BackPicture const& picture, Vec2 const& foot_mm)
 {
-    constexpr double kFocalLength = 1; // As a share of the picture's width.
+    // As a share of the picture's width: an angle of view of 53 degrees.
+    constexpr double kFocalLength = 1;
     auto const& measured = picture.ground.measured;
     if (!measured)
         return std::nullopt;

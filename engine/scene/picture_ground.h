@@ -8,29 +8,29 @@
 
 namespace tractus::scene {
 
-// Refuses, as the user's fault, what is not finite or out of range, a top that is not above its
-// foot, and a foot that is not below the horizon.
+// Fails with Fault::User if a value is not finite or out of range, the top is not above the foot,
+// or the foot is not below the horizon.
 Result<void> check_ground(PictureGround const& ground);
 
-// Where something stands that is upright on the level ground of a picture.
+// Position and scale of an upright object on the level ground of a picture.
 struct GroundPlace {
-    // On the ground: to the right of the picture's middle, and how far behind the thing of known
-    // height.
+    // Position on the ground: right of the picture's centre, and behind the object of known height.
     double right_m = 0;
     double behind_m = 0;
-    double m_per_mm = 0; // Its true size by that on the sheet.
+    double m_per_mm = 0; // True size in metres per millimetre on the sheet.
 };
 
-// From its foot on the sheet. The camera looks level and sees so many metres below the horizon as
-// it is high, at every distance: so size and place to the side follow from horizon and known
-// height alone. How far away it is follows from the width of the view, which nobody gives: 53
-// degrees, that of a usual lens. Without a horizon everything is as far away as the known height.
+// Computes position and scale from the foot of the object on the sheet. The camera is level, so at
+// every distance the ground is as far below the horizon as the camera is high: scale and lateral
+// position follow from the horizon and the known height alone. The distance also depends on the
+// angle of view, which is not known and taken as 53 degrees, that of a standard lens. Without a
+// horizon everything is at the distance of the object of known height.
 //
-// No value: no height is known. Fails, as the user's fault, for a foot that is not below the
+// Returns no value if no height is known. Fails with Fault::User if the foot is not below the
 // horizon.
 Result<std::optional<GroundPlace>> place_on_ground(BackPicture const& picture, Vec2 const& foot_mm);
 
-// A place on the sheet as PictureGround has it.
+// Converts a position on the sheet to the coordinates of PictureGround.
 Vec2 on_picture(PicturePlace const& place, Vec2 const& sheet_mm);
 
 } // namespace tractus::scene

@@ -20,7 +20,7 @@ Result<void> check_place(Vec3 const& place_mm)
 
 std::string describe_place(Vec3 const& place_mm)
 {
-    auto const whole = [](double mm) { return std::round(mm) + 0.0; }; // Never -0.
+    auto const whole = [](double mm) { return std::round(mm) + 0.0; }; // Adding 0.0 avoids -0.
     return fmt::format("({}, {}, {}) mm", whole(place_mm.x()), whole(place_mm.y()),
                        whole(place_mm.z()));
 }
@@ -68,7 +68,8 @@ void list(Fields& fields, CopyPlant& edit)
     fields.id(edit.id);
 }
 
-// What was drawn on the copy has names of its own: it is changed apart from the original's.
+// Gives the items of a copied plant their own ids, so that they can be edited separately from the
+// original's.
 void rename_items(PlantState& plant, std::uint64_t edit)
 {
     std::size_t item = 1;

@@ -18,37 +18,40 @@
 
 namespace tractus::scene {
 
-// How a plant is built from what was drawn or written. Not part of the document: the plant does not
-// depend on it, only whether there is one.
+// Limits and outputs of building a plant. Not part of the document: they affect only whether a
+// plant can be built, not its shape.
 struct LoadOptions {
     lsystem::ModelLimits limits {};
-    std::function<void(std::string_view text)> print {}; // What a model prints; nowhere without.
+    // Receives what the model prints; if empty, output is discarded.
+    std::function<void(std::string_view text)> print {};
 };
 
-// Gives what each plant may cost that is built from that moment on.
+// Returns the limits for a plant that is built now.
 using MakeLoadOptions = std::function<LoadOptions()>;
 
 struct BuiltSource {
     Plant plant {};
-    std::vector<std::string> warnings {}; // Once each: what was asked for and is not done.
+    std::vector<std::string> warnings {}; // Requested features that are not supported, each once.
     AxisKeys axis_keys {};
 };
 
-// A model in cpfg's language, with the files that it includes, by their names.
+// A model in the language of cpfg, with the files that it includes, by name.
 struct SourceModel {
     lsystem::ModelSource source {};
     std::map<std::string, std::string> includes {};
 };
 
-// How far a plant of a collection is another one than what was drawn, and by which chance.
+// Random variation of a plant's source, for a collection of plants.
 struct SourceVariation {
     std::uint64_t seed = 1;
-    std::uint32_t plant = 0;  // Its number in the collection.
-    std::uint32_t stream = 0; // Of plants whose numbers are the same: which.
-    double spread = 1;        // 0: not at all; 1: as plants of a kind differ; at most 4.
+    std::uint32_t plant = 0; // Number of the plant in the collection.
+    // Distinguishes plants with the same number, such as parts of one plant.
+    std::uint32_t stream = 0;
+    // Amount of variation: 0 none, 1 as individuals of a species differ; at most 4.
+    double spread = 1;
 };
 
-// Rules that somebody has written in place of those that a model of a drawing has, and its view.
+// User-written rules that replace those of the model generated from a drawing, with its view file.
 struct SourceRules {
     std::string text {};
     std::string view_text {};
@@ -56,28 +59,30 @@ struct SourceRules {
     bool operator==(SourceRules const&) const = default;
 };
 
-// A way to make base plants from what was drawn or written: a row of functions on values of one
-// type, which edits put into a document and nobody changes.
+// A way to make base plants from what was drawn or written: functions on immutable values of one
+// type, which edits put into a document.
 struct SourceKind {
-    char const* word; // "lsystem".
-    // Fails, in a sentence, for what gives no plant, or not within its limits.
+    char const* word; // Name of the kind, such as "lsystem".
+    // Builds the plant. Fails, in one sentence, if there is no valid plant or it exceeds its
+    // limits.
     Result<BuiltSource> (*build)(void const* drawn, LoadOptions const& options);
-    // Whether two give the same plant for certain.
+    // True only if both values certainly give the same plant.
     bool (*same)(void const* one, void const* other);
-    // The model in cpfg's language whose plant it is, for other programs. Null where there is none.
+    // Returns the equivalent model in cpfg's language, for other programs. Null if the kind has
+    // none.
     Result<SourceModel> (*model)(void const* drawn) = nullptr;
-    // Another one of its type: what a hand has drawn is where it was drawn, or near it, and what
-    // follows from that differs. Null where nothing does. The same variation, the same plant.
+    // Returns a varied copy: drawn elements stay at or near their positions, and what is derived
+    // from them varies. Deterministic. Null if the kind does not vary.
     std::shared_ptr<void const> (*vary)(void const* drawn, SourceVariation const& variation)
         = nullptr;
-    // Another one of its type, whose model has these rules; no value: its own again. What is drawn
-    // goes on to say the numbers in them. Null where nobody can write them.
+    // Returns a copy whose model uses these rules, or its own rules again for no value. Numbers in
+    // the rules still follow from the drawing. Null if rules cannot be replaced.
     std::shared_ptr<void const> (*with_rules)(void const* drawn,
                                               std::optional<SourceRules> const& rules)
         = nullptr;
 };
 
-// The row for sources of type T, which can be compared.
+// Makes the table row for sources of type T, which must be comparable.
 template<typename T, Result<BuiltSource> (*build)(T const&, LoadOptions const&)>
 constexpr SourceKind make_source_kind(char const* word)
 {
@@ -92,10 +97,10 @@ constexpr SourceKind make_source_kind(char const* word)
                  } };
 }
 
-// What a base plant is made from. A value: copies share what was drawn.
+// The source of a base plant. A value: copies share the drawn data.
 class PlantSource {
 public:
-    PlantSource() = default; // Nothing yet: a plant without branches.
+    PlantSource() = default; // Empty: gives a plant without branches.
 
     template<typename T>
     PlantSource(SourceKind const& kind, T drawn)
@@ -111,7 +116,7 @@ public:
         return empty() ? BuiltSource {} : kind_->build(drawn_.get(), options);
     }
 
-    // The model whose plant it is; no value where the kind has none.
+    // Returns the equivalent model, or no value if the kind has none.
     Result<std::optional<SourceModel>> model() const
     {
         if (empty() || !kind_->model)
@@ -139,7 +144,7 @@ public:
         return other;
     }
 
-    // Null for a source of another kind.
+    // Returns null if the source is of another kind.
     template<typename T> T const* get(SourceKind const& kind) const
     {
         return kind_ == &kind ? static_cast<T const*>(drawn_.get()) : nullptr;
@@ -153,7 +158,8 @@ public:
 
 private:
     SourceKind const* kind_ = nullptr;
-    std::shared_ptr<void const> drawn_; // Of the kind's type. Shared between copies.
+    // Points to the type that belongs to the kind. Shared between copies.
+    std::shared_ptr<void const> drawn_;
 };
 
 } // namespace tractus::scene

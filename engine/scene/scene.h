@@ -18,80 +18,82 @@
 
 namespace tractus::scene {
 
-// A plant of a document as it is built: its base plant, and what was drawn on it, found there.
+// A plant of a document as built: its base plant, and the strokes and indicators resolved on it.
 struct BuiltPlant {
-    // What it was built from; never null. Shared with the document's states.
+    // The state that it was built from; never null. Shared with the states of the document.
     std::shared_ptr<PlantState const> drawn = std::make_shared<PlantState const>();
 
     std::string model_name;
-    std::vector<std::string> model_warnings; // Once each: what the model asks for that is not done.
+    // Features of the model that are not supported, each once.
+    std::vector<std::string> model_warnings;
 
-    // The plant as its source gives it; never null, empty before there is one. Shared, and changed
-    // by nobody, between scenes that follow each other, the views and the workers that grow it.
+    // The plant as given by its source; never null, and empty before there is a source. Immutable,
+    // and shared between successive scenes, the views and the threads that grow it.
     std::shared_ptr<Plant const> base = std::make_shared<Plant const>();
-    variation::SharedRestShape rest {}; // Of `base`.
-    // `base` with the leaves that the plant is to have; and so in the document's season: with other
-    // organs on the same segments. The latter grows.
+    variation::SharedRestShape rest {}; // The rest shape of `base`.
+    // `dressed` is `base` with the leaves chosen for the plant; `in_season` is that in the
+    // document's season, with different organs on the same segments. `in_season` is the plant that
+    // grows.
     std::shared_ptr<Plant const> dressed = base;
     std::shared_ptr<Plant const> in_season = base;
 
-    DeskPlacement placement; // Where it is shown in the drawing volume,
-    DeskPlacement fitted;    // and where it would be as the only plant.
+    DeskPlacement placement; // Where the plant is shown in the drawing volume.
+    DeskPlacement fitted;    // Where it would be shown as the only plant.
     SharedVector<std::vector<SegmentId>> selection;
-    // In order: a later one overrides an earlier one. Each is at one path.
+    // In drawing order: a later one overrides an earlier one. Each has one path.
     SharedList<Anchored<variation::Association>> associations;
-    // Each at the segments that it acts below.
+    // Each with the segments below which it acts.
     std::vector<Anchored<variation::MotionIndicator>> indicators;
     SetGrowth growth;
 };
 
-// A document as it is built. What is said of one plant is the active one's.
+// A document as built. The inherited members are those of the active plant.
 struct Scene : BuiltPlant {
     DocumentState state {};
-    // In the order of the state, the active one among them. Nobody changes one: they are shared
-    // with the scenes before and after.
+    // In the order of the state, including the active plant. Immutable, and shared with earlier and
+    // later scenes.
     std::vector<std::shared_ptr<BuiltPlant const>> plants {};
 };
 
-// Without their anchors.
+// Returns the indicators of a plant without their addresses.
 std::vector<variation::MotionIndicator> motion_indicators(BuiltPlant const& plant);
 
-// The associations that some branch may still have its shape from, in order: neither orphaned nor
-// followed by one for the same path and propagation. After hours of drawing they are few among all.
-// The others count again when these are taken away. Their numbers.
+// Returns the indices, in order, of the associations that may affect a branch: those that are not
+// orphaned and not overridden by a later one for the same path and propagation. After hours of
+// drawing they are a small share of all. The others take effect again when these are deleted.
 std::vector<std::size_t> shaping_numbers(BuiltPlant const& plant);
 
-// These associations themselves.
+// Returns the associations of shaping_numbers().
 std::vector<variation::Association> shaping_associations(BuiltPlant const& plant);
 
-// Those of them whose path has a segment in common with what is selected: their numbers. What the
-// pen edits when it edits strokes.
+// Returns the indices of those of shaping_numbers() whose path shares a segment with the selection:
+// the strokes that the pen edits.
 std::vector<std::size_t> selected_associations(BuiltPlant const& plant);
 
-// The state after one more edit. Fails for a stroke that has no shape, an association when nothing
-// is selected, an id or number that nothing has, or a value out of range. Builds no plant but for
-// edits of sessions before format 4: see SceneBuilder::active_base().
+// Returns the state after one more edit. Fails if a stroke has no shape, nothing is selected for an
+// association, an id or number does not exist, or a value is out of range. Builds no plant, except
+// for edits of sessions before format 4: see SceneBuilder::active_base().
 Result<DocumentState> apply_edit(DocumentState state, Edit const& edit, SceneBuilder& builder);
 Result<DocumentState> apply_edits(DocumentState state, std::span<Edit const> edits,
                                   SceneBuilder& builder);
 
-// The scene after one more edit, its plants built. Fails, too, for a model that does not compile or
-// derive, or not within its limits, and for lines that are no skeleton.
+// Returns the scene after one more edit, with its plants built. Also fails if a model does not
+// compile or derive, or exceeds its limits, or if lines form no skeleton.
 Result<Scene> apply_edit(Scene scene, Edit const& edit, MakeLoadOptions const& load_options = {});
 
-// The scene after edits that belong together, whose plants are built once.
+// Returns the scene after several edits; its plants are built only once.
 Result<Scene> apply_edits(Scene scene, std::span<Edit const> edits,
                           MakeLoadOptions const& load_options = {});
 
-// The scene that all edits amount to, beginning with an empty one.
+// Returns the scene that results from all edits, starting with an empty one.
 Result<Scene> fold(std::span<Edit const> edits);
 
-// The scene as it would be in another season, or without one, before that is an edit: grown leaves
-// that the document does not have for it are told from their colour alone.
+// Returns the scene in another season, or without one, as a preview before the edit is made: grown
+// leaves that the document lacks for that season are approximated by their colour.
 Scene preview_in_season(Scene scene, std::optional<Season> const& season);
 
-// The plan by which variations of a plant grow: its strokes and indicators resolved once, for any
-// number of plants. Fails like resolve_associations and plan_growth.
+// Returns the growth plan of a plant: its strokes and indicators are resolved once, for any number
+// of variations. Fails like resolve_associations() and the plan_growth() of engine/variation.
 Result<variation::GrowthPlan> plan_growth(BuiltPlant const& plant);
 
 } // namespace tractus::scene

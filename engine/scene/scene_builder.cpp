@@ -8,7 +8,7 @@
 
 namespace tractus::scene {
 
-// Base plants that no plant of the newest state has, kept since undo may bring them back.
+// Number of unused base plants that are kept, since undo may need them again.
 static constexpr std::size_t kOldBases = 2;
 
 static std::shared_ptr<BasePlant const> make_base(BuiltSource source)
@@ -175,7 +175,7 @@ BuiltPlant SceneBuilder::build(std::shared_ptr<PlantState const> const& drawn,
     return plant;
 }
 
-// `before`: the plant in the same season, if there was one.
+// `before`: the plant as last built in the same season, if any.
 void SceneBuilder::set_season(BuiltPlant& plant, BuiltPlant const* before,
                               DocumentState const& state) const
 {
@@ -227,7 +227,7 @@ void SceneBuilder::find_selection(BuiltPlant& plant, BuiltPlant const* before)
     plant.selection = std::move(paths);
 }
 
-// Places for the same branch share their elements, and so do the paths that are found for them.
+// Addresses of the same branch share their elements, and so do the segment lists resolved for them.
 SharedVector<SegmentId> SceneBuilder::path_of(BuiltPlant const& plant,
                                               SharedVector<PathAddress> const& at)
 {

@@ -13,36 +13,38 @@
 
 namespace tractus::scene {
 
-// A base plant with what strokes and growth need of it. Nobody changes it.
+// A base plant with the derived data that strokes and growth need. Immutable.
 struct BasePlant {
     std::shared_ptr<Plant const> plant;
     variation::SharedRestShape rest;
-    DeskPlacement fitted; // As the only plant in the drawing volume.
+    DeskPlacement fitted; // Placement as the only plant in the drawing volume.
     std::vector<std::string> warnings;
 };
 
-// Builds the plants of a document. States that follow each other share most of what they have: a
-// plant is derived again only when its source has changed, and what was drawn is looked up again
-// only where it or its plant has. Serves one caller at a time.
+// Builds the plants of a document incrementally. Successive states are mostly equal: a plant is
+// derived again only if its source has changed, and strokes are resolved again only if they or
+// their plant have changed. Not thread-safe.
 class SceneBuilder {
 public:
     explicit SceneBuilder(MakeLoadOptions load_options = {});
 
-    // One that has built this scene already.
+    // Starts from a scene that has been built already.
     SceneBuilder(Scene const& scene, MakeLoadOptions load_options);
 
-    // The scene of a state. Fails where a source gives no plant.
+    // Builds the scene of a state. Fails if a source gives no plant.
     Result<Scene> build(DocumentState state);
 
-    // After a failure: the number of the edit which brought the source that gives none.
+    // After a failure: the number of the edit that set the failing source.
     std::uint64_t failed_edit() const { return failed_edit_; }
 
-    // The active plant without what was drawn on it. Edits of sessions before format 4 say by its
-    // segments what later ones say by places. Without plants one without branches.
+    // Returns the active plant without strokes and indicators, or one without branches if there are
+    // no plants. Needed for edits of sessions before format 4, which refer to segments by number
+    // instead of address.
     Result<std::shared_ptr<BasePlant const>> active_base(DocumentState const& state);
 
 private:
-    // The segments of paths that were looked up in one base plant, by the places' identity.
+    // Cache of the segments of paths resolved in one base plant, by the identity of the address
+    // list.
     struct FoundPaths {
         variation::SharedRestShape rest;
         std::map<void const*, std::pair<SharedVector<PathAddress>, SharedVector<SegmentId>>> paths;
@@ -50,7 +52,7 @@ private:
     struct KnownBase {
         PlantSource source;
         std::shared_ptr<BasePlant const> base;
-        // Of one that was put together (compose_base.h).
+        // For a composed plant (compose_base.h).
         std::vector<Graft> grafts {};
         std::vector<SegmentAddress> hidden_branches {};
 
@@ -75,9 +77,9 @@ private:
 
     MakeLoadOptions load_options_;
     std::uint64_t failed_edit_ = 0;
-    std::list<KnownBase> bases_; // The newest first.
+    std::list<KnownBase> bases_; // Most recently used first.
     std::vector<std::shared_ptr<BuiltPlant const>> plants_;
-    std::optional<Season> season_; // Of plants_, as the next one.
+    std::optional<Season> season_; // Season of plants_; leaf_sheets_: their sheets.
     LeafSheets leaf_sheets_;
     std::map<ItemId, FoundPaths> found_;
 };

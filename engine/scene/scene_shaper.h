@@ -11,25 +11,25 @@
 
 namespace tractus::scene {
 
-// Keeps the shape that strokes give to a plant, for states of it that follow each other: of the
-// next one only the strokes that are new are looked at and laid. Serves one caller at a time.
+// Maintains the shape that strokes give to a plant, incrementally over successive states: only new
+// strokes are processed. Not thread-safe.
 class SceneShaper {
 public:
-    // From here on that of this plant. If one of its strokes is refused the shape stays as it was,
-    // or is that without strokes for another plant than before.
+    // Updates the shape to that of this plant. If a stroke is invalid the shape stays as it was; if
+    // the plant is a different one it becomes the shape without strokes.
     Result<void> set_plant(BuiltPlant const& plant);
 
-    // After set_plant().
+    // Call set_plant() first.
     variation::PredefinedShape const& shape() const { return shaper_->shape(); }
 
 private:
-    std::shared_ptr<Plant const> base_; // Shared with the scenes; nobody changes it.
+    std::shared_ptr<Plant const> base_; // Immutable and shared with the scenes.
     variation::SharedRestShape rest_;
     std::optional<variation::StrokeShaper> shaper_;
 };
 
-// The same plan as plan_growth(plant), sooner where the shaper had a plant much like it. Ends early
-// when `stop` asks for it; the plan is then without segments.
+// Returns the same plan as plan_growth(plant), faster if the shaper's previous plant was similar.
+// Returns early, with a plan without segments, if `stop` is requested.
 Result<variation::GrowthPlan> plan_growth(BuiltPlant const& plant, SceneShaper& shaper,
                                           std::stop_token const& stop = {});
 

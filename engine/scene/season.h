@@ -13,40 +13,40 @@
 
 namespace tractus::scene {
 
-// A time of the year, as plants show it.
+// A time of the year at which plants are displayed.
 struct Season {
     double month = 7;     // 1 is the first of January, 10.5 the middle of October; below 13.
-    double fallen = 0.25; // Share of the leaves fallen this year that are seen on the ground.
+    double fallen = 0.25; // Share of this year's fallen leaves that are displayed on the ground.
 
     bool operator==(Season const&) const = default;
 };
 
-// A month as a number, 1 to below 13, as its English name (its middle), or one of buds, spring,
-// summer, autumn, fall, winter and bare. Fails, as the user's fault, listing them.
+// Parses a month: a number from 1 to below 13, an English month name (its middle), or one of buds,
+// spring, summer, autumn, fall, winter and bare. Fails with Fault::User, listing these.
 Result<double> parse_month(std::string_view text);
 
-// A month for people: "mid-October".
+// Returns a description of the month, such as "mid-October".
 std::string month_name(double month);
 
-// How far an organ of that calendar is in its life, on the average, as ages of leaves are
-// (leaf_sheet.h). No value: it is not there.
+// Returns the average age of an organ with this calendar, on the scale of leaf ages (leaf_sheet.h),
+// or no value if the organ is not present in that month.
 std::optional<double> age_in_season(OrganCalendar const& calendar, double month);
 
-// Sheets of grown leaves by their names.
+// Sheets of grown leaves, by name.
 using LeafSheets = std::map<std::string, std::shared_ptr<lsystem::LeafSheet const>, std::less<>>;
 
-// The names of the sheets that a plant's grown leaves need in that season and that are not there.
+// Returns the names of the sheets that a plant's grown leaves need in that season and that are
+// missing from `sheets`.
 std::set<std::string> missing_leaves(Plant const& plant, Season const& season,
                                      LeafSheets const& sheets);
 
-// The plant in that season: what it bears has the age that its calendar says, each organ a little
-// apart from the others, or has fallen and lies on the ground below. Segments and nodes stay as
-// they are.
+// Returns the plant in a season: each organ has the age that its calendar gives, with a small
+// random spread, or has fallen and lies on the ground below. Segments and nodes are unchanged.
 //
-// Organs without a calendar have one of their kind and material: blades and surfaces of leaves are
-// deciduous, petals are there as long as these, needles and all else are evergreen. Grown leaves
-// are taken from the sheets; where one is missing, and of organs that are no grown leaves, the
-// colour of the material and the size tell the age. Leaves with a `fallen` share are on the plane z
+// Default calendars, by kind and material: blades and surfaces with a leaf material are deciduous,
+// petals are present as long as these, needles and all other organs are evergreen. Grown leaves are
+// taken from the sheets; if a sheet is missing, and for other organs, age is shown by the colour of
+// the material and the size. Season::fallen is the share of fallen leaves displayed, on the plane z
 // = 0.
 Plant in_season(Plant const& plant, Season const& season, LeafSheets const& sheets);
 

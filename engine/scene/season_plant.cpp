@@ -14,11 +14,12 @@ namespace tractus::scene {
 
 namespace {
 
-constexpr double kSpread = 0.08;  // Of ages about their calendar's.
-constexpr double kSheetAges = 50; // Sheets are grown for so many ages from 0 to 1.
-constexpr double kDecayed = 3;    // The month in which the leaves of the year before are gone.
-constexpr int kPlainVariants = 4; // Ages of an organ that is no grown leaf.
-constexpr double kDrift = 0.12;   // How far leaves fall aside, by the height from which.
+constexpr double kSpread = 0.08;  // Spread of individual ages about the age from the calendar.
+constexpr double kSheetAges = 50; // Sheets are grown for this many age steps from 0 to 1.
+constexpr double kDecayed = 3;    // Month by which the leaves of the previous year have decayed.
+constexpr int kPlainVariants = 4; // Number of age variants of an organ that is not a grown leaf.
+// Horizontal drift of falling leaves, as a share of the height of fall.
+constexpr double kDrift = 0.12;
 constexpr std::uint32_t kFallStream = 0x5ea5;
 
 double eased(double share)
@@ -35,13 +36,14 @@ OrganCalendar calendar_of(Plant const& plant, OrganShape const& shape)
     return { .is_evergreen = !is_petal && !is_leaf(plant, shape) };
 }
 
-// Whether the leaves of the year lie below their plant when none is on it.
+// True if fallen leaves of the year lie on the ground while the plant is bare.
 bool lies_below(OrganCalendar const& calendar, double month)
 {
     return !calendar.is_evergreen && (month >= calendar.bare || month < kDecayed);
 }
 
-// The order of the leaves that stand for a shape at that age; no value where it is none of a sheet.
+// Returns the order that grows the leaves of this shape at another age, or no value if the shape is
+// not from a sheet.
 std::optional<lsystem::LeafOrder> order_at(OrganShape const& shape, double age)
 {
     auto order = shape.cut ? lsystem::parse_leaf_sheet_name(shape.cut->sheet) : std::nullopt;
@@ -52,7 +54,8 @@ std::optional<lsystem::LeafOrder> order_at(OrganShape const& shape, double age)
     return order;
 }
 
-// What a shape's age is looked up by: on the plant, or of what has fallen.
+// Returns the age at which organs are displayed, on the plant or on the ground, or no value if they
+// are not.
 std::optional<double> age_to_show(OrganCalendar const& calendar, double month)
 {
     if (auto const age = age_in_season(calendar, month))
@@ -60,7 +63,7 @@ std::optional<double> age_to_show(OrganCalendar const& calendar, double month)
     return lies_below(calendar, month) ? std::optional(1.0) : std::nullopt;
 }
 
-// The colour of a leaf of that age, from the one that it has grown up.
+// Colour of a leaf at an age, derived from its fully grown colour.
 Vec3f aged_color(Vec3f const& grown_up, double age)
 {
     Vec3f const fresh(0.62f, 0.76f, 0.32f);
@@ -73,14 +76,14 @@ Vec3f aged_color(Vec3f const& grown_up, double age)
     return mixed(mixed(young, turned, eased((age - 0.58) / 0.24)), dead, eased((age - 0.8) / 0.2));
 }
 
-// A leaf's size at that age, of its size grown up.
+// Size of a leaf at an age, relative to its full size.
 float size_at(double age)
 {
     return static_cast<float>(0.15 + 0.85 * eased(age / 0.4));
 }
 
-// Share of the leaves of that age that have fallen, where theirs is `mean_age` on the average: old
-// ones sooner, and in the end all.
+// Share of the leaves of age `age` that have fallen, if the average leaf has `mean_age`: older
+// leaves fall sooner, and finally all.
 double fallen_share(double age, double mean_age)
 {
     return std::max(eased((age - 0.88) / 0.12), eased((mean_age - 0.9) / 0.1));
@@ -109,16 +112,17 @@ public:
     }
 
 private:
-    // One age of a shape.
+    // A shape at one age.
     struct Aged {
         OrganShapeId shape = 0;
         double age = 0;
         float scale = 1;
     };
     struct Look {
-        std::vector<Aged> ages {}; // By chance one of these; empty: it is not there at all.
+        // Variants, of which one is chosen at random; empty if the organ is not present.
+        std::vector<Aged> ages {};
         bool falls = false;
-        double mean_age = 0; // 1: all have fallen.
+        double mean_age = 0; // At 1 all have fallen.
     };
 
     Look look_of(OrganShape const& shape, OrganShapeId id)
@@ -145,7 +149,7 @@ private:
         return look;
     }
 
-    // The leaf of the same number, in the place of the shape that there was.
+    // Replaces the shape by the leaf of the same number on the sheet.
     Aged grown_leaf(OrganShape const& shape, OrganShapeId id, lsystem::LeafOrder const& order,
                     lsystem::LeafSheet const& sheet)
     {
@@ -161,7 +165,7 @@ private:
         return { .shape = id, .age = age, .scale = size_at(age) };
     }
 
-    // Some ages of an organ about that one, each with a colour and a shape.
+    // Makes variants of an organ with ages around `age`, each with its own colour and shape.
     std::vector<Aged> plain_ages(OrganShape const& shape, double age)
     {
         lsystem::LeafOrder const order { .variants = kPlainVariants,
@@ -181,8 +185,8 @@ private:
         return ages;
     }
 
-    // A picture stays as long as the leaf is as green as on it, but for those of grown leaves,
-    // which are of one age.
+    // Returns the material for an age. Its pictures are kept as long as the leaf has about the
+    // colour shown there; those of grown leaves show a single age and are always removed.
     MaterialId aged_material(MaterialId material, double age, bool is_of_grown_leaf = false)
     {
         auto const [known, is_new]
@@ -193,14 +197,14 @@ private:
             constexpr float kAsGreen = 0.03F;
             auto const turned = (aged.base_color - from_.materials[material].base_color).norm();
             if (is_of_grown_leaf || turned > kAsGreen)
-                aged.textures = {}; // Pictures of leaves of another age.
+                aged.textures = {}; // The pictures show leaves of another age.
             plant_.materials.push_back(std::move(aged));
             known->second = static_cast<MaterialId>(plant_.materials.size() - 1);
         }
         return known->second;
     }
 
-    // Folded up in the bud, hanging and rolled up in old age.
+    // Bends a leaf according to its age: folded in the bud, drooping and rolled up when old.
     static void bend(OrganShape& shape, double age)
     {
         double const young = 1 - eased(age / 0.35);
@@ -234,7 +238,7 @@ private:
         plant_.organs.push_back(organ);
     }
 
-    // On the ground, any side up.
+    // Lays an organ on the ground, with a random side up.
     void lay_down(Organ& organ, Random& random)
     {
         auto const [known, is_new] = fallen_.try_emplace(organ.shape, OrganShapeId { 0 });
@@ -253,7 +257,8 @@ private:
         organ.position_mm.y() += aside_mm * random.normal();
         organ.position_mm.z() = above_mm * random.uniform(0.3, 1);
         bool const is_face_down = random.uniform() < 0.5;
-        // One by one: compilers differ in the order of operands.
+        // Separate statements, since the order of evaluation within an expression differs between
+        // compilers.
         double const about_y = (is_face_down ? std::numbers::pi : 0) + 0.2 * random.normal();
         double const about_x = 0.2 * random.normal();
         double const about_z = random.uniform(0, 2 * std::numbers::pi);
@@ -261,8 +266,8 @@ private:
             * Eigen::AngleAxisd(about_x, Vec3::UnitX()) * Eigen::AngleAxisd(about_y, Vec3::UnitY());
     }
 
-    // The turtle's own leaves have no calendar: they are deciduous, and as old as their calendar
-    // says.
+    // Sets the age of polygons drawn by the turtle: they have no calendar of their own and are
+    // treated as deciduous leaves.
     void age_polygons()
     {
         if (from_.polygons.empty())
@@ -288,8 +293,9 @@ private:
     Season const& season_;
     LeafSheets const& sheets_;
     Plant plant_;
-    std::vector<Look> looks_;                                     // By shape.
-    std::map<std::pair<MaterialId, long>, MaterialId> materials_; // By age in thousandths.
+    std::vector<Look> looks_; // By shape.
+    // By material and age in thousandths.
+    std::map<std::pair<MaterialId, long>, MaterialId> materials_;
     std::map<OrganShapeId, OrganShapeId> fallen_;
 };
 

@@ -15,7 +15,7 @@ void list(Fields& fields, Select& edit)
     fields.sparse_field("at", &edit.at);
 }
 
-// Paths that are said by their segments, by where they are.
+// Returns the addresses of paths that are given by their segments.
 Result<std::vector<PathAddress>> places_of(variation::Selection const& paths, BasePlant const& base)
 {
     std::vector<PathAddress> at;

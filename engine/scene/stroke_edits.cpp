@@ -34,8 +34,9 @@ struct AddressHash {
 
 using Place = SharedVector<PathAddress>;
 
-// The places, each shared with an earlier stroke if there is one at it: after hours of drawing each
-// branch has been drawn many times, and its place is held once.
+// Returns the wanted addresses, each sharing its elements with an earlier stroke at the same
+// address: after hours of drawing every branch has been drawn many times, and its address should be
+// stored once.
 std::vector<Place> shared_places(SharedList<Anchored<variation::ShapingStroke>> const& strokes,
                                  SharedVector<PathAddress> const& wanted)
 {
@@ -57,7 +58,7 @@ std::vector<Place> shared_places(SharedList<Anchored<variation::ShapingStroke>> 
     return shared;
 }
 
-// A stroke by its number among those of a plant, and that plant's number.
+// Index of a plant, and index of a stroke of that plant.
 using StrokeNumber = std::pair<std::size_t, std::size_t>;
 
 Result<std::vector<StrokeNumber>> numbered_strokes(DocumentState const& state,
@@ -78,7 +79,8 @@ Result<std::vector<StrokeNumber>> numbered_strokes(DocumentState const& state,
 Result<std::vector<StrokeNumber>> named_strokes(DocumentState const& state,
                                                 std::vector<ItemId> const& ids)
 {
-    std::map<ItemId, StrokeNumber> all; // Looked through once, however many are wanted.
+    // Built in one pass over all strokes, however many are wanted.
+    std::map<ItemId, StrokeNumber> all;
     for (std::size_t i = 0; i < state.plants.size() && !ids.empty(); ++i)
         for (std::size_t k = 0; k < state.plants[i]->strokes.size(); ++k)
             all.emplace(state.plants[i]->strokes[k].id, StrokeNumber(i, k));
@@ -92,8 +94,8 @@ Result<std::vector<StrokeNumber>> named_strokes(DocumentState const& state,
     return found;
 }
 
-// Each once, in the order of plants and strokes. Refuses strokes that are not there, and none at
-// all.
+// Returns the strokes, each once, in the order of plants and strokes. Fails if one does not exist
+// or none are given.
 Result<std::vector<StrokeNumber>> find_strokes(DocumentState const& state, Items const& strokes)
 {
     if (strokes.empty())
@@ -106,7 +108,8 @@ Result<std::vector<StrokeNumber>> find_strokes(DocumentState const& state, Items
     return found;
 }
 
-// Calls `change(plant, numbers)` for each plant of the strokes, which are as of find_strokes().
+// Calls `change(plant, numbers)` for each plant that owns some of the strokes; `found` as from
+// find_strokes().
 template<typename Change>
 Result<DocumentState> change_plants(DocumentState state, std::vector<StrokeNumber> const& found,
                                     Change const& change)
@@ -124,7 +127,7 @@ Result<DocumentState> change_plants(DocumentState state, std::vector<StrokeNumbe
     return state;
 }
 
-// Puts what `change` makes of them in the place of strokes.
+// Replaces strokes by copies that `change` has modified.
 Result<DocumentState>
 with_other_strokes(DocumentState state, Items const& strokes,
                    std::function<Result<void>(variation::ShapingStroke&)> const& change)
@@ -145,7 +148,8 @@ with_other_strokes(DocumentState state, Items const& strokes,
         });
 }
 
-// As find_strokes() understands them: what older sessions count from 0, people count from 1.
+// Returns the names of strokes for display: ids, or, in older sessions, numbers converted to count
+// from 1.
 std::string names_of(Items const& strokes)
 {
     return strokes.ids.empty() ? list_numbers(strokes.numbers) : list_names(strokes.ids);
@@ -157,8 +161,8 @@ void list(Fields& fields, Items& strokes)
     fields.sparse_field("associations", &strokes.numbers);
 }
 
-// Puts what `change` makes of them in the place of strokes. One stroke for several branches stays
-// one: its tips are held once.
+// Replaces strokes by what `change` returns. A stroke shared by several branches stays shared, so
+// that its tips are stored once.
 Result<DocumentState>
 with_changed_strokes(DocumentState state, Items const& strokes,
                      std::function<Result<Stroke>(Stroke const& drawn)> const& change)
@@ -194,7 +198,7 @@ Result<DocumentState> applied(DocumentState state, Associate const& edit, SceneB
                     "nothing is selected for the stroke to shape: select a branch first");
     variation::ShapingStroke const stroke { edit.stroke, edit.propagation, edit.fit,
                                             edit.detail_weight, edit.laying };
-    // Refused here, at its own edit, rather than later when the plant is grown.
+    // Validated here, so that this edit fails and not the later growing of the plant.
     TRY(variation::check_shaping_stroke(stroke));
     auto const edit_number = edit_of_item(take_id(state, edit.id));
     change_active(state, [&](PlantState& plant) {

@@ -25,7 +25,7 @@ Result<Scene> varied(Scene const& scene, SourceVariation const& variation)
             plant.source = plant.source.varied(variation);
             auto of_part = variation;
             for (auto& graft : plant.grafts) {
-                ++of_part.stream; // Two parts that are alike do not stay so.
+                ++of_part.stream; // So that identical parts vary differently.
                 graft.source = graft.source.varied(of_part);
             }
         });

@@ -6,14 +6,13 @@
 
 namespace tractus::scene {
 
-// Whether any plant of the scene, or a part of one, can vary what it was drawn as
-// (SourceKind::vary).
+// True if any plant of the scene, or a part of one, has a source that can vary (SourceKind::vary).
 bool has_sources_that_vary(Scene const& scene);
 
-// The scene in which each plant and each part is another of its kind. What was drawn on branches
-// stays on those that there are; strokes of others wait.
+// Returns the scene with the source of each plant and each part varied. Items drawn on branches
+// stay on those branches that still exist; the others become orphans.
 //
-// Fails where a varied plant cannot be built.
+// Fails if a varied plant cannot be built.
 Result<Scene> varied(Scene const& scene, SourceVariation const& variation);
 
 } // namespace tractus::scene

@@ -7,13 +7,13 @@
 
 namespace tractus::scene {
 
-// Writes the rules of a plant's model whose numbers are drawn (PlantSource::can_take_rules()). What
-// was drawn on the plant's branches stays.
+// Sets the rules of a plant's model whose numbers come from a drawing
+// (PlantSource::can_take_rules()). Items drawn on the plant's branches are kept.
 struct WriteRules {
     static EditKind const kKind;
 
     ItemId plant = 0;
-    SourceRules rules {}; // Without a text: those that it had of itself.
+    SourceRules rules {}; // With an empty text: the model's own rules.
 };
 
 } // namespace tractus::scene
