@@ -11,95 +11,97 @@
 
 namespace tractus::variation {
 
-// Chooses the branches that take a stroke's shape (Streit 2006 section 4.3).
+// The branches to which a stroke is applied (Streit 2006, section 4.3).
 enum class Propagation {
-    Selected,    // The path's own branches.
-    Descendants, // Every branch that the path bears, down to the leaf branches, and not the path.
+    Selected, // The branches of the path itself.
+    // Every descendant of the path, down to the leaf branches, but not the path itself.
+    Descendants,
     Both,
 };
 
-// How a stroke is laid along a branch. Segment lengths and topology stay in any case, and so does
-// the branch's base; the stroke is followed by arc length.
+// How a stroke is aligned with a branch. Segment lengths, topology and the branch's base never
+// change; the stroke is followed by arc length.
 enum class StrokeFit {
-    // The stroke is turned (StrokeLaying says how) so that it starts in the direction in which the
-    // branch starts in the base plant. Its first twentieth does, since single samples tremble.
+    // The stroke is rotated (see StrokeLaying) so that its start has the direction in which the
+    // branch starts in the base plant. The start is the first twentieth of the stroke, since single
+    // samples are noisy.
     Start,
-    // As Start, but so that it leads from its first point to its last in the direction from the
-    // branch's base to its tip: the tip stays where it was seen from the base, only nearer or
-    // farther.
+    // As Start, but the chord of the stroke, from its first to its last point, is aligned with the
+    // chord of the branch, from base to tip: the tip keeps its direction as seen from the base and
+    // only its distance changes.
     Chord,
-    // The stroke is not turned at all: each segment points as it was drawn, whatever its parent
-    // does.
+    // The stroke is not rotated: each segment has the direction in which it was drawn, whatever its
+    // parent does.
     World,
 };
 
-// How a stroke that is fitted by its start or its chord gets its direction.
+// How the rotation is chosen for a stroke fitted by its start or chord.
 enum class StrokeLaying {
-    // By the least rotation, and along descendants in the base frames of the branches. What the
-    // hand drew hanging may come out rising, so this is only for what was drawn before the other
-    // law was there: sessions and logs that do not say how are read so.
+    // The least rotation; on descendants, in the base frames of the branches. A stroke drawn
+    // drooping may come out rising, so this is used only for strokes from before the other law
+    // existed: the default for sessions and logs that do not name a law.
     LeastTwist,
-    // By heading and pitch (stroke_laying.h): what hangs as it is drawn hangs along each branch. A
-    // trunk, and any axis that stands on nothing, takes the stroke as it lies in the world.
+    // By heading and pitch (stroke_laying.h): a stroke drawn drooping droops along each branch. A
+    // trunk, and any axis without a parent, takes the stroke as drawn in the world.
     HeadingAndPitch,
 };
 
-// A stroke that shapes branches, whichever they are.
+// A stroke that shapes branches, independent of which branches these are.
 struct ShapingStroke {
-    Stroke stroke {}; // As in Association, as the next ones.
+    Stroke stroke {}; // As in Association; also the following fields.
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
     double detail_weight = 1;
     StrokeLaying laying = StrokeLaying::LeastTwist;
 };
 
-// "These branches shall have this shape."
+// Applies the shape of a stroke to branches.
 struct Association {
-    // Segments from root to tip, each the child of the one before. At least one.
+    // Segments from root to tip, each a child of the one before; at least one.
     SharedVector<SegmentId> path {};
-    Stroke stroke {}; // World frame, at any scale: only its shape counts.
+    Stroke stroke {}; // World frame, at any scale: only its shape matters.
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
-    double detail_weight = 1; // How much of the hand's tremor stays, 0 to 1: see smooth_hand.
+    double detail_weight = 1; // Share of the hand's detail that is kept, 0 to 1: see smooth_hand().
     StrokeLaying laying = StrokeLaying::LeastTwist;
 
-    // The plant has lost the path, so the stroke shapes nothing. Kept, since the branch may come
-    // back.
+    // True if the path no longer exists in the plant, so that the stroke has no effect. Kept, since
+    // the branch may come back.
     bool is_orphaned = false;
 };
 
-// The shape that strokes give to a plant, before it grows: a frame for every segment as those of
-// RestShape are, but that of the axis' base is where what bears it has carried it.
+// The shape of a plant with its strokes, before growth: a frame for every segment, as in RestShape,
+// except that the frame at an axis' base is transported by the bending of its parent.
 struct PredefinedShape {
     std::vector<Quat> frame {};
 };
 
-// Refuses, in a sentence, a path that is empty, not in the plant or not sequential, a stroke that
-// has no direction (stroke_points) or, for StrokeFit::Chord, ends where it began, and a
-// detail_weight outside of 0 to 1. An orphaned association is fine.
+// Fails, in one sentence, if the path is empty, not in the plant or not sequential, the stroke has
+// no direction (stroke_points) or, for StrokeFit::Chord, ends where it began, or detail_weight is
+// outside 0 to 1. An orphaned association is valid.
 Result<void> check_association(Plant const& plant, Association const& association);
 
-// Refuses of that what is the stroke's, whatever plant it is for.
+// Makes those checks of check_association() that do not depend on the plant.
 Result<void> check_shaping_stroke(ShapingStroke const& stroke);
 
-// Bends the branches of `plant`, of which `rest` is the shape, to the strokes. Topology and segment
-// lengths stay.
+// Bends the branches of `plant`, whose rest shape is `rest`, according to the strokes. Topology and
+// segment lengths are unchanged.
 //
-// A path takes its stroke by arc length: the points that divide the stroke as the path's joints
-// divide the path give the directions. What the path's first segment stands on may itself be bent;
-// the path rides on it as it rode in the base plant, unless the stroke is laid as in the world.
+// A path follows its stroke by arc length: the stroke is divided in the same proportions as the
+// path is by its joints, and the chords give the directions. The parent of the path's first segment
+// may itself be bent; the path moves with it rigidly, except with StrokeFit::World.
 //
-// By heading and pitch, each descendant axis takes the stroke in the vertical plane of its own
-// direction, where what bears it has carried it. By least twist it takes it in its own base frame
-// (RestShape), as the path takes it in its own: what bends the path towards its parent bends all
-// descendants towards theirs. Either way each branch starts as it did in the base plant. As in the
-// world, all of them point as was drawn.
+// With HeadingAndPitch each descendant axis takes the stroke in the vertical plane of its own
+// direction, after its parent has been bent. With LeastTwist it takes the stroke in its own base
+// frame (RestShape), as the path does: what bends the path towards its parent bends all descendants
+// towards theirs. In both cases each branch starts as in the base plant. With StrokeFit::World all
+// branches have the directions drawn.
 //
-// Whatever has no stroke keeps its base shape and is carried along rigidly: axes without
-// association, and the rest of an axis after a path's end. Where associations meet on a segment the
-// last one wins, and without it the one before; what it does not reach rides on it.
+// Segments without a stroke keep their base shape and move rigidly: axes without an association,
+// and the rest of an axis beyond a path's end. Where several associations apply to a segment the
+// last one wins; the shape of segments that it does not cover is relative to it.
 //
-// Refuses what check_association refuses.
+// Fails like check_association().
 Result<PredefinedShape> resolve_associations(Plant const& plant, RestShape const& rest,
                                              std::span<Association const> associations);
 

@@ -6,7 +6,7 @@
 
 namespace tractus::variation {
 
-// Below this a level is done before other threads have woken up.
+// With fewer segments a level is finished before other threads have woken up.
 constexpr std::size_t kSegmentsWorthThreads = 4096;
 
 AxisLevels find_axis_levels(Plant const& plant)

@@ -35,7 +35,7 @@ static void find_children(BranchTree& tree)
             tree.children[next[parent]++] = segment;
 }
 
-// Parents have lower numbers than their children, so two passes do without a stack.
+// Parents have lower numbers than their children, so two passes replace a stack.
 static void find_ranks(BranchTree& tree)
 {
     auto const count = tree.size();

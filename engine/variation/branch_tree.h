@@ -8,16 +8,17 @@
 
 namespace tractus::variation {
 
-// A plant's segments as an n-ary tree from root to tip: a segment's children begin where it ends,
-// be it on its own axis or on those that stand on it (Streit 2006 section 4.1, figure 4).
+// A plant's segments as a tree from root to tip: the children of a segment are those that begin at
+// its end, on its own axis or on axes attached there (Streit 2006, section 4.1, figure 4).
 struct BranchTree {
-    std::vector<SegmentId> parent;          // kNone for what stands on the ground.
-    std::vector<AxisId> axis;               // The axis of each segment.
-    std::vector<std::uint32_t> depth;       // Segments below: 0 for what stands on the ground.
-    std::vector<std::uint32_t> first_child; // Where each segment's children begin, and the end.
-    std::vector<SegmentId> children;        // Children of all segments, in the segments' order.
+    std::vector<SegmentId> parent;    // kNone for segments on the ground.
+    std::vector<AxisId> axis;         // Axis of each segment.
+    std::vector<std::uint32_t> depth; // Number of ancestor segments: 0 on the ground.
+    // Index in `children` of each segment's first child, and the total number.
+    std::vector<std::uint32_t> first_child;
+    std::vector<SegmentId> children; // Children of all segments, in the order of the segments.
 
-    // Numbers from a walk through the tree: those of a segment and all its descendants are
+    // Numbers from a depth-first traversal: a segment and its descendants have the numbers in
     // [rank, rank_end).
     std::vector<std::uint32_t> rank;
     std::vector<std::uint32_t> rank_end;
@@ -30,7 +31,7 @@ struct BranchTree {
                                            first_child[segment + 1] - first_child[segment]);
     }
 
-    // True also for a segment and itself.
+    // Also true if both are the same segment.
     bool is_descendant(SegmentId segment, SegmentId ancestor) const
     {
         return rank[ancestor] <= rank[segment] && rank[segment] < rank_end[ancestor];
@@ -39,7 +40,8 @@ struct BranchTree {
 
 BranchTree build_branch_tree(Plant const& plant);
 
-// The segments from `ancestor` down to its descendant `segment`, both among them, root end first.
+// Returns the segments from `ancestor` up to its descendant `segment`, both included, in this
+// order.
 std::vector<SegmentId> path_between(BranchTree const& tree, SegmentId ancestor, SegmentId segment);
 
 } // namespace tractus::variation

@@ -9,23 +9,22 @@
 
 namespace tractus::variation {
 
-// Deviations of a growing tip: angles in radians, towards a segment's normal (x) and binormal (y),
-// away from its predefined direction. Numbers, not vectors, come in and go out where many axes grow
-// side by side.
+// Deviations of a growing tip from its predefined direction: angles in radians, towards a segment's
+// normal (x) and binormal (y). Templated on the number type, so that several axes can be computed
+// at once.
 
-// A deviation beyond this, in radians, is held: a tip that looks back has turned far enough.
+// Upper limit on the deviation, in radians: the tip then points almost backwards.
 constexpr double kMostDeviation = 3;
 
-// cos(a / 2) and sin(a / 2) / a of an angle a. A number is a double or a Four.
+// cos(a / 2) and sin(a / 2) / a of an angle a. Number is a double or a Four.
 template<typename Number> struct HalfAngle {
     Number cosine;
     Number sine_share;
 };
 
-// Returns the HalfAngle of an angle, 0 to kMostDeviation, given by its square. Both numbers are
-// polynomials in (a / 2)²: no square root, no division, no branch, and exact for 0. They are the
-// Taylor series, economised by Chebyshev polynomials on 0 to 2.25: errors are below 2e-18 and
-// 6e-17.
+// Returns the HalfAngle of an angle from 0 to kMostDeviation, given its square. Both values are
+// polynomials in (a / 2)², without square root, division or branch, and exact for 0: the Taylor
+// series economised by Chebyshev polynomials on 0 to 2.25. Errors are below 2e-18 and 6e-17.
 template<typename Number>
 [[gnu::always_inline]] inline HalfAngle<Number> half_angle(Number const& angle_squared)
 {
@@ -68,8 +67,8 @@ inline Vec2 held(Vec2 const& deviation)
     return deviation * (kMostDeviation / std::sqrt(squared));
 }
 
-// The part of an influence across the direction that deviates by (dx, dy), on the segment's two
-// sides. (along, wx, wy) is the influence in the segment's frame.
+// The component of an influence orthogonal to the direction with deviation (dx, dy), along the
+// segment's normal and binormal. (along, wx, wy) is the influence in the segment's frame.
 template<typename Number> struct Push {
     Number x;
     Number y;
@@ -92,7 +91,8 @@ inline Vec2 across(Vec2 const& d, Vec3 const& influence)
     return { push.x, push.y };
 }
 
-// The rotation without twist that deviates by `d`, in the segment's frame; `half` is that of |d|.
+// The twist-free rotation by the deviation `d`, in the segment's frame; `half` is the HalfAngle of
+// |d|.
 inline Quat turn_by(Vec2 const& d, HalfAngle<double> const& half)
 {
     return Quat(half.cosine, 0, -half.sine_share * d.y(), half.sine_share * d.x());

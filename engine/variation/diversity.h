@@ -8,27 +8,27 @@
 
 namespace tractus::variation {
 
-// How far two plants of one topology lie apart: the root mean square of the distances between nodes
-// of the same number, millimetres. Both have the same number of them; 0 for none.
+// Distance between two plants of the same topology: the root mean square of the distances between
+// corresponding nodes. Both lists have the same size; 0 for empty ones.
 double distance_mm(std::span<Vec3 const> one, std::span<Vec3 const> other);
 
-// Spread of several distances.
+// Statistics of several distances.
 struct DistanceSpread {
     std::size_t count = 0;
     double mean_mm = 0;
     double deviation_mm = 0; // Standard deviation; 0 for fewer than two.
 };
 
-// How much the plants of a collection differ, from each other and from what was drawn. It looks at
-// some 2,000 nodes of each plant, evenly chosen by their numbers, so that many can be compared.
+// Measures how much the plants of a collection differ from each other and from the plant as drawn.
+// Uses about 2,000 evenly spaced nodes of each plant, so that many plants can be compared.
 class Diversity {
 public:
-    // `drawn` is the plant as drawn (at_variability() at 0); all others have its topology.
+    // `drawn` is the plant as drawn (at_variability() at 0); all others must have its topology.
     explicit Diversity(Plant const& drawn);
 
     void add(Plant const& plant);
 
-    DistanceSpread between_plants() const; // Every pair. O(plants squared).
+    DistanceSpread between_plants() const; // Over every pair of plants, in O(plants squared).
     DistanceSpread from_drawn() const;
 
 private:

@@ -33,7 +33,7 @@ std::string describe_underground(std::size_t count, Plant const& plant)
 
 namespace {
 
-// Per axis: it goes below the ground in the base plant, or what bears it does.
+// By axis: true if it or an ancestor is below the ground in the base plant.
 std::vector<bool> find_roots(Plant const& base)
 {
     std::vector<bool> is_root(base.axes.size());
@@ -53,14 +53,14 @@ NodeId tip_of(Plant const& plant, SegmentId segment, AxisId axis)
     return owner.first_node + (segment - owner.first_segment) + 1;
 }
 
-// A plant before and after it is bent. Parents come before what they bear.
+// A plant before and after bending. Parents come before their children.
 struct Bending {
     Plant& plant;
     std::vector<Vec3> const before_mm = plant.node_position_mm;
     std::vector<Quat> turn = std::vector<Quat>(plant.segment_count(), Quat::Identity());
 
     void bend_axis(Axis const& axis, bool is_root);
-    // Where a place goes that rides on the end of a segment.
+    // Returns the new position of a point attached to the end of a segment.
     Vec3 moved(Vec3 const& place_mm, SegmentId segment, AxisId axis) const
     {
         auto const tip = tip_of(plant, segment, axis);
@@ -78,7 +78,7 @@ void Bending::bend_axis(Axis const& axis, bool is_root)
         position[axis.first_node]
             = moved(before_mm[axis.first_node], axis.parent_segment, axis.parent_axis);
     }
-    Vec2 heading = Vec2::UnitX(); // Of the last segment that had one.
+    Vec2 heading = Vec2::UnitX(); // Heading of the last segment that had one.
     for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
         auto const node = axis.first_node + i;
         Vec3 step = carried_by * (before_mm[node + 1] - before_mm[node]);
@@ -86,7 +86,7 @@ void Bending::bend_axis(Axis const& axis, bool is_root)
         if (double const level = step.head<2>().norm(); level > 1e-9 * length_mm)
             heading = step.head<2>() / level;
         turn[axis.first_segment + i] = carried_by;
-        // It lies on the ground with its underside, unless it began lower.
+        // The tip lies on the ground with its underside, unless it was lower before.
         double const lowest_mm
             = std::min<double>(plant.node_radius_mm[node + 1], std::max(position[node].z(), 0.0));
         double const rise_mm = lowest_mm - position[node].z();

@@ -10,21 +10,22 @@ namespace tractus::variation {
 
 // The ground is the plane z = 0 of the plant's frame.
 
-// A tip lower than this counts as below the ground: rounding and the thickness of what lies on it
-// do not.
+// A tip below -kUnderground_mm counts as below the ground; smaller depths are due to rounding or to
+// the thickness of axes that lie on the ground.
 constexpr double kUnderground_mm = 1;
 
-// The segments of `plant` whose tip is below the ground, though it is not in `base`, which has the
-// same topology: not those of roots. In the plant's order.
+// Returns the segments of `plant`, in its order, whose tip is below the ground although it is not
+// in `base`, a plant of the same topology. So the segments of roots are not included.
 std::vector<SegmentId> segments_underground(Plant const& plant, Plant const& base);
 
-// "12 of 632 segments are below the ground"; empty where none is.
+// Returns a message such as "12 of 632 segments are below the ground", or an empty string if none
+// is.
 std::string describe_underground(std::size_t count, Plant const& plant);
 
 // Bends a grown plant along the ground: a segment whose tip would be below it keeps its length and
-// heading, and rises just so far that its underside lies on the ground. Segments after it keep
-// their own directions, and what it bears turns with it. Axes that go below the ground in `base`,
-// as roots do, and what these bear are left as they are. `base` has the same topology.
+// heading and is raised until its underside is on the ground. Later segments of the axis keep their
+// directions, and laterals rotate with their parent. Axes that are below the ground in `base`, such
+// as roots, and their descendants are not changed. `base` has the same topology.
 void bend_along_ground(Plant& plant, Plant const& base);
 
 } // namespace tractus::variation

@@ -97,7 +97,7 @@ Plant const& Grower::grow(PlantKey const& key, double age, std::stop_token const
     return plant_;
 }
 
-// Radii and sizes as they are at an age.
+// Sets radii and sizes for an age.
 void Grower::age_plant(double age)
 {
     is_aged_ = age < 1;

@@ -69,7 +69,7 @@ void GrowthBundle::grow(std::span<AxisId const> axes)
     }
 }
 
-// Where the axes begin, and how what bears them has turned.
+// Sets the base position and rotation of each axis from its parent.
 void GrowthBundle::seat(std::span<AxisId const> axes)
 {
     longest_ = 0;
@@ -113,7 +113,8 @@ AxisProgress GrowthBundle::progress_of(AxisId axis) const
     return { std::min(age.along_at_mm(age_), length_mm), ripeness(age_, age.birth_at(length_mm)) };
 }
 
-// The axis' segment of a number from its base; where the axis has ended, one of its segments.
+// Returns the segment of an axis at a number from its base, or one of its other segments if the
+// axis is shorter.
 SegmentId GrowthBundle::segment(std::size_t lane, std::uint32_t number) const
 {
     return first_segment_[lane] + (number < segment_count_[lane] ? number : 0);
@@ -143,8 +144,8 @@ void GrowthBundle::read_steps(std::uint32_t number)
     }
 }
 
-// The law without delay and maturation: a few multiplications per segment, all coefficients being
-// in the plan.
+// The law without delay and maturation: a few multiplications per segment, with precomputed
+// coefficients.
 void GrowthBundle::follow_law(std::uint32_t first, std::uint32_t count)
 {
     if (is_noisy_)
@@ -188,7 +189,8 @@ void GrowthBundle::add_noise(StepNoiseLanes const& noise)
     add(deviation_y_, memory_y_, noise.first[1], noise.second[1]);
 }
 
-// Deviations beyond the most are rare: one look says whether there are any.
+// Limits deviations to kMostDeviation. Exceeding it is rare, so one check of the maximum comes
+// first.
 void GrowthBundle::hold()
 {
     double most = 0;
@@ -204,7 +206,7 @@ void GrowthBundle::hold()
     }
 }
 
-// The indicators act on the tip as it was: on the segment before.
+// The indicators act on the tip before the step, that is on the previous segment.
 void GrowthBundle::find_influence(std::uint32_t number)
 {
     auto const before = number > 0 ? number - 1 : 0;
@@ -246,7 +248,7 @@ void GrowthBundle::push(std::uint32_t number)
     }
 }
 
-// The law with delay or maturation, which steps through each axis by itself.
+// The law with delay or maturation, computed for each axis separately.
 void GrowthBundle::follow_tips(std::span<AxisId const> axes)
 {
     std::array<std::optional<AxisInfluence>, kGrowthLanes> influences;
@@ -276,7 +278,7 @@ void GrowthBundle::follow_tips(std::span<AxisId const> axes)
     }
 }
 
-// Puts the nodes in place, and leaves the frames for what stands on the segments.
+// Sets the node positions and stores the frames for attached axes and organs.
 void GrowthBundle::place(std::uint32_t first, std::uint32_t count)
 {
     for (std::uint32_t number = 0; number < count; ++number) {
@@ -289,7 +291,7 @@ void GrowthBundle::place(std::uint32_t first, std::uint32_t count)
     }
 }
 
-// The next segment of the lanes from `lane` on.
+// Places the next segment for four lanes from `lane` on.
 void GrowthBundle::place(std::size_t lane, Four const& dx, Four const& dy)
 {
     auto const half = half_angle<Four>(dx * dx + dy * dy);
@@ -308,7 +310,8 @@ void GrowthBundle::place(std::size_t lane, Four const& dx, Four const& dy)
     store(position.z + length * (2 * (q.x * q.z - q.w * q.y)), &position_mm_.z[lane]);
 
     auto const scale
-        = 1.5 - 0.5 * (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z); // One Newton step.
+        // Normalised by one Newton step.
+        = 1.5 - 0.5 * (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     store(scale * q.w, &turned_frame_.w[lane]);
     store(scale * q.x, &turned_frame_.x[lane]);
     store(scale * q.y, &turned_frame_.y[lane]);

@@ -13,23 +13,22 @@
 
 namespace tractus::variation {
 
-// Grows axes side by side, several at a time, since a processor's vectors do the same for several
-// numbers at once and most axes are too short to fill them alone. Each axis grows as it would by
-// itself, bit for bit.
+// Grows several axes at once with SIMD instructions, since most axes are too short to fill vectors
+// alone. Each axis grows bit for bit as it would by itself.
 //
-// One bundle serves one thread; it is a kilobyte or two, for the stack.
+// For one thread; an object takes a kilobyte or two and is meant for the stack.
 class GrowthBundle {
 public:
-    // Where nodes and the frames of bearing segments are written, and those below them read.
+    // The node positions and parent frames that are written; those of parents are read.
     struct Grown {
         std::span<Vec3> node_position_mm;
         std::span<Quat> parent_frame;
     };
 
-    // Plan and noise must outlive the bundle.
+    // `plan` and `noise` must outlive the bundle.
     GrowthBundle(GrowthPlan const& plan, GrowthNoise const& noise, double age, Grown const& grown);
 
-    // Grows at least one and at most kGrowthLanes axes, whose parents must be grown.
+    // Grows 1 to kGrowthLanes axes, whose parents must have been grown.
     void grow(std::span<AxisId const> axes);
 
 private:
@@ -65,32 +64,33 @@ private:
     GrowthNoise const& noise_;
     double age_;
     Grown grown_;
-    bool is_stepped_; // SteppedTip grows it.
+    bool is_stepped_; // The axes are grown step by step with SteppedTip.
     bool is_pushed_;
     bool is_noisy_;
 
-    // The axes. Lanes that are left over repeat the first axis, and write nothing.
-    std::uint32_t longest_ = 0; // Segments of the longest.
+    // Data by axis. Unused lanes repeat the first axis and write nothing.
+    std::uint32_t longest_ = 0; // Number of segments of the longest axis.
     std::array<AxisId, kGrowthLanes> axis_ {};
     std::array<NodeId, kGrowthLanes> first_node_ {};
     std::array<SegmentId, kGrowthLanes> first_segment_ {};
-    std::array<std::uint32_t, kGrowthLanes> segment_count_ {}; // 0: left over.
+    std::array<std::uint32_t, kGrowthLanes> segment_count_ {}; // 0 for unused lanes.
 
-    alignas(64) QuatLanes turn_; // Turn of the axis as a whole, with its parent.
+    alignas(64) QuatLanes turn_; // Rotation of the axis as a whole, inherited from its parent.
     VectorLanes position_mm_;    // Position of the tip.
-    Lanes left_mm_;              // To grow, at this age.
-    VectorLanes everywhere_;     // The influence, in the axis' coordinates.
+    Lanes left_mm_;              // Length that remains to grow at this age.
+    // The influence that acts on the whole plant, in the axis' coordinates.
+    VectorLanes everywhere_;
     Lanes deviation_x_, deviation_y_;
     Lanes memory_x_, memory_y_;
 
-    // State of the segment that is being grown.
+    // State at the current segment.
     QuatLanes frame_;
     QuatLanes turned_frame_;
-    VectorLanes influence_; // Influence in the frame.
+    VectorLanes influence_; // In the segment's frame.
     StepLanes step_;
     Lanes length_mm_;
 
-    // Deviations of the next segments.
+    // Deviations of the next segments, and the noise for them.
     std::array<Lanes, kStepsAtOnce> deviations_x_, deviations_y_;
     std::array<StepNoiseLanes, kStepsAtOnce> drawn_;
 };

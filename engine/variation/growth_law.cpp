@@ -9,8 +9,8 @@
 
 namespace tractus::variation {
 
-// Parts of a step that are enough for the indicators: the steady tilt is then right to a per cent
-// for indicators up to several times the plant's height.
+// With this many substeps the steady tilt is accurate to one per cent for indicators up to several
+// times the plant's height.
 constexpr double kMostSubsteps = 4;
 
 static double largest_gain(GrowthParameters const& parameters)
@@ -93,14 +93,15 @@ GrowthStep unit_step(GrowthParameters const& p)
              .substeps = 1 };
 }
 
-// (1 - exp(-rate length)) / (1 - exp(-rate)): how much of a unit step's push a step gives.
+// Ratio of the push over `length` to that of a unit step: (1 - exp(-rate length)) / (1 -
+// exp(-rate)).
 static double share_of_push(double rate, double length)
 {
     return rate > 0 ? std::expm1(-rate * length) / std::expm1(-rate) : length;
 }
 
-// Noise of a random walk: without feedback there is no steady state to be exact about. The memory
-// only widens the steps, as it does over many of them.
+// Noise without feedback: a random walk, for which there is no steady state to match. Noise memory
+// only widens the steps, as it does in the long run.
 static void set_free_noise(GrowthStep& step, GrowthParameters const& p, double length)
 {
     double const widened = (1 + p.noise_memory) / (1 - p.noise_memory);
@@ -126,7 +127,7 @@ static void set_noise(GrowthStep& step, GrowthParameters const& p, double length
     double const s = std::sqrt(variance * a * (a + b));
     double const covariance = s / (a + b);
 
-    // Where a = b the quotient has a limit.
+    // The limit of the quotient for a = b.
     double const push
         = std::abs(a - b) * length > 1e-5 ? s * (memory_kept - kept) / (a - b) : s * length * kept;
 

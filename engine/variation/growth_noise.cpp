@@ -11,15 +11,15 @@ namespace tractus::variation {
 
 namespace {
 
-// RandomKey::stream of what this file draws.
+// Values of RandomKey::stream in this file.
 constexpr std::uint32_t kPlantStream = 0x706c616e; // "plan": the seed of each plant.
 constexpr std::uint32_t kStepStream = 0x73746570;  // "step": the noise of each step.
 
-// Natural logarithm of a number in (0, 1]. Exponent and mantissa apart, then the series of
-// 2 artanh((m - 1) / (m + 1)), for m within a factor of sqrt 2 of 1. Error below 3e-7.
+// Natural logarithm of a number in (0, 1]: exponent and mantissa separately, then the series of 2
+// artanh((m - 1) / (m + 1)), for m within a factor of sqrt 2 of 1. Error below 3e-7.
 inline float log_of(float x)
 {
-    // The offset makes the mantissa lie in [0.7, 1.4) instead of [1, 2).
+    // The offset puts the mantissa in [0.7, 1.4) instead of [1, 2).
     auto const bits = std::bit_cast<std::int32_t>(x) - 0x3f3504f3;
     auto const exponent = static_cast<float>(bits >> 23);
     float const m = std::bit_cast<float>((bits & 0x007fffff) + 0x3f3504f3);
@@ -30,8 +30,9 @@ inline float log_of(float x)
     return exponent * 0.693147181f + series;
 }
 
-// Two normal numbers from two random words by Box and Muller's method. The angle is drawn as an
-// eighth of a turn to either side, by 30 bits, and a quarter of the circle, by the other two.
+// Two normal numbers from two random words by the Box-Muller method. The angle consists of a random
+// eighth of a turn to either side, from 30 bits, and a random quarter of the circle, from the other
+// two.
 inline std::array<float, 2> normal_pair(std::uint32_t radius_word, std::uint32_t angle_word)
 {
     float const uniform

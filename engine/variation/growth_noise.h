@@ -9,20 +9,20 @@
 
 namespace tractus::variation {
 
-// Names a plant of a collection. The same key always gives the same plant; keys that differ in
-// anything give plants that have nothing in common but what was drawn.
+// Identifies a plant of a collection. The same key always gives the same plant; different keys give
+// independent variations.
 struct PlantKey {
     std::uint64_t seed = 0;
     std::uint32_t plant_index = 0;
 };
 
-// The random numbers of one step of growth: two of each for the two components.
+// The random numbers of one step of growth: two for each of the two components.
 struct StepNoise {
     std::array<float, 2> first {};
     std::array<float, 2> second {};
 };
 
-// Noise for one step of several axes side by side: component, then axis.
+// Noise for one step of several axes: by component, then by axis.
 constexpr std::size_t kGrowthLanes = RandomBlocks::kCount;
 struct StepNoiseLanes {
     using Component = std::array<float, kGrowthLanes>;
@@ -30,17 +30,17 @@ struct StepNoiseLanes {
     std::array<Component, 2> second {};
 };
 
-// Independent standard normal numbers for the steps of one axis, a pure function of plant, axis and
-// step: neither order, nor threads, nor what happens on other branches changes them. Single
-// precision, at most 5.9 in size; the same bits on any machine with IEEE 754 arithmetic.
+// Independent standard normal numbers for the steps of an axis: a pure function of plant, axis and
+// step, independent of order, threads and other branches. Single precision, absolute value at most
+// 5.9; the same bits on any machine with IEEE 754 arithmetic.
 class GrowthNoise {
 public:
     explicit GrowthNoise(PlantKey const& key);
 
-    // The steps from `first` on.
+    // Fills in the noise of consecutive steps, beginning with `first`.
     void fill(std::uint32_t axis, std::uint32_t first, std::span<StepNoise> noise) const;
 
-    // Fills any number of steps of these axes.
+    // The same for several axes.
     void fill(std::array<std::uint32_t, kGrowthLanes> const& axes, std::uint32_t first,
               std::span<StepNoiseLanes> noise) const;
 

@@ -14,7 +14,7 @@ namespace {
 
 using Steps = GrowthParameters::Steps;
 
-// Numbers the segments that bear something, in the order in which it is found.
+// Numbers the segments that have attachments, in the order in which these are found.
 class Parents {
 public:
     Parents(GrowthPlan& plan, RestShape const& rest)
@@ -36,14 +36,14 @@ public:
         return { parent, owner.first_node + (segment - owner.first_segment) + 1 };
     }
 
-    // Takes the base plant's coordinates to those of the bearing segment.
+    // Returns the rotation from the base plant's coordinates to those of the parent segment.
     Quat to_frame(SegmentId segment) const
     {
         return segment == kNone ? Quat::Identity() : rest_.frame[segment].conjugate();
     }
 
-    // Returns the offset from the seat to `position_mm`, in the parent segment's frame. What stands
-    // on the ground is measured from the origin.
+    // Returns the offset from the seat to `position_mm`, in the parent segment's frame, or from the
+    // origin on the ground.
     Vec3 offset_mm(SegmentId segment, GrowthPlan::Seat const& seat, Vec3 const& position_mm) const
     {
         if (segment == kNone)
@@ -76,7 +76,7 @@ void seat_axes(GrowthPlan& plan, RestShape const& rest, Parents& parents)
     }
 }
 
-// Seats what rides on the segments. Each is born when its segment is complete.
+// Makes the seats of organs and polygons. Each appears when its segment is complete.
 void seat_riders(GrowthPlan& plan, Parents& parents)
 {
     auto const& base = plan.base;
@@ -100,7 +100,7 @@ void seat_riders(GrowthPlan& plan, Parents& parents)
     }
 }
 
-// The sections that are not round turn with their segments.
+// Computes the normals of sections that are not round, relative to their segments.
 void seat_sections(GrowthPlan& plan, RestShape const& rest, Parents& parents)
 {
     auto const& base = plan.base;
@@ -119,14 +119,14 @@ void seat_sections(GrowthPlan& plan, RestShape const& rest, Parents& parents)
     }
 }
 
-// The table of steps. Neighbours are often equally long and share one.
+// Table of steps. Neighbouring segments of equal length share one.
 class StepTable {
 public:
     StepTable(GrowthParameters const& parameters, std::vector<GrowthStep>& steps)
         : parameters_(parameters)
         , steps_(steps)
     {
-        steps_.push_back({}); // Number 0 does nothing.
+        steps_.push_back({}); // Index 0: a step without effect.
         steps_.push_back(unit_step(parameters));
     }
 
@@ -148,8 +148,8 @@ private:
     double last_length_ = -1;
 };
 
-// The tip's own circling over a step of `length` that begins `start` steps from the base: the exact
-// integral, scaled so that a step of length 1 gives what the law says.
+// Circumnutation over a step of `length` that begins `start` steps from the base: the exact
+// integral, scaled so that a step of length 1 matches the law.
 Vec2 circumnutation(GrowthParameters const& p, double start, double length)
 {
     std::complex<double> const i(0, 1);
@@ -171,7 +171,7 @@ void find_steps_per_segment(GrowthPlan& plan, Axis const& axis)
                 = circumnutation(plan.parameters, i - 1.0, 1);
 }
 
-// Finds the steps from the middle of a segment to the middle of the next, beginning at the base.
+// Finds the steps from the middle of each segment to the middle of the next, beginning at the base.
 void find_steps_per_length(GrowthPlan& plan, Axis const& axis, double length_mm, StepTable& table)
 {
     double const unit_mm = length_mm / plan.parameters.steps_per_axis;

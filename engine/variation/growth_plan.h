@@ -14,28 +14,32 @@
 
 namespace tractus::variation {
 
-// Everything about a plant's growth that is the same for all plants of a collection, laid out for
-// the loop that grows them: make it once, then let Grower use it as often as there are plants.
-// Values only, and nothing in it changes; any number of threads may use it.
+// Everything about a plant's growth that is common to all plants of a collection, in a layout that
+// is efficient for Grower. Made once and immutable; may be used by any number of threads.
 struct GrowthPlan {
     struct Segment {
-        Quat frame = Quat::Identity(); // Predefined, in the predefined plant's coordinates.
+        // Predefined frame, in the coordinates of the predefined plant.
+        Quat frame = Quat::Identity();
         double length_mm = 0;
-        std::uint32_t step = 0;       // Into `steps`: from the segment before to this one.
-        std::uint32_t parent = kNone; // Number among the segments that bear something, or kNone.
+        // Index into `steps`: the step from the previous segment to this one.
+        std::uint32_t step = 0;
+        // Number among the segments with attachments (parent_frame), or kNone if nothing is
+        // attached.
+        std::uint32_t parent = kNone;
     };
 
-    // Something that stands on the end of a segment: an axis, organ or polygon.
+    // Attachment of an axis, organ or polygon to the end of a segment.
     struct Seat {
-        std::uint32_t parent = kNone; // Parent as above; kNone: stands on the ground.
-        NodeId node = 0;              // The bearing segment's tip.
+        // Number of the parent segment, as in Segment::parent; kNone: on the ground.
+        std::uint32_t parent = kNone;
+        NodeId node = 0; // Node at the end of the parent segment.
     };
 
-    // Offsets and orientations are in the frame of the bearing segment; in the plant's where
-    // something stands on the ground.
+    // Offsets and orientations are in the frame of the parent segment, or in the plant frame on the
+    // ground.
     struct AxisSeat {
         Seat seat;
-        Vec3 offset_mm = Vec3::Zero(); // Offset from the seat's node; usually zero.
+        Vec3 offset_mm = Vec3::Zero(); // From the seat's node to the axis' base; usually zero.
         AxisAge age;
     };
 
@@ -43,7 +47,7 @@ struct GrowthPlan {
         Seat seat;
         Vec3 offset_mm = Vec3::Zero();
         Quat orientation = Quat::Identity();
-        double birth = 0; // Age of the plant, 0 to kSkeletonShare.
+        double birth = 0; // Age of the plant at which the organ appears, 0 to kSkeletonShare.
     };
 
     struct PolygonSeat {
@@ -51,31 +55,31 @@ struct GrowthPlan {
         double birth = 0;
     };
 
-    Plant base; // Copied and moved to grow.
+    Plant base; // Grown plants are copies of it with nodes moved.
     GrowthParameters parameters;
     Influence influence;
 
     AxisLevels levels;
-    std::vector<Segment> segments; // Segments in the plant's order, as the next ones.
+    std::vector<Segment> segments; // In the plant's order; also the following lists.
     std::vector<AxisSeat> axes;
     std::vector<OrganSeat> organs;
     std::vector<PolygonSeat> polygons;
-    std::vector<Vec3> vertex_offset_mm; // Offset of polygon vertices, from their polygon's seat.
-    // Normals of nodes whose section is not round (Plant::node_section), in the frame of the
-    // segment above, or of the axis' last; empty where there is none. Then every segment is a
-    // bearing one.
+    std::vector<Vec3> vertex_offset_mm; // Polygon vertices relative to the seat of their polygon.
+    // Normals of nodes with a section that is not round (Plant::node_section), in the frame of the
+    // segment that begins there, or of the axis' last. Empty if all sections are round; otherwise
+    // every segment counts as one with attachments.
     std::vector<Vec3f> section_normal;
     std::vector<GrowthStep> steps;
-    // Deviation that each segment's step adds; empty where there is none.
+    // Circumnutation: deviation added at each segment's step; empty if there is none.
     std::vector<Vec2> circumnutation_rad;
     std::vector<double> axis_length_mm;
-    // Per bearing segment: its predefined frame.
+    // By number of the segment with attachments: its predefined frame.
     std::vector<Quat> parent_frame;
 };
 
-// `rest` and `shape` must be of `base`. Refuses, in a sentence, parameters out of range and an
-// influence that is not finite. Ends early when `stop` asks for it; the plan is then without
-// segments.
+// Makes the plan of a plant. `rest` and `shape` must belong to `base`. Fails, in one sentence, if a
+// parameter is out of range or an influence is not finite. Returns early, without segments, if
+// `stop` is requested.
 Result<GrowthPlan> plan_growth(Plant base, RestShape const& rest, PredefinedShape const& shape,
                                GrowthParameters const& parameters, Influence influence,
                                std::stop_token const& stop = {});

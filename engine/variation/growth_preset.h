@@ -8,22 +8,22 @@
 
 namespace tractus::variation {
 
-// Growth by a name that people understand.
+// A named set of growth parameters.
 struct GrowthPreset {
     std::string_view name;
-    std::string_view description; // A few words, lower case.
+    std::string_view description; // A few words, in lower case.
     GrowthParameters parameters;
 };
 
-// "as drawn", "calm", "usual", "windy hillside", "storm-bent", "towards the light", "weeping",
-// "winding" and "wild", from the tamest to the wildest.
+// The presets "as drawn", "calm", "usual", "windy hillside", "storm-bent", "towards the light",
+// "weeping", "winding" and "wild", in order of increasing variation.
 std::span<GrowthPreset const> growth_presets();
 
-// Refuses, naming those there are, a name that is none. Case does not matter, and a hyphen is as
-// good as a blank.
+// Finds a preset by name, ignoring case; a hyphen may replace a space. Fails with a list of names
+// if there is none.
 Result<GrowthParameters> growth_preset(std::string_view name);
 
-// The name of the preset that these are; empty if they are none's.
+// Returns the name of the preset with these parameters, or an empty string if there is none.
 std::string_view growth_preset_of(GrowthParameters const& parameters);
 
 } // namespace tractus::variation

@@ -14,12 +14,12 @@ constexpr double kYoungsModulus = 6000; // N / mm²
 constexpr double kGravity = 9.81;       // N / kg
 constexpr int kRounds = 4;
 
-// The angle by which a joint gives way that would give way by `softness` radians under its load
-// held level, when the load lies at an angle a (0 to pi) from straight down: the root of
-// angle = softness sin(a - angle), so that it never swings past.
+// Bending angle of a joint. `softness` is the angle in radians under its load held horizontally;
+// `sine` and `cosine` are those of the angle a (0 to pi) between the load's position and straight
+// down. The result is the root of angle = softness sin(a - angle), so it never exceeds a.
 double sag_angle(double softness, double sine, double cosine)
 {
-    if (softness < 1e-3) // One step of Newton's method is then right to 1e-9.
+    if (softness < 1e-3) // One step of Newton's method is then accurate to 1e-9.
         return softness * sine / (1 + softness * cosine);
     double const from_down = std::atan2(sine, cosine);
     double low = 0;
@@ -40,7 +40,7 @@ double sag_angle(double softness, double sine, double cosine)
 
 } // namespace
 
-// Finds the load of each segment with all that it bears, where it hangs now.
+// Computes the mass and moment of each segment with its descendants, at present positions.
 void Sagger::find_loads(Plant const& plant)
 {
     load_.assign(plant.segment_count(), {});
@@ -55,7 +55,8 @@ void Sagger::find_loads(Plant const& plant)
             double const r1 = plant.node_radius_mm[node + 1];
             double const mass
                 = kDensity * kPi / 3 * (r0 * r0 + r0 * r1 + r1 * r1) * (tip - base).norm();
-            auto& load = load_[axis.first_segment + i]; // Has what stands on it already.
+            // Already includes the laterals attached to it.
+            auto& load = load_[axis.first_segment + i];
             sum.mass_kg += load.mass_kg + mass;
             sum.moment += load.moment + mass / 2 * (base + tip);
             load = sum;
@@ -72,7 +73,7 @@ void Sagger::bend_axis(AxisId id, Plant& plant)
     auto const& axis = plant.axes[id];
     auto& position = plant.node_position_mm;
     Quat turn = Quat::Identity();
-    Vec3 before = position[axis.first_node]; // Where the base was in the round before.
+    Vec3 before = position[axis.first_node]; // Position of the base in the previous round.
     if (axis.parent_segment != kNone) {
         auto const& parent = plant.axes[axis.parent_axis];
         auto const node = parent.first_node + (axis.parent_segment - parent.first_segment) + 1;
@@ -87,7 +88,7 @@ void Sagger::bend_axis(AxisId id, Plant& plant)
         Vec3 const step = grown_mm_[node + 1] - grown_mm_[node];
         double const length_mm = step.norm();
         auto const& load = load_[segment];
-        // Where the load hung, turned back to the grown plant and on with what bears it.
+        // Centre of mass of the load, rotated back to the grown plant and then with the parent.
         if (load.mass_kg > 0) {
             Vec3 const hung = load.moment / load.mass_kg - before;
             Vec3 const lever = turn * (turn_[segment].conjugate() * hung);

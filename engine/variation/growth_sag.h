@@ -9,13 +9,13 @@
 
 namespace tractus::variation {
 
-// Lets grown plants sag under the weight of their branches: each joint gives way, about a level
-// axis, by bending moment times length over bending stiffness, as a slender round rod of green wood
-// does (density 1000 kg/m³, Young's modulus 6 GPa, about what Niklas, "Plant Biomechanics", 1992,
-// gives), GrowthParameters::sag times as much. However soft, nothing sags farther than hanging
-// down. What a joint bears is measured where it hangs in the end, in a few rounds; for bends up to
-// some 30 degrees the result is the rod's equilibrium to about a per cent. Organs have no weight,
-// and nothing twists.
+// Makes grown plants sag under the weight of their branches: each joint bends about a horizontal
+// axis by bending moment times length over flexural stiffness, like a slender round rod of green
+// wood (density 1000 kg/m³, Young's modulus 6 GPa, about the values of Niklas, "Plant
+// Biomechanics", 1992), multiplied by GrowthParameters::sag. A branch never sags beyond hanging
+// straight down. Loads are evaluated in the deformed position, in a few iterations; for bends up to
+// about 30 degrees the result is within about one per cent of the rod's equilibrium. Organs have no
+// weight, and there is no torsion.
 class Sagger {
 public:
     // `plan` must outlive the sagger.
@@ -24,15 +24,14 @@ public:
     {
     }
 
-    // Moves the nodes of a plant that was grown by the plan, and turns the frames of its bearing
-    // segments (GrowthPlan::parent_frame) along. Ends early when `stop` asks for it; the plant is
-    // good for nothing then.
+    // Moves the nodes of a plant grown from the plan, and rotates the frames of its parent segments
+    // (GrowthPlan::parent_frame). Returns early, with an unusable plant, if `stop` is requested.
     void sag(Plant& plant, std::span<Quat> parent_frame, std::stop_token const& stop = {});
 
 private:
     struct Load {
         double mass_kg = 0;
-        Vec3 moment = Vec3::Zero(); // Sum of mass times place, kg mm.
+        Vec3 moment = Vec3::Zero(); // Sum of mass times position, in kg mm.
     };
 
     void find_loads(Plant const& plant);
@@ -40,9 +39,9 @@ private:
     void bend_axis(AxisId id, Plant& plant);
 
     GrowthPlan const& plan_;
-    std::vector<Vec3> grown_mm_; // The nodes before they sag.
-    std::vector<Quat> turn_;     // Per segment: how it has turned.
-    std::vector<Load> load_;     // Per segment: it and all that it bears.
+    std::vector<Vec3> grown_mm_; // Node positions before sagging.
+    std::vector<Quat> turn_;     // By segment: its rotation.
+    std::vector<Load> load_;     // By segment: mass of the segment and its descendants.
 };
 
 } // namespace tractus::variation

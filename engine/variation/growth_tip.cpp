@@ -16,8 +16,8 @@ SteppedTip::SteppedTip(GrowthPlan const& plan, GrowthNoise const& noise, AxisId 
     , unit_mm_(plan.axis_length_mm[axis] / plan.parameters.steps_per_axis)
     , per_length_(plan.parameters.steps == GrowthParameters::Steps::PerLength)
 {
-    // Counts all steps that some segment is read from: up to the middle of the last one, or to its
-    // base.
+    // Number of steps that segments are interpolated from: up to the middle of the last segment, or
+    // to its base.
     double const last
         = per_length_ ? plan.parameters.steps_per_axis : static_cast<double>(segment_count_ - 1);
     auto const all = static_cast<std::size_t>(std::ceil(last));
@@ -33,7 +33,7 @@ SteppedTip::SteppedTip(GrowthPlan const& plan, GrowthNoise const& noise, AxisId 
         = static_cast<std::size_t>(std::lround(static_cast<double>(zone) * progress.ripe));
     for (std::size_t i = 1; steps == all && i <= rest; ++i)
         mature(steps + i > zone ? steps + i - zone : 0, steps);
-    // Parts that have not grown yet point with the tip.
+    // Parts that have not grown yet have the direction of the tip.
     deviation_.resize(all + 1, deviation_.back());
 }
 
@@ -47,7 +47,7 @@ double SteppedTip::length_of(std::uint32_t segment) const
 void SteppedTip::find_influence(AxisInfluence const& influence, std::size_t steps)
 {
     influence_.reserve(steps + 1);
-    std::uint32_t under = 0; // The segment that the tip is on, and where that one ends.
+    std::uint32_t under = 0; // The segment under the tip, and (`under_end`) its end.
     double under_end = length_of(0);
     Vec3 felt = influence.at(first_segment_);
     for (std::size_t step = 0; step <= steps; ++step) {
@@ -97,19 +97,20 @@ void SteppedTip::grow(GrowthNoise const& noise, AxisId axis, std::size_t steps)
     }
 }
 
-// One step of time for the changes from deviation to deviation above step `begin`, up to `end`.
+// Applies one step of maturation to the differences between deviations from step `begin` to `end`.
 void SteppedTip::mature(std::size_t begin, std::size_t end)
 {
     double const bending = plan_.parameters.maturation_bending;
     double const kept = 1 - plan_.parameters.maturation_straightening;
     if (begin >= end)
         return;
-    Vec2 below = deviation_[begin]; // Deviation before and after it grew.
+    // Deviation below the current piece, before and (`now`) after this step.
+    Vec2 below = deviation_[begin];
     Vec2 now = below;
     for (std::size_t n = begin + 1; n <= end; ++n) {
         Vec2 change = kept * (deviation_[n] - below);
         if (!influence_.empty()) {
-            // An influence bends a piece across its own direction, half way between its ends.
+            // An influence bends a piece across its own direction, taken half-way between its ends.
             Vec2 const middle = (below + deviation_[n]) / 2;
             Quat const turn = turn_by(middle, half_angle(middle.squaredNorm()));
             change += bending * (turn.conjugate() * influence_[n - 1]).tail<2>();

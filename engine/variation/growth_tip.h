@@ -11,10 +11,10 @@
 
 namespace tractus::variation {
 
-// Influence that pushes an axis, in the axis' coordinates.
+// The influence that acts on an axis, in the axis' coordinates.
 class AxisInfluence {
 public:
-    // `turn` takes the axis' coordinates to the plant's.
+    // `turn`: rotation from the axis' coordinates to the plant's.
     AxisInfluence(GrowthPlan const& plan, Quat const& turn)
         : plan_(plan)
         , from_plant_(turn.conjugate())
@@ -22,7 +22,7 @@ public:
     {
     }
 
-    // Returns the influence in the segment's frame.
+    // Returns the influence at a segment, in the segment's frame.
     Vec3 at(SegmentId segment) const
     {
         Quat const to_segment = plan_.segments[segment].frame.conjugate();
@@ -37,31 +37,31 @@ private:
     Vec3 everywhere_;
 };
 
-// How far an axis has come.
+// How far an axis has grown.
 struct AxisProgress {
-    double along_mm = 0; // The apex, from the base.
-    double ripe = 1;     // Share of the time to mature after the apex has reached the end: 0 to 1.
+    double along_mm = 0; // Position of the apex, from the axis' base.
+    // Share of the maturation time that has passed since the apex reached the end: 0 to 1.
+    double ripe = 1;
 };
 
-// The tip of one axis by the law with delay or maturation: where it points, segment by segment, in
-// the coordinates of the axis (of the predefined plant, which what bears the axis has turned as a
-// whole). Neither can be integrated over a segment
-// at once, so this takes whole steps of the law, and a segment's deviation is read between two of
-// them.
+// The tip of one axis with delay or maturation: its deviation segment by segment, in the
+// coordinates of the axis (those of the predefined plant, rotated with the axis' parent). With
+// delay or maturation the law cannot be integrated over a segment in closed form, so this class
+// takes whole steps and interpolates each segment's deviation between two of them.
 class SteppedTip {
 public:
-    // Grows the axis as far as `progress` says. Plan and noise need not outlive it.
+    // Grows the axis up to `progress`. `plan` must outlive the object, the others need not.
     SteppedTip(GrowthPlan const& plan, GrowthNoise const& noise, AxisId axis,
                AxisInfluence const& influence, AxisProgress const& progress);
 
-    // The deviations of the next segments.
+    // Returns the deviations of the next segments, as many as `deviations` has elements.
     void advance(std::span<Vec2> deviations);
 
 private:
     void grow(GrowthNoise const& noise, AxisId axis, std::size_t steps);
     void find_influence(AxisInfluence const& influence, std::size_t steps);
     void mature(std::size_t begin, std::size_t end);
-    double length_of(std::uint32_t segment) const; // Length in steps.
+    double length_of(std::uint32_t segment) const; // In steps.
 
     GrowthPlan const& plan_;
     SegmentId first_segment_ = 0;
@@ -69,13 +69,13 @@ private:
     double unit_mm_ = 0;
     bool per_length_ = true;
 
-    // Deviations by the number of steps from the base.
+    // By number of steps from the base.
     std::vector<Vec2> deviation_;
-    // Influence in the frame of the segment there; empty where there is none.
+    // In the frame of the segment at that step; empty if there is no influence.
     std::vector<Vec3> influence_;
 
-    std::uint32_t next_ = 0; // Number in the axis of the segment to come.
-    double next_start_ = 0;  // Where it begins, in steps from the base.
+    std::uint32_t next_ = 0; // Number of the next segment, within the axis.
+    double next_start_ = 0;  // Beginning of that segment, in steps from the base.
 };
 
 } // namespace tractus::variation

@@ -13,20 +13,21 @@ namespace tractus::variation {
 
 namespace {
 
-constexpr std::uint32_t kWhole = 0x696E6400;    // The random stream of sizes and turns,
-constexpr std::uint32_t kBranches = 0x696E6401; // and that of branches, for each by its axis.
+constexpr std::uint32_t kWhole = 0x696E6400; // Random stream of sizes and rotations.
+// Random stream of branches, used with the axis number.
+constexpr std::uint32_t kBranches = 0x696E6401;
 
-// What becomes of a lateral branch.
+// What happens to a lateral branch.
 struct Fate {
     bool is_lost = false;
     bool is_doubled = false;
-    int away = 0;          // Of its double: how many segments along what bears both,
-    double turned_rad = 0; // and how far around it.
+    int away = 0;          // Distance of the duplicate along the parent axis, in segments.
+    double turned_rad = 0; // Rotation of the duplicate about the parent axis.
 };
 
 Fate fate_of(AxisId id, PlantKey const& key, double share)
 {
-    // A stream has one number for whom it is for: plant and axis in one.
+    // Combines the seed with the axis, since a key has only one substream, which is the plant.
     Random random(
         { key.seed ^ (static_cast<std::uint64_t>(id) << 32), kBranches, key.plant_index });
     double const chance = random.uniform();
@@ -51,7 +52,7 @@ NodeId tip_of(Axis const& axis, SegmentId segment)
     return axis.first_node + (segment - axis.first_segment) + 1;
 }
 
-// Puts copies of branches beside them.
+// Duplicates branches.
 class Doubler {
 public:
     explicit Doubler(Plant& plant)
@@ -138,7 +139,8 @@ private:
     Vec3 from_mm_ = Vec3::Zero();
     Vec3 to_mm_ = Vec3::Zero();
     Quat turn_ = Quat::Identity();
-    std::unordered_map<SegmentId, SegmentId> segments_; // Of the last copy: by those copied.
+    // Maps copied segments to those of the latest copy.
+    std::unordered_map<SegmentId, SegmentId> segments_;
 };
 
 void resize(Plant& plant, double scale)

@@ -53,7 +53,7 @@ void add_local(Plant const& plant, std::span<Vec3 const> nodes_mm, LocalInfluenc
     });
 }
 
-// Where an indicator acts, nothing twice.
+// Returns the segments on which an indicator acts, without duplicates.
 std::vector<AxisRest> places_of(Plant const& plant, MotionIndicator const& indicator)
 {
     std::vector<AxisRest> places;

@@ -10,26 +10,26 @@
 
 namespace tractus::variation {
 
-// Influence of motion indicators on a plant, in units of the plant's height: an indicator as long
-// as the plant is high has length 1, at whatever scale the plant is shown.
+// Influence of the motion indicators on a plant, in units of the plant's height: an indicator as
+// long as the plant is high has length 1, at any display scale.
 struct Influence {
     Vec3 everywhere = Vec3::Zero();
-    std::vector<Vec3> local {}; // Per segment, besides; empty where there is none.
+    std::vector<Vec3> local {}; // By segment, in addition to `everywhere`; empty if there is none.
 
     bool is_none() const { return everywhere.isZero(0) && local.empty(); }
 };
 
-// How the plant stands in the drawing volume when the indicators are drawn.
+// How the plant is displayed in the drawing volume when indicators are drawn.
 struct ShownPlant {
-    double height_mm = 0; // Above 0.
+    double height_mm = 0; // Displayed height; above 0.
     double scale = 1;     // World millimetres per plant millimetre; above 0.
 };
 
-// The dominant influence on growth: the indicators added as vectors, those that act everywhere once
-// and for all, the others segment by segment. Where a segment is counts in the plant before it
-// grows: `nodes_mm`, the nodes of `plant` as place_nodes gives them, plant frame.
+// Returns the total influence on growth as the vector sum of the indicators: for the whole plant,
+// or by segment for indicators with a local effect. Positions of segments are those before growth:
+// `nodes_mm` are the nodes of `plant` from place_nodes(), plant frame.
 //
-// Refuses, in a sentence, what check_indicator refuses, and a height or scale that is not above 0.
+// Fails, in one sentence, like check_indicator(), or if height or scale is not above 0.
 Result<Influence> influence_of(Plant const& plant, std::span<Vec3 const> nodes_mm,
                                std::span<MotionIndicator const> indicators,
                                ShownPlant const& shown);

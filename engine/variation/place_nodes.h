@@ -7,9 +7,9 @@
 
 namespace tractus::variation {
 
-// The nodes of `plant` in its predefined shape, plant frame: what is to be seen of a stroke before
-// the plant grows, and while it is being drawn. `rest` and `shape` must be of `plant`. Put into
-// `nodes_mm`, which is kept for its memory.
+// Computes the node positions of `plant` in its predefined shape, plant frame: the preview of a
+// stroke before the plant grows. `rest` and `shape` must belong to `plant`. Reuses the memory of
+// `nodes_mm`.
 void place_nodes(Plant const& plant, RestShape const& rest, PredefinedShape const& shape,
                  std::vector<Vec3>& nodes_mm);
 

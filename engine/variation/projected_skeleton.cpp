@@ -13,21 +13,20 @@ namespace tractus::variation {
 
 namespace {
 
-// Least w: below it, a point is too near to the eye to have a place on the plane.
+// Points with a smaller w are too near to the eye to be projected.
 constexpr double kLeastW = 1e-6;
 
-// Cells per line: enough that most cells hold few lines, few enough that their counts stay in a
-// core's cache while they are built.
+// Grid cells per line: enough that most cells hold few lines, few enough that the counts stay in a
+// core's cache while the grid is built.
 constexpr double kCellsPerLine = 0.25;
 constexpr double kFewestCells = 1024;
 constexpr double kMostCells = 1 << 18;
 
-// Below this many lines the grid is built before other threads have woken up.
+// With fewer lines the grid is built before other threads have woken up.
 constexpr std::size_t kLinesWorthThreads = 16'384;
 
-// Planes that a point must not be outside of, as products with its homogeneous coordinates that are
-// not negative: in front of the eye, and no farther beside the view than the view is large, so that
-// single precision is enough for what remains.
+// Clip planes as products with homogeneous coordinates that must not be negative: in front of the
+// eye, and at most one view width outside the view, so that single precision suffices for the rest.
 using ClipPlanes = Eigen::Matrix<double, 5, 4>;
 
 ClipPlanes clip_planes(SkeletonProjection const& view)
@@ -40,14 +39,14 @@ ClipPlanes clip_planes(SkeletonProjection const& view)
     return planes;
 }
 
-// Where a node is on the plane.
+// A projected node.
 struct Projected {
     Eigen::Vector4d homogeneous;
     Vec3 place;
     bool is_inside = false; // Within the clip planes.
 };
 
-// Projects lines, most of which lie within the clip planes whole.
+// Projects lines; most of them are entirely within the clip planes.
 class LineProjector {
 public:
     explicit LineProjector(SkeletonProjection const& view)
@@ -72,7 +71,7 @@ public:
         return result;
     }
 
-    // The part of a line that the planes leave; false if that is nothing.
+    // Clips a line to the planes; returns false if nothing remains.
     bool line(Projected const& from, Projected const& to, ProjectedSkeleton::Line& result) const
     {
         if (from.is_inside && to.is_inside) [[likely]]
@@ -91,7 +90,7 @@ private:
         result.depth_to = static_cast<float>(to.z());
     }
 
-    // Liang and Barsky's method.
+    // Liang-Barsky clipping.
     bool clip(Eigen::Vector4d const& from, Eigen::Vector4d const& to,
               ProjectedSkeleton::Line& result) const
     {
@@ -125,7 +124,7 @@ private:
     ClipPlanes planes_;
 };
 
-// Where a line is nearest to a point.
+// The point of a line nearest to a given point.
 struct Nearest {
     float distance = 0;
     float depth = 0;
@@ -164,8 +163,8 @@ void ProjectedSkeleton::project(Plant const& plant, SkeletonProjection const& vi
 
 void ProjectedSkeleton::find_lines(Plant const& plant, SkeletonProjection const& view)
 {
-    // Lines of each axis have a known place, so that several threads may write; what is not seen is
-    // taken out afterwards.
+    // Each axis has a reserved range of lines, so that several threads can write; invisible lines
+    // are removed afterwards.
     std::vector<std::uint32_t> first_line(plant.axes.size() + 1);
     for (AxisId id = 0; id < plant.axes.size(); ++id) {
         auto const& axis = plant.axes[id];
@@ -213,8 +212,8 @@ std::size_t ProjectedSkeleton::index_of(Cell const& cell) const
         + static_cast<std::size_t>(cell.column);
 }
 
-// Calls visit(cell index) for each cell that the line may pass: row by row, the columns between the
-// places where it enters and leaves the row.
+// Calls visit(cell index) for each cell that the line may pass: row by row, for the columns between
+// entering and leaving the row.
 template<typename Visit>
 void ProjectedSkeleton::for_each_cell(Line const& line, Visit const& visit) const
 {
@@ -258,8 +257,8 @@ void ProjectedSkeleton::lay_grid()
     rows_ = static_cast<int>(size.y() / cell_size_) + 1;
 }
 
-// Sorts the lines into cells by counting: each thread has a share of the lines and counts for
-// itself, so within a cell they come in their order, however many threads there are.
+// Counting sort of the lines into cells. Each thread counts its own share of the lines, so within a
+// cell they stay in order, whatever the number of threads.
 void ProjectedSkeleton::build_grid()
 {
     auto const cells = index_of({ 0, rows_ });

@@ -12,33 +12,33 @@
 
 namespace tractus::variation {
 
-// How a view shows a plant on a plane, in pixels or millimetres of the pen's tablet.
+// Projection of a plant onto a plane, in pixels or in millimetres of the tablet.
 struct SkeletonProjection {
-    // Takes a point (x, y, z, 1) of the plant frame to (u, v, depth, 1) w: u and v on the plane,
-    // depth the greater the farther away. w is 1 for a parallel projection; what has w <= 0 is
-    // behind the eye and not seen.
+    // Transforms a point (x, y, z, 1) of the plant frame to (u, v, depth, 1) w, with u and v on the
+    // plane and depth increasing away from the viewer. w is 1 for a parallel projection; points
+    // with w <= 0 are behind the eye and invisible.
     Eigen::Matrix4d to_plane = Eigen::Matrix4d::Identity();
 
-    // The part of the plane that is seen. What lies outside cannot be picked.
+    // The visible part of the plane. Nothing outside it can be picked.
     Vec2 min = Vec2::Zero();
     Vec2 max = Vec2::Zero();
 
-    // Axes of a higher order are not shown: in a dense crown they would hide what is meant.
+    // Axes of a higher order are hidden: in a dense crown they would cover the branches to be
+    // picked.
     std::uint32_t max_order = std::numeric_limits<std::uint32_t>::max();
 };
 
-// The view of an OpenGL camera: `clip_from_plant` is the product of its projection and view
-// matrices, the plane is the window in pixels with v downwards, as windows count.
+// Returns the projection of an OpenGL camera. `clip_from_plant` is the product of its projection
+// and view matrices; the plane is the window in pixels, with v downwards.
 SkeletonProjection view_in_pixels(Eigen::Matrix4d const& clip_from_plant, Vec2 const& size_px);
 
-// Limits for what counts as under the pen, in units of the plane.
+// Tolerances for picking, in units of the plane.
 struct PickOptions {
-    double line_half_width = 1.5; // Half of the width in which the skeleton is drawn.
-    double finger = 6;            // How far beside a line the pen may be and still mean it.
+    double line_half_width = 1.5; // Half the width of the drawn lines.
+    double finger = 6; // Maximum distance of the pen from the edge of a line that still picks it.
 };
 
-// A plant's segments as lines on a plane, and a grid over them in which the one under the pen is
-// found without looking at the others.
+// A plant's segments as lines on a plane, with a grid for finding the line under the pen quickly.
 class ProjectedSkeleton {
 public:
     struct Line {
@@ -51,21 +51,20 @@ public:
 
     ProjectedSkeleton(Plant const& plant, SkeletonProjection const& view) { project(plant, view); }
 
-    // Projects another plant or view into the memory that is already there: when a view turns.
-    // Works on all threads.
+    // Projects another plant or view, reusing the memory. Uses all threads.
     void project(Plant const& plant, SkeletonProjection const& view);
 
-    // Lines that are to be seen, in the order of the segments. They are cut behind the eye, and far
-    // outside of the view.
+    // The visible lines, in the order of the segments, clipped behind the eye and far outside the
+    // view.
     std::span<Line const> lines() const { return lines_; }
 
-    // The segment under `point`, as a painter leaves it: of all lines that cover the point the
-    // nearest to the eye. Where none does, the one least far beside it, up to the finger's
-    // thickness. No value where there is nothing, and outside of the view.
+    // Returns the segment under `point`: of all lines that cover it the nearest to the viewer; if
+    // none does, the line at the least distance on the plane, up to `finger`. Returns no value if
+    // there is none, or outside the view.
     std::optional<SegmentId> pick(Vec2 const& point, PickOptions const& options = {}) const;
 
-    // Finds all segments whose lines cover `point`, near and far, in no particular order and
-    // perhaps more than once; put into `covering`, which is kept for its memory.
+    // Finds all segments whose lines cover `point`, at any depth, in no particular order and
+    // possibly repeated. Reuses the memory of `covering`.
     void find_covering(Vec2 const& point, PickOptions const& options,
                        std::vector<SegmentId>& covering) const;
 
@@ -90,9 +89,9 @@ private:
     float cell_size_ = 1;
     int columns_ = 1;
     int rows_ = 1;
-    std::vector<std::uint32_t> first_in_cell_; // Per cell and the end.
-    std::vector<std::uint32_t> in_cell_;       // Numbers of lines.
-    // One for each thread's share of the lines.
+    std::vector<std::uint32_t> first_in_cell_; // By cell, and the total number.
+    std::vector<std::uint32_t> in_cell_;       // Indices of lines.
+    // One list for each thread's share of the lines.
     std::vector<std::vector<std::uint32_t>> next_in_cell_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace tractus::variation {
 
-// Nobody's screen is larger: what is farther apart is walked in longer steps.
+// Beyond any screen size: larger moves are walked in longer steps.
 constexpr double kLongestMove = 1e5;
 
 PathSelection::PathSelection(BranchTree const& tree)
@@ -37,8 +37,8 @@ bool PathSelection::touch(SegmentId segment)
     return true;
 }
 
-// Selects from the end of the path to its descendant `segment`. This is what shows that nothing
-// that was undetermined beside that way was meant.
+// Selects from the end of the path to its descendant `segment`, and unselects the undetermined
+// segments beside that way.
 void PathSelection::select_down_to(SegmentId segment)
 {
     for (auto const other : undetermined_)
@@ -98,8 +98,8 @@ bool SelectionPen::move_to(Vec2 const& point)
     return changed;
 }
 
-// The last segment that all of covering_ stand on; they must have one in common. No value if
-// nothing is covering the place.
+// Returns the last common ancestor of the segments in covering_, which must exist. No value if
+// covering_ is empty.
 std::optional<SegmentId> SelectionPen::common() const
 {
     if (covering_.empty())
@@ -111,8 +111,8 @@ std::optional<SegmentId> SelectionPen::common() const
     return common;
 }
 
-// Returns the segment that begins the path, once `segment` shows which one it is: the nearest
-// segment below it of those that lay under the pen where it came down.
+// Returns the segment at which the path begins, given `segment`, which determines it: of the
+// segments under the pen where it came down, the nearest ancestor of `segment`.
 SegmentId SelectionPen::beginning_of(SegmentId segment) const
 {
     SegmentId nearest = kNone;

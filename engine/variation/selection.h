@@ -13,37 +13,36 @@ namespace tractus::variation {
 enum class SegmentState : unsigned char {
     Unselected,
     Selected,
-    Undetermined, // Touched, but the pen has not yet shown whether it was meant.
+    Undetermined, // Touched, but the pen has not yet shown which of the touched segments is meant.
 };
 
-// Decides what a pen meant that runs over a skeleton from below to the tips (Streit 2006
-// section 4.1, figure 5): a sequence of segments, each the child of the one before.
+// Interprets a pen stroke over a skeleton, from base to tip, as a path: a sequence of segments,
+// each a child of the one before (Streit 2006, section 4.1, figure 5).
 //
-// The first segment touched is selected. Children of the last selected one that are touched stay
-// undetermined, however many, until one of their descendants is touched too: that shows which of
-// them was meant. It is selected, with any segment that was skipped on the way, the others are not,
-// and what was touched is undetermined in turn. What is not a descendant of the last selected
-// segment is refused: there is no way back down, and no loss in trying. When the pen is lifted,
-// what is still undetermined is selected.
+// The first segment touched is selected. Touched children of the last selected segment remain
+// undetermined until a descendant of one of them is touched, which shows which one was meant: it is
+// selected, including any segments skipped, the others are unselected, and the newly touched
+// segment is undetermined. Segments that are not descendants of the last selected one are ignored,
+// so touching them does no harm. When the pen is lifted, all undetermined segments are selected.
 class PathSelection {
 public:
     // `tree` must outlive the selection.
     explicit PathSelection(BranchTree const& tree);
 
-    // The pen has touched `segment`. True if any state changed.
+    // Handles a touch of `segment`. Returns true if any state changed.
     bool touch(SegmentId segment);
 
-    // The pen was lifted. The selected segments from root to tip: one path, or, where several
-    // segments were undetermined in the end, one for each of them, in the order of touching. None
-    // if nothing was touched. The states stay to be seen until clear().
+    // Handles lifting the pen. Returns the selected segments from root to tip: one path, or, if
+    // several segments were undetermined at the end, one for each of them in the order of touching;
+    // none if nothing was touched. The states remain visible until clear().
     std::vector<std::vector<SegmentId>> finish();
 
-    // Nothing is selected any more.
+    // Unselects everything.
     void clear();
 
     SegmentState state(SegmentId segment) const { return states_[segment]; }
 
-    // The selected path from root to tip, and the segments that are undetermined.
+    // The selected path from root to tip; `undetermined()`: the undetermined segments.
     std::vector<SegmentId> const& selected() const { return path_; }
     std::vector<SegmentId> const& undetermined() const { return undetermined_; }
 
@@ -56,26 +55,25 @@ private:
     std::vector<SegmentId> undetermined_;
 };
 
-// A pen that draws over a projected skeleton; make one for each stroke. Between two of its samples
-// the way is walked in steps of at most one unit of the plane, so that a fast hand misses no thin
+// A pen that draws over a projected skeleton; make one for each stroke. The way between two samples
+// is walked in steps of at most one unit of the plane, so that a fast movement misses no thin
 // branch.
 //
-// The nearest segment in front is touched, as a painter's picture shows it, with one exception.
-// Once a path has begun, a place where several branches lie over each other says only what they
-// have in common: the last segment that all of them stand on is touched, and the pen's further way
-// shows which of them was meant. So the trunk can be followed behind branches that grow towards the
-// eye.
+// Normally the frontmost segment is touched. Exception: once a path has begun, a point where
+// several branches overlap is ambiguous and determines only their last common ancestor, which is
+// touched; the further way of the pen shows which branch was meant. So the trunk can be followed
+// behind branches that grow towards the viewer.
 class SelectionPen {
 public:
-    // Skeleton, tree and selection must outlive the pen; the tree is the selection's.
+    // Skeleton, tree and selection must outlive the pen; `tree` must be that of the selection.
     SelectionPen(ProjectedSkeleton const& skeleton, BranchTree const& tree,
                  PathSelection& selection, PickOptions const& options = {});
 
-    // The pen is at `point` now. True if any state changed.
+    // Moves the pen to `point`. Returns true if any state changed.
     bool move_to(Vec2 const& point);
 
-    // The pen was lifted: where its last place was ambiguous, the nearest segment in front was
-    // meant. Returns what PathSelection::finish() does.
+    // Lifts the pen: if its last position was ambiguous, the frontmost segment there is selected.
+    // Returns the result of PathSelection::finish().
     std::vector<std::vector<SegmentId>> lift();
 
 private:
@@ -90,10 +88,10 @@ private:
     PickOptions options_;
     std::optional<Vec2> last_point_;
     std::optional<SegmentId> last_touched_;
-    // The segment in front at the last place, if that was ambiguous.
+    // The frontmost segment at the last position, if that was ambiguous.
     std::optional<SegmentId> ambiguous_;
-    std::vector<SegmentId> beginnings_; // Segments that lay under the pen where it came down.
-    std::vector<SegmentId> covering_;   // Segments that could be meant at the present place.
+    std::vector<SegmentId> beginnings_; // Segments under the pen where it came down.
+    std::vector<SegmentId> covering_;   // Candidate segments at the present position.
 };
 
 } // namespace tractus::variation

@@ -10,13 +10,13 @@ namespace tractus::variation {
 
 namespace {
 
-// Directions within 15 degrees of the vertical have no heading of their own. Sine of that angle.
+// Sine of 15 degrees: directions this close to the vertical have no heading of their own.
 double const kUpright = std::sin(radians(15));
 
 constexpr double kLeastStartShare = 0.05;
 constexpr double kMostStartShare = 1.0 / 3;
 
-// A chord shorter than this share of its line says nothing about direction.
+// A chord shorter than this share of its line gives no reliable direction.
 constexpr double kLeastChordShare = 0.01;
 
 double horizontal_share(Vec3 const& direction)
@@ -47,7 +47,7 @@ Vec3 unit_or(Vec3 const& vector, Vec3 const& otherwise)
     return length > 0 ? Vec3(vector / length) : otherwise;
 }
 
-// The chord of the curve's first `share`, or of a longer part where the hand turns back at once.
+// Chord of the curve's first `share`, or of a longer part if the stroke turns back at once.
 Vec3 start_of(ArcLength const& curve, double share)
 {
     for (; share < 1; share *= 2) {
@@ -74,7 +74,7 @@ std::vector<Vec3> even_directions(ArcLength const& curve, int count)
     return directions;
 }
 
-// The angle from `a` to `b` about the unit vector `about`, -pi to pi.
+// Angle from `a` to `b` about the unit vector `about`, -pi to pi.
 double angle_about(Vec3 const& about, Vec3 const& a, Vec3 const& b)
 {
     double const cosine = a.dot(b) - a.dot(about) * b.dot(about);
@@ -142,7 +142,7 @@ std::optional<double> first_turn_share(ArcLength const& curve)
         if (!first && turned_rad >= 2 * kPi)
             first = static_cast<double>(i) / kParts;
     }
-    // A flat loop comes back to where it began: its chord says nothing.
+    // A flat loop returns to its beginning, so its chord gives no direction.
     bool const advances
         = first && (curve.at(*first) - curve.at(0)).norm() > 0.1 * *first * curve.length_mm();
     return advances && turned_rad >= kLeastTurning_rad ? first : std::nullopt;

@@ -10,10 +10,10 @@ namespace tractus::variation {
 
 namespace {
 
-// Share of a stroke whose chord is its start tangent.
+// Share of a stroke whose chord is the tangent at its start.
 constexpr double kStartShare = 0.05;
 
-// A chord shorter than this share of the line says nothing about direction.
+// A chord shorter than this share of the line gives no direction.
 constexpr double kNoChord = 1e-6;
 
 Result<void> check_path(Plant const& plant, std::span<SegmentId const> path)
@@ -39,7 +39,8 @@ Vec3 start_tangent(ArcLength const& curve)
 {
     for (double share = kStartShare; share < 1; share *= 2) {
         Vec3 const chord = curve.at(share) - curve.at(0);
-        if (chord.norm() > 0.01 * share * curve.length_mm()) // Else it turns back at once.
+        // Otherwise the stroke turns back at once.
+        if (chord.norm() > 0.01 * share * curve.length_mm())
             return chord.normalized();
     }
     Vec3 const chord = curve.at(0.5) - curve.at(0);
@@ -51,8 +52,8 @@ Vec3 chord_of(ArcLength const& curve)
     return curve.at(1) - curve.at(0);
 }
 
-// Direction from the base of the first segment to the tip of the last; `otherwise` if they are in
-// one place.
+// Returns the direction from the base of the first segment to the tip of the last, or `otherwise`
+// if they coincide.
 Vec3 chord_direction(Plant const& plant, SegmentId first, SegmentId last, Vec3 const& otherwise)
 {
     Vec3 const chord = plant.node_position_mm[nodes_of(plant, last).tip]
@@ -61,7 +62,7 @@ Vec3 chord_direction(Plant const& plant, SegmentId first, SegmentId last, Vec3 c
     return length > 0 ? Vec3(chord / length) : otherwise;
 }
 
-// The curve's own direction, by which it is laid.
+// The direction by which the curve is aligned.
 Vec3 direction_of(ArcLength const& curve, StrokeFit fit)
 {
     return fit == StrokeFit::Chord ? Vec3(chord_of(curve).normalized()) : start_tangent(curve);
@@ -83,7 +84,7 @@ Result<ArcLength> curve_of(Stroke const& stroke, StrokeFit fit, double detail_we
     return curve;
 }
 
-// The directions that the curve gives to the segments of the path, turned by `to_base`.
+// Returns the directions of the curve for the segments of the path, rotated by `to_base`.
 std::vector<Vec3> directions_along(std::span<SegmentId const> path, RestShape const& rest,
                                    ArcLength const& curve, Quat const& to_base)
 {
@@ -99,7 +100,7 @@ std::vector<Vec3> directions_along(std::span<SegmentId const> path, RestShape co
     for (auto const segment : path) {
         sum_mm += rest.length_mm[segment];
         Vec3 const to = curve.at(sum_mm / total_mm);
-        // Where the hand turned back on itself the chord has no direction: go straight on.
+        // If the stroke turns back on itself the chord has no direction: keep the previous one.
         Vec3 const chord = to_base * (to - from);
         if (double const length = chord.norm(); length > 0)
             before = chord / length;
@@ -116,13 +117,14 @@ std::vector<Joint> joints_along(std::span<SegmentId const> path, RestShape const
     std::vector<Joint> joints(path.size());
     Vec3 base_before = tangent_of(rest.frame[path.front()]);
     Vec3 bent_before = base_before;
-    Quat turn_before = Quat::Identity(); // From the base plant to here, of the segment below.
+    // Rotation of the segment below, from the base plant to the bent one.
+    Quat turn_before = Quat::Identity();
     for (std::size_t i = 0; i < directions.size(); ++i) {
         if (stroke.fit == StrokeFit::World) {
             joints[i] = { .kind = Joint::Kind::World, .direction = directions[i] };
             continue;
         }
-        // The curves are followed without twist; what differs is the segment's own rotation.
+        // The curves are followed without twist; the difference is the segment's own rotation.
         Vec3 const base = tangent_of(rest.frame[path[i]]);
         Quat const turn = (least_rotation(bent_before, directions[i]) * turn_before
                            * least_rotation(base_before, base).conjugate())
@@ -135,7 +137,7 @@ std::vector<Joint> joints_along(std::span<SegmentId const> path, RestShape const
     return joints;
 }
 
-// The path as the stroke is laid along it by heading and pitch.
+// Fills in the joints of a path aligned by heading and pitch.
 void show_along_path(std::span<SegmentId const> path, RestShape const& rest, ArcLength const& curve,
                      StrokeShape& stroke)
 {
@@ -155,13 +157,13 @@ void show_along_path(std::span<SegmentId const> path, RestShape const& rest, Arc
                                   .in_path = static_cast<std::uint32_t>(i) });
 }
 
-// How a curve that leads in the direction `from` lies along what leads to `to` in the base plant.
+// Rotation that aligns a curve of direction `from` with the direction `to` in the base plant.
 Quat laid(StrokeFit fit, Vec3 const& from, Vec3 const& to)
 {
     return fit == StrokeFit::World ? Quat::Identity() : least_rotation(from, to);
 }
 
-// The same by least twist, or as in the world.
+// Fills in the joints for the least rotation, or for StrokeFit::World.
 void follow_path(Plant const& plant, RestShape const& rest, Association const& association,
                  ArcLength const& curve, StrokeShape& stroke)
 {
@@ -228,7 +230,7 @@ Quat curve_to_axis(Plant const& plant, RestShape const& rest, StrokeShape const&
     Quat const along_start = rest.frame[axis.first_segment] * stroke.from_path;
     if (stroke.fit == StrokeFit::Start)
         return along_start;
-    // The turn is that of the path, but then the chords are made to agree.
+    // As for the path, then corrected so that the chords agree.
     auto const nodes = plant.positions(axis);
     Vec3 const chord = nodes.back() - nodes.front();
     double const length = chord.norm();

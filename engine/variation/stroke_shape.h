@@ -13,48 +13,49 @@
 
 namespace tractus::variation {
 
-// Change of one segment of a stroke's path.
+// How a stroke changes one segment of its path.
 struct Joint {
     enum class Kind {
-        None,  // Nothing: the segment rides as in the base plant.
-        Turn,  // It turns by `turn` against the one below, compared with the base plant.
-        World, // It points in `direction`, plant frame.
-        Laid,  // It points in `direction` of the stroke as drawn, laid by heading and pitch.
+        None,  // Unchanged: the segment moves rigidly with its parent.
+        Turn,  // Rotated by `turn` relative to its parent, compared with the base plant.
+        World, // Has the direction `direction`, plant frame.
+        Laid, // Has the direction `direction` of the stroke as drawn, aligned by heading and pitch.
     };
     Kind kind = Kind::None;
     Quat turn = Quat::Identity();
     Vec3 direction = Vec3::UnitZ();
-    // Of a laid one: the association's number, and the segment's number in its path.
+    // For Kind::Laid: number of the association, and `in_path`: the segment's number in its path.
     std::uint32_t stroke = kNone;
     std::uint32_t in_path = 0;
 };
 
-// A stroke made ready to be laid along branches of one plant.
+// A stroke prepared for alignment with the branches of one plant.
 struct StrokeShape {
-    // Null where only the path follows it, since it is large. Shared between copies.
+    // Null if only the path follows the stroke, since it is large. Shared between copies.
     std::shared_ptr<ArcLength const> curve;
     StrokeFit fit = StrokeFit::Start;
-    // By heading and pitch, and not as in the world.
+    // Aligned by heading and pitch, and not with StrokeFit::World.
     bool is_laid_by_heading = false;
-    // Of such a stroke (stroke_laying.h): the way to its farthest point as the ground sees it, its
-    // first turn, and its aim and the path's direction in the base plant.
+    // For strokes aligned by heading (stroke_laying.h): horizontal vector to the farthest point,
+    // first turn, aim, and the path's direction in the base plant.
     Vec2 reach = Vec2::Zero();
     std::optional<double> first_turn {};
     Aim path_aim {};
     Vec3 path_direction = Vec3::UnitZ();
-    // Of any other.
-    Quat to_path = Quat::Identity();   // Takes the curve to where the path lies in the base plant.
-    Quat from_path = Quat::Identity(); // Takes the curve to the coordinates of an axis' base frame.
-    std::vector<Joint> joints;         // One per segment of the path.
+    // For other strokes:
+    Quat to_path = Quat::Identity(); // Rotates the curve to the path in the base plant.
+    // Rotates the curve to the coordinates of an axis' base frame.
+    Quat from_path = Quat::Identity();
+    std::vector<Joint> joints; // By segment of the path.
 };
 
-// Refuses what check_association refuses.
+// Fails like check_association().
 Result<StrokeShape> shape_of(Plant const& plant, RestShape const& rest,
                              Association const& association);
 
-// How a curve that is not laid by heading is turned to lie along a chain of segments as its
-// association's fit says: by from_path in the base frame of the axis `id`, or, where the chord is
-// matched, by the axis' own chord.
+// Returns the rotation that aligns a curve, unless aligned by heading, with the axis `id` as its
+// association's fit requires: by from_path in the axis' base frame, or, for StrokeFit::Chord, by
+// the axis' own chord.
 Quat curve_to_axis(Plant const& plant, RestShape const& rest, StrokeShape const& stroke, AxisId id);
 
 } // namespace tractus::variation

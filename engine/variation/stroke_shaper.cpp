@@ -10,7 +10,7 @@
 
 namespace tractus::variation {
 
-// True where two associations shape a plant alike.
+// True if two associations have the same effect.
 static bool same(Association const& a, Association const& b)
 {
     auto const same_place = [](TipSample const& tip, TipSample const& other) {
@@ -24,7 +24,7 @@ static bool same(Association const& a, Association const& b)
         return true;
     auto const tips = a.stroke.tips.in_memory();
     auto const others = b.stroke.tips.in_memory();
-    // Where one cannot be read it is looked at again, and whoever does that says why.
+    // Tips that cannot be read are processed again, which reports the error.
     return tips && others
         && std::equal(tips->begin(), tips->end(), others->begin(), others->end(), same_place);
 }
@@ -62,8 +62,8 @@ Result<void> StrokeShaper::set(std::span<Association const> associations)
     return {};
 }
 
-// The shapes of the associations from number `first` on. One that has only another number than
-// before keeps its shape: its tips need not be read again.
+// Computes the shapes of the associations from number `first` on. Those that have only changed
+// their number keep their shape, so that their tips need not be read again.
 Result<std::vector<StrokeShape>> StrokeShaper::shapes_of(std::span<Association const> associations,
                                                          std::size_t first) const
 {
@@ -116,7 +116,7 @@ void StrokeShaper::assign_path(std::uint32_t number)
     }
 }
 
-// The axes that the path bears, without those that it runs along itself.
+// Marks the descendant axes of the path, except those along which it runs itself.
 void StrokeShaper::assign_descendants(std::uint32_t number)
 {
     auto const& path = associations_[number].path;
@@ -125,12 +125,13 @@ void StrokeShaper::assign_descendants(std::uint32_t number)
         if (auto const id = axis_of(plant_, segment); along.empty() || along.back() != id)
             along.push_back(id);
     for (auto const& [id, first] : subtree_of(plant_, path.front()))
-        if (!std::binary_search(along.begin(), along.end(), id)) // Ascending: parents come first.
+        // Sorted, since parents come first.
+        if (!std::binary_search(along.begin(), along.end(), id))
             sources_[id] = { .propagated = number, .joints = kNone, .changed = number + 1 };
 }
 
-// The axes whose frames the associations from number `unchanged` on, old or new, have to do with,
-// and all that they bear.
+// Returns the axes affected by the associations from number `unchanged` on, old or new, and all
+// their descendants.
 std::vector<bool> StrokeShaper::find_dirty(std::span<Source const> before,
                                            std::size_t unchanged) const
 {
@@ -143,14 +144,14 @@ std::vector<bool> StrokeShaper::find_dirty(std::span<Source const> before,
     return dirty;
 }
 
-// From the base plant to here; none for what stands on nothing.
+// Rotation of a segment from the base plant to the bent one; the identity for kNone.
 Quat StrokeShaper::turn_of_segment(SegmentId segment) const
 {
     if (segment == kNone)
         return Quat::Identity();
     auto const& bent = shape_.frame[segment];
     auto const& rest = rest_.frame[segment];
-    // Exactly nothing where nothing bends it: what was laid before must leave no rounding errors.
+    // Exactly the identity if nothing is bent, so that earlier strokes leave no rounding errors.
     return bent.coeffs() == rest.coeffs() ? Quat::Identity() : bent * rest.conjugate();
 }
 
@@ -170,8 +171,8 @@ void StrokeShaper::lay(AxisId id)
         frames[i] = is_turned ? renormalised(turn * rest[i]) : rest[i];
 }
 
-// The heading of a segment as the plant is bent. Where it is upright that of what bears its axis
-// counts, and so on down; `otherwise` where nothing else says anything.
+// Returns the heading of a segment in the bent plant. If it is upright, the heading of its axis'
+// parent is used, and so on down; `otherwise` if there is none.
 Vec2 StrokeShaper::heading_from(SegmentId segment, Vec2 const& otherwise) const
 {
     if (segment == kNone)
@@ -181,7 +182,7 @@ Vec2 StrokeShaper::heading_from(SegmentId segment, Vec2 const& otherwise) const
     return branch_heading(direction, heading_from(below, otherwise));
 }
 
-// Number `in_path` of the stroke's path is shaped by it, and not by a later one.
+// True if segment `in_path` of the stroke's path is shaped by this stroke and not by a later one.
 bool StrokeShaper::is_laid(std::uint32_t stroke, std::size_t in_path) const
 {
     auto const segment = associations_[stroke].path[in_path];
@@ -192,8 +193,8 @@ bool StrokeShaper::is_laid(std::uint32_t stroke, std::size_t in_path) const
     return joint.kind == Joint::Kind::Laid && joint.stroke == stroke && joint.in_path == in_path;
 }
 
-// How a stroke lies along its path, whose base is carried by what bears it; from number `in_path`
-// on, which it shapes. Where a later stroke has shaped what is below that, it rides on this.
+// Returns the rotation of a stroke along its path from segment `in_path` on, with the path's base
+// rotated by its parent. If a later stroke shapes the part below, the rest is relative to that.
 Quat StrokeShaper::laid_along_path(std::uint32_t number, std::size_t in_path) const
 {
     auto const& path = associations_[number].path;
@@ -215,8 +216,8 @@ Quat StrokeShaper::laid_along_path(std::uint32_t number, std::size_t in_path) co
     return least_rotation(as_drawn, tangent_of(shape_.frame[path[in_path - 1]])) * laid;
 }
 
-// The stroke along the whole axis, by heading and pitch. What bears the axis carries its base by
-// `turn`.
+// Lays a stroke along a whole axis by heading and pitch. `turn`: rotation of the parent at the
+// axis' base.
 void StrokeShaper::lay_by_heading_along(AxisId id, StrokeShape const& stroke, Quat const& turn,
                                         std::span<Quat> frames) const
 {
@@ -228,7 +229,7 @@ void StrokeShaper::lay_by_heading_along(AxisId id, StrokeShape const& stroke, Qu
     auto const shown = shown_stroke(*stroke.curve, lengths_mm, stroke.fit, share);
     Vec3 const direction
         = (turn * branch_direction(rest, lengths_mm, stroke.fit, share)).normalized();
-    Vec2 below = Vec2::UnitX(); // Counts only near the vertical.
+    Vec2 below = Vec2::UnitX(); // Used only near the vertical.
     if (is_upright(direction))
         below = heading_from(axis.parent_segment, reach_heading(rest, lengths_mm, turn));
     auto const laid = lay_by_heading(aim_of_stroke(shown.direction, stroke.reach),
@@ -243,7 +244,7 @@ void StrokeShaper::lay_by_heading_along(AxisId id, StrokeShape const& stroke, Qu
     }
 }
 
-// The stroke along the whole axis, which is carried by `turn`.
+// Lays a stroke along a whole axis, whose base is rotated by `turn`.
 void StrokeShaper::lay_propagated(AxisId id, StrokeShape const& stroke, Quat const& turn,
                                   std::span<Quat> frames) const
 {
@@ -266,7 +267,7 @@ void StrokeShaper::lay_propagated(AxisId id, StrokeShape const& stroke, Quat con
         sum_mm += length_mm[i];
         Vec3 const to = curve.at(sum_mm * per_mm);
         Vec3 const chord = rotation * (to - from);
-        // Where the hand turned back on itself the chord has no direction: go straight on.
+        // If the stroke turns back on itself the chord has no direction: keep the previous one.
         if (double const length = chord.norm(); length > 0) {
             Vec3 const direction = chord / length;
             frame = carried(frame, before, direction);
@@ -277,8 +278,9 @@ void StrokeShaper::lay_propagated(AxisId id, StrokeShape const& stroke, Quat con
     }
 }
 
-// The turn from the base plant that a segment needs to point in `direction`, without twist against
-// `below`, which was turned by `turned`; the base of a path has nothing below that counts.
+// Returns the rotation from the base plant that gives a segment the direction `direction` without
+// twist relative to `below`, which was rotated by `turned`. The base of a path is not compared with
+// the segment below.
 Quat StrokeShaper::follow_joint(SegmentId segment, SegmentId below, Vec3 const& direction,
                                 Quat const& turned) const
 {
@@ -288,13 +290,13 @@ Quat StrokeShaper::follow_joint(SegmentId segment, SegmentId below, Vec3 const& 
         * least_rotation(base_before, base).conjugate();
 }
 
-// Segment by segment, since paths shape some of them.
+// Computes the frames segment by segment, for an axis that is partly shaped by paths.
 void StrokeShaper::lay_joints(AxisId id, Quat const& turn)
 {
     auto const& axis = plant_.axes[id];
     auto const& source = sources_[id];
     auto const& joints = joints_[source.joints];
-    // Frames that were propagated to the axis: where nothing bears it, or, by heading, where it is.
+    // The frames of a propagated stroke: relative to an unrotated parent, or, by heading, absolute.
     std::vector<Quat> own(rest_.frame.begin() + axis.first_segment,
                           rest_.frame.begin() + axis.first_segment + axis.segment_count);
     bool const is_propagated = source.propagated != kNoStroke;
@@ -304,7 +306,7 @@ void StrokeShaper::lay_joints(AxisId id, Quat const& turn)
     if (is_propagated)
         lay_propagated(id, strokes_[source.propagated], own_before, own);
 
-    Quat turned = turn; // Turn from the base plant, of the segment below.
+    Quat turned = turn; // Rotation of the segment below, from the base plant.
     Quat laid = Quat::Identity();
     for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
         Quat const& rest = rest_.frame[axis.first_segment + i];

@@ -10,34 +10,32 @@
 
 namespace tractus::variation {
 
-// Keeps a plant's predefined shape while associations come, change and go: only what they touch,
-// and what rides on it, is laid anew. So a stroke can be followed while it is drawn.
+// Maintains a plant's predefined shape incrementally while associations are added, changed and
+// removed: only the affected axes and their descendants are recomputed, so that the plant can
+// follow a stroke while it is drawn.
 //
-// Works on all threads of the task arena that it is called in; serves one caller at a time.
+// Uses all threads of the calling task arena. Not thread-safe.
 class StrokeShaper {
 public:
-    // `plant` and its `rest` must outlive the shaper. Without associations the shape is the base
-    // plant's.
+    // `plant` and `rest` must outlive the shaper. The initial shape is the base plant's.
     StrokeShaper(Plant const& plant, RestShape const& rest);
 
-    // Sets the associations from here on. If one is refused (check_association) all stays as it
-    // was.
+    // Replaces the associations. If one is invalid (check_association) nothing changes.
     Result<void> set(std::span<Association const> associations);
 
     PredefinedShape const& shape() const { return shape_; }
 
-    // Takes the shape away; the shaper must not be used any more.
+    // Moves the shape out; the shaper must not be used afterwards.
     PredefinedShape take_shape() && { return std::move(shape_); }
 
 private:
     static constexpr std::uint32_t kNoStroke = kNone;
 
-    // Origin of an axis' shape: a stroke that was propagated to the whole of it, and paths that run
-    // along it.
+    // What determines an axis' shape: a stroke propagated to the whole axis, and paths along it.
     struct Source {
         std::uint32_t propagated = kNoStroke; // Number of the association.
-        std::uint32_t joints = kNone;         // Into joints_.
-        std::uint32_t changed = 0;            // 1 + the highest number of what has touched it.
+        std::uint32_t joints = kNone;         // Index into joints_.
+        std::uint32_t changed = 0; // 1 + the highest number of an association that affects it.
     };
 
     Result<std::vector<StrokeShape>> shapes_of(std::span<Association const> associations,
@@ -63,7 +61,7 @@ private:
     RestShape const& rest_;
     PredefinedShape shape_;
     std::vector<Association> associations_;
-    std::vector<StrokeShape> strokes_; // One per association; empty for the orphaned.
+    std::vector<StrokeShape> strokes_; // One per association; empty for orphaned ones.
     std::vector<Source> sources_;      // One per axis.
     std::vector<std::vector<Joint>> joints_;
 };

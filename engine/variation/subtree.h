@@ -6,14 +6,14 @@
 
 namespace tractus::variation {
 
-// Segments of one axis, from one on to its tip.
+// The segments of one axis from `first` to its tip.
 struct AxisRest {
     AxisId axis = 0;
     SegmentId first = 0;
 };
 
-// `segment`, the rest of its axis, and every axis that these bear, down to the leaf branches; in
-// the plant's order.
+// Returns the rest of the axis of `segment` from there on, and all descendant axes, in the plant's
+// order.
 std::vector<AxisRest> subtree_of(Plant const& plant, SegmentId segment);
 
 } // namespace tractus::variation

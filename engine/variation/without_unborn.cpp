@@ -4,7 +4,7 @@ namespace tractus::variation {
 
 namespace {
 
-// How many of an axis' segments have grown.
+// Number of an axis' segments that have grown.
 std::uint32_t grown_segments(Plant const& plant, Axis const& axis)
 {
     auto const nodes = plant.positions(axis);
@@ -14,7 +14,7 @@ std::uint32_t grown_segments(Plant const& plant, Axis const& axis)
     return count;
 }
 
-// A segment that has grown; kNone for one that has not, and for the ground.
+// Returns the new number of a segment; kNone if it has not grown, and for the ground.
 SegmentId renumbered(std::vector<SegmentId> const& new_segment, SegmentId segment)
 {
     return segment == kNone ? kNone : new_segment[segment];

@@ -12,10 +12,12 @@ namespace tractus::variation {
 
 namespace {
 
-constexpr std::uint32_t kLeafStream = 0x796C; // Draws which leaves come early, and where they sit.
+// Random stream for which leaves come early and where they sit.
+constexpr std::uint32_t kLeafStream = 0x796C;
 constexpr std::size_t kLeavesAtOnce = 2048;
-constexpr double kShare = 1.5; // Leaves of a shoot, of those of a twig of the whole plant.
-constexpr double kReach = 0.6; // Distance behind an apex at most, as a share of a twig's length.
+// Leaves of a shoot, as a multiple of those of a twig of the whole plant.
+constexpr double kShare = 1.5;
+constexpr double kReach = 0.6; // Greatest distance behind an apex, as a share of a twig's length.
 
 bool is_leaf(Plant const& plant, Organ const& organ)
 {
@@ -23,7 +25,7 @@ bool is_leaf(Plant const& plant, Organ const& organ)
     return organ.segment != kNone && plant.materials[material].kind == Material::Kind::Leaf;
 }
 
-// Lower comes earlier; the leaf's number makes all of them differ.
+// Lower ranks come earlier; the leaf's number makes all of them distinct.
 using Rank = std::pair<std::uint32_t, std::uint32_t>;
 
 } // namespace
@@ -72,8 +74,8 @@ void YoungLeaves::find_leaves()
             * random_block({ .seed = 0, .stream = kLeafStream }, leaf.organ)[1];
 }
 
-// Finds the leaves that sprout as an axis begins: the first few of those that it and all that it
-// bears will have.
+// Finds the leaves that sprout when an axis begins: the first few of those that it and its
+// descendants will have.
 void YoungLeaves::find_sprouts()
 {
     auto const& axes = plan_.base.axes;
@@ -108,14 +110,14 @@ void YoungLeaves::place(Plant& plant, double age) const
     });
 }
 
-// The axis that grows now is the leaf's own, or the nearest one below it that has begun.
+// The growing axis is the leaf's own, or the nearest ancestor that has begun.
 Vec3 YoungLeaves::point_behind_apex(Plant const& plant, Leaf const& leaf, double age) const
 {
     auto const& axes = plan_.base.axes;
     auto axis = leaf.axis;
     while (plan_.axes[axis].age.begin >= age && axes[axis].parent_axis != kNone)
         axis = axes[axis].parent_axis;
-    // When the skeleton is complete, leaves have time to go to its very tips.
+    // Once the skeleton is complete, the leaves move on to the very tips.
     double const left = std::clamp((1 - age) / (1 - kSkeletonShare), 0.0, 1.0);
     double along_mm = plan_.axes[axis].age.along_at_mm(age) - left * leaf.behind_mm;
     if (axis == leaf.axis)
