@@ -10,25 +10,27 @@
 
 namespace tractus::silhouette {
 
-constexpr int kUsualWhorl = 3; // Branches at a node.
+constexpr int kUsualWhorl = 3; // Default number of branches in a whorl.
 constexpr int kLeastWhorl = 2;
 constexpr int kMostWhorl = 12;
 
-// How branches stand around their parent.
+// Phyllotactic pattern of the branches around their parent axis.
 struct Pattern {
     enum Kind {
-        Even,      // As far from each other as they can be.
-        Spiral,    // One at a node, 144 degrees on from the one below.
-        Decussate, // Opposite pairs, each across the one below.
-        Whorls,    // Several at a node, in the gaps of those below.
-        TwoRows,   // One at a node, left and right in turn.
-        Horizontal // Opposite pairs, all in the plane that was drawn in.
+        Even,      // As far apart as possible; no nodes.
+        Spiral,    // One branch per node, divergence angle 144 degrees.
+        Decussate, // Opposite pairs, each at right angles to the pair below.
+        Whorls,    // `whorl` branches per node, placed in the gaps of the node below.
+        TwoRows,   // Distichous: one branch per node, alternately left and right.
+        Horizontal // Opposite pairs, all in the plane of the drawing.
     } kind
         = Even;
-    int whorl = kUsualWhorl; // At a node of whorls, kLeastWhorl to kMostWhorl; of others unused.
+    int whorl = kUsualWhorl; // Branches per node of Whorls, kLeastWhorl to kMostWhorl; other kinds
+                             // ignore it.
 
     constexpr Pattern() = default;
-    constexpr Pattern(Kind of) // NOLINT(google-explicit-constructor): is one, with usual whorls.
+    constexpr Pattern(Kind of) // NOLINT(google-explicit-constructor): a kind alone is a pattern
+                               // with the default whorl.
         : kind(of)
     {
     }
@@ -40,83 +42,88 @@ struct Pattern {
     }
 
     bool operator==(Pattern const&) const = default;
-    bool operator==(Kind of) const { return kind == of; } // Whatever its whorls are.
+    bool operator==(Kind of) const { return kind == of; } // Ignores `whorl`.
 };
 
-// "even", "spiral", "decussate", "whorls", "two-rows", "horizontal"; no value for other words.
+// Reads "even", "spiral", "decussate", "whorls", "two-rows" or "horizontal"; no value for any other
+// word.
 std::optional<Pattern> pattern_of(std::string_view word);
 char const* name_of(Pattern pattern);
 
-// The pattern's name for people: "whorls of 5", but of three just "whorls".
+// The pattern's name for users, for example "whorls of 5"; the default of three is just "whorls".
 std::string describe(Pattern pattern);
 
-// A place on the unrolled parent: u from 0, its base, to 1; theta from 0 to below 360, 0 to the
-// right and 180 to the left of the plane that was drawn in.
+// A position on the unrolled surface of the parent. u runs from 0 at its base to 1 at its tip.
+// theta is the azimuth in degrees, 0 to below 360: 0 is to the right and 180 to the left in the
+// plane of the drawing.
 struct Place {
     double u = 0;
     double theta_deg = 0;
 };
 
-// A branch that was drawn keeps its u, and its theta stays near its side of the plane.
+// A branch that is visible in the drawing. It normally keeps its u, and its theta stays within
+// `most_off_deg` of its side of the plane.
 struct DrawnPlace {
     double u = 0;
-    double theta_deg = 0; // 0 or 180.
+    double theta_deg = 0; // The side where it was drawn: 0 (right) or 180 (left).
     double most_off_deg = 45;
-    bool keeps_u = true; // Else it moves to a node where nodes are whole.
+    bool keeps_u = true; // False: with Nodes::Whole the branch may move to a node.
 };
 
 struct ArrangementOptions {
     Pattern pattern = Pattern::Even;
-    std::size_t count = 0; // Of all branches; those drawn at least.
-    // Branches that are added stand from here on to the tip.
+    std::size_t count = 0; // Number of branches in all, at least as many as were drawn.
+    // Added branches are placed between this u and the tip.
     double first_u = 0;
-    // How fast closeness falls with distance; no value: 2 for each branch. The paper: 20.
+    // Falloff of the proximity term (Wither 2009: 20). Default: 2 per branch.
     std::optional<double> alpha {};
     int proposals = 3000;
-    // What nodes are to patterns that have any.
+    // How the patterns that have nodes use them.
     enum class Nodes {
-        Whole, // The branches of one stand there together (whole_whorls.h).
-        Snap,  // What is added moves to the nearest one in the end. Some get more branches than the
-               // pattern has, and others fewer.
-        Free   // Branches stay beside them.
+        Whole, // All branches of a node share one u (whole_whorls.h).
+        Snap, // Added branches move to the nearest node after the search, so nodes can hold more or
+              // fewer branches than the pattern has.
+        Free  // Branches need not be at nodes.
     } nodes
         = Nodes::Whole;
 };
 
-// What the search found.
+// Result of arrange().
 struct Arrangement {
-    std::vector<Place> places; // The drawn ones first, in their order.
+    std::vector<Place> places; // The drawn branches first, in their order.
     double cost_before = 0;
-    double cost_after = 0; // Never more; both before what snaps does.
-    int accepted = 0;      // Proposals.
+    double cost_after = 0; // Never above cost_before. Both are taken before snapping.
+    int accepted = 0;      // Number of proposed moves that were accepted.
 };
 
-// Spreads branches around their parent: a random one is offered a random place in its domain, and
-// takes it if the sum over all pairs falls (depletion and replacement, Wither 2009 after Ripley).
-// Pairs that are near cost, and those that do not fit the pattern. `key` names the random numbers.
+// Distributes branches around their parent by depletion and replacement (Wither 2009, after
+// Ripley): a randomly chosen branch is offered a random position within its limits and moves there
+// if the cost summed over all pairs falls. Close pairs cost, and so do pairs that do not fit the
+// pattern. `key` selects the random number stream.
 Arrangement arrange(std::vector<DrawnPlace> const& drawn, ArrangementOptions const& options,
                     RandomKey const& key);
 
-// How little a pair fits a pattern whose nodes are `node` apart in u: 0 where it does, 1/2 at most.
+// Pattern cost of a pair when nodes are `node` apart in u: 0 for a perfect fit, at most 1/2.
 double misfit(Pattern pattern, double node, Place const& a, Place const& b);
 
-// How near a pair is: 1 at one place, less the faster the greater `alpha` is.
+// Proximity cost of a pair: 1 at the same position, falling with distance; faster for a greater
+// `alpha`.
 double closeness(double alpha, Place const& a, Place const& b);
 
-// Shares of these in what a pair costs (Wither 2009: w1 and w2).
+// Weights of the two terms in the cost of a pair (w1 and w2 in Wither 2009).
 constexpr double kClosenessWeight = 2;
 constexpr double kMisfitWeight = 1;
 
-// How many branches stand at a node of a pattern; 1 where it has none.
+// Branches per node of a pattern; 1 for a pattern without nodes.
 std::size_t node_size(Pattern pattern);
 
-// How far a pattern turns from a node to the next; 0 where it has none.
+// Rotation from one node to the next, degrees; 0 for a pattern without nodes.
 double node_turn_deg(Pattern pattern);
 
-// How far a node is from the next, in u, of that many branches.
+// Distance in u between consecutive nodes of a parent with `count` branches.
 double node_distance(Pattern pattern, std::size_t count);
 
-// An angle brought into the range from 0 to below 360.
+// Wraps an angle into the range from 0 to below 360 degrees.
 double full_turn(double angle_deg);
 
 } // namespace tractus::silhouette

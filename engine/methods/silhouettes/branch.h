@@ -10,7 +10,7 @@
 
 namespace tractus::silhouette {
 
-// On which side of its parent, seen from the parent's base to its tip, a branch stands.
+// The side of the parent axis that a branch is on, looking from the parent's base to its tip.
 enum class Side { Left, Right };
 
 inline double sign_of(Side side)
@@ -18,9 +18,9 @@ inline double sign_of(Side side)
     return side == Side::Left ? 1 : -1;
 }
 
-// The angle between a parent and its branches by the place t, 0 base to 1 tip: linear between the
-// samples (Wither 2009, the branching angle function). At first low branches lie and high ones
-// rise.
+// Branching angle as a function of the position t along the parent (0 base, 1 tip), linear between
+// samples (the branching angle function of Wither 2009). By default it decreases from base to tip,
+// so low branches spread and high ones are steep.
 class BranchingAngles {
 public:
     struct Sample {
@@ -28,13 +28,13 @@ public:
         double angle_deg = 0;
     };
 
-    BranchingAngles(); // 80 degrees at the base, 35 at the tip.
-    // In any order; at least one. Angles are those of the way over a share of the branch; 0: at its
-    // very base.
+    BranchingAngles(); // Default: 80 degrees at the base, 35 at the tip.
+    // At least one sample, in any order. Angles are measured to the chord over the first `over` of
+    // a branch's length; 0 means the tangent at its base.
     explicit BranchingAngles(std::vector<Sample> samples, double over = 0);
 
     double at_deg(double t) const;
-    // Takes the angle of a branch that was drawn; one within 0.05 of its place goes.
+    // Adds the angle of a drawn branch and removes earlier samples within 0.05 of its t.
     void learn(Sample const& sample);
     std::vector<Sample> const& samples() const { return samples_; }
     double over() const { return over_; }
@@ -44,56 +44,59 @@ private:
     double over_ = 0;
 };
 
-// A branch that stands on a sample of a trunk.
+// A branch that starts at a sample of a trunk.
 struct BranchCurve {
     Cubic curve {};
     std::size_t trunk_sample = 0;
-    double t = 0;             // The sample's place along the trunk.
-    double length = 0;        // Of sixteen chords of it.
-    double tangent_share = 0; // Of the curve's tangents, as shares of the way from base to end.
+    double t = 0;      // Position of its base along the trunk, 0 to 1.
+    double length = 0; // Arc length, as the sum of sixteen chords.
+    // Magnitude of the curve's end tangents as a share of the chord from base to end.
+    double tangent_share = 0;
     Side side = Side::Left;
-    double outside = 0; // How far it leaves the outline.
+    double outside = 0; // Greatest distance by which it leaves the outline.
 };
 
-// Where a branch has to end and how it arrives there.
+// Where a branch ends, and its direction there.
 struct BranchEnd {
     Vec2 end = Vec2::Zero();
-    Vec2 tangent = Vec2::UnitY(); // Length 1.
+    Vec2 tangent = Vec2::UnitY(); // Unit vector.
 };
 
-// A trunk's samples and those that may bear branches; the outline that branches stay in.
+// Input of the search for a branch: the trunk's samples, those where a branch may start, and the
+// outline that it should stay inside.
 struct BranchSearch {
-    std::span<Vec2 const> trunk; // At least two, at equal distances.
+    std::span<Vec2 const> trunk; // At least two, equally spaced.
     Run bases;
-    std::span<Vec2 const> outline {}; // None: branches may go anywhere.
+    std::span<Vec2 const> outline {}; // Empty: branches are not limited.
     BranchingAngles const& angles;
 };
 
-// The way from a branch's base to a share of its length.
+// Chord from a branch's base to the point at `share` of its length.
 Vec2 way_over(Cubic const& curve, double share);
 
-// The branch from one sample; tangents are `share` of the way from there to the end.
+// The branch that starts at one sample. The magnitude of its end tangents is `share` of the chord.
 BranchCurve branch_from(BranchSearch const& search, std::size_t sample, BranchEnd const& to,
                         double share = 0.5);
 
-// The shortest of the branches from all bases (Wither 2009), of those that leave the outline by at
-// most 1 % of its diagonal. Where there is none, its tangents become longer; where there is none
-// then, the one that leaves the outline least.
+// The shortest branch over all candidate bases (Wither 2009) that leaves the outline by at most 1 %
+// of its diagonal. If there is none, longer tangents are tried; if there is still none, the result
+// is the branch that leaves the outline least.
 BranchCurve infer_branch(BranchSearch const& search, BranchEnd const& to);
 
-// A branch as a stroke has it that begins near the trunk: from the nearest of the bases to the
-// stroke's end, its tangents such that it is nearest to the stroke's points (least squares).
+// The branch drawn by a stroke that begins near the trunk: it starts at the candidate base nearest
+// to the stroke's beginning and ends at the stroke's end; its tangents are fitted to the stroke's
+// points by least squares.
 BranchCurve drawn_branch(BranchSearch const& search, std::span<Vec2 const> stroke);
 
-// Full opening of the cone around a branch of length `distance` in which its crown lies: 20 degrees
-// for a bump without radius, 110 for one whose radius is the distance or more.
+// Full opening angle, degrees, of the cone that contains the crown of a branch of length
+// `distance`: 20 for a bump of radius 0, 110 when the radius reaches the distance.
 double cone_angle_deg(double radius, double distance);
 
-// The crown of a branch that ends in no bump: a lens around its outer part, counter-clockwise.
+// Crown of a branch that ends in no bump: a lens around its outer part, counter-clockwise.
 std::vector<Vec2> lens_around(Cubic const& branch);
 
-// The outline of a branch's own crown, counter-clockwise: the bump's samples in the cone at the
-// branch's base, and two curves that close it to there.
+// Outline of a branch's own crown, counter-clockwise: the bump's samples that lie in the cone at
+// the branch's base, closed by two curves back to the base.
 std::vector<Vec2> crown_of(std::span<Vec2 const> outline, Bump const& bump, Cubic const& branch);
 
 } // namespace tractus::silhouette

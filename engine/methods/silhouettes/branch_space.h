@@ -9,25 +9,27 @@
 
 namespace tractus::silhouette {
 
-using Space = Eigen::Affine3d; // From a plane (x, y, 0) to the plant.
+using Space = Eigen::Affine3d; // Transform from a drawing plane (x, y, 0) to the plant.
 
 Space in_space(Similarity const& way);
 
-// Millimetres of the plant to one of the plane.
+// Scale of the transform: plant millimetres per unit of the plane.
 double unit_of(Space const& space);
 
-// What bears a branch: its plane, and its line in that.
+// The parent of a branch: the transform of its plane, and its axis in that plane.
 struct Bearer {
     Space const& space;
     Line const& line;
 };
 
-// Where a branch stands, turned about its parent by so much of the angle that it has.
+// Transform of a placed branch. `share` scales its azimuth about the parent: 0 leaves it in the
+// parent's plane, 1 turns it fully.
 Space space_of(Bearer const& bearer, Standing const& standing, Branch const& branch,
                double share = 1);
 
-// Likewise under a surface that was drawn. Branches on branches leave the plane in which their
-// parent was fitted to it: they turn back towards that, and shrink, as far as they must.
+// Like space_of(), but inside a drawn crown surface. Branches of branches rotate back towards the
+// plane in which their parent was fitted to the surface, and shrink, as far as needed to stay
+// inside.
 Space space_under(SurfaceFit const& surface, Bearer const& bearer, Standing const& standing,
                   Branch const& branch);
 

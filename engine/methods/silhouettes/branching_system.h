@@ -15,37 +15,39 @@ struct InferenceOptions {
     BumpThresholds bumps {};
     FillOptions fill {};
     BranchingAngles angles {};
-    double unbranched = 0; // A share of the trunk: below it none is inferred.
-    // Where branches that are drawn stand.
+    double unbranched = 0; // Share of the trunk, from its base, on which no branch is inferred.
+    // Where drawn branches may start: on the part of the trunk inside the outline, or anywhere.
     enum class DrawnBases { InOutline, Anywhere } drawn_bases = DrawnBases::InOutline;
 };
 
-// A trunk, a silhouette around it, and the branches that follow from them, millimetres in the plane
-// of the drawing.
+// A trunk, the silhouette around it, and the branches inferred from them, in millimetres of the
+// drawing plane.
 struct BranchingSystem {
-    std::vector<Vec2> outline; // In equal steps, counter-clockwise.
+    std::vector<Vec2> outline; // Equally spaced points, counter-clockwise.
     std::vector<Vec2> trunk;   // 64 samples, base first,
-    // and where it is extended to: its apex, or as far as branches stand ahead of it.
+    // Where the trunk is extended to: its apex, or as far as there are branches ahead of its end.
     std::optional<Vec2> trunk_goes_on_to;
-    Run inside; // The samples that may bear branches.
+    Run inside; // Range of trunk samples where branches may start.
     ChordalAxis::Counts triangles;
     std::vector<Bump> bumps;
-    // One for each lateral bump, in their order, which is the drawn one where one ends there; then
-    // the others that were drawn, and those added.
+    // First one branch per lateral bump, in the order of the bumps (a drawn branch where one ends
+    // in the bump), then the other drawn branches, then the added ones.
     std::vector<Branch> branches;
-    double coverage_before = 0; // Shares of the outline's inside that crowns cover, with the
-    double coverage_after = 0;  // branches of bumps alone, and with all.
+    double coverage_before = 0; // Shares of the outline's area that are covered by crowns:
+    double coverage_after = 0;  // with the branches of bumps only, and with all branches.
     std::vector<std::string> notes;
-    // Its outline is one that was drawn for a branch, or it follows such a system's style.
+    // The outline was drawn for this branch, or the system follows the style of such a system.
     bool is_of_own_outline = false;
-    std::size_t touches_taken = 0; // Of those on its bumps, which found theirs (bump_touch.h).
-    // All of it is one leaf, and there are no branches; no value: it is none.
+    // Number of touches that matched one of its bumps (bump_touch.h).
+    std::size_t touches_taken = 0;
+    // Set if the whole crown is one leaf; there are no branches then.
     std::optional<LeafBlade> leaf {};
-    // It has a sibling's style, or siblings have its: no other style is for it (sibling_style.h).
+    // It follows a sibling's style, or its siblings follow its style. It takes no other style
+    // (sibling_style.h).
     bool is_in_siblings_style = false;
 
-    // The trunk with what it is extended by, in equal steps or nearly so. Without what a branch of
-    // its own continues it by: its apex.
+    // The trunk with its extension, equally spaced or nearly so. Where an apex branch continues the
+    // trunk, that part is left out.
     std::vector<Vec2> whole_trunk() const;
     bool has_apex_branch() const
     {
@@ -53,11 +55,11 @@ struct BranchingSystem {
     }
 };
 
-// The share of the outline's inside that the branches' crowns cover.
+// Share of the outline's area that is covered by the branches' crowns.
 double coverage_of(BranchingSystem const& system);
 
-// Infers the branches of a drawing. Fails like clean_drawing(), and, as the user's fault, where the
-// trunk is wholly outside of the outline.
+// Infers the branches of a drawing. Fails like clean_drawing(), and with a user error if the trunk
+// is wholly outside the outline.
 Result<BranchingSystem> infer_system(Drawing const& drawing, InferenceOptions const& options = {});
 
 } // namespace tractus::silhouette

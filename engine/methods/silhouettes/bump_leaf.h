@@ -9,16 +9,16 @@
 
 namespace tractus::silhouette {
 
-// The branch that ends in a bump, as what a touch there declares a leaf.
+// The branch that ends in a touched bump, to be declared a leaf.
 struct BumpLeaf {
-    std::string branch;        // Its path.
-    std::vector<Vec2> outline; // Its part of the crown, in millimetres of the drawing.
+    std::string branch;        // Path of the branch (Skeleton::at()).
+    std::vector<Vec2> outline; // Its part of the crown's outline, in millimetres of the drawing.
 };
 
-// The bump that a touch lies on is one of the smallest outline that has one there (touched_bump(),
-// bump_touch.h); Search::OnTrunk looks at the crown's alone. No value: there is none, no branch
-// ends in it, as in the one that the trunk comes in through or ends in, or the touch is outside of
-// that branch's part of the crown by more than 4 % of the outline's diagonal.
+// Finds the branch that ends in the touched bump (touched_bump(), bump_touch.h) of the smallest
+// outline that has a bump there. Search::OnTrunk considers only the crown's outline. No value if
+// there is no bump, if no branch ends in it (as in the trunk's foot or apex), or if the touch is
+// farther than 4 % of the outline's diagonal from that branch's part of the crown.
 std::optional<BumpLeaf> leaf_on_bump(Skeleton const& skeleton, Vec2 const& place, Search search);
 
 } // namespace tractus::silhouette

@@ -11,47 +11,51 @@
 
 namespace tractus::silhouette {
 
-// What a touch is on. A split is on the bump that it lies in, else on one around whose end it is,
-// or whose arc is within 4 % of the outline's diagonal of it; a bump of fewer than eight samples is
-// too small. A join is on the nearest of the places where two bumps meet, of those within 8 % of
-// the diagonal: the outline from the one's end to the other's beginning.
+// Finds the bump that a touch refers to. A split refers to the bump that contains the touch;
+// failing that, to one whose end area surrounds it; failing that, to one whose arc is within 4 % of
+// the outline's diagonal. Bumps of fewer than eight samples are too small to split. A join refers
+// to the nearest joint within 8 % of the diagonal. A joint is the part of the outline from the end
+// of one bump to the beginning of the next.
 //
-// `bump`: which one, of a join the first of the two along the outline; no value: on none. The
-// touch, the bumps and the outline are in the same millimetres, whichever these are.
+// Returns the index of the bump; for a join, of the first of the two along the outline. No value if
+// the touch is at no bump. The touch, the bumps and the outline share one frame and unit.
 std::optional<std::size_t> touched_bump(std::span<Bump const> bumps, std::span<Vec2 const> outline,
                                         BumpTouch const& touch);
 
-// The systems of outlines that somebody drew, the smallest first; Search::OnTrunk: the crown's.
+// Indices of the systems whose outlines were drawn, smallest outline first. Search::OnTrunk: only
+// the crown's.
 std::vector<std::size_t> outlined_systems(Skeleton const& skeleton, Search search);
 
-// Splits and joins bumps, one touch after the other, before roles are set; returns how many of the
-// touches found theirs.
+// Splits and joins bumps, one touch after the other, before roles are assigned. Returns the number
+// of touches that matched a bump.
 //
-// A bump is split where the ray through the touch leaves it that comes from the middle of its
-// chord, or from behind its end, at least a fifth of its arc away from where that begins and ends:
-// each half has its part of the arc. What is joined has both arcs and ends between the two.
+// A bump is split where a ray through the touch leaves it. The ray starts at the middle of the
+// bump's chord, or farther back behind its end. The split point is at least a fifth of the arc away
+// from both ends of the arc; each half gets its part of the arc. A joined bump has both arcs and
+// ends between the two ends.
 std::size_t take_touches(std::vector<Bump>& bumps, std::span<Vec2 const> outline,
                          std::span<BumpTouch const> touches);
 
-// What a touch does to a drawing: it is added to its touches, of the smallest outline on whose
-// bumps it is, or takes an earlier one back: a join of two halves the split that made them, a split
-// near the place of a join that one.
+// The effect of a touch on a drawing. It is added to the touches of the smallest outline with a
+// bump there, or it undoes an earlier touch: joining two halves undoes the split that made them,
+// and splitting near a joint undoes that join.
 struct TouchedDrawing {
     BumpTouch added {};
-    std::optional<std::size_t> taken_back {}; // Of the drawing's touches, in place of `added`.
+    std::optional<std::size_t> taken_back {}; // Index in the drawing's touches of the one that is
+                                              // undone; `added` is unused then.
 };
 
-// Finds that. Search::OnTrunk looks at the crown's bumps alone. Fails, as the user's fault, where
-// the touch is on no bump, and like infer_skeleton().
+// Finds the effect of a touch. Search::OnTrunk considers only the crown's bumps. Fails with a user
+// error if the touch is at no bump, and like infer_skeleton().
 Result<TouchedDrawing> touched(Drawing const& drawing, BumpTouch const& touch,
                                SkeletonOptions const& options = {},
                                Search search = Search::AnyLevel);
 
-// Likewise, and does it.
+// Finds the effect of a touch like touched() and applies it to the drawing.
 Result<void> add_touch(Drawing& drawing, BumpTouch const& touch,
                        SkeletonOptions const& options = {}, Search search = Search::AnyLevel);
 
-// How many of a drawing's touches wait for their bumps.
+// Number of the drawing's touches that match no bump at present.
 std::size_t touches_waiting(Drawing const& drawing, Skeleton const& skeleton);
 
 } // namespace tractus::silhouette

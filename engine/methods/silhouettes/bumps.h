@@ -8,55 +8,63 @@
 
 namespace tractus::silhouette {
 
-// What a bump of an outline is to the tree.
+// The function of a bump in the tree.
 enum class Role {
-    Foot,    // The trunk comes in through it: it bears nothing.
+    Foot,    // The trunk enters through it; no branch ends in it.
     Apex,    // The trunk ends in it.
-    Lateral, // A branch ends in it.
+    Lateral, // A lateral branch ends in it.
 };
 
-// A part that sticks out of a silhouette: a limb of its chordal axis that rises enough.
+// A protruding part of a silhouette: a limb of its chordal axis that protrudes by more than a
+// threshold.
 struct Bump {
-    Arc arc;                 // The part of the outline that is the bump's own.
-    Arc cap;                 // The part around its end, beyond `end`.
-    Vec2 end = Vec2::Zero(); // The central point E: about a lobe's middle, nearly a spike's tip.
-    Vec2 tangent = Vec2::Zero(); // How a branch arrives at E: towards the cap. Length 1.
-    double radius = 0;           // Of the cap, as a circle.
-    Vec2 tip = Vec2::Zero();     // The cap's farthest point along `tangent`.
-    double strength = 0;         // How far it rises over the least that counts; 0: no junction.
+    Arc arc;                 // The part of the outline that belongs to the bump.
+    Arc cap;                 // The part of the arc around the bump's end, beyond `end`.
+    Vec2 end = Vec2::Zero(); // Central point E of Wither 2009: near the middle of a lobe, near the
+                             // tip of a spike.
+    // Direction in which a branch reaches E, towards the cap. Unit vector.
+    Vec2 tangent = Vec2::Zero();
+    double radius = 0;       // Radius of the cap, taken as a circle.
+    Vec2 tip = Vec2::Zero(); // The cap's farthest point along `tangent`.
+    // Its rise divided by the threshold for bumps; 0: the outline has no junction.
+    double strength = 0;
     Role role = Role::Lateral;
-    std::optional<std::size_t> touch {}; // Which touch made it (bump_touch.h); no value: none.
+    // Index of the touch that made it (bump_touch.h), if one did.
+    std::optional<std::size_t> touch {};
 };
 
-// How much a limb has to rise over the circle around its junction to count.
+// Thresholds for a limb to count as a bump: how far it must rise out of the circumcircle of its
+// junction triangle.
 struct BumpThresholds {
-    double rise_of_diagonal = 0.012; // As a share of the diagonal of the outline's box,
-    double rise_of_chord = 0.06;     // and of the chord where it begins.
+    double rise_of_diagonal = 0.012; // As a share of the diagonal of the outline's bounding box,
+    double rise_of_chord = 0.06;     // and of the chord at its base.
 };
 
-// The bumps of an outline in the order of their arcs. Limbs that rise too little are taken off, the
-// weakest first, each of which may make its junction a sleeve. Where no junction is left, as in an
-// ellipse, there are two: beyond the longest chord, each way. Roles are not set.
+// The bumps of an outline, in the order of their arcs. Limbs that rise too little are removed,
+// weakest first; this may turn their junction triangle into a sleeve triangle. If no junction is
+// left, as in an ellipse, the result is the two ends beyond the longest chord. Roles are not
+// assigned yet.
 std::vector<Bump> find_bumps(ChordalAxis const& axis, BumpThresholds const& thresholds = {});
 
-// Whether the half circle over the ends of an arc holds all of it.
+// True if the half disc over the ends of an arc contains the whole arc.
 bool holds_cap(std::span<Vec2 const> outline, Arc const& arc);
 
-// A bump by its arc and its cap.
+// Computes the bump that has the given arc and cap.
 Bump describe_bump(std::span<Vec2 const> outline, Arc const& arc, Arc const& cap, double strength);
 
-// Samples from one to another, both among them.
+// A range of samples, both ends included.
 struct Run {
     std::size_t first = 0;
     std::size_t last = 0;
 };
 
-// The longest run of the samples of a trunk that is inside of the outline; no value if none is.
+// The longest run of trunk samples inside the outline; no value if none is inside.
 std::optional<Run> inside_run(std::span<Vec2 const> outline, std::span<Vec2 const> trunk);
 
-// Sets roles. `run`: the trunk's samples inside. The two ends of an outline that is about round are
-// its foot and its apex. Answers where the trunk would go on to where it
-// has neither an apex nor a fork ahead: 85 % of the way straight on to the outline.
+// Assigns roles. `run` is the range of trunk samples inside the outline. In an outline that is
+// nearly round, the two end bumps become foot and apex. If the trunk has neither an apex nor a fork
+// ahead, returns the point to which it should be extended: straight on, 85 % of the way to the
+// outline.
 std::optional<Vec2> set_roles(std::vector<Bump>& bumps, std::span<Vec2 const> outline,
                               std::span<Vec2 const> trunk, Run const& run);
 

@@ -8,20 +8,19 @@
 
 namespace tractus::silhouette {
 
-// Points of an outline from one to another along it, both among them: the way may lead over its
-// first point.
+// A run of outline points, both ends included. It may wrap around past the last point.
 struct Arc {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
 
-    std::size_t inner_count(std::size_t points) const // Without the two ends.
+    std::size_t inner_count(std::size_t points) const // Number of points without the two ends.
     {
         return (last + points - first) % points - (first == last ? 0 : 1);
     }
 };
 
-// A chord of an outline: an edge of a triangle that is not the outline's own. It looks away from
-// its triangle.
+// A chord: an edge of a triangle that is not an edge of the outline. Seen from its triangle it
+// faces outwards.
 struct Chord {
     std::uint32_t triangle = 0;
     std::uint32_t edge = 0;
@@ -29,18 +28,18 @@ struct Chord {
     bool operator==(Chord const&) const = default;
 };
 
-// The triangles of an outline as a tree: neighbours across chords (Prasad, "Morphological analysis
-// of shapes", 1997). A triangle with one chord is terminal: the tip of something; with two a
-// sleeve; with three a junction, where three parts meet.
+// The triangulation of an outline as a tree whose edges are the chords between neighbouring
+// triangles (Prasad, "Morphological analysis of shapes", 1997). A triangle with one chord is
+// terminal (a tip), one with two is a sleeve, one with three is a junction of three parts.
 class ChordalAxis {
 public:
-    // A simple outline, counter-clockwise, of at least three points.
+    // `outline`: a simple polygon, counter-clockwise, at least three points.
     explicit ChordalAxis(std::vector<Vec2> outline);
 
     std::vector<Vec2> const& outline() const { return outline_; }
     std::vector<Triangle> const& triangles() const { return triangles_; }
 
-    // 0 to 3; 0 only where the whole outline is one triangle.
+    // Number of chords of a triangle, 0 to 3; 0 only if the whole outline is one triangle.
     int chord_count(std::uint32_t triangle) const;
 
     struct Counts {
@@ -50,20 +49,20 @@ public:
     };
     Counts counts() const;
 
-    // The outline beyond a chord, from one of its ends to the other.
+    // The part of the outline beyond a chord, from one end of the chord to the other.
     Arc beyond(Chord const& chord) const;
     Vec2 const& first_of(Chord const& chord) const { return outline_[beyond(chord).first]; }
     Vec2 const& last_of(Chord const& chord) const { return outline_[beyond(chord).last]; }
     double length_of(Chord const& chord) const { return (last_of(chord) - first_of(chord)).norm(); }
 
-    // The same chord as its other triangle sees it.
+    // The same chord seen from the neighbouring triangle.
     Chord reversed(Chord const& chord) const;
 
-    // The other chords of the triangle that lies beyond.
+    // The other chords of the neighbouring triangle.
     std::vector<Chord> onward(Chord const& chord) const;
 
-    // How far the outline beyond a chord rises out of the circumcircle of its triangle: 0 or more,
-    // but for rounding.
+    // How far the outline beyond a chord protrudes from the circumcircle of the chord's triangle: 0
+    // or more, up to rounding.
     double rise(Chord const& chord) const;
 
 private:
@@ -71,7 +70,7 @@ private:
     std::vector<Triangle> triangles_;
 };
 
-// Center and radius of the circle through three points that are not on a line.
+// Centre and radius of the circle through three points that are not collinear.
 struct Circle {
     Vec2 center = Vec2::Zero();
     double radius = 0;

@@ -9,25 +9,25 @@
 
 namespace tractus::silhouette {
 
-// All branches that styles go from and to, each once.
+// All paths that occur in `styles`, as target or as source, without duplicates.
 std::set<std::string> paths_in(ChosenStyles const& styles);
 
-// Whose style a branch has that somebody chose another one's for: that one's, or whose that one
-// has. All are paths (Skeleton::at()).
+// Path of the branch whose style `branch` finally has, following chosen styles from source to
+// source. Paths are those of Skeleton::at().
 std::string source_of(ChosenStyles const& styles, std::string branch);
 
-// Chooses styles in addition to those that there are, or in place of them; "" takes a branch's
-// away. What a source has from another one is that one's. Fails, as the user's fault, for a branch
-// that there is not, a source that bears nothing or is on a deeper level, a branch that others were
-// drawn on, and one whose style is taken away and that has none.
+// Adds chosen styles or replaces existing ones; a source of "" removes the branch's choice. A
+// source that has a chosen style itself stands for its own source. Fails with a user error if a
+// branch does not exist, if a source has no children or is on a deeper level, if branches were
+// drawn on the target, or if a style is removed where none was chosen.
 Result<void> choose_styles(ChosenStyles& styles, ChosenStyles const& chosen,
                            Skeleton const& skeleton);
 
-// What a stroke chooses that carries a style: that of the branch that it begins on (own_branch.h)
-// goes to those that it runs over on the same level, to within 1 % of the outline's diagonal. One
-// that runs over no other takes the style away that somebody chose for its branch. The trunk's
-// branches are meant, and those of branches that somebody drew on. Fails, as the user's fault,
-// where it begins on none. The skeleton and the stroke are in the same millimetres.
+// The style choices that a stroke makes. The style of the branch on which it begins (own_branch.h)
+// is copied to the branches of the same level that it crosses, to within 1 % of the outline's
+// diagonal. A stroke that crosses no other branch removes the style chosen for its first branch. It
+// considers the trunk's branches and the children of branches that were drawn on. Fails with a user
+// error if it begins on no branch. The skeleton and the stroke are in the same millimetres.
 Result<ChosenStyles> carried_by(Skeleton const& skeleton, std::span<Vec2 const> stroke);
 
 } // namespace tractus::silhouette

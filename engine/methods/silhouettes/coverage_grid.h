@@ -9,36 +9,36 @@
 
 namespace tractus::silhouette {
 
-// What part of an outline's inside is covered: 256 cells along the longer side of its box.
+// Raster of the covered part of an outline: 256 cells along the longer side of its bounding box.
 class CoverageGrid {
 public:
     static constexpr int kCells = 256;
 
     explicit CoverageGrid(std::span<Vec2 const> outline);
 
-    // Cells of a polygon, those whose middles are inside by even and odd.
+    // The cells whose centres are inside a polygon (even-odd rule).
     struct Cells {
         int first_row = 0;
-        std::vector<std::uint64_t> bits; // Four words a row.
+        std::vector<std::uint64_t> bits; // Four words per row.
         std::size_t count = 0;
     };
     Cells cells_of(std::span<Vec2 const> polygon) const;
 
-    // How many of the cells are covered already.
+    // Number of these cells that are already covered.
     std::size_t count_covered(Cells const& cells) const;
     void cover(Cells const& cells);
 
-    // The share of the outline's cells that is covered.
+    // Share of the outline's cells that are covered.
     double coverage() const;
 
-    // Whether the cell of a point is one of the outline's; and not covered.
+    // is_inside(): the point's cell belongs to the outline. is_free(): it does and is not covered.
     bool is_inside(Vec2 const& point) const;
     bool is_free(Vec2 const& point) const;
 
     double cell() const { return cell_; }
 
-    // The free place that is farthest from all that is covered or outside, by looking at every
-    // `step`-th cell of every `step`-th row; radius 0 where nothing is free. 1 to 8.
+    // The free point farthest from all covered cells and from the outside, examining every
+    // `step`-th cell of every `step`-th row (`step` 1 to 8). Radius 0 if nothing is free.
     struct Gap {
         Vec2 center = Vec2::Zero();
         double radius = 0;

@@ -13,23 +13,24 @@
 
 namespace tractus::silhouette {
 
-// A branch of a system where it stands around its parent.
+// A branch of a system, placed around its parent.
 struct Standing {
-    std::size_t branch = 0; // Of the system: itself, or the one that it is a copy of.
+    // Index in the system of the branch itself, or of the branch that it copies.
+    std::size_t branch = 0;
     std::string name;
     double u = 0;
     double theta_deg = 0;
-    Similarity way; // In the system's plane, before it is turned around the parent.
+    Similarity way; // Transform within the system's plane, before the rotation about the parent.
 };
 
-// A system's branches in space.
+// All branches of a system, placed in space.
 struct Crowd {
     Line parent { { Vec2::Zero(), Vec2::UnitY() } };
-    std::vector<Standing> branches; // By u.
+    std::vector<Standing> branches; // Sorted by u.
 };
 
-// Spreads the branches of systems around their parents, with others between them that end at the
-// crown's surface. Both that it is given must outlive it.
+// Distributes the branches of systems around their parents and adds others that end at the crown's
+// surface. Both constructor arguments must outlive the object.
 class CrowdMaker {
 public:
     CrowdMaker(Skeleton const& skeleton, TreeOptions const& options)
@@ -38,13 +39,13 @@ public:
     {
     }
 
-    // Of a system's crown: the one that was drawn for the whole tree's, where one was.
+    // The surface of a system's crown; for the whole tree the drawn surface, if there is one.
     CrownSurface surface_of(std::size_t index) const;
 
-    // Spreads a system's branches alike for all parents that have it.
+    // Distributes a system's branches; every parent with this system gets the same arrangement.
     Crowd make(std::size_t index, LevelOptions const& level) const;
 
-    // A system, with its branches in the plane but the apex.
+    // A system with the positions of its visible branches, without the apex.
     struct Model {
         BranchingSystem const& system;
         CrownSurface const& surface;
@@ -52,16 +53,18 @@ public:
     };
     static std::vector<DrawnPlace> drawn_places(Line const& parent, CrownSurface const& surface,
                                                 BranchingSystem const& system);
-    // The branch in the plane that one at this place is a copy of; no value: there is none.
+    // The visible branch that an added branch at this position copies; no value if there is none.
     static std::optional<std::size_t> nearest_drawn(Model const& model, Place const& place);
 
-    // Adds one in the plane, where it was inferred or at the place to which it moves.
+    // Adds the visible branch `i`, at the base where it was inferred or at `moves_to`.
     static void stand(Crowd& crowd, Model const& model, std::size_t i, Place const& place,
                       double moves_to);
 
-    // How an added branch leaves its parent, and how small it may be, of the one it is a copy of.
+    // How an added branch leaves its parent, and the smallest allowed scale relative to the branch
+    // that it copies.
     struct Lean {
-        Vec2 from = Vec2::UnitX(); // Which way of its model has the angle.
+        // The direction in the copied branch that gets the angle `angle_deg`.
+        Vec2 from = Vec2::UnitX();
         double angle_deg = 0;
         double least = 0.15;
         enum class Smaller { LeftOut, Least } smaller = Smaller::LeftOut;
@@ -69,13 +72,13 @@ public:
     static void stand_added(Crowd& crowd, Model const& model, Place const& place,
                             std::size_t nearest, Lean const& lean);
 
-    // Puts the branches in order, the trunk's end last.
+    // Sorts the branches, with the trunk's end last.
     static void finish(Crowd& crowd, BranchingSystem const& system);
 
-    // From a branch as it is to one from another place to the same end.
+    // The similarity that moves a branch's base to `from` and leaves its end where it is.
     static Similarity way_to_end(Branch const& branch, Vec2 const& from);
 
-    // The axis of a branch whose own system is `below`, if it has one.
+    // Axis of a branch. `below` is the index of its own system, kNoSystem if it has none.
     std::vector<Vec2> line_of(Branch const& model, std::size_t below) const;
 
 private:

@@ -9,44 +9,48 @@
 
 namespace tractus::silhouette {
 
-// A line in space on a crown's surface: x and y as on the sheet, z how far behind it. Millimetres.
+// A line in space on the crown's surface, millimetres: x and y on the sheet, z the distance behind
+// it.
 using CrownLine = std::vector<Vec3>;
 
-// What a line on a crown's surface is, by its shape.
+// Classes of crown lines, told apart by shape.
 enum class CrownLineKind {
-    Ring,  // Once around at nearly one height,
-    Climb, // around more than once while it climbs,
-    Side,  // or an outline in an upright plane.
+    Ring,  // Once around the crown at nearly constant height.
+    Climb, // More than once around the crown while rising.
+    Side,  // A closed outline in a vertical plane.
 };
 
-// A ring rises by at most a quarter of its greatest width, a line that climbs goes around one and a
-// quarter times at least, and an outline is in its plane by a fifth of its width. Fails, as the
-// user's fault, for what is none of them.
+// Classifies a line. A ring rises by at most a quarter of its greatest width. A climbing line makes
+// at least one and a quarter turns. An outline deviates from its plane by at most a fifth of its
+// width. Fails with a user error for any other line.
 Result<CrownLineKind> kind_of(CrownLine const& line);
 
-// Of an outline in an upright plane, 0 to below 180: 0 in the sheet, 90 across it.
+// Azimuth of the vertical plane of an outline, 0 to below 180 degrees: 0 in the sheet, 90 at right
+// angles to it.
 double azimuth_deg(CrownLine const& side);
 
-// Around where on the desk it goes: to the right and behind the sheet. Of a ring its area's middle.
+// Centre of a line in plan view (x to the right, y behind the sheet); of a ring, its centroid.
 Vec2 plan_middle(CrownLine const& line);
 
-double mean_height(CrownLine const& line); // On the sheet.
+double mean_height(CrownLine const& line); // Mean y, millimetres on the sheet.
 
-// Whether a line takes another one's place: rings within 4 mm of one height, outlines within ten
-// degrees of one azimuth, and any two that climb.
+// True if `line` replaces `other`: two rings within 4 mm in height, two outlines within ten degrees
+// of azimuth, or any two climbing lines.
 bool takes_place_of(CrownLine const& line, CrownLine const& other);
 
-// Azimuths around the trunk at which a crown is measured: every five degrees, from 0 on.
+// Number of azimuths around the trunk at which a crown is sampled: every five degrees from 0.
 constexpr std::size_t kAzimuths = 72;
 
-// Where a line is at an azimuth: (height along the trunk, distance from it).
+// Intersections of lines with the half plane at each azimuth, as (height along the trunk, distance
+// from it).
 using Crossings = std::array<std::vector<Vec2>, kAzimuths>;
 
-// Adds where a ring is at each azimuth, once. Fails, as the user's fault, if it does not go around
-// the trunk.
+// Adds the intersection of a ring with each azimuth, one per azimuth. Fails with a user error if
+// the ring does not go around the trunk.
 Result<void> add_ring(CrownLine const& ring, TrunkFrame const& trunk, Crossings& crossings);
 
-// Likewise, as often as the line goes around.
+// Adds the intersections of a climbing line, as many per azimuth as it makes turns. Fails like
+// add_ring().
 Result<void> add_climb(CrownLine const& climb, TrunkFrame const& trunk, Crossings& crossings);
 
 } // namespace tractus::silhouette

@@ -9,50 +9,53 @@
 
 namespace tractus::silhouette {
 
-// A crown's surface around its trunk. Of an outline alone the one that it stands for when the tree
-// is seen from other sides: its right and left half as curves in (distance from the trunk, height
-// along it), and between them, at an azimuth theta, w of the right and 1 - w of the left,
-// w = (1 + cos theta) / 2. It is smooth all around, and is the outline at 0 and 180 degrees. Of
-// meridians the one that was drawn (drawn_surface.h). In units of the outline.
+// The surface of a crown around its trunk, in units of the outline.
+//
+// From an outline alone: the right and left halves are curves in (distance from the trunk, height
+// along it). At azimuth theta the surface is the blend w * right + (1 - w) * left with w = (1 + cos
+// theta) / 2. It is smooth all around and equals the outline at 0 and 180 degrees.
+//
+// From meridians: the surface that was drawn in space (drawn_surface.h).
 class CrownSurface {
 public:
     CrownSurface(std::span<Vec2 const> outline, std::span<Vec2 const> trunk);
 
-    // Through meridians, at least two, by their azimuths. Between neighbours distances are such
-    // that an ellipse is one of which only its half-axes are given.
+    // Surface through at least two meridians, sorted by azimuth. Between neighbours the distances
+    // are interpolated so that two half-axes give an ellipse.
     CrownSurface(std::vector<Meridian> meridians, std::span<Vec2 const> trunk);
 
-    // Whether it was drawn, and does not only stand for an outline.
+    // True if the surface was drawn rather than derived from an outline.
     bool is_drawn() const { return is_drawn_; }
 
     std::vector<Meridian> const& meridians() const { return meridians_; }
 
-    // Distance from the trunk, and height along it, at the share s of the way from the outline's
-    // foot to its top.
+    // (Distance from the trunk, height along it) at the share `s` of the way from the outline's
+    // foot to its top, at azimuth `theta_deg`.
     Vec2 at(double s, double theta_deg) const;
 
-    // Points of a half's curve.
+    // Number of points of each half's curve.
     static constexpr std::size_t kPoints = 65;
-    // The curve at an azimuth, closed along the trunk: what is inside of it is in the crown.
+    // The curve at an azimuth, closed along the trunk. Points inside it are inside the crown.
     std::vector<Vec2> section(double theta_deg) const;
 
-    // How far from the trunk's line the surface is at a height, where it is farthest. No value: it
-    // is all below or above.
+    // Greatest distance of the surface from the trunk's line at a height; no value if the surface
+    // is entirely above or below that height.
     std::optional<double> reach(double theta_deg, double height) const;
 
-    // The heights between which it lies, at an azimuth.
+    // (Lowest, highest) height of the surface at an azimuth.
     Vec2 heights(double theta_deg) const;
 
-    // Whether a point in space is inside (TrunkFrame::of()).
+    // True if a point in space is inside. The point is in the frame of TrunkFrame::of().
     bool holds(Vec3 const& point) const;
 
-    // Where a point of the plane is: on which side counts as the distance's sign, right above 0.
+    // Converts to the trunk's frame. For a point of the plane the sign of the distance tells the
+    // side: positive to the right.
     Vec2 to_trunk(Vec2 const& point) const { return frame_.of(point); }
     Vec3 to_trunk(Vec3 const& point) const { return frame_.of(point); }
 
 private:
     TrunkFrame frame_;
-    std::vector<Meridian> meridians_; // By their azimuths.
+    std::vector<Meridian> meridians_; // Sorted by azimuth.
     bool is_drawn_ = false;
 };
 

@@ -10,21 +10,22 @@
 
 namespace tractus::silhouette {
 
-// The surface of a crown that was drawn in space: rings at several heights, a line that winds
-// around it as it climbs, outlines in upright planes at several azimuths, or all of these.
-// `outline` is the one on the sheet, in the trunk's frame and counter-clockwise; empty: none.
+// The surface of a crown drawn in space by rings at several heights, a line that winds around the
+// crown as it climbs, outlines in vertical planes at several azimuths, or any mixture. `outline` is
+// the one on the sheet, in the trunk's frame, counter-clockwise; empty if there is none.
 //
-// Rings and lines that climb give the distance from the trunk at heights, at each of kAzimuths; a
-// monotone curve goes through these, and beyond the last the surface closes as it goes on there.
-// Near the azimuths of outlines it is what these say. With outlines alone it goes from one to the
-// next (CrownSurface). Fails like kind_of(), add_ring() and add_climb().
+// Rings and climbing lines give the distance from the trunk by height at each of kAzimuths
+// azimuths. A monotone curve interpolates these; beyond its ends the surface is extrapolated until
+// it closes. Near the azimuths of outlines, the outlines define it. With outlines alone, it is
+// interpolated from one to the next (CrownSurface). Fails like kind_of(), add_ring() and
+// add_climb().
 Result<std::vector<Meridian>> meridians_of(std::vector<CrownLine> const& lines,
                                            TrunkFrame const& trunk,
                                            std::vector<Vec2> const& outline);
 
-// Gives a drawing the surface that lines in space say: Drawing::surface. Without an outline the
-// surface's section with the sheet is one, and without a trunk, too, one rises from `foot`; no
-// value: from below the crown's middle, a quarter of its height. Fails like meridians_of() and
+// Sets Drawing::surface from lines in space. If the drawing has no outline, the surface's section
+// with the sheet becomes the outline. If it has no trunk either, one rises from `foot`. Default of
+// `foot`: a quarter of the crown's height below its middle. Fails like meridians_of() and
 // clean_drawing().
 Result<void> add_surface(Drawing& drawing, std::vector<CrownLine> const& lines,
                          std::optional<Vec2> const& foot);

@@ -9,17 +9,17 @@
 
 namespace tractus::silhouette {
 
-// What was inferred of the newest versions of a tree, which share it: so a line that is drawn anew
-// is compared with the tree as it was, and then built, without inferring either again. Only how
-// long things take depends on what is in here. Any thread may call.
+// Cache of what was inferred for the newest versions of a tree. All versions of the tree share it,
+// so that a changed line can be compared with the previous version without inferring it again. It
+// affects speed only, never results. Thread-safe.
 class InferredTrees {
 public:
-    using Inferred = std::shared_ptr<InferredDrawing const>; // Shared with who looks at it.
+    using Inferred = std::shared_ptr<InferredDrawing const>; // Shared with readers.
 
-    // Of this very version; null: it is not known, or not any more.
+    // The entry of exactly this version; null if it is not cached.
     Inferred find(OutlinedTree const& tree);
 
-    // Keeps the newest two versions, so that undo finds the one before, too.
+    // Stores an entry. The newest two versions are kept, so that undo finds the previous one.
     void keep(OutlinedTree tree, Inferred inferred);
 
 private:
@@ -28,12 +28,12 @@ private:
         Inferred inferred;
     };
 
-    std::mutex mutex_; // Guards what follows.
+    std::mutex mutex_; // Guards the members below.
     std::list<Version> newest_first_;
 };
 
-// The tree as it would be if its crown were no leaf: known, or inferred and kept for later. Fails
-// like skeleton_of().
+// The inference of the tree, ignoring a declaration of the crown as a leaf; from the cache, or
+// computed and stored there. Fails like skeleton_of().
 Result<InferredTrees::Inferred> inferred(OutlinedTree const& tree);
 
 } // namespace tractus::silhouette

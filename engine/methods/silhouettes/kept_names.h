@@ -12,10 +12,11 @@
 
 namespace tractus::silhouette {
 
-// What is inferred of a drawing, and what a later drawing is compared with.
+// The inference of a drawing, against which a later drawing is compared.
 struct InferredDrawing {
     Skeleton skeleton {};
-    // Its systems without what was drawn on their branches; empty where nothing was.
+    // Its systems before drawn parts were applied to their branches; empty if nothing was drawn on
+    // branches.
     std::vector<BranchingSystem> as_inferred {};
 
     BranchingSystem const& bare(std::size_t system) const
@@ -24,14 +25,14 @@ struct InferredDrawing {
     }
 };
 
-// Gives branches of a tree whose lines have changed the names that they had in the one before
-// (match.h); those that are new get names that begin with `fresh`. What was drawn on branches goes
-// with the names: an outline whose branch is gone goes to the branch of its parent that it lies
-// around, if that has none, and a branch whose parent is gone to a new one that it begins on. What
-// stands on those goes with them.
+// Keeps the names of branches when a tree's lines change: matched branches (match.h) get their
+// earlier names, and new ones get names that begin with `fresh`. Lines drawn on branches follow the
+// names. An outline whose branch is gone moves to the branch of the same parent that it surrounds,
+// if that one has no outline yet. A drawn branch whose parent is gone moves to the new branch on
+// which it begins. Whatever is attached to these moves with them.
 class KeptNames final : public BranchNamer {
 public:
-    // What it is given must outlive it.
+    // The arguments must outlive the object.
     KeptNames(InferredDrawing const& earlier, std::string fresh)
         : earlier_(earlier)
         , fresh_(std::move(fresh))
@@ -40,14 +41,14 @@ public:
 
     void name(NewSystem const& made, Drawing& drawing) override;
 
-    // Of all branches that are named.
+    // Names of all branches named so far.
     BranchNames const& names() const { return names_; }
 
-    // Of each system what it is without what was drawn on its branches; empty where nothing was.
+    // The systems before drawn parts were applied to their branches; empty if nothing was drawn.
     std::vector<BranchingSystem> take_systems() { return std::move(systems_); }
 
-    // Whether a path has borne branches twice, the ones in place of the others, which names alone
-    // cannot tell apart.
+    // True if the children of some path were replaced by others during inference, so that names
+    // alone do not identify them.
     bool has_borne_twice() const { return has_borne_twice_; }
 
 private:
@@ -59,41 +60,42 @@ private:
     std::string fresh_;
     BranchNames names_;
     std::vector<BranchingSystem> systems_;
-    std::set<std::string> parents_; // Whose branches were named.
+    std::set<std::string> parents_; // Paths whose children have been named.
     bool has_borne_twice_ = false;
-    std::vector<std::optional<std::size_t>> earlier_of_; // Of each later system.
-    std::vector<Partners> partners_;                     // Of its branches.
+    // Index of the matching earlier system, for each later system.
+    std::vector<std::optional<std::size_t>> earlier_of_;
+    std::vector<Partners> partners_; // For each later system, the partners of its branches.
 };
 
 // Infers a drawing. Fails like infer_skeleton().
 Result<InferredDrawing> infer_drawing(Drawing const& drawing, SkeletonOptions const& options);
 
-// The names of a drawing's branches where its lines have changed.
+// Names of a drawing's branches after its lines have changed.
 struct Renamed {
     BranchNames names {};
-    // The drawing as it is with these names, since they cannot be found without; no value: it is to
-    // be inferred with them once more, because lines on branches have gone to others.
+    // The inference of the drawing with these names, a by-product of finding them. No value if
+    // lines have moved to other branches; the drawing must be inferred again then.
     std::optional<InferredDrawing> inferred {};
 };
 
-// The names of the later drawing, by those of the earlier one. Says in it of which branches its
-// lines are. A crown that is a leaf has the names that it would have without, and so must have the
-// earlier one. Fails like infer_skeleton().
+// Names for the branches of `after`, based on those of the earlier drawing. Updates in `after`
+// which branches its lines belong to. A crown that is declared a leaf keeps the names that it would
+// have without; `earlier` must be inferred in the same way. Fails like infer_skeleton().
 Result<Renamed> kept_names(InferredDrawing const& earlier, Drawing& after, SkeletonOptions options,
                            std::string const& fresh);
 
-// A drawing, and how its branches are inferred.
+// A drawing with the options for inferring it.
 struct DrawingToInfer {
     Drawing const& drawing;
     SkeletonOptions const& options;
 };
 
-// Likewise, after a drawing that is inferred for this.
+// Like kept_names() above, but infers the earlier drawing first.
 Result<Renamed> kept_names(DrawingToInfer const& before, Drawing& after,
                            SkeletonOptions const& options, std::string const& fresh);
 
-// Finds branches again for what was drawn on them, where the tree had no crown for a while: names
-// say nothing of those of the trunk before.
+// Reassigns lines to branches after the tree has been without a crown for a while, when the names
+// of the trunk's former branches no longer mean anything.
 class FoundAgain final : public BranchNamer {
 public:
     void name(NewSystem const& made, Drawing& drawing) override;

@@ -9,29 +9,31 @@
 
 namespace tractus::silhouette {
 
-// A silhouette that somebody declared a leaf: nothing is inferred in it, and one organ lies there
+// A silhouette that was declared a leaf: nothing is inferred inside it, and it becomes one organ
 // (Wither 2009, section 4.2).
 struct LeafBlade {
-    // Counter-clockwise, in a frame of its own: the blade's base is the origin, its tip (0, 1).
+    // Outline in the blade's own frame, counter-clockwise: base at the origin, tip at (0, 1).
     std::vector<Vec2> outline;
-    // Where these two are in the plane of the drawing.
+    // Base and tip in the drawing plane.
     Vec2 base = Vec2::Zero();
     Vec2 tip = Vec2::UnitY();
-    bool mirrors = false; // It lies there with its other side up.
-    double stalk = 0;     // The share of its parent's length where it begins.
+    bool mirrors = false; // True: the blade lies with its other side up.
+    double stalk = 0;     // Share of the parent's length where the blade begins.
 };
 
-// The leaf whose outline lies around the end of a line: it begins where that enters the outline, or
-// with the line, and ends at the outline's farthest point from there.
+// The leaf whose outline surrounds the end of a line. Its base is where the line enters the
+// outline, or the line's beginning if that is inside. Its tip is the outline's farthest point from
+// the base.
 LeafBlade leaf_along(std::span<Vec2 const> outline, std::span<Vec2 const> line);
 
-// The leaf elsewhere.
+// The leaf transformed by a similarity.
 LeafBlade moved(LeafBlade leaf, Similarity const& way);
 
-// The part of a line that bears a leaf, as its stalk; of one that begins in the leaf a short piece.
+// The part of a line outside the leaf, as its petiole; a short piece if the line begins inside the
+// leaf.
 std::vector<Vec2> stalk_of(LeafBlade const& leaf, std::span<Vec2 const> line);
 
-// The organ, a millimetre long at scale 1, flat and as it was drawn.
+// The blade as a flat organ with the drawn outline, 1 mm long at scale 1.
 OrganShape leaf_organ(std::vector<Vec2> const& outline, MaterialId material);
 
 } // namespace tractus::silhouette

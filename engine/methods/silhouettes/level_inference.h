@@ -8,27 +8,27 @@
 
 namespace tractus::silhouette {
 
-// Which branches of a level bear others.
+// The branches of a level that get children: all, or only those with drawn details.
 enum class Which { All, Refined };
 
-// How the crowns of one level are looked into.
+// Options for inferring the crowns of one level.
 struct LevelInference {
     InferenceOptions usual;
     InferenceOptions outlined;
     Which which = Which::All;
-    // Whether branches that somebody drew on bear others than those.
+    // Whether branches with drawn children get inferred ones as well.
     enum class Besides { Nothing, Inferred } besides = Besides::Inferred;
 };
 
-// Infers the branches of the trunk, or nothing in a crown that is a leaf. Fails like
+// Infers the branches of the trunk; none if the crown is declared a leaf. Fails like
 // infer_system().
 Result<BranchingSystem> system_of_crown(Drawing const& drawing, InferenceOptions const& options);
 
-// Infers what a branch bears, with what was drawn on it, as that was drawn. Fails like
+// Infers the children of a branch, with everything that was drawn on it unchanged. Fails like
 // infer_system().
 Result<BranchingSystem> system_below(Branch const& branch, LevelInference const& how);
 
-// The options with the angles of a level's style, if it has one.
+// The options with the branching angles of a level's style, if that level has one.
 InferenceOptions styled(InferenceOptions options, std::vector<BranchStyle> const& styles,
                         int level);
 

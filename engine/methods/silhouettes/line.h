@@ -7,16 +7,16 @@
 
 namespace tractus::silhouette {
 
-// A line that is asked for its point and direction at a share of its length.
+// A polyline that can be evaluated for point and direction at a share of its length.
 class Line {
 public:
-    explicit Line(std::vector<Vec2> points); // At least two.
+    explicit Line(std::vector<Vec2> points); // At least two points.
 
     double length() const { return to_.back(); }
     Vec2 at(double u) const;
     Vec2 direction(double u) const;
 
-    // Returns about where the nearest of its points is.
+    // Approximate position, as a share of the length, of the point on the line nearest to `point`.
     double place_of(Vec2 const& point) const;
 
     std::vector<Vec2> const& points() const { return points_; }

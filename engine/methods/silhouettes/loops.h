@@ -9,8 +9,9 @@ namespace tractus::silhouette {
 
 bool crosses_itself(std::span<Vec2 const> outline);
 
-// An outline that crosses itself, cut at its crossings: the loop of the largest area, and what all
-// loops have together. Of one that does not cross itself: itself. Empty if nothing has an area.
+// Result of cutting a self-intersecting outline at its crossings: the loop of largest area, and the
+// total area of all loops. An outline without crossings is returned unchanged. Empty if no loop has
+// an area.
 struct LargestLoop {
     std::vector<Vec2> outline;
     double area = 0;
@@ -18,7 +19,7 @@ struct LargestLoop {
 };
 LargestLoop largest_loop(std::vector<Vec2> const& outline);
 
-// A stroke whose first and last quarter cross each other, without what sticks out there.
+// Removes the overshooting ends of a stroke whose first and last quarters cross each other.
 std::vector<Vec2> without_overshoot(std::vector<Vec2> const& stroke);
 
 } // namespace tractus::silhouette

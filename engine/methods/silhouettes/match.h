@@ -7,11 +7,11 @@
 
 namespace tractus::silhouette {
 
-// Which branch of an earlier system each branch of a later one is, where the outline was changed in
-// between: what was drawn on the one belongs to the other. One stroke on a branch is one branch;
-// crowns that cover at least half of either one's area are the same branch, the best pairs first; a
-// branch has one partner at most, of the same origin, or of a bump for a drawn one and the other
-// way round. No value: it is new.
+// Matches branches across a change of the outline: for each branch of `later`, the index of the
+// branch of `earlier` that it continues, so that lines drawn on the old branch can be assigned to
+// the new one. Branches with the same stroke match. Otherwise two match if the shared area of their
+// crowns is at least half of the larger crown; best pairs are taken first, each branch at most
+// once. The origins must be equal, or one Bump and the other Drawn. No value: a new branch.
 std::vector<std::optional<std::size_t>> match_branches(BranchingSystem const& earlier,
                                                        BranchingSystem const& later);
 

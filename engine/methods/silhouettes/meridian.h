@@ -7,15 +7,15 @@
 
 namespace tractus::silhouette {
 
-// A crown's surface on one side of the trunk: the curve in which the half plane at an azimuth meets
-// it, as (distance from the trunk's line, height along it), from the foot to the top. Units of the
+// The section of a crown's surface with the vertical half plane at one azimuth of the trunk, as
+// points (distance from the trunk's line, height along it) from the foot to the top. Units of the
 // drawing.
 struct Meridian {
-    double theta_deg = 0; // 0 to below 360: to the right of the sheet, 90 behind it.
+    double theta_deg = 0; // Azimuth, 0 to below 360: 0 to the right in the sheet, 90 behind it.
     std::vector<Vec2> curve;
 };
 
-// The line that distances from a trunk are taken from: from its foot to its end.
+// Frame of a trunk: its axis is the straight line from the trunk's foot to its end.
 class TrunkFrame {
 public:
     explicit TrunkFrame(std::span<Vec2 const> trunk);
@@ -23,9 +23,9 @@ public:
 
     Vec2 const& foot() const { return foot_; }
 
-    // Of a point on the sheet: how far to the right of the line it is, and how high along it.
+    // Point on the sheet to (signed distance to the right of the axis, height along it).
     Vec2 of(Vec2 const& point) const;
-    // Of a point in space, whose z is how far behind the sheet it is: to the right, behind, height.
+    // Point in space (z = distance behind the sheet) to (right, behind, height).
     Vec3 of(Vec3 const& point) const;
     Vec2 to_sheet(Vec2 const& point) const;
 
@@ -34,9 +34,9 @@ private:
     Vec2 up_;
 };
 
-// An outline's right and left half as meridians at an azimuth and opposite to it, cut where the
-// outline is nearest to the trunk's line at its lowest and its highest. The outline is
-// counter-clockwise, in the frame's coordinates.
+// Splits an outline into its right and left halves, as meridians at `theta_deg` and opposite to it.
+// The cuts are where the outline is nearest to the axis at its lowest and at its highest. The
+// outline is counter-clockwise, in the trunk's frame.
 std::vector<Meridian> halves_of(std::span<Vec2 const> outline, double theta_deg);
 
 } // namespace tractus::silhouette

@@ -6,14 +6,14 @@
 
 namespace tractus::silhouette {
 
-// A smooth function through points that never rises where they fall (cubic pieces; Fritsch,
-// Butland, "A method for constructing local monotone piecewise cubic interpolants", 1984).
+// A smooth interpolant that is monotone wherever its points are (piecewise cubic; Fritsch, Butland,
+// "A method for constructing local monotone piecewise cubic interpolants", 1984).
 class MonotoneCurve {
 public:
-    // (x, y) by x, all different; at least one.
+    // Points (x, y) sorted by x, all x distinct; at least one.
     explicit MonotoneCurve(std::vector<Vec2> points);
 
-    double at(double x) const; // Beyond the first and the last point as straight on as it ends.
+    double at(double x) const; // Extrapolated linearly beyond the first and last points.
 
     std::vector<Vec2> const& points() const { return points_; }
 

@@ -14,27 +14,27 @@
 
 namespace tractus::silhouette {
 
-// Trees of which nobody drew more than trunk and crown take the style of the nearest tree that
-// somebody refined, or chose a style for (Wither 2009, section 5).
+// Trees of which only trunk and crown were drawn take the style of the nearest tree that has a
+// style of its own, refined or chosen by hand (Wither 2009, section 5).
 
-// Whether others may take a tree's style: something was drawn on its branches, styles were carried,
-// or somebody has chosen a form or numbers for it.
+// True if other trees may take this tree's style: something was drawn on its branches, styles were
+// copied between them, or a form or its numbers were set by hand.
 bool has_own_style(OutlinedTree const& tree);
 
-// Whether a tree takes another one's: it was drawn so, and has none of its own.
+// True if the tree takes another tree's style: it was drawn that way and has none of its own.
 bool takes_style(OutlinedTree const& tree);
 
-// The tree with a style of its own whose foot is nearest to a place on the desk, other than
-// `except`; of equally near ones that which was drawn first. 0: there is none.
+// Id of the tree with its own style whose foot is nearest to a point in the scene, other than
+// `except`; the one drawn first if several are equally near. 0 if there is none.
 scene::ItemId nearest_with_style(scene::DocumentState const& state, Vec3 const& place_mm,
                                  scene::ItemId except);
 
-// The form with the style measured of a plant (measured_style.h) in place of its own; its seed,
-// and how its nodes are kept, stay. Fails like measure_style().
+// `form` with the style measured on a plant (measured_style.h); its seed and its treatment of nodes
+// stay. Fails like measure_style().
 Result<TreeForm> with_style_of(TreeForm form, Plant const& plant);
 
-// The edits that a step brings with it: trees that take a style follow the nearest tree that has
-// one, where that has changed or is another one now.
+// Additional edits that follow from a step: each tree that takes its style from the nearest one is
+// updated if that tree has changed or a different one is nearest now.
 std::vector<scene::Edit> styles_that_follow(scene::Scene const& scene,
                                             std::vector<scene::Edit> const& step);
 

@@ -11,97 +11,100 @@
 
 namespace tractus::silhouette {
 
-// Whom the style of a branch that somebody drew on goes to (sibling_style.h).
+// Which branches follow the style of a branch that was drawn on (sibling_style.h).
 enum class StyleTo {
     None,
-    Siblings, // The branches beside it that nobody drew on,
-    Deeper,   // and those that stand on these and on it, as far down as branches branch.
+    Siblings, // Its siblings that were not drawn on.
+    Deeper,   // Siblings, and the descendants of these and of the branch itself, down to the last
+              // level.
 };
 
-// The outline of one branch's crown, as it was drawn.
+// The drawn outline of one branch's crown.
 struct OwnOutline {
-    std::string branch; // The path of the branch that has it (Skeleton::at(), skeleton.h).
+    std::string branch; // Path of the branch (Skeleton::at(), skeleton.h).
     std::vector<Vec2> outline;
-    StyleTo style_to = StyleTo::None; // Of the branch.
-    bool is_leaf = false;             // It ends the recursion (leaf_blade.h).
+    StyleTo style_to = StyleTo::None; // Style propagation from this branch.
+    bool is_leaf = false;             // Declared a leaf, which ends the recursion (leaf_blade.h).
 };
 
-// A branch that was drawn on a branch (own_branch.h).
+// A branch that was drawn on another branch (own_branch.h).
 struct OwnBranch {
-    std::string branch; // The path of its parent.
+    std::string branch; // Path of its parent.
     std::vector<Vec2> line;
-    StyleTo style_to = StyleTo::None; // Of its parent.
+    StyleTo style_to = StyleTo::None; // Style propagation from its parent.
 };
 
-// A touch on the bumps of an outline that somebody drew (bump_touch.h).
+// A touch at the bumps of a drawn outline (bump_touch.h).
 struct BumpTouch {
     enum class Kind {
-        Split, // Two branches in place of one.
-        Join,  // One in place of two.
+        Split, // Makes two branches of one.
+        Join,  // Makes one branch of two.
     } kind
         = Kind::Split;
     Vec2 place = Vec2::Zero();
-    std::string branch {}; // The path of the branch whose own outline it is; "": the crown.
+    std::string branch {}; // Path of the branch that the outline belongs to; "": the crown.
 };
 
-// Branches that somebody gave the style of another one (chosen_style.h): their paths, and its.
+// Chosen styles (chosen_style.h): path of a branch to path of the branch whose style it takes.
 using ChosenStyles = std::map<std::string, std::string>;
 
 // What is drawn for one branching system (Wither, Boudon, Cani, Godin, "Structure from
-// silhouettes", 2009), millimetres in the plane that it was drawn in (plane.h).
+// silhouettes", 2009), in millimetres of the drawing plane (plane.h).
 struct Drawing {
-    std::vector<std::vector<Vec2>> outline;     // Of the crown: one stroke or more, in any order.
+    // The crown's outline: one stroke or more, in any order.
+    std::vector<std::vector<Vec2>> outline;
     std::vector<Vec2> trunk;                    // Base first; empty: not drawn.
-    std::vector<std::vector<Vec2>> branches {}; // On the trunk, which they begin near.
-    // The crowns of branches, one for each (own_outline.h).
+    std::vector<std::vector<Vec2>> branches {}; // Branches of the trunk; each begins near it.
+    // Drawn crowns of branches, at most one each (own_outline.h).
     std::vector<OwnOutline> own_outlines {};
-    std::vector<OwnBranch> own_branches {}; // On branches.
+    std::vector<OwnBranch> own_branches {}; // Branches drawn on branches (own_branch.h).
     ChosenStyles styles {};
-    std::vector<BumpTouch> touches {}; // One after the other.
-    bool is_leaf = false;              // The crown's outline ends the recursion.
-    // The crown's surface, where it was drawn in space (drawn_surface.h); empty: the one that the
-    // outline stands for.
+    std::vector<BumpTouch> touches {}; // In the order in which they were made.
+    bool is_leaf = false; // The crown's outline is declared a leaf, which ends the recursion.
+    // The crown's surface if it was drawn in space (drawn_surface.h); empty: derived from the
+    // outline.
     std::vector<Meridian> surface {};
 
     bool is_refined() const { return !own_outlines.empty() || !own_branches.empty(); }
 };
 
-// Whether a stroke ends near its beginning, by a quarter of its length: it is an outline then, and
-// else a branch.
+// True if a stroke is closed: the gap between its ends is at most a quarter of its length. A closed
+// stroke is an outline, an open one a branch.
 bool comes_back(std::span<Vec2 const> stroke);
 
-constexpr std::size_t kMostDrawnPoints = 20'000; // Of all strokes of a drawing.
+constexpr std::size_t kMostDrawnPoints = 20'000; // Limit for all strokes of a drawing together.
 
-// How an outline is read.
+// Options for preparing an outline.
 struct OutlineOptions {
-    std::size_t samples = 256;    // 16 to 512.
-    double smoothing_samples = 1; // Standard deviation of the Gaussian; 0: none.
+    std::size_t samples = 256;    // Number of samples around the outline, 16 to 512.
+    double smoothing_samples = 1; // Standard deviation of the Gaussian filter, in samples; 0: none.
     double least_area_mm2 = 25;
 };
 
-// A drawing made ready: a simple outline, counter-clockwise, in equal steps, and the trunk. In a
-// frame of its own, in which the trunk's end is above its base and the diagonal of the outline's
-// box has length 1, rounded: so a drawing that is moved, turned or scaled is the very same from
-// here on.
+// A drawing prepared for inference: a simple outline, counter-clockwise and equally spaced, and the
+// trunk. It is in a normalised frame: the trunk's end is above its base, and the diagonal of the
+// outline's bounding box is 1. Coordinates are rounded, so that a drawing that was moved, turned or
+// scaled gives identical results from here on.
 struct CleanDrawing {
     std::vector<Vec2> outline;
-    std::vector<Vec2> trunk;                    // 64 points at equal distances, base first.
-    std::vector<std::vector<Vec2>> branches {}; // As drawn; none is a dot.
-    std::vector<BumpTouch> touches {};          // Those of this outline.
-    Similarity to_sheet;                        // Back to the drawing's millimetres.
-    std::vector<std::string> notes; // What had to be guessed or was left out, a sentence each.
+    std::vector<Vec2> trunk;                    // 64 equally spaced points, base first.
+    std::vector<std::vector<Vec2>> branches {}; // As drawn; none degenerates to a point.
+    std::vector<BumpTouch> touches {};          // Touches at this outline.
+    Similarity to_sheet;            // From the normalised frame to millimetres of the drawing.
+    std::vector<std::string> notes; // Guesses and omissions, one sentence each.
 };
 
 constexpr std::size_t kTrunkSamples = 64;
 
-// Joins strokes of an outline whose ends are near each other, closes it, cuts off ends that
-// overshoot, keeps the largest loop of one that crosses itself, takes steps of equal length and the
-// hand's tremor out; samples begin where the outline is farthest from the trunk's base. Without a
-// trunk one rises from the outline's lowest point under its centroid to 85 % of its height.
+// Prepares a drawing: joins outline strokes whose ends are near each other, closes the outline,
+// cuts off overshooting ends, keeps the largest loop if it crosses itself, resamples it at equal
+// distances and filters out the tremor of the hand. Samples begin where the outline is farthest
+// from the trunk's base. If no trunk was drawn, one rises from the outline's lowest point under its
+// centroid to 85 % of its height.
 //
-// Fails, as the user's fault: an outline that is missing, too small (25 square millimetres, eight
-// points) or open by more than a quarter of its length, a trunk that is a dot, too many points,
-// numbers that are not finite.
+// Fails with a user error if the outline is missing, too small (25 mm², eight points) or open by
+// more than a quarter of its length, if the trunk is a dot, or if there are too many points or
+// non-finite numbers.
 Result<CleanDrawing> clean_drawing(Drawing const& drawing, OutlineOptions const& options = {});
 
 } // namespace tractus::silhouette

@@ -11,41 +11,41 @@
 
 namespace tractus::silhouette {
 
-// Among which branches one is looked for.
+// The branches to search.
 enum class Search {
-    OnTrunk,  // The trunk's.
-    AnyLevel, // And those of branches that somebody drew on.
+    OnTrunk,  // The trunk's branches only.
+    AnyLevel, // Also the children of branches that were drawn on.
 };
 
-// The branch of a system that a place is on, and how far it is from that one's line; no value:
-// there is none.
+// The branch of a system at a point, and its distance; no value if there is none.
 //
-// It is on a branch if it is within 2.5 % of the outline's diagonal of that one's line, nearer to
-// it than to all others and to the trunk, and at least 2 % of the diagonal away from the trunk. The
-// apex is none.
+// A point is on a branch if it is within 2.5 % of the outline's diagonal of the branch's axis,
+// nearer to it than to all others and to the trunk, and at least 2 % of the diagonal away from the
+// trunk. The apex branch is not considered.
 struct NearBranch {
     std::size_t branch = 0;
     double distance = 0;
 };
 std::optional<NearBranch> branch_near(BranchingSystem const& system, Vec2 const& place);
 
-// Likewise, of all branches of a skeleton that are searched, the nearest.
+// The nearest branch at a point over all systems of the skeleton that may be drawn on.
 std::optional<BranchAt> branch_near(Skeleton const& skeleton, Vec2 const& place);
 
-// The branch of a system that a stroke is a branch of: it begins on it (branch_near()) and does not
-// come back; no value: there is none. The system and the stroke are in the same millimetres.
+// The branch of a system that is the parent of a stroke: the stroke begins on it (branch_near())
+// and is not closed. No value if there is none. The system and the stroke are in the same
+// millimetres.
 std::optional<std::size_t> parent_of(BranchingSystem const& system, std::span<Vec2 const> stroke);
 
-// Gives branches the strokes that were drawn on them. A branch that was a copy is one no more;
-// copies of a branch stay copies of it. Strokes on branches that there are not are left out.
+// Attaches drawn strokes to the branches of a system. A copy that gets one is no longer a copy;
+// copies of a branch remain copies of it. Strokes on branches that do not exist are ignored.
 void take_own_branches(BranchingSystem& system, std::span<OwnBranch const> branches);
 
-// Adds a stroke to a drawing as a branch of the branch that it begins on. Fails, as the user's
-// fault, where it begins on none or is shorter than 2 % of that one, and like infer_system().
+// Adds a stroke to a drawing as a child of the branch on which it begins. Fails with a user error
+// if it begins on none or is shorter than 2 % of that branch, and like infer_system().
 Result<void> add_own_branch(Drawing& drawing, std::vector<Vec2> stroke, StyleTo style_to,
                             SkeletonOptions const& options = {}, Search search = Search::OnTrunk);
 
-// The path of the branch that add_own_branch() would give the stroke to; no value: none.
+// Path of the branch to which add_own_branch() would attach the stroke; no value if there is none.
 Result<std::optional<std::string>> branch_borne_by(Drawing const& drawing,
                                                    std::span<Vec2 const> stroke,
                                                    SkeletonOptions const& options = {},

@@ -7,8 +7,8 @@
 
 namespace tractus::silhouette {
 
-// A small picture: rows from top to bottom, pixels from left to right, red, green and blue from 0
-// to 1 as people write them (sRGB).
+// A downscaled picture: rows from top to bottom, pixels from left to right, red, green and blue
+// from 0 to 1 (sRGB).
 struct PictureGrid {
     int width = 0;
     int height = 0;
@@ -21,17 +21,19 @@ struct PictureGrid {
     }
 };
 
-// As wide a picture as a crown is looked for in: finer, leaves and gaps between them would count.
+// Width in pixels at which a crown is segmented. At a finer resolution, leaves and the gaps between
+// them would show.
 constexpr int kPictureGridWidth = 360;
 
-// The outline of the crown that a place in a picture lies in, counter-clockwise in pixels, x to the
-// right and y up from the lower left corner. What looks like the place grows from there as long as
-// it grows little, since where it jumps it has flowed over into something else; it is kept where
-// its edge is steadiest (Matas et al., "Robust wide baseline stereo from maximally stable extremal
-// regions", 2002, of distances in colour). Without holes, thin parts and corners of pixels.
+// Outline of the crown around a point in a picture, counter-clockwise, in pixels with x to the
+// right and y up from the lower left corner. A region of similar colour is grown from the point
+// while it grows slowly; where its size jumps it has leaked into something else. The threshold with
+// the most stable boundary is taken (Matas et al., "Robust wide baseline stereo from maximally
+// stable extremal regions", 2002, applied to colour distance). Holes, thin parts and pixel corners
+// are removed.
 //
-// Fails, as the user's fault, where nothing stands out: sky, ground, a crown that is cut off by
-// two sides of the picture.
+// Fails with a user error if no region is distinct, as in sky or ground, or if the crown is cut off
+// by two sides of the picture.
 Result<std::vector<Vec2>> crown_in_picture(PictureGrid const& picture, Vec2 const& place);
 
 } // namespace tractus::silhouette

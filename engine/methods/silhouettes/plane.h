@@ -7,40 +7,41 @@
 #include <span>
 #include <vector>
 
-// Geometry of the plane that a silhouette is drawn in: x to the right, y up. Lengths are in
-// whatever unit the points are. An outline is closed: its last point is joined to its first.
+// Geometry in the plane of a silhouette: x to the right, y up. Lengths are in the unit of the
+// points. An outline is closed: its last point is joined to its first.
 namespace tractus::silhouette {
 
-// The z component of the cross product: above 0 where b is to the left of a.
+// The z component of the cross product: positive if b is to the left of a.
 inline double cross(Vec2 const& a, Vec2 const& b)
 {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// Counter-clockwise.
+// Rotates counter-clockwise.
 Vec2 turned(Vec2 const& v, double angle_rad);
 
-// The same direction with length 1; `otherwise` for what has no length.
+// Unit vector of v; `otherwise` if v has no length.
 Vec2 direction_of(Vec2 const& v, Vec2 const& otherwise = Vec2::UnitY());
 
-// Above 0 if the outline runs counter-clockwise.
+// Positive if the outline runs counter-clockwise.
 double signed_area(std::span<Vec2 const> outline);
 
-// By even and odd crossings.
+// Even-odd rule.
 bool is_inside(std::span<Vec2 const> outline, Vec2 const& point);
 
 double distance_to_segment(Vec2 const& point, Vec2 const& a, Vec2 const& b);
 double distance_to_outline(std::span<Vec2 const> outline, Vec2 const& point);
-double distance_to_line(Vec2 const& point, std::span<Vec2 const> line); // An open one.
+double distance_to_line(Vec2 const& point, std::span<Vec2 const> line); // `line` is open.
 
-// Where a ray meets the outline first, as a multiple of `ahead`; no value: it does not.
+// Distance to the first intersection of a ray with the outline, as a multiple of `ahead`; no value
+// if it does not meet the outline.
 std::optional<double> way_to_outline(std::span<Vec2 const> outline, Vec2 const& from,
                                      Vec2 const& ahead);
 
-// How far the farthest of the points that are outside is from the outline; 0: all are inside.
+// Greatest distance from the outline of the points outside it; 0 if all are inside.
 double excursion(std::span<Vec2 const> outline, std::span<Vec2 const> points);
 
-// Whether two segments cross in a point inside of both.
+// True if two segments cross at a point interior to both.
 bool do_cross(Vec2 const& a, Vec2 const& b, Vec2 const& c, Vec2 const& d);
 
 struct Box {
@@ -50,16 +51,16 @@ struct Box {
     double diagonal() const { return (high - low).norm(); }
     Vec2 middle() const { return (low + high) / 2; }
 };
-Box box_of(std::span<Vec2 const> points); // Of at least one.
+Box box_of(std::span<Vec2 const> points); // At least one point.
 
-double length_of(std::span<Vec2 const> points); // Of an open line.
+double length_of(std::span<Vec2 const> points); // Length of an open polyline.
 
-// `count` points at equal distances along an open line, both ends among them, and around an
-// outline, its first point among them. At least one point is given, two are asked for.
+// `count` (at least two) equally spaced points along an open polyline, both ends included, or
+// around an outline, beginning with its first point. At least one input point.
 std::vector<Vec2> resampled_line(std::span<Vec2 const> points, std::size_t count);
 std::vector<Vec2> resampled_outline(std::span<Vec2 const> points, std::size_t count);
 
-// A cubic by its ends and the derivatives there (Hermite).
+// A cubic Hermite curve, defined by its ends and the derivatives there.
 struct Cubic {
     Vec2 base = Vec2::Zero();
     Vec2 end = Vec2::Zero();
@@ -70,11 +71,12 @@ struct Cubic {
     std::vector<Vec2> points(std::size_t count) const;
 };
 
-// Moves, turns, scales, and mirrors (by a turn after y has changed its sign).
+// A similarity transform: translation, rotation and scaling; if it mirrors, y changes its sign
+// before the rotation.
 struct Similarity {
     Vec2 from = Vec2::Zero();  // This point
-    Vec2 to = Vec2::Zero();    // goes here.
-    Vec2 turn = Vec2::UnitX(); // The image of (1, 0): its length is the scale.
+    Vec2 to = Vec2::Zero();    // maps to this one.
+    Vec2 turn = Vec2::UnitX(); // The image of (1, 0); its length is the scale.
     bool mirrors = false;
 
     Vec2 vector(Vec2 const& v) const
@@ -87,8 +89,8 @@ struct Similarity {
     Cubic cubic(Cubic const& curve) const;
 };
 
-// The turn of a similarity that takes `from` to `to`, as long as both are: for one that mirrors,
-// and for one that does not.
+// The `turn` of a similarity that maps the direction `from` to `to`, multiplied by both lengths.
+// `mirrors` selects the mirroring similarity.
 Vec2 turn_between(Vec2 const& from, Vec2 const& to, bool mirrors);
 
 } // namespace tractus::silhouette

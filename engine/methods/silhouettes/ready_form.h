@@ -7,10 +7,9 @@
 
 namespace tractus::silhouette {
 
-// What to begin with: how the branches of a kind of tree stand, and what its twigs bear. Whatever
-// the outline is, it gives the tree that look.
+// A preset: the branching pattern of a kind of tree and its twigs. Works with any outline.
 struct ReadyForm {
-    std::string_view name; // In logs and on the command line: never changes.
+    std::string_view name; // Stable identifier, used in logs and on the command line.
     TreeForm form {};
 };
 

@@ -9,56 +9,57 @@
 
 namespace tractus::silhouette {
 
-// How a branch bears its own branches (Wither 2009, section 4.2): those in the plane, without what
-// goes on from its tip.
+// The style of a branch (Wither 2009, section 4.2): its children in the plane, without the one that
+// continues from its tip.
 struct ParentStyle {
-    // One that it bears: what a sibling's is a copy of.
+    // A child, as the model for copies on siblings.
     struct Child {
-        double u = 0; // Its place, a share of the parent's length.
+        double u = 0; // Position as a share of the parent's length.
         double angle_deg = 0;
-        Branch branch; // With its side of the parent.
+        Branch branch; // Includes the side of the parent that it is on.
     };
 
-    double t = 0; // The parent's place on the trunk,
+    double t = 0; // Position of the parent on the trunk,
     Side side = Side::Left;
-    double length = 0;              // and its own length, in the unit of its system.
-    std::vector<Child> children {}; // From the parent's base on; at least one.
-    double spacing = 0;             // From one to the next on average, in that unit; 0 for one.
-    double deviation = 0;           // Of that.
+    double length = 0;              // and its length, in the unit of its system.
+    std::vector<Child> children {}; // From the parent's base to its tip; at least one.
+    double spacing = 0;   // Mean distance between children, in the unit of `length`; 0 if there is
+                          // only one child.
+    double deviation = 0; // Standard deviation of these distances.
     bool is_of_own_outline = false;
     bool goes_deeper = false; // StyleTo::Deeper.
 
-    // Shares of the parent's length below which, and above which it bears none.
+    // Shares of the parent's length before the first child and up to the last one.
     double unbranched() const { return children.front().u; }
     double last() const { return children.back().u; }
     double mean_angle_deg() const;
 };
 
-// What a branch bears; without children: nothing.
+// The style of a branch; without children if it has none.
 ParentStyle parent_style(Branch const& parent, BranchingSystem const& system);
 
-// Replaces what a branch's system bears by branches in the style of siblings that somebody drew on:
-// of the two next to it on the trunk, or of the one that there is. Where they begin and end are the
-// sources' shares of its length. Distances have the sources' mean and deviation as lengths, angles
-// follow theirs from place to place, sides change as theirs do, seen from the trunk. Each is a copy
-// of the child whose place is nearest on its side, as large as stays in the crown: from a third of
-// to one and a half times of what the parents' lengths make it.
+// Replaces the children of a branch by ones in the style of its siblings that were drawn on: the
+// two nearest along the trunk, or the only one. The first and last positions are the sources', as
+// shares of the length. Distances have the sources' mean and standard deviation in absolute length.
+// Branching angles follow the sources' by position, and sides alternate as theirs do, seen from the
+// trunk. Each child is a copy of the nearest source child on the same side, as large as fits into
+// the crown: one third to one and a half times the size given by the ratio of the parents' lengths.
 //
-// `sources` are at least one, in order of t.
+// `sources`: at least one, sorted by t.
 void take_style(BranchingSystem& system, Branch const& parent, std::span<ParentStyle const> sources,
                 std::uint64_t seed);
 
-// Ends a branch in the leaf of another one, in the same place on it: as large, on a shorter branch
-// as much smaller as that is, and smaller where more than a tenth of it would leave the outline,
-// down to a third.
+// Ends a branch in a copy of another branch's leaf, at the same relative position. The leaf has the
+// same size, scaled down with a shorter branch; it shrinks further, to no less than a third, while
+// more than a tenth of it would be outside the outline.
 void take_leaf(Branch& branch, Branch const& source, std::span<Vec2 const> outline);
 
-// Ends branches of a system in leaves: those that nobody drew on and for which `may` says so, where
-// the nearest along the parent of the branches whose style is for their siblings is a leaf. The
-// system's own end is among them.
+// Turns the ends of a system's branches into leaves: those that were not drawn on and for which
+// `may` returns true, if the nearest branch along the parent whose style goes to its siblings is a
+// leaf. Includes the apex branch.
 void spread_leaves(BranchingSystem& system, std::function<bool(Branch const&)> const& may);
 
-// Whether all of a system's branches are leaves, of which it has some.
+// True if the system has branches and all of them are leaves.
 bool bears_leaves_alone(BranchingSystem const& system);
 
 } // namespace tractus::silhouette

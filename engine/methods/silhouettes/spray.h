@@ -7,22 +7,22 @@
 
 namespace tractus::silhouette {
 
-// The leaves of a twig.
+// Shape and number of the leaves of a twig.
 struct LeafForm {
-    int per_spray = 24;   // 1 to 500.
-    double length = 0.3;  // Shares of the twig's length.
-    double width = 0.4;   // Share of the leaf's own length.
-    double lean_deg = 55; // From the twig.
+    int per_spray = 24;   // Leaves per twig, 1 to 500.
+    double length = 0.3;  // As a share of the twig's length.
+    double width = 0.4;   // As a share of the leaf's length.
+    double lean_deg = 55; // Angle between leaf and twig.
 };
 
-constexpr double kSprayLength_mm = 100; // Of a spray at scale 1.
+constexpr double kSprayLength_mm = 100; // Length of a spray at scale 1.
 
-// The leaves of a twig along +y as one organ, so that a tree of a million leaves has no more organs
-// than twigs. Each leaf is a lozenge of two triangles; they stand in a spiral. `variant` chooses
-// the random numbers by which sprays differ.
+// A twig's leaves along +y as one organ, so that a tree of a million leaves needs only one organ
+// per twig. Each leaf is a lozenge of two triangles; the phyllotaxis is spiral. `variant` selects
+// the random stream that makes sprays differ.
 OrganShape leaf_spray(LeafForm const& form, MaterialId material, std::uint32_t variant);
 
-// The twig itself.
+// The twig without its leaves.
 OrganShape spray_twig(MaterialId material);
 
 } // namespace tractus::silhouette

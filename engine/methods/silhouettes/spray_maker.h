@@ -9,15 +9,16 @@
 
 namespace tractus::silhouette {
 
-// What twigs with leaves stand on: an axis of the tree that is there already.
+// The parent axis of twigs with leaves, already part of the tree.
 struct SprayBearer {
-    Space const& space; // Of its plane.
+    Space const& space; // Transform of its plane.
     Line const& line;
-    std::vector<Vec2> const& crown; // Twigs end in it; empty: they are as long as usual.
+    // Twigs end inside this crown; empty: they have their default length.
+    std::vector<Vec2> const& crown;
     AxisId axis = kNone;
 };
 
-// Adds twigs with leaves to a tree. What it is given must outlive it.
+// Adds twigs with leaves to a tree. The constructor arguments must outlive it.
 class SprayMaker {
 public:
     SprayMaker(Tree& tree, TreeOptions const& options)
@@ -26,15 +27,15 @@ public:
     {
     }
 
-    // What they stay inside of, where it was drawn. It must outlive this.
+    // Limits twigs to a drawn crown surface, which must outlive this object.
     void stay_inside(SurfaceFit const& surface) { surface_ = &surface; }
 
-    // Adds the shapes that twigs have, before all others: twigs are of the plant's first material,
-    // their leaves of its second.
+    // Adds the twigs' shapes; must come before all other shapes. Twigs use the plant's first
+    // material, their leaves the second.
     void add_shapes();
 
-    // Twigs of about one length, whatever bears them: more on a longer parent, from the share
-    // `from` of its length on. `places`: of the parent's nodes, shares of its length.
+    // Adds twigs of about one length, more of them on a longer parent, beyond the share `from` of
+    // its length. `places`: positions of the parent's nodes as shares of its length.
     void add(SprayBearer const& parent, std::vector<double> const& places, double from);
 
 private:
@@ -54,7 +55,7 @@ private:
 
     Tree& tree_;
     TreeOptions const& options_;
-    SurfaceFit const* surface_ = nullptr; // Null: none was drawn.
+    SurfaceFit const* surface_ = nullptr; // Null: no surface was drawn.
 };
 
 } // namespace tractus::silhouette

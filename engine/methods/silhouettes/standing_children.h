@@ -7,27 +7,28 @@
 
 namespace tractus::silhouette {
 
-// A child as it stands on its parent.
+// A child axis by its position on its parent.
 struct StandingChild {
     double u = 0;
     double angle_deg = 0;
-    double azimuth_deg = 0; // From a direction that goes along with the parent without turning.
-    double length = 0;      // A share of the parent's.
+    // Relative to a direction that is parallel transported along the parent.
+    double azimuth_deg = 0;
+    double length = 0; // As a share of the parent's length.
 };
 
-// An axis' children, whose ids are given, by their places from its base on. One that goes straight
-// on from its tip is the axis' continuation and counts as none, as does one without a length.
+// The children of an axis, given their ids, sorted by position from its base. A child that goes
+// straight on from the tip continues the axis and is left out, as is one without length.
 std::vector<StandingChild> children_of(Plant const& plant, AxisId parent,
                                        std::span<AxisId const> ids);
 
-// Children that stand at one place of their parent.
+// Children that share one node of their parent.
 struct NodeOfChildren {
     double u = 0;
     std::span<StandingChild const> children;
 };
 
-// At least one child, in order of their places. Those within a fifth of the mean distance of
-// children are at one place. The nodes look into what they are given.
+// Groups children, at least one and sorted by position, into nodes: those within a fifth of the
+// mean distance share a node. The result refers to the given children.
 std::vector<NodeOfChildren> nodes_of(std::span<StandingChild const> children);
 
 } // namespace tractus::silhouette

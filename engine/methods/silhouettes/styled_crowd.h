@@ -10,30 +10,31 @@
 
 namespace tractus::silhouette {
 
-// Spreads the branches of parents of one level such that all of them together have its style. What
-// it is given must outlive it.
+// Places the branches of all parents of one level so that together they match the level's style.
+// The constructor arguments must outlive it.
 class StyledCrowdMaker {
 public:
     StyledCrowdMaker(CrowdMaker const& crowds, Skeleton const& skeleton, TreeOptions const& options,
                      std::uint32_t level);
 
     struct Parent {
-        std::size_t system = 0; // Whose trunk it is.
-        bool is_trunk = false;  // The tree's.
+        std::size_t system = 0; // The system whose trunk this parent is.
+        bool is_trunk = false;  // The parent is the tree's trunk.
         Line const& line;
-        std::uint32_t number = 0; // For its random numbers.
+        std::uint32_t number = 0; // Selects its random numbers.
     };
-    // The next parent's; no value: it bears none.
+    // Places the branches of the next parent; no value if it has none.
     std::optional<Crowd> next(Parent const& parent);
 
 private:
     using Model = CrowdMaker::Model;
 
-    // One of the places that a style gives.
+    // One of the positions given by a style.
     struct StyledPlace {
-        std::optional<std::size_t> branch; // In the plane, that takes it; no value: one is added.
+        // Index of the visible branch that takes it; no value: a branch is added.
+        std::optional<std::size_t> branch;
         Place at;
-        double share; // Of the way from the parent's first place to its last.
+        double share; // Share of the distance from the parent's first position to its last.
     };
 
     static std::vector<std::size_t> kept_branches(BranchingSystem const& system,

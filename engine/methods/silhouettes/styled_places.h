@@ -9,35 +9,37 @@
 
 namespace tractus::silhouette {
 
-// Says of parent after parent of one level where its children stand, so that all of them together
-// have the style: what one parent lacks, since branches are whole ones or its crown leaves no room,
-// the next ones make up for.
+// Generates the positions of children for one parent after another of a level, so that all together
+// match the style. Deviations on one parent, because counts are whole numbers or its crown leaves
+// no room, are made up for on the following ones.
 class StyledPlaces {
 public:
-    // The stream of random numbers is `level`'s own.
+    // The random stream is specific to `level`.
     StyledPlaces(BranchStyle const& style, Pattern pattern, std::uint64_t seed,
                  std::uint32_t level);
 
-    // Whether the next parent bears any children.
+    // True if the next parent has children.
     bool next_bears();
 
     struct Parent {
-        double low = 0;           // A share of its length: no child stands below.
-        std::size_t least = 0;    // It has so many children, whatever the style says.
-        std::uint32_t number = 0; // For its random numbers.
+        double low = 0;           // Share of its length with no child below.
+        std::size_t least = 0;    // Smallest number of children, regardless of the style.
+        std::uint32_t number = 0; // Selects its random numbers.
     };
-    // Shares of the next parent's length, ascending; those of a node are equal. At least one.
+    // Positions on the next parent as shares of its length, ascending; those of one node are equal.
+    // At least one.
     //
-    // Distances on a single parent (the trunk) are as uneven as the style says. On one of many they
-    // are more uneven than that by up to three fifths, on average by a fifth: the deviation of all
-    // distances together is kept, and since a crown has room for less different parents than those
-    // of the style were, the distances on each make up for it. That is no chance: where all m gaps
-    // together have the coefficient of variation c and the parents' mean gaps v, the gaps on one
-    // have sqrt((1 + c^2) / (1 + v^2) - 1).
+    // On a single parent (the trunk) distances vary as the style says. On one of many parents they
+    // vary more, by a fifth on average and three fifths at most. The standard deviation of all
+    // distances together is preserved, but a crown has less room for different parents than the
+    // measured plant had, so the distances on each parent compensate. In numbers: if all m gaps
+    // together have the coefficient of variation c, and the parents' mean gaps have v, then the
+    // gaps on one parent have sqrt((1 + c^2) / (1 + v^2) - 1).
     std::vector<double> next(Parent const& parent);
 
-    // The angle of the next branch at a share of the way from its parent's first child to its last;
-    // and one that has an angle of its own there.
+    // next_angle_deg(): branching angle of the next branch, at `share` of the distance from its
+    // parent's first child to its last. take_angle(): accounts for a branch that has its own angle
+    // there.
     double next_angle_deg(double share);
     void take_angle(double share, double angle_deg);
 
@@ -52,22 +54,22 @@ private:
     BranchStyle style_;
     std::size_t whorl_;
     std::uint64_t seed_;
-    double count_phase_ = 0; // Shares of a turn, at which sequences begin.
+    double count_phase_ = 0; // Starting phases of the sequences, as shares of a turn.
     double angle_phase_ = 0;
     double extent_phase_ = 0;
     std::size_t counted_ = 0;
     std::size_t angled_ = 0;
-    double bearing_ = 0; // What is left over from the parents before.
+    double bearing_ = 0; // Remainders carried over from earlier parents.
     double count_left_ = 0;
     double first_left_ = 0;
     double angle_left_deg_ = 0;
     double extent_left_ = 0;
-    double squares_left_ = 0; // Of distances.
+    double squares_left_ = 0; // Remaining sum of squared distances.
 };
 
-// For each of some places in ascending order one of others in ascending order, of which there are
-// as many at least: an own one, in the same order, such that they are near (least squares). Taking
-// one of the others may cost more, as much as such a square; none: nothing.
+// Assigns to each of `places` (ascending) a different one of `others` (ascending, at least as
+// many), in the same order, with the least sum of squared distances. Using one of `others` may cost
+// extra, in the same unit; without `costs`, nothing.
 std::vector<std::size_t> nearest_in_order(std::vector<double> const& places,
                                           std::vector<double> const& others,
                                           std::vector<double> const& costs = {});

@@ -9,17 +9,17 @@
 
 namespace tractus::silhouette {
 
-// Says of places in space whether they lie inside a crown's surface that was drawn, fast: by its
-// farthest reach at heights and azimuths.
+// Fast test whether points in space are inside a drawn crown surface, by a table of its greatest
+// reach over height and azimuth.
 class SurfaceFit {
 public:
-    // `from_sheet` takes the sheet (x, y, towards who looks) to the plant.
+    // `from_sheet`: transform from the sheet (x, y, z towards the viewer) to the plant.
     SurfaceFit(CrownSurface const& surface, Eigen::Affine3d const& from_sheet);
 
     bool holds(Vec3 const& plant_mm) const;
 
-    // How large what has these places may be, shrunk about a point, that nine of ten are inside: 1
-    // or less, kLeast at least.
+    // Scale, kLeast to 1, by which points must shrink about `about_mm` for nine of ten to be
+    // inside.
     static constexpr double kLeast = 0.4;
     double size_inside(std::span<Vec3 const> places_mm, Vec3 const& about_mm) const;
 

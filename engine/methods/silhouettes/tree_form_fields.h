@@ -5,8 +5,8 @@
 
 namespace tractus::silhouette {
 
-// Hands the fields of a form to a visitor, for edits that have one. What a form has come to have
-// later is not written where it is as it always was.
+// Passes the fields of a form to a visitor, for the edits that contain one. Fields added in later
+// versions are written only if they differ from their defaults.
 void list(scene::Fields& fields, TreeForm& form);
 
 } // namespace tractus::silhouette

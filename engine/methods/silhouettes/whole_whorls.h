@@ -6,15 +6,15 @@
 
 namespace tractus::silhouette {
 
-// arrange() for patterns with nodes, such that the branches of one stand there together: nodes are
-// as far from each other as node_distance() says of what is above `first_u`, each has as many
-// branches as the pattern, and only the last one fewer, where the count does not divide. Where
-// drawn branches keep their u, a node is there; others move to a node on whose turn their side is,
-// or nearly. Then whole nodes turn, each offered a random turn as arrange() offers places; those
-// drawn stay near their side.
+// Like arrange(), for patterns with nodes, keeping the branches of a node together. Nodes are
+// spaced by node_distance() over the part above `first_u`. Each has as many branches as the
+// pattern; only the last has fewer if the count does not divide evenly. A drawn branch that keeps
+// its u defines a node there; the others move to a node with a slot at or near their side. Then
+// whole nodes are rotated by the same random search as in arrange(); drawn branches stay near their
+// side.
 //
-// There are fewer branches at a node below the last where more that keep their u are there than go
-// into all nodes, or stand where none has room.
+// Branches that keep their u can make more nodes necessary than the count requires; nodes below the
+// last have fewer branches then.
 Arrangement arrange_whorls(std::vector<DrawnPlace> const& drawn, ArrangementOptions const& options,
                            RandomKey const& key);
 
