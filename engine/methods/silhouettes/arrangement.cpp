@@ -15,13 +15,13 @@ namespace {
 struct Law {
     Pattern::Kind kind;
     char const* name;
-    int whorl;       // Branches at a node; 0: no pattern.
-    double turn_deg; // From a node to the next.
+    int whorl;       // Branches per node; 0: no pattern.
+    double turn_deg; // Rotation from one node to the next.
 
     double period_deg() const { return 360.0 / whorl; }
 };
 
-// In the order of Pattern::Kind.
+// Indexed by Pattern::Kind.
 constexpr std::array<Law, 6> kLaws { { { Pattern::Even, "even", 0, 0 },
                                        { Pattern::Spiral, "spiral", 1, 144 },
                                        { Pattern::Decussate, "decussate", 2, 90 },
@@ -34,12 +34,12 @@ Law law_of(Pattern pattern)
     auto law = kLaws[pattern.kind];
     if (pattern == Pattern::Whorls) {
         law.whorl = pattern.whorl;
-        law.turn_deg = law.period_deg() / 2; // Into the gaps.
+        law.turn_deg = law.period_deg() / 2; // Rotates each node into the gaps of the one below.
     }
     return law;
 }
 
-// The shorter way around.
+// Wraps a difference of u or of turns to the shorter way around.
 double wrapped(double difference)
 {
     return difference - std::round(difference);
@@ -97,7 +97,7 @@ private:
         return { drawn.u, full_turn(drawn.theta_deg + random_.uniform(-most, most)) };
     }
 
-    // Pairs that lie flat have two places to be in.
+    // In the Horizontal pattern only 0 and 180 degrees are possible.
     double added_theta()
     {
         double const theta_deg = random_.uniform(0, 360);
@@ -138,9 +138,9 @@ private:
     std::size_t count_;
     double alpha_;
     double node_;
-    // What is added stands on nodes from the beginning: snapped in the end, branches whose node
-    // lies across the border of two would be torn apart. Those of the patterns that were there
-    // first stay where plants have them.
+    // Added branches are at nodes from the start. If they were snapped only at the end, branches of
+    // a node that straddles the border between two nodes would be separated. The older patterns
+    // keep snapping at the end, so that existing plants do not change.
     bool is_on_nodes_;
     std::vector<Place> places_;
 };
@@ -202,7 +202,8 @@ double misfit(Pattern pattern, double node, Place const& a, Place const& b)
         return 0;
     auto const& lower = a.u <= b.u ? a : b;
     auto const& upper = a.u <= b.u ? b : a;
-    // Nodes between the two are rounded: the paper's floor puts a perfect pattern on its jumps.
+    // The number of nodes between the two is rounded. The paper's floor would put a perfect pattern
+    // exactly on the discontinuities.
     double const nodes = std::round((upper.u - lower.u) / node);
     double const period_deg = law.period_deg();
     double rest = std::fmod(upper.theta_deg - lower.theta_deg - nodes * law.turn_deg, period_deg);

@@ -14,9 +14,11 @@ namespace tractus::silhouette {
 namespace {
 
 constexpr std::array kTangentShares { 0.5, 1.0, 1.5, 2.0 };
-constexpr double kMostOutside = 0.01; // Of the outline's diagonal.
+// Tolerance for leaving the outline, as a share of its diagonal.
+constexpr double kMostOutside = 0.01;
 constexpr std::size_t kChords = 16;
-constexpr double kSameSample = 0.05; // Of t: a later angle replaces an earlier one.
+// Difference in t within which a later angle replaces an earlier one.
+constexpr double kSameSample = 0.05;
 
 double curve_length(Cubic const& curve)
 {
@@ -36,7 +38,8 @@ Vec2 direction_at(std::span<Vec2 const> trunk, std::size_t sample)
     return direction_of(trunk[next] - trunk[sample > 0 ? sample - 1 : 0]);
 }
 
-// Bases from the nearest to the end on: a branch is never shorter than the straight way.
+// Candidate bases, nearest to the end first. A branch is never shorter than its chord, so the
+// search can stop early.
 std::vector<std::pair<double, std::size_t>> bases_by_distance(BranchSearch const& search,
                                                               Vec2 const& end)
 {
@@ -103,8 +106,8 @@ Vec2 way_over(Cubic const& curve, double share)
 
 namespace {
 
-// Turns a curve's start until the way over a share of it has the angle to its parent that its start
-// was given: a curve that bends at once has another one.
+// Rotates the start of a curve until the chord over its first `over` has the angle to the parent
+// that the start was given. The two differ where a curve bends early.
 void settle_angle(Cubic& curve, Vec2 const& along, double over)
 {
     constexpr double kMost_deg = 170;
@@ -171,7 +174,7 @@ BranchCurve infer_branch(BranchSearch const& search, BranchEnd const& to)
 
 namespace {
 
-// The shares of a line's length at its points.
+// Cumulative lengths at a polyline's points, as shares of its length.
 std::vector<double> shares_along(std::span<Vec2 const> line)
 {
     std::vector<double> shares { 0 };
@@ -196,8 +199,8 @@ BranchCurve drawn_branch(BranchSearch const& search, std::span<Vec2 const> strok
     branch.side = cross(direction_at(search.trunk, sample), curve.end - curve.base) > 0
         ? Side::Left
         : Side::Right;
-    // Normal equations of the two tangents; a little weight holds them to the straight way, for
-    // strokes of few points.
+    // Normal equations for the magnitudes of the two tangents. A small weight pulls them towards
+    // the chord, for strokes of few points.
     Vec2 const way = curve.end - curve.base;
     constexpr double kToStraight = 1e-3;
     double aa = kToStraight;
@@ -248,7 +251,8 @@ std::vector<Vec2> points_of(std::span<Vec2 const> outline, Arc const& arc)
     return points;
 }
 
-// The part of a bump's arc that is in the cone around the tip, at least its neighbours.
+// The part of a bump's arc inside the cone at the branch's base; at least the neighbours of the
+// tip.
 std::vector<Vec2> shared_with(std::span<Vec2 const> outline, Bump const& bump, Cubic const& branch,
                               double cone_deg)
 {
@@ -280,7 +284,8 @@ std::vector<Vec2> shared_with(std::span<Vec2 const> outline, Bump const& bump, C
 std::vector<Vec2> lens_around(Cubic const& branch)
 {
     constexpr std::size_t kPoints = 9;
-    constexpr double kWidest = 0.22; // To one side, of the branch's length.
+    // Half the lens's greatest width, as a share of the branch's length.
+    constexpr double kWidest = 0.22;
     auto const middle = branch.points(kPoints);
     double const width = kWidest * curve_length(branch);
     std::vector<Vec2> right;

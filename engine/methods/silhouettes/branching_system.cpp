@@ -10,7 +10,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-// The apex, if it lies within 60 degrees ahead of the trunk's end.
+// The apex bump's end, if it is within 60 degrees of the trunk's final direction.
 std::optional<Vec2> apex_ahead(BranchingSystem const& system)
 {
     if (system.inside.last + 1 != system.trunk.size())
@@ -24,7 +24,7 @@ std::optional<Vec2> apex_ahead(BranchingSystem const& system)
     return std::nullopt;
 }
 
-// What the trunk covers around its apex: the bump that rises there.
+// Area covered by the trunk's own end: the apex bump.
 std::vector<Vec2> apex_crown(BranchingSystem const& system)
 {
     std::vector<Vec2> crown;
@@ -51,11 +51,13 @@ Branch branch_to(BranchingSystem const& system, Bump const& bump, BranchCurve pa
     return branch;
 }
 
-// The lateral bump that a drawn branch ends in, of those that none ends in yet; no value: in none.
+// The lateral bump in which a drawn branch ends, among those without a branch so far; no value if
+// it ends in none.
 std::optional<std::size_t> bump_at(std::span<Bump const> bumps, Vec2 const& end,
                                    std::span<std::optional<Branch> const> taken)
 {
-    constexpr double kNear = 0.08; // Of the outline's diagonal, which is 1.
+    // As a share of the outline's diagonal, which is 1 in this frame.
+    constexpr double kNear = 0.08;
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i < bumps.size(); ++i) {
         double const far = (bumps[i].end - end).norm();
@@ -75,8 +77,8 @@ double angle_at_base_deg(BranchingSystem const& system, BranchCurve const& path,
     return degrees(std::fabs(std::atan2(cross(along, out), along.dot(out))));
 }
 
-// Drawn branches by the bump that each ends in, and those that end in none. The others learn their
-// angles.
+// Drawn branches, by the bump in which they end, and the remaining ones. The other branches take
+// their angles as samples.
 struct DrawnBranches {
     std::vector<std::optional<Branch>> of_bump;
     std::vector<Branch> elsewhere {};
@@ -108,7 +110,7 @@ DrawnBranches take_drawn(BranchingSystem const& system, Run const& bases,
     return drawn;
 }
 
-// The samples that may bear branches which nobody drew: at least two of those inside.
+// Trunk samples where inferred branches may start: at least two, inside the outline.
 Run bases_of(BranchingSystem const& system, double unbranched)
 {
     auto bases = system.inside;
@@ -166,7 +168,7 @@ void add_branches(BranchingSystem& system, Run const& bases, std::optional<Vec2>
     }
 }
 
-// Straight on into the bump ahead, most of the way to its tip.
+// The apex branch goes straight into the bump ahead, most of the way to its tip.
 void add_apex(BranchingSystem& system)
 {
     auto crown = apex_crown(system);
@@ -194,8 +196,8 @@ void move_to_sheet(Branch& branch, Similarity const& way)
     branch.path.curve = way.cubic(branch.path.curve);
     branch.path.length *= way.turn.norm();
     branch.path.outside *= way.turn.norm();
-    // What takes the model's millimetres to the copy's: turned and scaled alike. A mirrored copy's
-    // turn is against the frame's own on both sides.
+    // Conjugates the similarity from the model to the copy by the rotation and scale of the frame.
+    // For a mirrored copy the frame's rotation enters with the opposite sign.
     auto& copy = branch.from_model;
     copy.from = way.point(copy.from);
     copy.to = way.point(copy.to);

@@ -4,7 +4,7 @@
 
 namespace tractus::silhouette {
 
-// The branches of lateral bumps come first, in the order of these.
+// The system's first branches belong to the lateral bumps, in the same order.
 static std::optional<std::size_t> branch_of_bump(BranchingSystem const& system, std::size_t bump)
 {
     if (system.bumps[bump].role != Role::Lateral || system.is_in_siblings_style)
@@ -17,7 +17,8 @@ static std::optional<std::size_t> branch_of_bump(BranchingSystem const& system, 
 
 std::optional<BumpLeaf> leaf_on_bump(Skeleton const& skeleton, Vec2 const& place, Search search)
 {
-    constexpr double kNear = 0.04; // Of the outline's diagonal, from the branch's part.
+    constexpr double kNear = 0.04; // Tolerance around the branch's part of the crown, as a share of
+                                   // the outline's diagonal.
     for (auto const s : outlined_systems(skeleton, search)) {
         auto const& system = skeleton.systems[s];
         auto const bump = touched_bump(system.bumps, system.outline,

@@ -8,11 +8,12 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Shares of the outline's diagonal.
+// Greatest distances of a touch, as shares of the outline's diagonal.
 constexpr double kNearBump = 0.04;
 constexpr double kNearJoint = 0.08;
 
-constexpr std::size_t kLeastSteps = 8; // Of the outline, on a bump that is split.
+// A bump must have at least this many outline samples to be split.
+constexpr std::size_t kLeastSteps = 8;
 
 std::vector<Vec2> points_between(std::span<Vec2 const> outline, std::uint32_t first,
                                  std::uint32_t last)
@@ -25,14 +26,15 @@ std::vector<Vec2> points_between(std::span<Vec2 const> outline, std::uint32_t fi
     return points;
 }
 
-// A branch ends in the middle of a lobe, which its chord may cut off.
+// True if the point is within the bump's end area. A branch ends in the middle of a lobe, which can
+// be on the inner side of the chord.
 bool is_around_end(Bump const& bump, std::span<Vec2 const> outline, Vec2 const& place)
 {
     double const half = (outline[bump.cap.last] - outline[bump.cap.first]).norm() / 2;
     return (place - bump.end).norm() <= std::min(half, bump.radius);
 }
 
-// Where a place is that may be a bump's; the first counts most.
+// Position of a touch relative to a bump, the best match first.
 enum class Where { In, AroundEnd, Beside };
 
 std::optional<std::size_t> split_bump(std::span<Bump const> bumps, std::span<Vec2 const> outline,
@@ -57,7 +59,7 @@ std::optional<std::size_t> split_bump(std::span<Bump const> bumps, std::span<Vec
     return best;
 }
 
-// The next one along the outline.
+// Index of the next bump along the outline.
 std::size_t after(std::span<Bump const> bumps, std::size_t bump)
 {
     return (bump + 1) % bumps.size();
@@ -87,11 +89,12 @@ Vec2 chord_middle(std::span<Vec2 const> outline, Arc const& arc)
     return (outline[arc.first] + outline[arc.last]) / 2;
 }
 
-// Branches end inside of the outline, and not on it: towards the middle of the chord.
+// Moves the bump's end towards the middle of its chord: a branch must end inside the outline, not
+// on it.
 void pull_inside(Bump& bump, std::span<Vec2 const> outline)
 {
     constexpr int kSteps = 8;
-    constexpr double kLeast = 0.1; // Of the radius, from the outline.
+    constexpr double kLeast = 0.1; // Least distance from the outline, as a share of the radius.
     Vec2 const from = bump.end;
     Vec2 const to = chord_middle(outline, bump.arc);
     for (int i = 1; i <= kSteps; ++i) {
@@ -102,7 +105,7 @@ void pull_inside(Bump& bump, std::span<Vec2 const> outline)
     }
 }
 
-// A bump by its arc alone: its cap begins where the half circle holds it.
+// Makes a bump from its arc; the cap begins where the half disc over its ends contains it.
 Bump bump_on(std::span<Vec2 const> outline, Arc const& arc, double strength)
 {
     auto const n = static_cast<std::uint32_t>(outline.size());
@@ -114,12 +117,14 @@ Bump bump_on(std::span<Vec2 const> outline, Arc const& arc, double strength)
     return bump;
 }
 
-// Where an arc is split by a touch: a sample inside of it.
+// The outline sample, strictly inside the arc, at which a touch splits the arc.
 std::uint32_t split_sample(std::span<Vec2 const> outline, Bump const& bump, Vec2 const& place)
 {
     constexpr double kLeastPart = 0.2;
-    constexpr double kTooNear = 0.25;  // Of the bump's height: which way it is says nothing.
-    constexpr double kBehindEnd = 1.5; // From the tip, of the way to the bump's end.
+    constexpr double kTooNear = 0.25;  // A touch nearer to the ray's origin than this share of the
+                                       // bump's height has no clear direction.
+    constexpr double kBehindEnd = 1.5; // Least distance of the ray's origin from the tip, as a
+                                       // multiple of the distance from tip to end.
     Vec2 const back = chord_middle(outline, bump.arc) - bump.tip;
     Vec2 const from = bump.tip
         + std::max(back.norm(), kBehindEnd * (bump.end - bump.tip).norm())
@@ -155,7 +160,8 @@ void split(std::vector<Bump>& bumps, std::span<Vec2 const> outline, std::size_t 
                  bump_on(outline, { middle, whole.arc.last }, whole.strength));
 }
 
-// Both arcs, with what is between them, and an end between the two.
+// Merges two bumps: the arc covers both and the outline between them; the end is between their
+// ends.
 Bump joined(std::span<Vec2 const> outline, Bump const& first, Bump const& second)
 {
     auto bump = describe_bump(outline, { first.arc.first, second.arc.last },
@@ -185,7 +191,7 @@ void sort_by_arc(std::vector<Bump>& bumps)
               [](Bump const& a, Bump const& b) { return a.arc.first < b.arc.first; });
 }
 
-// Which of the outline's touches a new one takes back.
+// Index of the earlier touch that a new one undoes, if any.
 std::optional<std::size_t> taken_back(BranchingSystem const& system, std::size_t bump,
                                       std::span<BumpTouch const> touches, BumpTouch const& touch)
 {
@@ -256,7 +262,8 @@ Result<TouchedDrawing> touched(Drawing const& drawing, BumpTouch const& touch,
         auto const bump = touched_bump(system.bumps, system.outline, touch);
         if (!bump)
             continue;
-        std::vector<BumpTouch> touches; // Of this outline, and which of all they are.
+        // Touches of this outline, with their indices among all touches.
+        std::vector<BumpTouch> touches;
         std::vector<std::size_t> numbers;
         for (std::size_t i = 0; i < drawing.touches.size(); ++i)
             if (drawing.touches[i].branch == skeleton.parents[s]) {

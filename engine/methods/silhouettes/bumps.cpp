@@ -9,7 +9,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Calls use(point) for the points of the outline strictly inside of an arc.
+// Calls use(point) for each outline point strictly inside an arc.
 template<typename Use> void for_inner_points(std::span<Vec2 const> outline, Arc arc, Use&& use)
 {
     auto const n = outline.size();
@@ -17,7 +17,7 @@ template<typename Use> void for_inner_points(std::span<Vec2 const> outline, Arc 
         use(outline[i]);
 }
 
-// Takes limbs off until all that are left are bumps.
+// Removes weak limbs until all remaining ones are bumps.
 class Pruner {
 public:
     Pruner(ChordalAxis const& axis, BumpThresholds const& thresholds)
@@ -58,7 +58,7 @@ private:
         return chords[0] + chords[1] + chords[2];
     }
 
-    // Whether no junction lies beyond.
+    // True if no junction triangle lies beyond the chord.
     bool is_limb(Chord chord) const
     {
         while (true) {
@@ -100,11 +100,12 @@ private:
     ChordalAxis const& axis_;
     BumpThresholds thresholds_;
     double diagonal_;
-    std::vector<std::array<bool, 3>> alive_;      // Chords with something beyond them.
-    std::vector<std::array<double, 3>> strength_; // Below 0: not looked at yet.
+    std::vector<std::array<bool, 3>> alive_; // False for chords whose limb has been removed.
+    // Cache of limb strengths; negative: not computed yet.
+    std::vector<std::array<double, 3>> strength_;
 };
 
-// The innermost chord from `base` outwards whose half circle holds its cap.
+// The first chord outwards from `base` whose half disc contains its cap.
 Chord end_chord(ChordalAxis const& axis, Chord base)
 {
     auto const points = axis.outline().size();
@@ -125,7 +126,7 @@ Bump bump_beyond(ChordalAxis const& axis, Chord const& base, double strength)
                          strength);
 }
 
-// Beyond the longest chord each way, of an outline without junctions.
+// The two ends of an outline without junctions: the parts beyond its longest chord on either side.
 std::vector<Bump> spindle_ends(ChordalAxis const& axis)
 {
     std::optional<Chord> longest;

@@ -32,8 +32,8 @@ ChordalAxis::Counts ChordalAxis::counts() const
 
 Arc ChordalAxis::beyond(Chord const& chord) const
 {
-    // The triangle is to the left of the edge from corner e to the next, and so is its inside: what
-    // is to the right is the outline from the one on to the other.
+    // The triangle is on the left of the edge from corner e to the next one. The outline beyond the
+    // chord therefore runs from the first corner to the second on its right.
     auto const& corner = triangles_[chord.triangle].corner;
     return { corner[chord.edge], corner[(chord.edge + 1) % 3] };
 }

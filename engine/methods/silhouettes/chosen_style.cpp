@@ -73,7 +73,7 @@ std::set<std::string> paths_in(ChosenStyles const& styles)
 
 std::string source_of(ChosenStyles const& styles, std::string branch)
 {
-    // Edits make no circles; in a forged one the way ends somewhere.
+    // Edits cannot create cycles. The bounded loop also ends for a manipulated file.
     for (std::size_t i = 0; i <= styles.size(); ++i) {
         auto const found = styles.find(branch);
         if (found == styles.end())
@@ -109,7 +109,8 @@ Result<void> choose_styles(ChosenStyles& styles, ChosenStyles const& chosen,
 
 Result<ChosenStyles> carried_by(Skeleton const& skeleton, std::span<Vec2 const> stroke)
 {
-    constexpr double kOver = 0.01; // Of the outline's diagonal.
+    // Tolerance for crossing a branch, as a share of the outline's diagonal.
+    constexpr double kOver = 0.01;
     constexpr std::size_t kPlaces = 400;
     auto const source = branch_near(skeleton, stroke.front());
     if (!source)

@@ -21,7 +21,7 @@ bool bit_at(std::vector<std::uint64_t> const& bits, int row, int column)
     return (bits[word_of(row, column)] >> static_cast<unsigned>(column % 64) & 1U) != 0;
 }
 
-// Flips all cells of a row from a column on: pairs of crossings leave what is between them.
+// Inverts all cells of a row from a column on. Two crossings leave the cells between them set.
 void flip_from(std::uint64_t* row, int column)
 {
     if (column >= CoverageGrid::kCells)
@@ -124,11 +124,11 @@ bool CoverageGrid::is_free(Vec2 const& point) const
     return is_inside(point) && !bit_at(covered_, row_of(point), column_of(point));
 }
 
-// Distances from cell to cell as a chamfer: 5 to a side's neighbour and 7 to a corner's (Borgefors
+// Chamfer distance transform with weights 5 (edge neighbours) and 7 (corner neighbours) (Borgefors
 // 1986).
 CoverageGrid::Gap CoverageGrid::widest_gap(int step) const
 {
-    int const size = kCells / step + 2; // With a border that counts as covered.
+    int const size = kCells / step + 2; // Includes a border of cells that count as covered.
     constexpr std::uint16_t kFar = 60'000;
     std::vector<std::uint16_t> far(static_cast<std::size_t>(size * size), 0);
     int const rows = (rows_ - 1) / step;

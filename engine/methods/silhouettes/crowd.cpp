@@ -10,12 +10,17 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kLargestAdded = 1.5; // Of the branch that it is a copy of.
-constexpr double kMostTurned = 1.41;  // So much longer a branch may become as it turns away.
-constexpr double kOverSurface = 1.02; // And so far beyond the crown's surface it may go.
-constexpr double kOutlined_deg = 10;  // One whose outline was drawn is seen in that.
+// Largest scale of an added branch relative to the branch that it copies.
+constexpr double kLargestAdded = 1.5;
+// Largest stretch of a visible branch as it rotates out of the plane.
+constexpr double kMostTurned = 1.41;
+// A visible branch may reach this multiple of the crown surface's distance.
+constexpr double kOverSurface = 1.02;
+constexpr double kOutlined_deg = 10; // Limit of rotation for a branch with a drawn outline, which
+                                     // must stay visible in the drawing plane.
 
-// How far a branch may turn away from the plane: long ones hardly, so that the outline stays.
+// Greatest rotation of a visible branch out of the plane, degrees. Long branches rotate less, so
+// that the outline keeps its shape.
 double most_off_deg(double span, double greatest)
 {
     constexpr double kShort_deg = 45;
@@ -27,10 +32,10 @@ double most_off_deg(double span, double greatest)
 struct Scales {
     double low;
     double high;
-    double surface; // The section is so much larger.
+    double surface; // Factor by which the surface's section is enlarged.
 };
 
-// The largest scale at which the branch's crown is inside of the crown's surface.
+// The largest scale at which the branch's crown is inside the crown's surface.
 double largest_inside(CrowdMaker::Model const& model, Branch const& branch, Similarity way,
                       double theta_deg, Scales scales)
 {
@@ -47,7 +52,8 @@ double largest_inside(CrowdMaker::Model const& model, Branch const& branch, Simi
     for (int i = 0; i < 10; ++i) {
         double const middle = (scales.low + scales.high) / 2;
         way.turn = middle * unit;
-        // Most of it: a crown that touches the surface in a corner may stand out there.
+        // A tenth of the sampled points may be outside, because a crown can touch the surface with
+        // a corner.
         std::size_t outside = 0;
         std::size_t tried = 0;
         for (std::size_t c = 0; c < branch.crown.size(); c += 3, ++tried)
@@ -57,8 +63,8 @@ double largest_inside(CrowdMaker::Model const& model, Branch const& branch, Simi
     return scales.low;
 }
 
-// How much larger the branch's crown may be at an azimuth than on its side of the plane, where the
-// surface was drawn.
+// Ratio of the branch's largest crown size at an azimuth to that on its own side of the plane; only
+// used with a drawn surface.
 double widening(CrowdMaker::Model const& model, Branch const& branch, double theta_deg)
 {
     constexpr Scales kAny { 0.1, 6, kOverSurface };
@@ -69,7 +75,8 @@ double widening(CrowdMaker::Model const& model, Branch const& branch, double the
     return there / largest_inside(model, branch, as_it_is, side_deg, kAny);
 }
 
-// The sum of squares of distances from the trunk at heights, at an azimuth: what a sector holds.
+// Sum over heights of squared distances from the trunk at an azimuth, proportional to the volume of
+// a thin sector of the crown.
 double area_at(CrownSurface const& surface, double theta_deg)
 {
     constexpr int kHeights = 16;
@@ -81,11 +88,12 @@ double area_at(CrownSurface const& surface, double theta_deg)
     return area;
 }
 
-// A branch that ends in the outline turns no farther than where the crown is nearly as wide as
-// there: else the outline would be empty.
+// Limits the rotation of a branch that ends in the outline to azimuths where the crown is nearly as
+// wide. Otherwise the outline would look empty.
 double most_off_deg_in(CrownSurface const& surface, double theta_deg, double most_deg)
 {
-    constexpr double kLeast = 0.75; // Of the sector's area; of its width that is 0.87.
+    // Least share of the sector's area at theta_deg; 0.87 of the width.
+    constexpr double kLeast = 0.75;
     constexpr double kStep_deg = 4;
     double const least = kLeast * area_at(surface, theta_deg);
     double off_deg = 0;
@@ -96,8 +104,8 @@ double most_off_deg_in(CrownSurface const& surface, double theta_deg, double mos
     return off_deg + kStep_deg > most_deg ? most_deg : off_deg;
 }
 
-// Spreads branches by how much of the crown lies at an azimuth: as many more of them stand where it
-// is wide as there is more of it to fill. In a crown that is round they stay.
+// Redistributes azimuths in proportion to the crown's volume there, so that wide sectors get more
+// branches. In a round crown nothing changes.
 class SpreadByArea {
 public:
     explicit SpreadByArea(CrownSurface const& surface)
@@ -151,11 +159,11 @@ Crowd CrowdMaker::make(std::size_t index, LevelOptions const& options) const
           .nodes = options.nodes },
         { .seed = options_.seed, .stream = 2, .substream = static_cast<std::uint32_t>(index) });
     Model const model { system, surface, drawn };
-    // A node is whole even where its crown leaves hardly any room.
+    // A complete node keeps all of its branches, even if the crown leaves hardly any room.
     bool const is_whole
         = options.nodes == ArrangementOptions::Nodes::Whole && options.pattern != Pattern::Even;
     auto const smaller = is_whole ? Lean::Smaller::Least : Lean::Smaller::LeftOut;
-    std::optional<SpreadByArea> spread; // Patterns keep their angles.
+    std::optional<SpreadByArea> spread; // Only without a pattern; patterns keep their angles.
     if (surface.is_drawn() && options.pattern == Pattern::Even)
         spread.emplace(surface);
     for (std::size_t i = 0; i < arrangement.places.size(); ++i) {
@@ -174,7 +182,7 @@ Crowd CrowdMaker::make(std::size_t index, LevelOptions const& options) const
     return crowd;
 }
 
-// The trunk's end last.
+// Sorts by u, with the trunk's end last.
 void CrowdMaker::finish(Crowd& crowd, BranchingSystem const& system)
 {
     if (system.has_apex_branch())
@@ -183,7 +191,7 @@ void CrowdMaker::finish(Crowd& crowd, BranchingSystem const& system)
                      [](Standing const& a, Standing const& b) { return a.u < b.u; });
 }
 
-// Of all branches in the plane but the apex.
+// Positions of all branches visible in the plane except the apex.
 std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& parent, CrownSurface const& surface,
                                                  BranchingSystem const& system)
 {
@@ -203,7 +211,7 @@ std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& parent, CrownSurfac
         bool const is_left = branch.path.side == Side::Left;
         double off_deg = most_off_deg(span(branch), greatest[is_left]);
         if (branch.is_stroke() || !branch.own_branches.empty())
-            off_deg = 0; // Strokes stay in the plane that they were drawn in.
+            off_deg = 0; // Branches drawn as strokes stay in the plane of the drawing.
         else if (branch.is_outlined())
             off_deg = kOutlined_deg;
         if (surface.is_drawn())
@@ -216,7 +224,7 @@ std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& parent, CrownSurfac
     return drawn;
 }
 
-// One in the plane, where it was inferred or at the place to which it moves.
+// Adds a visible branch, at the base where it was inferred or at `moves_to`.
 void CrowdMaker::stand(Crowd& crowd, Model const& model, std::size_t i, Place const& place,
                        double moves_to)
 {
@@ -227,7 +235,7 @@ void CrowdMaker::stand(Crowd& crowd, Model const& model, std::size_t i, Place co
     Similarity way { .from = base, .to = base, .turn = Vec2(longer, 0) };
     Vec2 as_it_is = Vec2::UnitX();
     if (moves_to != place.u) {
-        // Its end stays where the outline wants it.
+        // The end stays on the outline.
         way = way_to_end(branch, crowd.parent.at(moves_to));
         as_it_is = way.turn;
         way.turn *= longer;
@@ -250,8 +258,8 @@ void CrowdMaker::stand(Crowd& crowd, Model const& model, std::size_t i, Place co
     crowd.branches.push_back({ i, name_of(branch), moves_to, place.theta_deg, way });
 }
 
-// One in the plane that may have moved to a node: to its end from there, too, or, where that makes
-// it another branch, as an added one.
+// Adds a visible branch that may have moved to a node. It still goes to its end, unless that would
+// change its length or direction too much; then it is placed like an added branch.
 void CrowdMaker::stand_in_plane(Crowd& crowd, Model const& model, std::size_t i,
                                 Place const& place) const
 {
@@ -301,11 +309,11 @@ void CrowdMaker::stand_added(Crowd& crowd, Model const& model, Place const& plac
         { nearest, name_of_added(crowd, place), place.u, place.theta_deg, way });
 }
 
-// After its place around the parent, so that the one that stands there after a change has the
-// name: they are arranged anew as a whole.
+// Names an added branch after its rounded position. Added branches are redistributed as a whole
+// after a change; the one that is then at this position gets the same name.
 std::string CrowdMaker::name_of_added(Crowd const& crowd, Place const& place)
 {
-    constexpr double kSteps = 12; // Along the parent, and around it.
+    constexpr double kSteps = 12; // Resolution of the names, along the parent and around it.
     auto const name = fmt::format("a{}.{}", std::lround(place.u * kSteps),
                                   std::lround(place.theta_deg / 360 * kSteps) % 12);
     auto const taken = [&](std::string const& other) {
@@ -334,7 +342,7 @@ std::optional<std::size_t> CrowdMaker::nearest_drawn(Model const& model, Place c
     return best;
 }
 
-// From a branch as it is to one from another place to the same end.
+// The similarity that moves a branch's base to `from` and leaves its end where it is.
 Similarity CrowdMaker::way_to_end(Branch const& branch, Vec2 const& from)
 {
     auto const& curve = branch.path.curve;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBetweenAzimuths_deg = 360.0 / kAzimuths;
 
-// On the desk: to the right, and behind the sheet.
+// Plan view: x to the right, y behind the sheet.
 Vec2 plan_of(Vec3 const& point)
 {
     return { point.x(), point.z() };
@@ -37,11 +37,12 @@ double length_in_space(CrownLine const& line)
 
 bool comes_back_in_space(CrownLine const& line)
 {
-    constexpr double kWidestGap = 0.25; // Of its length, as of an outline on the sheet.
+    constexpr double kWidestGap = 0.25; // Largest gap between the ends, as a share of the length;
+                                        // the same as for outlines on the sheet.
     return (line.back() - line.front()).norm() <= kWidestGap * length_in_space(line);
 }
 
-// The longest way across a plan, and how wide it is.
+// Principal axis of a line's plan view and its widths.
 struct PlanSpread {
     Vec2 middle = Vec2::Zero();
     Vec2 along = Vec2::UnitX();
@@ -83,7 +84,7 @@ double wrapped_turn(double angle)
     return angle - 2 * kPi * std::round(angle / (2 * kPi));
 }
 
-// How often a plan goes around a place.
+// Number of turns that a plan makes around a point.
 double turns_around(std::vector<Vec2> const& plan, Vec2 const& middle)
 {
     double angle = 0;
@@ -95,7 +96,8 @@ double turns_around(std::vector<Vec2> const& plan, Vec2 const& middle)
     return std::fabs(angle) / (2 * kPi);
 }
 
-// Adds where a segment meets the half planes at the azimuths; both ends in the trunk's frame.
+// Adds the intersections of a segment with the half planes at all azimuths. Both ends are in the
+// trunk's frame.
 void cross_azimuths(Vec3 const& from, Vec3 const& to, Crossings& crossings)
 {
     double const begin = std::atan2(from.y(), from.x());
@@ -119,7 +121,8 @@ void cross_azimuths(Vec3 const& from, Vec3 const& to, Crossings& crossings)
     }
 }
 
-// Where the line meets the azimuths, in its order; how often it goes around the trunk.
+// Adds the intersections of a line with the azimuths, in the line's order, and returns its number
+// of turns around the trunk.
 double cross_azimuths(CrownLine const& line, TrunkFrame const& trunk, Crossings& crossings)
 {
     std::vector<Vec2> plan;
@@ -132,8 +135,8 @@ double cross_azimuths(CrownLine const& line, TrunkFrame const& trunk, Crossings&
     return turns_around(plan, Vec2::Zero());
 }
 
-// The middle of what a climbing line goes around: of a place and those half a turn before and after
-// it. Where its distance grows or falls evenly these three do not favour a side.
+// Centre of a climbing line: the mean over each point and the points half a turn before and after
+// it. This is unbiased if the distance grows or falls evenly.
 Vec2 middle_of_climb(std::vector<Vec2> const& plan, Vec2 middle)
 {
     constexpr int kRounds = 4;
@@ -186,9 +189,11 @@ tl::unexpected<Error> not_around(char const* what, CrownLine const& line)
 Result<CrownLineKind> kind_of(CrownLine const& line)
 {
     constexpr double kLeast_mm = 2;
-    constexpr double kFlat = 0.12; // A ring, however often it goes around.
+    // Up to this rise a line counts as a ring, however many turns it makes.
+    constexpr double kFlat = 0.12;
     constexpr double kTilted = 0.25;
-    constexpr double kMostRing = 1.35; // Turns: whoever closes a ring goes a little farther.
+    // Most turns of a ring. A closing stroke usually overshoots its beginning a little.
+    constexpr double kMostRing = 1.35;
     constexpr double kLeastClimb = 1.25;
     constexpr double kInPlane = 0.2;
     for (auto const& point : line)
@@ -237,7 +242,8 @@ Vec2 plan_middle(CrownLine const& line)
     if (!kind || *kind != CrownLineKind::Ring || area == 0)
         return box_of(plan).middle();
     Vec2 sum = Vec2::Zero();
-    Vec2 const from = plan.front(); // Near it sums are exact.
+    // Reference point close to the line, for numerical accuracy of the sums.
+    Vec2 const from = plan.front();
     for (std::size_t i = 0; i < plan.size(); ++i) {
         Vec2 const a = plan[i] - from;
         Vec2 const b = plan[(i + 1) % plan.size()] - from;

@@ -16,8 +16,8 @@ std::vector<Vec2> all_in_frame(std::span<Vec2 const> points, TrunkFrame const& f
     return result;
 }
 
-// Between the distances of two meridians: 1 / r² goes from one to the other, which is the ellipse
-// between its half-axes, by which cos² and sin² are the weights.
+// Interpolates between the distances of two meridians: 1 / r² is linear in the weights. With the
+// weights cos² and sin² the section is the ellipse through both half-axes.
 double between_distances(double a, double b, double weight_of_a)
 {
     double const least = 1e-9 * std::max({ std::fabs(a), std::fabs(b), 1e-9 });
@@ -67,7 +67,8 @@ Vec2 CrownSurface::at(double s, double theta_deg) const
     };
     double const gap_deg = from_deg(after.theta_deg);
     double const share = gap_deg > 0 ? from_deg(turn_deg) / gap_deg : 0;
-    constexpr double kDense_deg = 15; // Where steps of the weight would be seen as bumps.
+    constexpr double kDense_deg = 15; // Spacing below which the interpolation's steps between
+                                      // meridians would be visible as ridges.
     double const w = gap_deg < kDense_deg ? 1 - share : (1 + std::cos(kPi * share)) / 2;
     Vec2 const a = along(before);
     Vec2 const b = along(after);
@@ -79,7 +80,7 @@ std::vector<Vec2> CrownSurface::section(double theta_deg) const
     std::vector<Vec2> section;
     for (std::size_t i = 0; i < kPoints; ++i)
         section.push_back(at(static_cast<double>(i) / (kPoints - 1), theta_deg));
-    // Back on the other side of the trunk, so that what is near the trunk is inside.
+    // Closes the curve on the far side of the trunk, so that points close to the trunk are inside.
     section.emplace_back(-section.back().x() - 1e-6, section.back().y());
     double const back = 0.05 * std::max(1e-9, (section.back() - section.front()).norm());
     section.emplace_back(-back, at(0.9, theta_deg).y());

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kAzimuthStep_deg = 360.0 / kAzimuths;
 
-// How the distance from the trunk falls to 0 beyond the last place where it is known: its square,
-// which goes on as a parabola does, so that balls, cones and what is between them close as such.
+// Closes a profile beyond its last known point. The square of the distance from the trunk continues
+// as a parabola down to 0, so spheres, cones and shapes in between close exactly.
 class Cap {
 public:
-    // Squares of the distances at the last place, and one and two steps before it. The height at
-    // which it ends; no value: where the parabola says.
+    // `squares`: squared distances at the last point, and one and two steps before it. `height`:
+    // where the cap ends; default: where the parabola reaches 0.
     Cap(std::array<double, 3> const& squares, double step, std::optional<double> height)
         : square_(std::max(squares[0], 1e-12))
     {
@@ -29,15 +29,16 @@ public:
             curved = (squares[2] - 2 * squares[1] + squares[0]) / (2 * step * step);
             slope_ = (squares[0] - squares[1]) / step + curved * step;
         }
-        constexpr double kLowest = 0.3; // Of the distance there.
-        constexpr double kFlat = 0.4;   // Where it does not fall towards the end.
+        constexpr double kLowest = 0.3; // Least cap height, as a share of the last distance.
+        constexpr double kFlat = 0.4;   // Cap height where the profile does not narrow towards its
+                                        // end, as a share of the last distance.
         height_ = height.value_or(std::clamp(end_of(curved, kFlat * radius), kLowest * radius,
                                              std::max(radius, 1.5 * step)));
     }
 
     double height() const { return height_; }
 
-    // The share of the last distance, `x` beyond it.
+    // Ratio of the distance at `x` beyond the last point to the last distance.
     double share(double x) const
     {
         double const curved = -(square_ + slope_ * height_) / (height_ * height_);
@@ -45,7 +46,7 @@ public:
     }
 
 private:
-    // Where the parabola first comes to 0.
+    // The first zero of the parabola, or `otherwise` if there is none.
     double end_of(double curved, double otherwise) const
     {
         if (std::fabs(curved) < 1e-12 * square_)
@@ -63,20 +64,20 @@ private:
     double height_;
 };
 
-// Distances from the trunk at an azimuth, as far as they are known.
+// Known distances from the trunk at one azimuth.
 struct Profile {
     MonotoneCurve curve;
     double low;
     double high;
 };
 
-// Places of nearly one height are one.
+// Merges points of nearly the same height.
 std::vector<Vec2> merged_places(std::vector<Vec2> places, double apart)
 {
     std::sort(places.begin(), places.end(),
               [](Vec2 const& a, Vec2 const& b) { return a.x() < b.x(); });
     std::vector<Vec2> result;
-    std::size_t taken = 0; // In the last one.
+    std::size_t taken = 0; // Number of points merged into the last one.
     for (auto const& place : places) {
         if (!result.empty() && place.x() - result.back().x() <= apart) {
             ++taken;
@@ -89,11 +90,13 @@ std::vector<Vec2> merged_places(std::vector<Vec2> places, double apart)
     return result;
 }
 
-enum class Ends { AsTheyAre, Even }; // Lines that climb end at other heights at each azimuth.
+// Even: climbing lines end at a different height at each azimuth, so their ends are made level.
+enum class Ends { AsTheyAre, Even };
 
 std::vector<Profile> profiles_of(Crossings const& crossings, double low, double high, Ends ends)
 {
-    constexpr double kApart = 0.02; // Of the height.
+    // Heights closer than this share of the crown's height are merged.
+    constexpr double kApart = 0.02;
     std::vector<Profile> profiles;
     for (auto const& places : crossings) {
         MonotoneCurve curve(merged_places(places, kApart * (high - low)));
@@ -104,7 +107,7 @@ std::vector<Profile> profiles_of(Crossings const& crossings, double low, double 
     return profiles;
 }
 
-// The mean square of distances at a share of what is known of each azimuth.
+// Mean squared distance over all azimuths, at a share of each azimuth's known range.
 double mean_square(std::vector<Profile> const& profiles, double share)
 {
     double sum = 0;
@@ -116,13 +119,13 @@ double mean_square(std::vector<Profile> const& profiles, double share)
     return sum / static_cast<double>(profiles.size());
 }
 
-// Lengths between which the crown lies, where an outline says so.
+// Lowest and highest point of the crown, if an outline gives them.
 struct CrownRange {
     std::optional<double> low;
     std::optional<double> high;
 };
 
-// The surface that goes through the profiles.
+// Builds the surface through all profiles.
 class SurfaceBuilder {
 public:
     SurfaceBuilder(std::vector<Profile> profiles, std::size_t lines, CrownRange const& range)
@@ -157,7 +160,7 @@ private:
         bool const has_three = share <= 0.5;
         double const last = at(0);
         double const before = at(1);
-        constexpr double kFlat = 1e-6; // The crown ends there in a point.
+        constexpr double kFlat = 1e-6; // Below this distance the crown ends in a point.
         if (last <= kFlat * std::max({ last, before, 1e-12 }))
             return std::nullopt;
         if (height && *height <= 0)
@@ -175,7 +178,7 @@ private:
         double const bottom = low_ - (bottom_ ? bottom_->height() : 0);
         double const top = high_ + (top_ ? top_->height() : 0);
         points.emplace_back(0, std::min(bottom, profile.low));
-        // Nearer to each other towards the end, where it is steep.
+        // Samples become denser towards the end, where the surface is steep.
         for (int i = 1; bottom_ && i < kInCap; ++i) {
             double const x = std::cos(kPi / 2 * i / kInCap);
             points.emplace_back(first * bottom_->share(x * bottom_->height()),
@@ -196,7 +199,7 @@ private:
     }
 
     std::vector<Profile> profiles_;
-    double low_ = 0; // Of what is known, on average.
+    double low_ = 0; // Mean lower end of the profiles.
     double high_ = 0;
     std::optional<Cap> bottom_;
     std::optional<Cap> top_;
@@ -208,8 +211,8 @@ double apart_deg(double a_deg, double b_deg)
     return std::fabs(off_deg - 360 * std::round(off_deg / 360));
 }
 
-// Near its azimuth a half of an outline is what counts, up to where another one does, or 45
-// degrees.
+// Near its azimuth, half of an outline replaces the profile. Its influence ends at the next half or
+// after 45 degrees.
 void pull(std::vector<Meridian>& meridians, std::vector<Meridian> const& halves)
 {
     constexpr double kWidest_deg = 45;
@@ -230,7 +233,8 @@ void pull(std::vector<Meridian>& meridians, std::vector<Meridian> const& halves)
     }
 }
 
-// An outline in an upright plane, in the trunk's frame: (along the plane, height).
+// Prepares an outline in a vertical plane; result in the trunk's frame as (along the plane,
+// height).
 Result<std::vector<Vec2>> clean_side(CrownLine const& side, TrunkFrame const& trunk,
                                      double theta_deg)
 {
@@ -254,7 +258,7 @@ double top_of(std::vector<Vec2> const& outline)
     return box_of(outline).high.y();
 }
 
-// Where the trunk stands of which nothing was drawn.
+// Default trunk if none was drawn.
 std::vector<Vec2> upright_trunk(std::vector<CrownLine> const& lines,
                                 std::optional<Vec2> const& foot)
 {
@@ -271,7 +275,7 @@ std::vector<Vec2> upright_trunk(std::vector<CrownLine> const& lines,
     return { begin, begin + Vec2(0, 1) };
 }
 
-// Where the surface meets the sheet, counter-clockwise.
+// The section of the surface with the sheet, counter-clockwise.
 std::vector<Vec2> section_with_sheet(CrownSurface const& surface, TrunkFrame const& frame)
 {
     constexpr auto kLast = CrownSurface::kPoints - 1;
@@ -336,7 +340,8 @@ Result<std::vector<Meridian>> meridians_of(std::vector<CrownLine> const& lines,
 Result<void> add_surface(Drawing& drawing, std::vector<CrownLine> const& lines,
                          std::optional<Vec2> const& foot)
 {
-    constexpr double kTrunkHeight = 0.85; // Of the crown's, as under an outline.
+    constexpr double kTrunkHeight = 0.85; // Default trunk height as a share of the crown's; the
+                                          // same as for outlines (outline.cpp).
     if (lines.empty())
         return {};
     for (auto const& line : lines)

@@ -10,10 +10,11 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kMostOverlap = 0.2; // Of a new crown's own cells.
-constexpr double kLargestCopy = 1.5; // Of its model.
+constexpr double kMostOverlap = 0.2; // Share of a new crown's cells that may be covered already.
+constexpr double kLargestCopy = 1.5; // Largest and smallest scale of a copy relative to its model.
 constexpr double kSmallestCopy = 0.15;
-constexpr double kSliver = 0.05; // A single bump with a radius below this share of the diagonal.
+constexpr double kSliver = 0.05; // A lone branch whose cap radius is below this share of the
+                                 // diagonal is no model for copies.
 constexpr std::array kSizes { 1.0, 0.7, 0.5, 0.35 };
 
 class Filler {
@@ -67,7 +68,7 @@ private:
             && radius_of(crown_.branches[0]) < kSliver * box_of(crown_.outline).diagonal();
     }
 
-    // Of the cap that the cone was made from.
+    // Radius of the cap, recovered from the cone's angle (cone_angle_deg()).
     static double radius_of(Branch const& branch)
     {
         double const share = (branch.cone_deg - 20) / 90;
@@ -85,7 +86,7 @@ private:
         run_.last = trunk_.size() - 1;
     }
 
-    // The model where there is none to copy: a straight branch of a quarter of the trunk.
+    // Default model if there is no branch to copy: straight, a quarter of the trunk long.
     Branch lens() const
     {
         double const length = length_of(crown_.trunk) / 4;
@@ -123,7 +124,8 @@ private:
                       sign_of(side) * radians(crown_.angles.at_deg(t)));
     }
 
-    // From a model to the place, as large as stays inside. No value: it would be too small.
+    // The similarity from a model to a base, as large as fits inside the outline; no value if that
+    // is too small.
     std::optional<Similarity> fitted(Branch const& model, Vec2 const& base, Vec2 const& start,
                                      Side side) const
     {
@@ -192,7 +194,7 @@ private:
         }
     }
 
-    // The first of the lenses is the model of the others.
+    // Later lenses become copies of the first one.
     void copy_first_lens(Branch& branch)
     {
         if (!first_lens_) {
@@ -226,15 +228,16 @@ private:
         }
     }
 
-    // Outlines of few samples, as crowns have that nobody drew, are looked at coarsely: that takes
-    // a quarter of the time, which is most of what a skeleton takes.
+    // Step for widest_gap(). Outlines with few samples, as inferred crowns have, are searched
+    // coarsely; this takes a quarter of the time of an operation that dominates inference.
     int gap_step() const
     {
         constexpr std::size_t kFewSamples = 200;
         return crown_.outline.size() < kFewSamples ? 4 : 2;
     }
 
-    // What is free around a place, as far as twice the distance to the nearest that is not.
+    // Outline of the free area around a gap's centre, up to twice the distance to the nearest
+    // covered point.
     std::vector<Vec2> free_around(CoverageGrid::Gap const& gap) const
     {
         constexpr int kRays = 32;
@@ -255,7 +258,8 @@ private:
         auto const cells = grid_.cells_of(crown);
         bool const overlaps = static_cast<double>(grid_.count_covered(cells))
             > kMostOverlap * static_cast<double>(cells.count);
-        grid_.cover(cells); // In any case, so that the next gap is another one.
+        // Covered even if no branch is added, so that the next gap is a different one.
+        grid_.cover(cells);
         if (overlaps)
             return;
         BranchSearch const search {
@@ -267,7 +271,7 @@ private:
                 < (trunk_[nearest] - gap.center).squaredNorm())
                 nearest = k;
         Vec2 const away = direction_of(gap.center - trunk_[nearest]);
-        // From low below to the gap, as branches grow.
+        // The branch starts well below the gap, as natural branches do.
         auto path = infer_branch(
             search,
             { .end = gap.center, .tangent = direction_of(away + direction_at_end(nearest)) });
@@ -288,13 +292,13 @@ private:
     CrownToFill const& crown_;
     FillOptions const& options_;
     CoverageGrid grid_;
-    std::vector<Vec2> trunk_; // With its continuation.
+    std::vector<Vec2> trunk_; // Includes the extension.
     Run run_;
-    std::size_t last_;            // Of the trunk as drawn.
-    std::size_t least_count_ = 0; // Cells of a copy that is worth while.
+    std::size_t last_;            // Index of the last sample of the drawn trunk.
+    std::size_t least_count_ = 0; // Smallest number of cells worth a copy.
     std::span<Branch const> models_;
     Branch lens_;
-    std::optional<std::size_t> first_lens_; // Of those added.
+    std::optional<std::size_t> first_lens_; // Index of the first lens among the added branches.
     std::size_t gaps_ = 0;
     FilledCrown result_;
 };

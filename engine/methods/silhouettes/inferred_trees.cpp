@@ -21,7 +21,7 @@ InferredTrees::Inferred InferredTrees::find(OutlinedTree const& tree)
 void InferredTrees::keep(OutlinedTree tree, Inferred inferred)
 {
     constexpr std::size_t kMost = 2;
-    tree.inferred.reset(); // It would keep itself.
+    tree.inferred.reset(); // Avoids a reference cycle: the tree's cache would keep itself alive.
     std::lock_guard const lock(mutex_);
     newest_first_.push_front({ std::move(tree), std::move(inferred) });
     if (newest_first_.size() > kMost)

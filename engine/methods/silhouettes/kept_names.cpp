@@ -12,8 +12,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-// An earlier system laid on a later one, trunk on trunk: what is compared is where branches stand
-// on what bears them, wherever that has gone.
+// Transforms an earlier system so that its trunk coincides with the later one's. Branches are then
+// compared by their position on the parent, wherever the parent has moved.
 BranchingSystem laid_on(BranchingSystem system, BranchingSystem const& later)
 {
     Vec2 const from = system.trunk.back() - system.trunk.front();
@@ -29,7 +29,8 @@ BranchingSystem laid_on(BranchingSystem system, BranchingSystem const& later)
     return system;
 }
 
-// What a path is called when the branch has another one: its own, or of what stands on it.
+// `path` after the branch `from` was renamed to `to`: applies to the branch itself and its
+// descendants.
 std::string moved_path(std::string const& path, std::string const& from, std::string const& to)
 {
     if (path == from)
@@ -38,13 +39,13 @@ std::string moved_path(std::string const& path, std::string const& from, std::st
     return is_below ? to + path.substr(from.size()) : path;
 }
 
-// Whether lines or styles are on branches.
+// True if the drawing has lines or styles on branches.
 bool is_drawn_on(Drawing const& drawing)
 {
     return drawing.is_refined() || !drawing.styles.empty();
 }
 
-// Keeps what is inferred of a tree, without what was drawn on branches.
+// Records each inferred system before drawn lines are applied to its branches.
 class SystemRecord final : public BranchNamer {
 public:
     void name(NewSystem const& made, Drawing& drawing) override
@@ -53,7 +54,7 @@ public:
             systems.push_back(made.system);
     }
 
-    std::vector<BranchingSystem> systems; // In the skeleton's order.
+    std::vector<BranchingSystem> systems; // In the order of the skeleton's systems.
 };
 
 bool are_on_the_same(Drawing const& one, Drawing const& other)
@@ -66,7 +67,7 @@ bool are_on_the_same(Drawing const& one, Drawing const& other)
         && all(one.own_branches, other.own_branches) && all(one.touches, other.touches);
 }
 
-// What stands on a branch that has another path, and its style, go with it.
+// Updates all lines and styles on a renamed branch and its descendants.
 void move_below(Drawing& drawing, std::string const& from, std::string const& to)
 {
     if (from.empty())
@@ -85,7 +86,7 @@ void move_below(Drawing& drawing, std::string const& from, std::string const& to
     drawing.styles = std::move(styles);
 }
 
-// Gives branches of the trunk that were drawn on a name that none has.
+// Gives lines on the trunk's branches a path that no branch has, so that they are reassigned.
 void forget_trunk_branches(Drawing& drawing)
 {
     std::set<std::string> drawn_on;
@@ -115,7 +116,7 @@ std::string path_in(BranchNamer::NewSystem const& made, std::size_t branch)
     return made.parent.empty() ? name : made.parent + kPathSeparator + name;
 }
 
-// Outlines whose branches are gone go to the ones that they lie around.
+// Reassigns outlines whose branches are gone to the branches that they surround.
 void settle_outlines(Drawing& drawing, BranchNamer::NewSystem const& made)
 {
     auto const is_outlined = [&](std::string const& path) {
@@ -133,7 +134,7 @@ void settle_outlines(Drawing& drawing, BranchNamer::NewSystem const& made)
     }
 }
 
-// Branches whose parents are gone go to the new ones that they begin on.
+// Reassigns branches whose parents are gone to the new branches on which they begin.
 void settle_branches(Drawing& drawing, BranchNamer::NewSystem const& made,
                      std::vector<std::optional<std::size_t>> const& partners)
 {
@@ -150,7 +151,7 @@ void settle_branches(Drawing& drawing, BranchNamer::NewSystem const& made,
 
 } // namespace
 
-// What bore it before. Copies bear what their model does.
+// The matching earlier system of the parent. Copies have their model's system.
 std::optional<std::size_t> KeptNames::earlier_system(NewSystem const& made) const
 {
     if (made.parent_system == kNoSystem)

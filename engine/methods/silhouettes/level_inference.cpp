@@ -4,8 +4,8 @@
 
 namespace tractus::silhouette {
 
-// With the branches that were drawn on the parent, as they were drawn. Where its crown is too small
-// for any, a lens around it is its crown.
+// Infers a system whose branches include the strokes drawn on the parent, unchanged. If the
+// parent's crown is too small, a lens around the parent serves as its crown.
 static Result<BranchingSystem> system_with_strokes(Branch const& parent, InferenceOptions options)
 {
     options.drawn_bases = InferenceOptions::DrawnBases::Anywhere;
@@ -21,7 +21,8 @@ static Result<BranchingSystem> system_with_strokes(Branch const& parent, Inferen
         for (auto& branch : system->branches)
             if (branch.origin == Branch::Origin::Drawn) {
                 branch.stroke = parent.own_branches[branch.number];
-                branch.path.curve.end = branch.stroke.back(); // Which the frame has rounded.
+                // Exact end; the frame has rounded it.
+                branch.path.curve.end = branch.stroke.back();
             }
     return system;
 }

@@ -9,7 +9,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Edge i of an outline goes from its point i to the next.
+// A crossing of two edges; edge i of an outline goes from point i to the next one.
 struct Crossing {
     std::size_t first = 0;
     std::size_t second = 0;
@@ -35,7 +35,7 @@ std::optional<Crossing> find_crossing(std::span<Vec2 const> outline)
     return std::nullopt;
 }
 
-// Where the line through a and b meets the one through c and d, as a share of the way from a to b.
+// Position of the intersection of the lines a-b and c-d, as a share of the way from a to b.
 double share_to(Vec2 const& a, Vec2 const& b, Vec2 const& c, Vec2 const& d)
 {
     return cross(c - a, d - c) / cross(b - a, d - c);
@@ -55,7 +55,8 @@ bool crosses_itself(std::span<Vec2 const> outline)
 
 LargestLoop largest_loop(std::vector<Vec2> const& outline)
 {
-    constexpr std::size_t kMostCuts = 20'000; // A scribble has fewer than the square of its edges.
+    constexpr std::size_t kMostCuts = 20'000; // Limit on crossings, because a scribble can have a
+                                              // number quadratic in its edges.
     std::vector<std::vector<Vec2>> waiting { outline };
     LargestLoop best;
     for (std::size_t cuts = 0; !waiting.empty() && cuts < kMostCuts; ++cuts) {

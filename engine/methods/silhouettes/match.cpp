@@ -29,14 +29,14 @@ std::vector<CoverageGrid::Cells> crowns_of(CoverageGrid const& grid, BranchingSy
     return crowns;
 }
 
-// Of the larger one.
+// Shared area as a share of the larger of the two.
 double shared_area(CoverageGrid::Cells const& a, CoverageGrid::Cells const& b)
 {
     auto const larger = std::max(a.count, b.count);
     return larger == 0 ? 0 : static_cast<double>(shared_cells(a, b)) / static_cast<double>(larger);
 }
 
-// A branch that is drawn takes the place of the one that ended in the same bump.
+// A drawn branch may match the inferred branch of the bump in which it ends.
 bool may_be_one(Branch::Origin one, Branch::Origin other)
 {
     auto const is_of_bump = [](Branch::Origin origin) {
@@ -51,7 +51,8 @@ std::vector<std::optional<std::size_t>> match_branches(BranchingSystem const& ea
                                                        BranchingSystem const& later)
 {
     constexpr double kLeast = 0.5;
-    constexpr double kSameStroke = -2; // Before all others, of which none shares more than its all.
+    // Cost of branches with the same stroke: below all others, so these match first.
+    constexpr double kSameStroke = -2;
     auto both = earlier.outline;
     both.insert(both.end(), later.outline.begin(), later.outline.end());
     CoverageGrid const grid(both);
@@ -65,7 +66,7 @@ std::vector<std::optional<std::size_t>> match_branches(BranchingSystem const& ea
                 if (share >= kLeast)
                     pairs.emplace_back(-share, j, i);
             }
-    // A stroke is the same branch wherever its parent has gone.
+    // The same stroke means the same branch, wherever its parent has moved.
     for (std::size_t j = 0; j < after.size(); ++j)
         for (std::size_t i = 0; i < before.size(); ++i)
             if (earlier.branches[i].is_stroke() && later.branches[j].is_stroke()

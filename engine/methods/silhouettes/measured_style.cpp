@@ -16,10 +16,12 @@ namespace tractus::silhouette {
 namespace {
 
 constexpr std::size_t kMostMeasuredLevels = 3;
-constexpr double kSureOfTurn = 0.5;      // From here on a turn counts as one.
-constexpr std::size_t kLeastOfTurns = 4; // Children of a parent whose turns have a direction.
+// A divergence angle counts as significant from this concentration on.
+constexpr double kSureOfTurn = 0.5;
+// Children that a parent needs for its divergence angles to have a direction of rotation.
+constexpr std::size_t kLeastOfTurns = 4;
 
-// Mean and deviation of what is added to it.
+// Running mean and standard deviation.
 class Spread {
 public:
     void add(double value)
@@ -42,7 +44,7 @@ private:
     double squares_ = 0;
 };
 
-// A straight line through points, by least squares.
+// Least-squares straight line.
 class Slope {
 public:
     void add(double x, double y)
@@ -53,7 +55,7 @@ public:
         xx_ += x * x;
         xy_ += x * y;
     }
-    // Flat where all points are at one x.
+    // Constant if all points have the same x.
     double at(double x) const
     {
         double const n = static_cast<double>(std::max<std::size_t>(count_, 1));
@@ -70,15 +72,14 @@ private:
     double xy_ = 0;
 };
 
-using Turn = std::complex<double>; // Of length 1, or a sum of such.
+using Turn = std::complex<double>; // Unit complex number for an angle, or a sum of such numbers.
 
 Turn turn_of(double angle_deg)
 {
     return std::polar(1.0, radians(angle_deg));
 }
 
-// How uneven the distances of places on one parent are: that parents differ from each other is
-// something else.
+// Coefficient of variation of distances within each parent, excluding differences between parents.
 class Unevenness {
 public:
     void add(std::span<double const> places)
@@ -103,7 +104,7 @@ private:
     std::size_t steps_ = 0;
 };
 
-// Gathers the parents of one level.
+// Collects statistics of the parents of one level.
 class LevelMeter {
 public:
     void add_bare() { ++bare_; }
@@ -115,7 +116,8 @@ public:
         for (std::size_t i = 1; i < children.size(); ++i)
             gaps_.add(children[i].u - children[i - 1].u);
         for (std::size_t i = 0; i < children.size(); ++i) {
-            // By their number: few that stand apart would turn a line by their places.
+            // Uses the index instead of the position: a few distant children would otherwise
+            // dominate the fitted line.
             double const share = children.size() > 1
                 ? static_cast<double>(i) / static_cast<double>(children.size() - 1)
                 : 0.5;
@@ -139,7 +141,7 @@ public:
             add_turns(nodes);
     }
 
-    // No value: there is nothing.
+    // No value if there are no children.
     std::optional<MeasuredLevel> level() const
     {
         if (counts_.count() == 0)
@@ -179,7 +181,8 @@ private:
         for (std::size_t i = 1; i < nodes.size(); ++i) {
             single += turn_of(nodes[i].children.front().azimuth_deg
                               - nodes[i - 1].children.front().azimuth_deg);
-            Turn one {}; // Of a pair either may come first: turns count twice.
+            Turn one {}; // For opposite pairs: doubled angles, because the order within a pair is
+                         // arbitrary.
             Turn other {};
             for (auto const& child : nodes[i - 1].children)
                 one += turn_of(2 * child.azimuth_deg);
@@ -189,7 +192,7 @@ private:
                 doubled_ += other / std::abs(other) * std::conj(one / std::abs(one));
             ++turns_;
         }
-        // Spirals go around to the left or to the right.
+        // Left and right spirals count as the same.
         single_ += single.imag() < 0 ? std::conj(single) : single;
     }
 
@@ -231,7 +234,8 @@ private:
     Spread node_sizes_;
     Slope angle_;
     Spread mean_angle_;
-    std::vector<std::pair<double, double>> angles_; // With the share of the way to the last.
+    // With the share of the distance from the first child to the last.
+    std::vector<std::pair<double, double>> angles_;
     std::array<Spread, 3> lengths_ {};
     Unevenness of_children_;
     Unevenness of_nodes_;
@@ -263,7 +267,7 @@ bool is_leaf(Plant const& plant, OrganShape const& shape)
     return plant.materials[shape.material].kind == Material::Kind::Leaf;
 }
 
-// The width of a spray's leaves, which are lozenges.
+// Width of a spray's leaves, which are lozenges.
 double width_in_spray(OrganShape const& spray)
 {
     auto const& corners = spray.patches.front().control;
@@ -327,7 +331,7 @@ Result<MeasuredStyle> measure_style(Plant const& plant)
     return style;
 }
 
-// What a form takes.
+// Clamps a style to the ranges of a form.
 static BranchStyle within_limits(BranchStyle style)
 {
     style.children = std::min(style.children, kMostChildren);
@@ -350,7 +354,7 @@ TreeForm form_of(MeasuredStyle const& style)
         if (i < static_cast<std::size_t>(form.levels))
             form.styles[i] = within_limits(level.style);
     }
-    form.styles[0].bare = 0; // A form has one trunk.
+    form.styles[0].bare = 0; // There is only one trunk, so no parent can be without children.
     while (form.levels > 1 && styled_branches(form) > kMostStyled)
         form.styles[static_cast<std::size_t>(--form.levels)] = {};
     if (style.leaves_per_twig > 0) {

@@ -49,7 +49,8 @@ std::vector<Meridian> halves_of(std::span<Vec2 const> outline, double theta_deg)
         if (-outline[i].y() + off < best_top)
             best_top = -outline[i].y() + off, top = i;
     }
-    std::vector<Vec2> right; // Counter-clockwise from the foot it goes up on the right.
+    // The outline is counter-clockwise, so from the foot it first goes up on the right.
+    std::vector<Vec2> right;
     std::vector<Vec2> left;
     for (auto i = low;; i = (i + 1) % n) {
         right.push_back(outline[i]);

@@ -7,7 +7,7 @@
 
 namespace tractus::silhouette {
 
-// At an end, by the parabola through three points, as far as that keeps the curve monotone.
+// End slope: from the parabola through three points, limited so that the curve stays monotone.
 static double end_slope(double near, double far, double near_step, double far_step)
 {
     double const slope

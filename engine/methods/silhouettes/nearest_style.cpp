@@ -20,7 +20,7 @@ bool has_taker(scene::DocumentState const& state)
     });
 }
 
-// Null where it is not there.
+// Null if there is no such plant.
 std::shared_ptr<scene::PlantState const> plant_of(scene::DocumentState const& state,
                                                   scene::ItemId plant)
 {
@@ -28,12 +28,12 @@ std::shared_ptr<scene::PlantState const> plant_of(scene::DocumentState const& st
     return number ? state.plants[*number] : nullptr;
 }
 
-// Whether a tree that takes a style has to take it again.
+// True if `taker` must take the style again because its source has changed.
 bool is_other(scene::DocumentState const& before, scene::DocumentState const& after,
               scene::PlantState const& taker, scene::ItemId source)
 {
     auto const was = plant_of(before, taker.id);
-    if (!was) // It has taken one when it was drawn.
+    if (!was) // A new tree has taken its style already when it was drawn.
         return false;
     auto const* const tree = outlined_tree(*was);
     bool const took = tree && takes_style(*tree);
@@ -89,7 +89,7 @@ std::vector<scene::Edit> styles_that_follow(scene::Scene const& scene,
         return edits;
     auto const after = scene::apply_edits(scene, step);
     if (!after)
-        return edits; // Whoever makes the step says why.
+        return edits; // The error is reported by the code that applies the step.
     for (auto const& plant : after->state.plants) {
         auto const* const tree = outlined_tree(*plant);
         if (!tree || !takes_style(*tree))
@@ -100,7 +100,7 @@ std::vector<scene::Edit> styles_that_follow(scene::Scene const& scene,
         auto const built
             = std::find_if(after->plants.begin(), after->plants.end(),
                            [&](auto const& each) { return each->drawn->id == source; });
-        // A plant without branches has no style.
+        // A plant without branches has no style to take.
         if (auto const form = with_style_of(tree->form, *(*built)->base);
             form && *form != tree->form)
             edits.emplace_back(FormTree { plant->id, *form, true });

@@ -13,12 +13,14 @@ namespace tractus::silhouette {
 namespace {
 
 constexpr std::size_t kLeastPoints = 8;
-constexpr double kWidestGap = 0.25;        // Of the stroke's length.
-constexpr double kWidestJoin = 0.1;        // Of the drawing's diagonal.
-constexpr double kShortestBranch = 1e-2;   // Of the drawing's diagonal.
-constexpr double kShareToTell = 0.1;       // Of the area, that was left out.
-constexpr double kTrunkHeight = 0.85;      // Of the outline's, of a trunk that nobody drew.
-constexpr std::size_t kMostCorners = 1024; // Of an outline in which crossings are looked for.
+constexpr double kWidestGap = 0.25; // Largest gap in a closed stroke, as a share of its length.
+// Largest gap between strokes that are joined, as a share of the drawing's diagonal.
+constexpr double kWidestJoin = 0.1;
+constexpr double kShortestBranch = 1e-2; // Shortest branch, as a share of the drawing's diagonal.
+constexpr double kShareToTell = 0.1; // Add a note if more than this share of the area was left out.
+// Height of the default trunk, as a share of the outline's height.
+constexpr double kTrunkHeight = 0.85;
+constexpr std::size_t kMostCorners = 1024; // Most outline points for the search of crossings.
 
 Result<void> check_points(Drawing const& drawing)
 {
@@ -53,7 +55,7 @@ std::vector<Vec2> without_repeats(std::vector<Vec2> const& points)
     return kept;
 }
 
-// The frame of CleanDrawing, before it is rounded.
+// The frame of CleanDrawing, before coordinates are rounded.
 Similarity frame_of(Drawing const& drawing)
 {
     Similarity frame;
@@ -72,8 +74,8 @@ Similarity frame_of(Drawing const& drawing)
     return frame;
 }
 
-// Rounded, then moved by ten millionths: points that lie on each other or on a line would otherwise
-// cross without crossing.
+// Transforms, rounds, and then shifts points by a few ten-millionths. Without the shift, coincident
+// or collinear points could cross without the crossing being detected.
 std::vector<Vec2> in_frame(std::vector<Vec2> const& points, Similarity const& frame)
 {
     constexpr double kSteps = 1 << 30;
@@ -88,7 +90,7 @@ std::vector<Vec2> in_frame(std::vector<Vec2> const& points, Similarity const& fr
     return result;
 }
 
-// Appends the second stroke to the first where their ends are nearest.
+// Appends the second stroke to the first at their nearest ends.
 std::vector<Vec2> joined(std::vector<Vec2> first, std::vector<Vec2> second, unsigned ends)
 {
     if ((ends & 1U) == 0)
@@ -99,7 +101,7 @@ std::vector<Vec2> joined(std::vector<Vec2> first, std::vector<Vec2> second, unsi
     return first;
 }
 
-// The nearest ends of different strokes first. The longest of what remains is the outline.
+// Joins strokes, nearest ends first. The longest result is the outline.
 std::vector<Vec2> join_strokes(std::vector<std::vector<Vec2>> strokes,
                                std::vector<std::string>& notes)
 {
@@ -134,7 +136,7 @@ std::vector<Vec2> join_strokes(std::vector<std::vector<Vec2>> strokes,
     return std::move(*longest);
 }
 
-// One closed stroke.
+// Joins strokes to one and closes it.
 Result<std::vector<Vec2>> close_outline(std::vector<std::vector<Vec2>> strokes,
                                         std::vector<std::string>& notes)
 {
@@ -171,7 +173,7 @@ std::vector<Vec2> smoothed(std::vector<Vec2> const& outline, double deviation)
     return result;
 }
 
-// Where the hand began says nothing: the same outline, and the mirrored one, have the same samples.
+// Makes the samples independent of where the stroke began, also for the mirrored outline.
 void begin_at_farthest(std::vector<Vec2>& outline)
 {
     auto const farthest
@@ -204,7 +206,7 @@ Result<std::vector<Vec2>> simple_outline(std::vector<Vec2> const& closed,
         outline = largest_loop(outline).outline;
     if (outline.size() < kLeastPoints)
         return fail(Fault::User, "the outline crosses itself everywhere: draw it once around");
-    if (signed_area(outline) < 0) // Smoothing can turn a sliver over.
+    if (signed_area(outline) < 0) // Smoothing can invert the orientation of a sliver.
         std::reverse(outline.begin(), outline.end());
     return outline;
 }

@@ -24,7 +24,8 @@ Result<std::vector<Vec2>> points_of(Stroke const& stroke)
     return points;
 }
 
-// A pen gives far more places than a line has bends: a drawing has its limit.
+// Simplified, because a pen reports far more points than a line has bends and the number of points
+// is limited.
 Result<std::vector<Vec2>> line_of(Stroke const& stroke)
 {
     constexpr std::size_t kMostPoints = 2000;
@@ -94,7 +95,8 @@ Result<Skeleton> skeleton_of(OutlinedTree const& tree)
     return infer_skeleton(drawing, options_of(tree));
 }
 
-// Asks of which branch a stroke is; no value: of none, or the tree has no outline.
+// Finds the branch to which a stroke belongs; no value if it belongs to none or the tree has no
+// outline.
 using BranchFinder = Result<std::optional<std::string>>(Drawing const&, std::span<Vec2 const>,
                                                         SkeletonOptions const&, Search);
 static Result<std::optional<std::string>>
@@ -255,7 +257,7 @@ Result<std::size_t> count_waiting(OutlinedTree const& tree)
     return count;
 }
 
-// Of which branches the tree's lines are, as its drawing says.
+// Copies the assignment of lines to branches from the drawing to the tree.
 static void place_lines(OutlinedTree& tree, Drawing const& drawing)
 {
     for (std::size_t i = 0; i < tree.own_outlines.size(); ++i)

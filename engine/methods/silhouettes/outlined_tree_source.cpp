@@ -73,11 +73,11 @@ Result<void> check_scale(double scale)
 
 constexpr double kShortestTrunk_mm = 5;
 
-// A stem along the trunk's line alone.
+// A stem along the trunk, without branches.
 Result<Plant> bare_stem(std::vector<Vec2> const& trunk, double scale)
 {
     constexpr std::size_t kNodes = 17;
-    constexpr double kThickest = 0.02; // Radius at the foot, of the stem's length.
+    constexpr double kThickest = 0.02; // Radius at the foot, as a share of the stem's length.
     double const length_mm = length_of(trunk);
     if (length_mm < kShortestTrunk_mm)
         return fail(Fault::User,
@@ -106,13 +106,14 @@ scene::BuiltSource built_of(Skeleton const& skeleton, OutlinedTree const& tree)
     return built;
 }
 
-// What the drawing leaves open is left to another chance.
+// Varies only what the drawing leaves open, by changing the seed.
 OutlinedTree varied(OutlinedTree tree, scene::SourceVariation const& variation)
 {
     constexpr std::uint32_t kStream = 0x7472;
     Random random({ variation.seed ^ tree.form.seed, kStream + variation.stream, variation.plant });
     tree.form.seed = random.next_u64();
-    tree.inferred.reset(); // Others of a collection are not changed one after the other.
+    tree.inferred.reset(); // Members of a collection are not edited one after the other, so a
+                           // shared cache would not help.
     return tree;
 }
 

@@ -7,9 +7,11 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kNear = 0.025;    // Of the outline's diagonal, to a branch.
-constexpr double kOffTrunk = 0.02; // And at least so far from the trunk.
-constexpr double kShortest = 0.02; // Of the parent's length.
+// Greatest distance to a branch, as a share of the outline's diagonal.
+constexpr double kNear = 0.025;
+// Least distance to the trunk, as a share of the outline's diagonal.
+constexpr double kOffTrunk = 0.02;
+constexpr double kShortest = 0.02; // Least length of a stroke, as a share of the parent's length.
 
 bool is_long_enough(std::span<Vec2 const> stroke, Branch const& parent)
 {

@@ -16,9 +16,9 @@ constexpr double kMostOfCrown = 0.5;
 constexpr double kMostOfTrunk = 0.5;
 constexpr double kLeastOfBranch = 1.0 / 3;
 constexpr double kLeastShared = 0.2;
-constexpr std::size_t kMostToCross = 512; // Of a stroke in which crossings are looked for.
+constexpr std::size_t kMostToCross = 512; // Most points of a stroke for the search of crossings.
 
-// What a stroke encloses.
+// The outline of the area that a stroke encloses.
 std::vector<Vec2> enclosed(std::span<Vec2 const> stroke)
 {
     std::vector<Vec2> closed(stroke.begin(), stroke.end());
@@ -38,7 +38,7 @@ double share_inside(std::vector<Vec2> const& loop, BranchingSystem const& system
     return static_cast<double>(count) / static_cast<double>(run.last - run.first + 1);
 }
 
-// The outline of a branch's crown as it was drawn, made ready; empty: it cannot be one.
+// The drawn outline of a branch's crown, prepared; empty if it cannot be one.
 std::vector<Vec2> crown_in(std::vector<Vec2> const& drawn, Branch const& branch)
 {
     constexpr std::size_t kPoints = 96;
@@ -50,11 +50,14 @@ std::vector<Vec2> crown_in(std::vector<Vec2> const& drawn, Branch const& branch)
     return resampled_outline(clean->to_sheet.points(clean->outline), kPoints);
 }
 
-// Makes a copy one of its model's new crown: no larger than the copy was, and in the outline.
+// Makes the crown of a copy follow its model's new crown. It does not exceed the copy's previous
+// size and stays inside the outline.
 void follow_model(BranchingSystem const& system, Branch& copy, double area_before)
 {
-    constexpr double kMostOver = 0.01; // Of the outline's diagonal.
-    constexpr double kSmallest = 0.3;  // Of what its area allows.
+    // Tolerance for leaving the outline, as a share of its diagonal.
+    constexpr double kMostOver = 0.01;
+    // Smallest scale, as a share of the one that preserves the copy's area.
+    constexpr double kSmallest = 0.3;
     auto const& model = system.branches[*copy.model];
     double const limit = kMostOver * box_of(system.outline).diagonal();
     double const area = std::max(std::fabs(signed_area(model.crown)), 1e-300);
@@ -117,7 +120,8 @@ std::optional<std::size_t> branch_in(BranchingSystem const& system, std::span<Ve
 
 void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outlines)
 {
-    std::vector<std::pair<std::size_t, double>> taken; // Branches, and their areas before.
+    // Indices of changed branches, with their previous areas.
+    std::vector<std::pair<std::size_t, double>> taken;
     for (auto const& own : outlines) {
         auto const i = number_of(system, own.branch);
         if (!i || system.branches[*i].is_outlined())
@@ -143,7 +147,7 @@ void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outl
         system.coverage_after = coverage_of(system);
 }
 
-// As it was inferred, and then as it was drawn: that need not lie in the same place.
+// Tries the branch as inferred and then as drawn; the two can be in different places.
 static Result<std::optional<std::pair<std::string, double>>>
 outlined_on_trunk(Drawing const& drawing, std::span<Vec2 const> stroke,
                   SkeletonOptions const& options)

@@ -14,10 +14,10 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kLeastArea = 0.006; // Of the picture, of a crown.
+constexpr double kLeastArea = 0.006; // Smallest area of a crown, as a share of the picture's.
 constexpr double kMostArea = 0.6;
 
-// A yes or no for each pixel.
+// A boolean for each pixel.
 struct Mask {
     int width;
     int height;
@@ -42,8 +42,7 @@ constexpr std::array<std::pair<int, int>, 4> kBeside {
     { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } }
 };
 
-// Lightness, red against green, blue against yellow: about as different as they look (CIE L*a*b*,
-// D65).
+// CIE L*a*b* (D65), in which distances approximate perceived colour differences.
 Vec3f lab_of(Vec3f const& srgb)
 {
     Vec3f linear;
@@ -52,13 +51,13 @@ Vec3f lab_of(Vec3f const& srgb)
             = srgb[i] <= 0.04045f ? srgb[i] / 12.92f : std::pow((srgb[i] + 0.055f) / 1.055f, 2.4f);
     Eigen::Matrix3f to_xyz;
     to_xyz << 0.4339f, 0.3762f, 0.1899f, 0.2126f, 0.7152f, 0.0722f, 0.0177f, 0.1095f, 0.8728f;
-    Vec3f const xyz = to_xyz * linear; // Of the white.
+    Vec3f const xyz = to_xyz * linear; // Relative to the white point.
     auto const f = [](float t) { return t > 0.008856f ? std::cbrt(t) : 7.787f * t + 0.13793f; };
     float const y = f(xyz.y());
     return { 116 * y - 16, 500 * (f(xyz.x()) - y), 200 * (y - f(xyz.z())) };
 }
 
-// The mean over squares of so many pixels to each side.
+// Box blur with `reach` pixels to each side.
 std::vector<Vec3f> blurred(std::vector<Vec3f> const& pixels, Mask const& size, int reach)
 {
     std::vector<Vec3f> result(pixels.size(), Vec3f::Zero());
@@ -77,8 +76,8 @@ std::vector<Vec3f> blurred(std::vector<Vec3f> const& pixels, Mask const& size, i
     return result;
 }
 
-// How far each pixel's colour is from those around the place, by how they differ among themselves;
-// lightness counts less, since crowns have shadows.
+// Distance of each pixel's colour from the colours around the seed point, relative to their
+// covariance (Mahalanobis). Lightness counts less, because crowns have shadows.
 std::vector<float> distances_from(std::vector<Vec3f> const& colors, Mask const& size, int px,
                                   int py)
 {
@@ -93,7 +92,8 @@ std::vector<float> distances_from(std::vector<Vec3f> const& colors, Mask const& 
     };
     each([&](Vec3f const& color) { mean += color, count += 1; });
     mean /= count;
-    Eigen::Matrix3f spread = Eigen::Vector3f(250, 12, 12).asDiagonal(); // At least.
+    // Lower bound of the covariance.
+    Eigen::Matrix3f spread = Eigen::Vector3f(250, 12, 12).asDiagonal();
     each(
         [&](Vec3f const& color) { spread += (color - mean) * (color - mean).transpose() / count; });
     Eigen::LLT<Eigen::Matrix3f> const root(spread);
@@ -104,8 +104,8 @@ std::vector<float> distances_from(std::vector<Vec3f> const& colors, Mask const& 
     return distances;
 }
 
-// Pixels in the order in which a flood from the place takes them, each with the least distance that
-// it has to rise to for it.
+// Pixels in the order in which a flood from the seed point reaches them, each with the level that
+// the flood needs to reach it.
 struct Flood {
     std::vector<std::size_t> order {};
     std::vector<float> levels {};
@@ -139,11 +139,12 @@ Flood flood_from(std::vector<float> const& distances, Mask const& size, int px, 
     return flood;
 }
 
-// How many pixels a flood may take before it lies along more than one side of the picture: it has
-// flowed into the sky or over the ground then.
+// Number of pixels after which the flood would touch more than one side of the picture, which means
+// that it has leaked into sky or ground.
 std::size_t most_before_sides(Flood const& flood, Mask const& size)
 {
-    constexpr double kSome = 0.1; // Of a side's length.
+    // Length of contact that counts as touching a side, as a share of the side's length.
+    constexpr double kSome = 0.1;
     std::array<double, 4> counts {};
     for (std::size_t i = 0; i < flood.order.size(); ++i) {
         int const x = static_cast<int>(flood.order[i] % static_cast<std::size_t>(size.width));
@@ -160,12 +161,13 @@ std::size_t most_before_sides(Flood const& flood, Mask const& size)
     return flood.order.size();
 }
 
-// How many pixels the flood takes where it grows least as its level rises by a tenth; of nearly
-// alike ones the larger. No value: it never rests.
+// Number of pixels where the flood grows least while its level rises by a tenth; among nearly equal
+// ones, the largest. No value if it always grows fast.
 std::optional<std::size_t> steadiest(Flood const& flood, Mask const& size)
 {
     constexpr float kRise = 0.12f;
-    constexpr double kRest = 0.9; // The most that it may grow, of its area.
+    // Most growth, as a share of its area, at which a flood counts as stable.
+    constexpr double kRest = 0.9;
     constexpr double kLarge = 0.3;
     auto const all = static_cast<double>(flood.order.size());
     auto const most
@@ -190,7 +192,7 @@ std::optional<std::size_t> steadiest(Flood const& flood, Mask const& size)
     return best;
 }
 
-// Those within a distance of one that is in, or out.
+// Dilation (`in`) or erosion (not `in`) by `reach` pixels.
 Mask grown(Mask const& mask, int reach, bool in)
 {
     Mask result = mask;
@@ -206,7 +208,7 @@ Mask grown(Mask const& mask, int reach, bool in)
     return result;
 }
 
-// The connected part of what is in (or out) that has a pixel.
+// The connected component of pixels equal to `in` that contains (px, py).
 Mask part_with(Mask const& mask, int px, int py, bool in)
 {
     Mask part(mask.width, mask.height);
@@ -223,7 +225,7 @@ Mask part_with(Mask const& mask, int px, int py, bool in)
     return part;
 }
 
-// With a frame of pixels that are out around it, so that its edge is closed.
+// Adds a border of unset pixels, so that the region's edge is closed.
 Mask framed(Mask const& mask)
 {
     Mask result(mask.width + 2, mask.height + 2);
@@ -233,8 +235,8 @@ Mask framed(Mask const& mask)
     return result;
 }
 
-// The largest part, without holes and without what is thinner than twice `thin`; gaps of twice
-// `gap` close.
+// The largest part, without holes and without parts thinner than twice `thin`; gaps narrower than
+// twice `gap` are closed.
 std::optional<Mask> solid_part(Mask mask, int gap, int thin)
 {
     mask = grown(grown(mask, gap, true), gap, false);
@@ -242,7 +244,8 @@ std::optional<Mask> solid_part(Mask mask, int gap, int thin)
     auto const outside = part_with(mask, 0, 0, false);
     for (std::size_t i = 0; i < mask.in.size(); ++i)
         mask.in[i] = !outside.in[i];
-    // Where colours were mixed at the edge, the flood stops a pixel early.
+    // Grows back one pixel more than was eroded, because the flood stops a pixel early where
+    // colours mix at the edge.
     mask = grown(grown(mask, thin, false), thin + 1, true);
     std::optional<Mask> largest;
     std::ptrdiff_t most = 0;
@@ -263,8 +266,8 @@ std::optional<Mask> solid_part(Mask mask, int gap, int thin)
     return largest;
 }
 
-// Along the corners of its pixels, counter-clockwise seen with y up; of a framed mask, back in the
-// picture's pixels.
+// Traces the region's edge along pixel corners, counter-clockwise with y up. Takes a framed mask
+// and returns coordinates of the original picture.
 std::vector<Vec2> edge_of(Mask const& mask)
 {
     int x = 0;
@@ -275,23 +278,24 @@ std::vector<Vec2> edge_of(Mask const& mask)
     std::vector<Vec2> edge;
     int const start_x = x;
     int const start_y = y;
-    // From the upper left corner of the first pixel down, with what is in on the left.
+    // Starts down from the upper left corner of the first pixel, with the region on the left.
     int dx = 0;
     int dy = 1;
     do {
         edge.emplace_back(x - 1, mask.height - 1 - y);
         x += dx;
         y += dy;
-        // The pixels ahead, on the left and the right of the way; left is where y grows less.
+        // Whether the pixel ahead on the given side of the direction belongs to the region. Left is
+        // towards smaller y.
         auto const ahead = [&](int side) {
             int const u = x + (dx > 0 ? 0 : dx < 0 ? -1 : side * dy > 0 ? 0 : -1);
             int const v = y + (dy > 0 ? 0 : dy < 0 ? -1 : side * dx > 0 ? -1 : 0);
             return mask.at(u, v);
         };
-        if (!ahead(1)) { // Turn left.
+        if (!ahead(1)) { // Turns left.
             std::swap(dx, dy);
             dy = -dy;
-        } else if (ahead(-1)) { // Turn right.
+        } else if (ahead(-1)) { // Turns right.
             std::swap(dx, dy);
             dx = -dx;
         }

@@ -116,7 +116,7 @@ double length_of(std::span<Vec2 const> points)
     return length;
 }
 
-// The points at the distances i * step, i from 0 to count - 1.
+// Points at the arc lengths i * step, i from 0 to count - 1.
 static std::vector<Vec2> points_along(std::span<Vec2 const> points, std::size_t count, double step)
 {
     std::vector<Vec2> result;

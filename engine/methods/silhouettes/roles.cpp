@@ -8,12 +8,15 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kAhead_deg = 20; // Off the trunk's last direction: still straight ahead.
-constexpr double kFork = 1.25;    // A second bump this near to being the apex: there is none.
-constexpr double kOn = 0.85;      // Of the way to the outline, where nothing is ahead.
+// Largest angle to the trunk's final direction that counts as straight ahead.
+constexpr double kAhead_deg = 20;
+constexpr double kFork = 1.25; // If a second bump is within this value of closeness(), the trunk
+                               // forks and has no apex.
+constexpr double kOn = 0.85;   // Length of the extension as a share of the distance to the outline,
+                               // if there is no bump ahead.
 
-// The bump through whose arc the trunk enters its run inside, if the trunk passes within its
-// radius of its end.
+// The bump through whose arc the trunk enters its run inside the outline, if the trunk passes
+// within the bump's radius of its end.
 std::optional<std::size_t> find_foot(std::vector<Bump> const& bumps, std::span<Vec2 const> outline,
                                      std::span<Vec2 const> trunk, std::size_t first_inside)
 {
@@ -33,7 +36,8 @@ std::optional<std::size_t> find_foot(std::vector<Bump> const& bumps, std::span<V
     return std::nullopt;
 }
 
-// How near a bump is to being the apex: below 1 around the trunk's end, or straight ahead of it.
+// Badness of a bump as the apex: below 1 if it surrounds the trunk's end or is straight ahead of
+// it.
 double closeness(Bump const& bump, Vec2 const& end, Vec2 const& ahead)
 {
     Vec2 const way = bump.end - end;
@@ -42,8 +46,8 @@ double closeness(Bump const& bump, Vec2 const& end, Vec2 const& ahead)
     return std::min(way.norm() / bump.radius, off_deg / kAhead_deg);
 }
 
-// Whether an outline without junctions is about as wide as it is long: which way it is longest
-// says nothing then.
+// True if an outline without junctions is about as wide as it is long, so that its longest
+// direction is arbitrary.
 bool is_round(std::vector<Bump> const& bumps, std::span<Vec2 const> outline)
 {
     constexpr double kRound = 1.15;
@@ -62,7 +66,7 @@ bool is_round(std::vector<Bump> const& bumps, std::span<Vec2 const> outline)
 std::optional<Run> inside_run(std::span<Vec2 const> outline, std::span<Vec2 const> trunk)
 {
     std::optional<Run> longest;
-    std::size_t count = 0; // Of those inside that come one after the other.
+    std::size_t count = 0; // Number of consecutive samples inside.
     for (std::size_t k = 0; k <= trunk.size(); ++k) {
         if (k < trunk.size() && is_inside(outline, trunk[k])) {
             ++count;

@@ -14,7 +14,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kMostOfSibling = 60; // Branches on one.
+constexpr double kMostOfSibling = 60; // Most children of a branch that follows a sibling's style.
 
 Side other(Side side)
 {
@@ -26,14 +26,14 @@ double angle_deg(Vec2 const& a, Vec2 const& b)
     return degrees(std::fabs(std::atan2(cross(a, b), a.dot(b))));
 }
 
-// The way that an angle is of.
+// The chord from which a branch's angle is measured (kAngleOver).
 Vec2 start_of(Branch const& branch)
 {
     Line const line(branch.line(17));
     return line.at(kAngleOver) - line.at(0);
 }
 
-// A number that says nothing but which branch it is, whatever others there are (FNV-1a).
+// Hash of a branch's name (FNV-1a), as a seed that does not depend on other branches.
 std::uint32_t number_for(std::string_view name)
 {
     std::uint32_t hash = 2166136261u;
@@ -50,7 +50,7 @@ BranchingAngles angles_of(ParentStyle const& style)
     return BranchingAngles(std::move(samples), kAngleOver);
 }
 
-// Two sources between which a sibling stands.
+// Blends the styles of the two sources on either side of a sibling.
 class Mixed {
 public:
     Mixed(std::span<ParentStyle const> sources, double t)
@@ -68,7 +68,7 @@ public:
         angles_.emplace(angles_of(*below_), angles_of(*above_));
     }
 
-    // The mean of both, weighted by how near they are.
+    // Mean of both, weighted by their distance along the trunk.
     template<typename Number> double mean(Number const& number) const
     {
         double const low = number(*below_);
@@ -106,8 +106,7 @@ std::vector<double> places_on(double length, Mixed const& style, std::uint64_t s
     return StyledPlaces(places, Pattern::Even, seed, 1).next({ .number = number });
 }
 
-// On which sides so many branches stand: as many of them on the left, from the base on, as there
-// are in the source.
+// Sides for `count` children, with the same share on the left, from the base on, as in the source.
 std::vector<Side> sides_for(std::size_t count, ParentStyle const& source)
 {
     auto const n = source.children.size();
@@ -130,7 +129,7 @@ std::vector<Side> sides_for(std::size_t count, ParentStyle const& source)
     return sides;
 }
 
-// The nearest by its place, on that side if there is one.
+// Index of the source child nearest in position, on the given side if there is one.
 std::size_t nearest_child(ParentStyle const& source, double u, Side side)
 {
     std::size_t best = 0;
@@ -146,7 +145,7 @@ std::size_t nearest_child(ParentStyle const& source, double u, Side side)
     return best;
 }
 
-// As large as stays in the outline but for a tenth of its crown.
+// Scales the similarity so that at most a tenth of the child's crown is outside the outline.
 Similarity fitted(Similarity way, Branch const& child, std::vector<Vec2> const& outline,
                   double usual)
 {
@@ -168,7 +167,7 @@ Similarity fitted(Similarity way, Branch const& child, std::vector<Vec2> const& 
     return way;
 }
 
-// A source's child where a sibling bears it.
+// A copy of a source's child on a sibling.
 Branch copied(Branch const& child, Similarity const& way, Side side, double u)
 {
     Branch copy { .origin = Branch::Origin::Copy, .path = child.path };
@@ -186,7 +185,7 @@ Branch copied(Branch const& child, Similarity const& way, Side side, double u)
     return copy;
 }
 
-// From an earlier copy of the same child to a later one.
+// The similarity from an earlier copy of a child to a later one.
 Similarity between(Branch const& one, Branch const& another)
 {
     Vec2 const from = one.path.curve.end - one.path.curve.base;
@@ -222,7 +221,7 @@ ParentStyle parent_style(Branch const& parent, BranchingSystem const& system)
         Vec2 const start = branch.model ? branch.from_model.vector(start_of(own)) : start_of(own);
         double const u = line.place_of(branch.path.curve.base);
         auto child = branch;
-        if (branch.model) // Which it cannot have elsewhere.
+        if (branch.model) // The copy's model does not exist in the other system.
             child.stroke = branch.from_model.points(own.stroke);
         child.model.reset();
         style.children.push_back({ u, angle_deg(line.direction(u), start), std::move(child) });
@@ -252,7 +251,8 @@ void take_style(BranchingSystem& system, Branch const& parent, std::span<ParentS
     double const usual = line.length() / source.length;
     bool const is_mirrored = parent.path.side != source.side;
     std::vector<Branch> branches;
-    std::map<std::size_t, std::size_t> first_of; // Of each child, the first copy.
+    // For each source child, the index of its first copy.
+    std::map<std::size_t, std::size_t> first_of;
     for (std::size_t k = 0; k < places.size(); ++k) {
         double const u = places[k];
         auto const number = nearest_child(source, u, sides[k]);
@@ -288,7 +288,7 @@ void take_style(BranchingSystem& system, Branch const& parent, std::span<ParentS
 void take_leaf(Branch& branch, Branch const& source, std::span<Vec2 const> outline)
 {
     constexpr int kTries = 8;
-    constexpr double kSmaller = 0.87; // At each: a third in the end.
+    constexpr double kSmaller = 0.87; // Scale factor of each try; a third after all of them.
     auto const& leaf = *source.leaf;
     auto way = between(source, branch);
     way.from = leaf.base;

@@ -67,7 +67,8 @@ std::string_view parent_in(std::string_view path)
 
 std::string_view last_name_in(std::string_view path)
 {
-    return path.substr(path.rfind(kPathSeparator) + 1); // npos + 1 is 0.
+    // Without a separator, npos + 1 is 0 and the whole path is returned.
+    return path.substr(path.rfind(kPathSeparator) + 1);
 }
 
 std::optional<std::size_t> number_of(BranchingSystem const& system, std::string const& name)

@@ -16,7 +16,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Lines of a drawing that are of branches of one system, by those branches' names.
+// The drawing's lines on branches of one system, grouped by the branches' names.
 template<typename Drawn>
 std::vector<Drawn> drawn_on(std::vector<Drawn> const& lines, std::string_view parent)
 {
@@ -39,7 +39,7 @@ void name_branches(BranchingSystem& system, BranchNames const& names, std::strin
         system.branches[i].name = found->second[i];
 }
 
-// Touches are on outlines that somebody drew; those on others wait.
+// Assigns touches to drawn outlines; touches at other outlines have no effect for now.
 void give_touches(BranchingSystem& system, std::vector<BumpTouch> const& touches)
 {
     for (auto touch : touches) {
@@ -79,7 +79,8 @@ public:
         outlined.outline.least_area_mm2 = 0;
         skeleton_.surface = drawing_.surface;
         std::size_t first = 0;
-        // Below the usual levels only what was drawn on bears branches, or follows it.
+        // Below the usual levels, only branches that were drawn on, or that follow a style, have
+        // children.
         for (int level = 1; first < skeleton_.systems.size(); ++level) {
             bool const is_usual = level < options_.levels;
             LevelInference const how { .usual = styled(below, options_.styles, level),
@@ -103,13 +104,13 @@ public:
 private:
     static constexpr BranchAt kNoParent { kNoSystem, 0 };
 
-    // Systems whose branches are looked into together.
+    // A range of systems whose branches are inferred together.
     struct Level {
         std::size_t first;
-        std::size_t last; // Behind them.
+        std::size_t last; // One past the end.
     };
 
-    // A branch that has the style of another one.
+    // A branch that takes another branch's style.
     struct Target {
         BranchAt at;
         BranchAt source;
@@ -136,7 +137,7 @@ private:
         skeleton_.systems.push_back(std::move(system));
     }
 
-    // It bears what was made from now on; nothing if that has no branches.
+    // Makes `made` the system of a branch; none if it has no branches.
     void bear(BranchAt const& parent, std::optional<BranchingSystem> made,
               std::vector<std::size_t> const& parents)
     {
@@ -148,7 +149,7 @@ private:
         add(*std::move(made), parent, parents);
     }
 
-    // Chosen styles are for branches on which nobody drew others, and need a source that is there.
+    // Chosen styles apply to branches without drawn children, and only if the source exists.
     void find_targets(Level const& level)
     {
         targets_.clear();
@@ -181,7 +182,8 @@ private:
         return numbers;
     }
 
-    // Whether the system's branches follow a style: of those that somebody drew on, or from above.
+    // True if the system's branches follow a style: that of a sibling that was drawn on, or one
+    // from the level above.
     bool has_style(std::size_t system, Which usual) const
     {
         if (usual == Which::All && !from_above_[system].empty())
@@ -191,7 +193,8 @@ private:
                            [](Branch const& branch) { return branch.style_to != StyleTo::None; });
     }
 
-    // Copies of a target keep what they have from it as it was inferred.
+    // Whether a branch is inferred now. A target with copies is inferred as well, because its
+    // copies keep the inferred children.
     bool is_wanted(BranchAt const& at, Which which) const
     {
         auto const& branch = skeleton_.systems[at.system].branches[at.branch];
@@ -202,7 +205,8 @@ private:
         return which == Which::All || branch.is_refined();
     }
 
-    // Gives the branches of a level systems of their own. What cannot be inferred bears nothing.
+    // Infers a system for each branch of a level. A branch whose crown is too small has no
+    // children.
     void infer_level(Level const& level, LevelInference const& how)
     {
         std::vector<BranchAt> wanted;
@@ -228,7 +232,7 @@ private:
         }
     }
 
-    // The style of a branch as its siblings may have it; without children: it bears nothing.
+    // The style of a branch for its siblings; without children if it has none.
     ParentStyle style_of(BranchAt const& at)
     {
         auto const below = skeleton_.system_of[at.system][at.branch];
@@ -237,7 +241,7 @@ private:
         auto const& source = branch(at);
         if (!source.model)
             return parent_style(source, skeleton_.systems[below]);
-        // What a copy bears is its model's, in the model's place.
+        // A copy has its model's children, transformed to its own place.
         auto style = parent_style(branch({ at.system, *source.model }), skeleton_.systems[below]);
         double const size = source.from_model.turn.norm();
         style.spacing *= size;
@@ -245,7 +249,8 @@ private:
         return style;
     }
 
-    // The styles of the branches that somebody drew on for their siblings, too, by their places.
+    // Styles of the branches that were drawn on and whose style goes to siblings, sorted by
+    // position.
     std::vector<ParentStyle> styles_for_siblings(std::size_t system)
     {
         std::vector<ParentStyle> styles;
@@ -262,7 +267,7 @@ private:
         return styles;
     }
 
-    // What a branch bears in a style; no value: nothing can be inferred in its crown.
+    // The children of a branch in a given style; no value if nothing can be inferred in its crown.
     std::optional<BranchingSystem> in_style(Branch const& parent,
                                             std::span<ParentStyle const> styles,
                                             LevelInference const& how) const
@@ -279,8 +284,8 @@ private:
         return *std::move(system);
     }
 
-    // Gives the branches of a system that nobody drew on systems in the style of those that
-    // somebody did, there or else above.
+    // Gives the branches that were not drawn on the style of siblings that were; without such
+    // siblings, the style from the level above.
     void follow_styles(std::size_t s, LevelInference const& how)
     {
         auto styles = styles_for_siblings(s);
@@ -304,7 +309,7 @@ private:
                 stand_alone({ s, i }, std::move(made[i]));
     }
 
-    // Gives what stands on a system's branches the styles that go on below them.
+    // Passes styles that apply to deeper levels on to the systems of a system's branches.
     void hand_down(std::size_t s)
     {
         auto styles = styles_for_siblings(s);
@@ -317,7 +322,7 @@ private:
                 from_above_[below] = handed;
     }
 
-    // Gives branches the styles that somebody chose for them.
+    // Applies the chosen styles.
     void follow_chosen(LevelInference const& how)
     {
         std::vector<std::optional<BranchingSystem>> made;
@@ -333,7 +338,7 @@ private:
         }
     }
 
-    // A branch that bears its own system is no copy any more.
+    // Gives a branch its own system; it is no longer a copy.
     void stand_alone(BranchAt const& at, std::optional<BranchingSystem> made)
     {
         branch(at).model.reset();
@@ -345,8 +350,9 @@ private:
     SkeletonOptions const& options_;
     BranchNamer* namer_;
     Skeleton skeleton_;
-    std::vector<Target> targets_;                      // Of the level.
-    std::vector<std::vector<ParentStyle>> from_above_; // Of each system, for its branches.
+    std::vector<Target> targets_; // Targets of the current level.
+    // For each system, styles from the level above for its branches.
+    std::vector<std::vector<ParentStyle>> from_above_;
 };
 
 } // namespace

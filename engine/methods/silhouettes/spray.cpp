@@ -7,7 +7,7 @@
 
 namespace tractus::silhouette {
 
-// A flat patch between four corners, from the first around.
+// A flat patch with these four corners in order.
 static BezierPatch lozenge(Vec3 const& base, Vec3 const& right, Vec3 const& tip, Vec3 const& left)
 {
     BezierPatch patch;
@@ -25,7 +25,7 @@ OrganShape leaf_spray(LeafForm const& form, MaterialId material, std::uint32_t v
 {
     constexpr std::uint32_t kStream = 0x5a1;
     constexpr double kSpiral_deg = 137.5;
-    constexpr double kFirst = 0.12; // Of the twig: below it is bare.
+    constexpr double kFirst = 0.12; // Share of the twig, from its base, without leaves.
     Random random({ .seed = 1, .stream = kStream, .substream = variant });
     OrganShape spray;
     spray.name = fmt::format("spray {}", variant + 1);
@@ -38,7 +38,7 @@ OrganShape leaf_spray(LeafForm const& form, MaterialId material, std::uint32_t v
         double const share = (i + 0.5) / form.per_spray;
         double const along = kFirst + (1 - kFirst) * share * (1 - 0.5 * form.length);
         double const turn = radians(first_deg + i * kSpiral_deg + random.uniform(-25, 25));
-        // Towards the tip leaves lean less.
+        // The leaf angle decreases towards the tip.
         double const lean = radians(form.lean_deg * (1.15 - 0.6 * share) + random.uniform(-8, 8));
         double const length_mm
             = kSprayLength_mm * form.length * random.uniform(0.8, 1.15) * (1.1 - 0.4 * share);

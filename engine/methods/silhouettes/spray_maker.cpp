@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::uint32_t kSprayVariants = 8;
 
-// Shares of the tree's height: a parent with the usual number of twigs, and twigs.
+// As shares of the tree's height: length of a parent with the default number of twigs, and lengths
+// of twigs.
 constexpr double kParent = 0.07;
 constexpr double kLongestSpray = 0.055;
 constexpr double kShortestSpray = 0.016;

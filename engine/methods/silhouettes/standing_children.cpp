@@ -10,11 +10,13 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kTangentOver = 0.02;  // Of the parent, to both sides.
-constexpr double kStraightOn_deg = 20; // A child at the tip within this continues its parent.
-constexpr double kSameNode = 0.2;      // Of the mean distance between children.
+constexpr double kTangentOver = 0.02;  // Length over which the parent's tangent is taken on both
+                                       // sides, as a share of the parent's length.
+constexpr double kStraightOn_deg = 20; // A child at the tip within this angle continues its parent.
+// Children within this share of the mean distance are at one node.
+constexpr double kSameNode = 0.2;
 
-// An axis' nodes, asked for the point at a length.
+// An axis, evaluated by arc length.
 class AxisLine {
 public:
     explicit AxisLine(std::span<Vec3 const> nodes)
@@ -38,7 +40,7 @@ public:
         return nodes_[i] + share * (nodes_[i + 1] - nodes_[i]);
     }
 
-    // Where it goes at a length; zero for an axis of no length.
+    // Tangent at a length; zero for an axis without length.
     Vec3 direction(double length_mm) const
     {
         double const step_mm = kTangentOver * this->length_mm();

@@ -31,8 +31,8 @@ std::optional<Crowd> StyledCrowdMaker::next(Parent const& parent)
     Crowd crowd { .parent = parent.line, .branches = {} };
     auto const surface = crowds_.surface_of(parent.system);
     auto const drawn = CrowdMaker::drawn_places(crowd.parent, surface, system);
-    // On the trunk nothing stands below the crown; where the crowns of branches begin, which
-    // nobody drew, the style decides.
+    // On the trunk, no branch starts below the crown. The crowns of branches are inferred, so there
+    // the style alone decides.
     double const crown_u = crowd.parent.place_of(system.trunk[system.inside.first]);
     double const style_u = level_.style.unbranched;
     auto const drawn_by_hand
@@ -52,7 +52,7 @@ std::optional<Crowd> StyledCrowdMaker::next(Parent const& parent)
     Model const model { system, surface, drawn };
     auto const thetas = arrangement(model, branch_at, parent.number);
     double const extent = std::max(places.back() - places.front(), 1e-9);
-    // First those that have their ends, which the angles of the others make up for.
+    // Branches that keep their ends come first; the angles of the others compensate for theirs.
     for (auto const has_end : { true, false })
         for (std::size_t k = 0; k < places.size(); ++k) {
             double const share = (places[k] - places.front()) / extent;
@@ -64,13 +64,14 @@ std::optional<Crowd> StyledCrowdMaker::next(Parent const& parent)
     return crowd;
 }
 
-// As many of the branches in the plane as there are places, by their places; those that were
-// drawn before those of bumps, these before copies, and the largest before others.
+// Selects as many visible branches as there are positions, evenly by position. Priority: drawn
+// branches, then those of bumps, then copies; the largest first within each group.
 std::vector<std::size_t> StyledCrowdMaker::kept_branches(BranchingSystem const& system,
                                                          std::vector<DrawnPlace> const& drawn,
                                                          std::size_t most)
 {
-    constexpr std::array kRanks { 1, 2, 3, 0, 4 }; // Of origins in their order.
+    // Priority by origin, in the order of Branch::Origin.
+    constexpr std::array kRanks { 1, 2, 3, 0, 4 };
     std::vector<std::tuple<int, double, std::size_t>> ranks;
     for (std::size_t i = 0; i < drawn.size(); ++i)
         ranks.emplace_back(system.branches[i].is_of_hand()
@@ -87,7 +88,7 @@ std::vector<std::size_t> StyledCrowdMaker::kept_branches(BranchingSystem const& 
     return kept;
 }
 
-// Places are taken as if nodes stood at equal distances, so that the pattern counts nodes.
+// Positions are mapped as if nodes were equally spaced, because the pattern works on node numbers.
 std::vector<Place>
 StyledCrowdMaker::arrangement(Model const& model,
                               std::vector<std::optional<std::size_t>> const& branch_at,
@@ -115,9 +116,9 @@ StyledCrowdMaker::arrangement(Model const& model,
         .places;
 }
 
-// A branch that was drawn or ends in a bump goes there from its new place, too, if that makes
-// it neither far longer nor shorter, nor takes it far from the style's angle. No other end is
-// the outline's.
+// A branch that was drawn or ends in a bump still goes to its end from its new base, unless that
+// changes its length too much or takes it far from the style's angle. Other branches do not end on
+// the outline.
 bool StyledCrowdMaker::keeps_end(Parent const& parent, Model const& model,
                                  StyledPlace const& place) const
 {
@@ -165,7 +166,7 @@ void StyledCrowdMaker::stand(Parent const& parent, Crowd& crowd, Model const& mo
         crowd.branches.back().name = name_of(model.system.branches[*branch]);
 }
 
-// Over the share of its axis that angles are of, in its system's plane.
+// Chord over the part of its axis from which angles are measured, in its system's plane.
 Vec2 StyledCrowdMaker::way_of(std::size_t index, std::size_t i) const
 {
     auto const& system = skeleton_.systems[index];

@@ -13,14 +13,15 @@ namespace {
 
 constexpr std::uint32_t kPhaseStream = 5;
 constexpr std::uint32_t kPlaceStream = 6;
-constexpr double kGolden = 0.61803398874989485; // Its multiples fill a turn evenly.
+// Golden ratio; its multiples modulo 1 are evenly distributed.
+constexpr double kGolden = 0.61803398874989485;
 
 double part_of_turn(double turns)
 {
     return turns - std::floor(turns);
 }
 
-// Below which a share of all normally distributed numbers is, with deviation 1.
+// Quantile function of the standard normal distribution.
 double normal_quantile(double share)
 {
     double low = -4;
@@ -33,7 +34,7 @@ double normal_quantile(double share)
     return (low + high) / 2;
 }
 
-// Places from 0 to 1 whose distances have logarithms with so large a deviation.
+// Positions from 0 to 1 whose distances are log-normal with the deviation `spread`.
 std::vector<double> shares_of(std::vector<double> const& scores, double spread)
 {
     std::vector<double> shares { 0 };
@@ -53,8 +54,9 @@ double unevenness_of(std::vector<double> const& shares)
     return std::sqrt(squares / gaps);
 }
 
-// What makes the distances themselves so uneven, or as uneven as so few can be: the formula for
-// ever so many makes few of them too even.
+// The log-normal deviation that gives these few distances the coefficient of variation
+// `unevenness`, or the nearest attainable. The formula for an infinite sample would make few
+// distances too even.
 double spread_for(std::vector<double> const& scores, double unevenness)
 {
     double low = 0;
@@ -89,8 +91,8 @@ bool StyledPlaces::next_bears()
     return true;
 }
 
-// The first parent has as many as the mean; those that follow are pairs, one above it and one as
-// far below, so that few parents have the mean, too.
+// Child counts: the mean for the first parent, then pairs of one above and one equally far below
+// the mean. A few parents thus also have the right mean.
 std::size_t StyledPlaces::next_count(std::size_t least)
 {
     auto const pair = (counted_ + 1) / 2;
@@ -115,10 +117,10 @@ double StyledPlaces::next_first(double low)
     return first;
 }
 
-// From the first child to the last.
+// Distance from the first child to the last.
 double StyledPlaces::next_extent(std::size_t count, double room)
 {
-    constexpr double kLeast = 0.3; // Of what a parent has on average.
+    constexpr double kLeast = 0.3; // Limits relative to the mean distance of a parent.
     constexpr double kMost = 3;
     extent_left_ += style_.spacing * static_cast<double>(count - 1) * extent_factor();
     if (count < 2)
@@ -130,12 +132,12 @@ double StyledPlaces::next_extent(std::size_t count, double room)
     return extent;
 }
 
-// How much farther the next parent's children are from each other than all are on average, where
-// distances on one parent do not differ by as much as all together do: in pairs as numbers are,
-// whose longer distances go with more children as often as with fewer.
+// Factor on the distances of the next parent, representing the part of the variance that is between
+// parents. Like the counts, factors come in pairs around 1; large factors go with high and low
+// counts equally often.
 double StyledPlaces::extent_factor() const
 {
-    auto const pair = counted_ / 2; // The next one is counted.
+    auto const pair = counted_ / 2; // next_count() has already counted this parent.
     if (pair == 0 || !(style_.spacing > 0) || !(style_.spacing_deviation > 0))
         return 1;
     auto const squared = [](double value) { return value * value; };
@@ -147,8 +149,8 @@ double StyledPlaces::extent_factor() const
     return std::max(0.0, 1 + ((counted_ + pair) % 2 == 0 ? -off : off));
 }
 
-// How uneven the next parent's distances are, such that those of all together have the style's
-// deviation.
+// Coefficient of variation for the next parent, chosen so that all distances together keep the
+// style's standard deviation.
 double StyledPlaces::next_unevenness(std::size_t count, std::size_t nodes, double extent)
 {
     constexpr double kMostChanged = 2;
@@ -164,16 +166,15 @@ double StyledPlaces::next_unevenness(std::size_t count, std::size_t nodes, doubl
     return std::clamp(wanted, usual / kMostChanged, usual * kMostChanged);
 }
 
-// Scores of the distances from node to node. Wither 2009 takes normally distributed ones; these
-// have a logarithm that is, since they are as uneven as the style says without one that would have
-// to be cut off below 0.
+// Normal scores for the distances between nodes. Wither 2009 uses normally distributed distances;
+// these are log-normal, which gives the required coefficient of variation without negative values.
 std::vector<double> StyledPlaces::node_scores(std::size_t nodes, std::uint32_t parent) const
 {
     Random random({ .seed = seed_, .stream = kPlaceStream, .substream = parent });
     std::vector<double> scores;
     double const phase = random.uniform();
     for (std::size_t i = 1; i < nodes; ++i) {
-        // One of `nodes` is no farther out than that.
+        // Of `nodes` values, none lies beyond this quantile.
         double const edge = 0.5 / static_cast<double>(nodes);
         double const share
             = std::clamp(part_of_turn(phase + kGolden * static_cast<double>(i)), edge, 1 - edge);
@@ -228,7 +229,7 @@ std::vector<std::size_t> nearest_in_order(std::vector<double> const& places,
     auto const n = places.size();
     auto const m = others.size();
     CHECK(n <= m);
-    // The least sum for the first i places and the first j others.
+    // Least cost for the first i places and the first j others.
     std::vector<std::vector<double>> sums(
         n + 1, std::vector<double>(m + 1, std::numeric_limits<double>::infinity()));
     std::fill(sums[0].begin(), sums[0].end(), 0.0);

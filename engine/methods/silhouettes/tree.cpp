@@ -54,9 +54,9 @@ public:
     }
 
 private:
-    // An axis to be made.
+    // An axis still to be added.
     struct Parent {
-        std::size_t system = kNoSystem; // Whose trunk it is.
+        std::size_t system = kNoSystem; // The system whose trunk it is.
         Space space;
         Line line;
         std::vector<Vec2> crown {};
@@ -64,7 +64,7 @@ private:
         SegmentId parent_segment = kNone;
         AxisId parent_axis = kNone;
         std::uint32_t level = 0;
-        bool is_stroke = false; // Somebody drew its line.
+        bool is_stroke = false; // It follows a drawn stroke.
     };
 
     void add_looks()
@@ -79,7 +79,7 @@ private:
         sprays_.add_shapes();
     }
 
-    // The options of a level; beyond those that are given the last one's go on.
+    // Index of a level's options; the last entry applies to all deeper levels.
     std::size_t options_of(std::uint32_t level) const
     {
         return std::min<std::size_t>(level, options_.levels.size() - 1);
@@ -90,12 +90,12 @@ private:
         return options_.levels[options_of(level)];
     }
 
-    // Depth first: an axis comes after its parent.
+    // Depth first, so that every axis comes after its parent.
     void grow(Parent const& parent)
     {
         std::optional<Crowd> own;
         Crowd const* crowd = nullptr;
-        // What was drawn of a branch says more than a style does.
+        // Details drawn on a branch take precedence over a style.
         if (parent.system != kNoSystem && level_options(parent.level).style.is_set()
             && !skeleton_.systems[parent.system].is_of_own_outline
             && !skeleton_.systems[parent.system].is_in_siblings_style)
@@ -119,7 +119,7 @@ private:
         }
     }
 
-    // Its stalk, and the leaf.
+    // Adds the petiole and the leaf.
     void grow_leaf(Parent const& stalk, LeafBlade const& leaf)
     {
         auto const axis = add_axis(stalk, node_places(stalk, nullptr));
@@ -141,7 +141,7 @@ private:
         ++tree_.leaves;
     }
 
-    // Leaves of one outline are organs of one shape.
+    // Leaves with the same outline share one organ shape.
     OrganShapeId shape_of(LeafBlade const& leaf)
     {
         auto& shapes = tree_.plant.organ_shapes;
@@ -175,7 +175,7 @@ private:
                       *branch.leaf);
             return;
         }
-        // A copy's own branches are its model's, seen through the way from there.
+        // A copy has its model's branches, transformed to its own place.
         auto const below = skeleton_.system_of[parent.system][standing.branch];
         auto const& model = branch.model ? system.branches[*branch.model] : branch;
         Space const to_model = branch.model ? own * in_space(branch.from_model) : own;
@@ -190,11 +190,13 @@ private:
                .is_stroke = !model.stroke.empty() });
     }
 
-    // Shares of the parent's length where it has nodes: its own, and where branches stand.
+    // Positions of the parent's axis nodes, as shares of its length: evenly spaced ones and those
+    // of its branches.
     std::vector<double> node_places(Parent const& parent, Crowd const* crowd) const
     {
         constexpr std::array kSegments { 16, 8, 4, 3 };
-        constexpr int kStyled = 8; // At least: angles are those of an eighth.
+        constexpr int kStyled = 8; // Least number of segments on a styled level, because angles are
+                                   // measured over an eighth of the length.
         int own = kSegments[std::min<std::size_t>(parent.level, kSegments.size() - 1)];
         if (parent.level > 0 && level_options(parent.level - 1).style.is_set())
             own = std::max(own, kStyled);
@@ -241,7 +243,7 @@ private:
             return found->second;
         auto& crowd = crowds_[system];
         auto options = level_options(level);
-        // Somebody looked at it as closely as at a tree.
+        // This branch was drawn in as much detail as a tree, so it gets as many added branches.
         if (skeleton_.systems[system].is_of_own_outline)
             options.added = std::max(options.added, level_options(0).added);
         crowd = maker_.make(system, options);
@@ -249,7 +251,7 @@ private:
         return crowd;
     }
 
-    // In the style of its level; null: it bears none.
+    // The branches in the style of the parent's level; null if it has none.
     Crowd const* styled_crowd(Parent const& parent, std::optional<Crowd>& own)
     {
         own = styled_[options_of(parent.level)].next(
@@ -279,7 +281,7 @@ private:
     std::optional<SurfaceFit> fit_; // No value: no surface was drawn.
     SprayMaker sprays_ { tree_, options_ };
     CrowdMaker maker_;
-    std::vector<StyledCrowdMaker> styled_; // Of each level.
+    std::vector<StyledCrowdMaker> styled_; // One for each level.
 };
 
 } // namespace

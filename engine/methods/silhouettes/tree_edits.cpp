@@ -16,7 +16,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-// In the order of the enumerations' values.
+// Indexed by the enumerations' values.
 constexpr std::array kParts { "trunk",      "outline", "branch", "own_outline",
                               "own_branch", "split",   "join",   "surface" };
 void list(scene::Fields& fields, DrawTree& edit)
@@ -88,7 +88,7 @@ Result<OutlinedTree> tree_of(scene::DocumentState const& state, scene::ItemId pl
     return *tree;
 }
 
-// What building would refuse, without building.
+// Checks what building would refuse, without building.
 Result<void> check_tree(OutlinedTree const& tree)
 {
     constexpr double kFarthest_mm = 1e5;
@@ -109,7 +109,7 @@ Result<void> check_tree(OutlinedTree const& tree)
     return {};
 }
 
-// The plant stays under its ink: where the foot has moved on the paper, it moves.
+// Moves the plant with its foot on the paper, so that it stays where it was drawn.
 Result<scene::DocumentState> with_tree(scene::DocumentState state, scene::ItemId plant,
                                        OutlinedTree tree)
 {
@@ -120,7 +120,7 @@ Result<scene::DocumentState> with_tree(scene::DocumentState state, scene::ItemId
     return state;
 }
 
-// A tree whose lines have changed; branches that this brings are called after `id`.
+// The document with the changed lines of a tree; new branches are named after `id`.
 Result<scene::DocumentState> with_lines(scene::DocumentState state, scene::ItemId plant,
                                         OutlinedTree const& before, OutlinedTree after,
                                         scene::ItemId id)
@@ -167,7 +167,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, DrawTree const&
                                 .id = edit.id });
 }
 
-// Whether there was one of that id.
+// Removes the entry with this id; false if there is none.
 template<typename Drawn> bool take_out(std::vector<Drawn>& drawn, scene::ItemId id)
 {
     return std::erase_if(drawn, [&](Drawn const& one) { return one.id == id; }) > 0;
@@ -251,7 +251,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, FormTree const&
     tree.takes_style = edit.takes_style;
     if (!tree.is_refined() && tree.styles.empty() && tree.touches.empty())
         return with_tree(std::move(state), edit.plant, std::move(tree));
-    // Their branches have to be found again.
+    // Lines on branches must be assigned again.
     auto const id = scene::item_id(state.last_edit, 0);
     return with_lines(std::move(state), edit.plant, before, std::move(tree), id);
 }

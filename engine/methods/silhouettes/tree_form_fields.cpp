@@ -6,12 +6,12 @@ namespace tractus::silhouette {
 
 namespace {
 
-// In the order of Pattern::Kind.
+// Indexed by Pattern::Kind.
 constexpr std::array kPatterns {
     "even", "spiral", "decussate", "whorls", "two-rows", "horizontal"
 };
 
-// What a style has on each level, by the names of the patterns.
+// Field names of a style, by level.
 struct StyleNames {
     char const* children;
     char const* children_deviation;
@@ -37,7 +37,7 @@ constexpr std::array<StyleNames, 3> kStyleNames { {
       "twig_angle_deviation_deg" },
 } };
 
-// Sparse, so that a form without styles is written as it was before there were any.
+// Written only if set, so that forms without styles keep their file format.
 void list(scene::Fields& fields, StyleNames const& names, BranchStyle& style)
 {
     fields.sparse_field(names.children, &style.children);
@@ -52,7 +52,7 @@ void list(scene::Fields& fields, StyleNames const& names, BranchStyle& style)
     fields.sparse_field(names.angle_deviation_deg, &style.angle_deviation_deg);
 }
 
-// Sparse, so that whorls of three are written as they were when there were no others.
+// Written only if it is not three, so that older whorls keep their file format.
 void list_whorl(scene::Fields& fields, char const* name, Pattern& pattern)
 {
     int whorl = pattern.whorl == kUsualWhorl ? 0 : pattern.whorl;

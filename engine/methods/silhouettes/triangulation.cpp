@@ -14,7 +14,7 @@ namespace {
 
 using Corners = std::vector<std::uint32_t>;
 
-// Cuts ears off an outline until a triangle is left.
+// Clips ears off an outline until one triangle is left.
 class EarCutter {
 public:
     explicit EarCutter(std::span<Vec2 const> outline)
@@ -32,7 +32,7 @@ public:
             auto const at = find_ear(from);
             ears.push_back(corners_at(at));
             ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(at));
-            from = at; // The next corner, so that ears are not all cut around one corner.
+            from = at; // Continues at the next corner, so that the ears are not all at one corner.
         }
         ears.push_back({ ring_[0], ring_[1], ring_[2] });
         return ears;
@@ -51,7 +51,7 @@ private:
         return cross(outline_[c[1]] - outline_[c[0]], outline_[c[2]] - outline_[c[1]]);
     }
 
-    // Only corners that turn the other way can be inside of an ear.
+    // Only reflex corners can be inside an ear.
     bool is_empty(std::array<std::uint32_t, 3> const& c) const
     {
         auto const& p = outline_[c[0]];
@@ -75,7 +75,7 @@ private:
             if (turn_at(i) > 0 && is_empty(corners_at(i)))
                 return i;
         }
-        // Only corners on one line are left: the one that turns most.
+        // Only collinear corners are left: takes the one with the largest turn.
         std::size_t best = 0;
         for (std::size_t i = 1; i < n; ++i)
             if (turn_at(i) > turn_at(best))
@@ -87,7 +87,7 @@ private:
     Corners ring_;
 };
 
-// Which edge of the triangle leaves this corner.
+// Index of the triangle's edge that starts at this corner.
 int edge_from(Triangle const& triangle, std::uint32_t corner)
 {
     int const edge = triangle.corner[0] == corner ? 0 : triangle.corner[1] == corner ? 1 : 2;
@@ -164,7 +164,7 @@ private:
     {
         auto& one = triangles_[k];
         if (std::find(one.corner.begin(), one.corner.end(), from) == one.corner.end())
-            return; // It has been flipped away since.
+            return; // The edge no longer exists; it was flipped.
         auto const e = static_cast<std::size_t>(edge_from(one, from));
         auto const l = one.beyond[e];
         if (l == kNoTriangle)
@@ -174,20 +174,20 @@ private:
         auto const f = static_cast<std::size_t>(edge_from(other, b));
         auto const c = one.corner[next_of(next_of(e))];
         auto const d = other.corner[next_of(next_of(f))];
-        // Only with a margin: corners on one circle would flip for ever.
+        // The margin prevents endless flipping of cocircular corners.
         if (in_circle(place(from), place(b), place(c), place(d)) <= margin_)
             return;
         flip({ k, l, e, f });
     }
 
     struct Pair {
-        std::uint32_t k = 0; // a, b, c
-        std::uint32_t l = 0; // b, a, d
-        std::size_t e = 0;   // From a, in k.
-        std::size_t f = 0;   // From b, in l.
+        std::uint32_t k = 0; // Triangle (a, b, c).
+        std::uint32_t l = 0; // Triangle (b, a, d).
+        std::size_t e = 0;   // Edge from a in k.
+        std::size_t f = 0;   // Edge from b in l.
     };
 
-    // The edge from a to b becomes one from d to c.
+    // Replaces the edge from a to b by the edge from d to c.
     void flip(Pair const& pair)
     {
         auto& one = triangles_[pair.k];
@@ -225,7 +225,8 @@ private:
     std::span<Vec2 const> outline_;
     std::vector<Triangle>& triangles_;
     double margin_ = 0;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> waiting_; // Triangle, corner before.
+    // (Triangle, corner at which the edge starts).
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> waiting_;
 };
 
 } // namespace

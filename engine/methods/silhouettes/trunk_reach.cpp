@@ -7,7 +7,7 @@
 
 namespace tractus::silhouette {
 
-// Of its last quarter: the very end of a line says little.
+// Direction of the trunk's last quarter; the very end of a stroke is unreliable.
 static Vec2 tip_direction(std::span<Vec2 const> trunk)
 {
     constexpr double kLast = 0.25;
@@ -37,10 +37,14 @@ std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
 {
     constexpr double kFarthest_mm = 6;
     constexpr double kOfLength = 0.15;
-    constexpr double kOblique = 2;   // Times as far along the trunk's direction.
-    constexpr double kThrough = 0.5; // Of the crown's extent in that direction.
-    constexpr double kOn = 0.85;     // Of the way through.
-    constexpr double kBeyond = 1e-6; // Of the outline's diagonal: off the place where it begins.
+    // Factor on the tip's distance for a crown that is met obliquely.
+    constexpr double kOblique = 2;
+    // Least way through the crown, as a share of the crown's extent in that direction.
+    constexpr double kThrough = 0.5;
+    // Length of the extension, as a share of the way through the crown.
+    constexpr double kOn = 0.85;
+    // Offset past the first intersection, as a share of the outline's diagonal.
+    constexpr double kBeyond = 1e-6;
     if (trunk.size() < 2)
         return std::nullopt;
     auto const clean = clean_drawing({ strokes, { trunk.begin(), trunk.end() } });

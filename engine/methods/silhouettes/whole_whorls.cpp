@@ -16,7 +16,7 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-// The shorter way around, from -180 to 180.
+// Wraps to the shorter way around, -180 to 180 degrees.
 double shorter_deg(double angle_deg)
 {
     return angle_deg - 360 * std::round(angle_deg / 360);
@@ -57,24 +57,24 @@ public:
     }
 
 private:
-    // A branch of a whorl, at its slot: whorl_ of them go around.
+    // A branch of a whorl and its slot. There are whorl_ slots around a node.
     struct Member {
-        std::size_t branch; // Its place.
+        std::size_t branch; // Index of its place.
         std::size_t slot;
     };
 
     struct Node {
         double u = 0;
-        std::size_t room = 0; // For so many members.
+        std::size_t room = 0; // Capacity in branches.
         std::vector<Member> members {};
-        double turn_deg = 0; // Of all slots, from where the pattern has them.
+        double turn_deg = 0; // Rotation of all slots relative to the pattern.
     };
 
     enum class Pairs { All, Once };
 
     bool keeps_u(std::size_t i) const { return drawn_[i].keeps_u; }
 
-    // Drawn branches that keep their u or do not, by it.
+    // Drawn branches that do or do not keep their u, sorted by u.
     Indices by_u(bool keep) const
     {
         Indices result;
@@ -86,7 +86,7 @@ private:
         return result;
     }
 
-    // Nodes at equal distances, but where branches keep their u.
+    // Adds equally spaced nodes, except where branches keep their u.
     void add_nodes()
     {
         std::vector<Node> kept;
@@ -115,7 +115,7 @@ private:
                          [](Node const& a, Node const& b) { return a.u < b.u; });
     }
 
-    // The nodes hold all branches, and no more; the last ones have less room.
+    // Sets capacities so that the nodes hold exactly all branches; the last nodes have less.
     void limit_rooms()
     {
         auto left_over = nodes_.size() * whorl_ - count_;
@@ -126,7 +126,8 @@ private:
         }
     }
 
-    // Where a slot is before its node is turned; `shift` nodes on, as patterns may begin anywhere.
+    // Azimuth of a slot before its node is rotated. `shift` advances the pattern by so many nodes,
+    // since it can begin in any phase.
     double slot_deg(std::size_t k, std::size_t slot) const
     {
         return static_cast<double>(k + shift_) * node_turn_deg(options_.pattern)
@@ -144,7 +145,7 @@ private:
                            [&](Member const& member) { return member.slot == slot; });
     }
 
-    // The free slot that is nearest to a branch's side.
+    // The free slot nearest to a branch's side.
     std::size_t nearest_slot(std::size_t k, std::size_t branch) const
     {
         std::size_t best = 0;
@@ -157,7 +158,8 @@ private:
         return best;
     }
 
-    // Of both ways in which the pattern may begin the one that suits the drawn branches.
+    // Of the two phases in which the pattern can begin, takes the one that suits the drawn
+    // branches.
     void move_drawn_to_nodes()
     {
         auto const as_it_was = nodes_;
@@ -170,7 +172,8 @@ private:
         shift_ = 0;
     }
 
-    // The squares of how far branches move, in nodes, and of how far slots are from their sides.
+    // Cost: squared displacement of branches along the parent, in nodes, plus the squared distance
+    // of slots from the branches' sides.
     double move_drawn(std::size_t shift)
     {
         shift_ = shift;
@@ -191,7 +194,7 @@ private:
         std::erase_if(branches, [&](std::size_t i) { return drawn_[i].theta_deg != side_deg; });
         if (branches.empty())
             return 0;
-        // Places in nodes that are left, the best first.
+        // Free slots of the nodes, best first.
         struct Free {
             std::size_t node;
             double cost;
@@ -226,7 +229,7 @@ private:
         return sum;
     }
 
-    // As if the branch moved by so many nodes: it turns a little at no cost.
+    // Cost of rotating a branch to a slot, expressed in nodes. Small rotations are free.
     static double cost_of_slot(double off_deg)
     {
         constexpr double kFree_deg = 20;
@@ -234,7 +237,7 @@ private:
         return std::pow(std::max(0.0, off_deg - kFree_deg) / kAsNode_deg, 2);
     }
 
-    // The free slot that is farthest from those that are taken, so that few go all around.
+    // The free slot farthest from the occupied ones, so that few branches spread all around.
     std::size_t widest_slot(Node const& node) const
     {
         std::size_t best = 0;
@@ -253,7 +256,7 @@ private:
         return best;
     }
 
-    // Added branches, in the slots that are left.
+    // Adds branches in the remaining slots.
     void fill_nodes()
     {
         auto next = drawn_.size();
@@ -276,7 +279,7 @@ private:
             node.turn_deg = random_turn_deg();
     }
 
-    // A node's branches at a turn; those drawn as near to it as they may.
+    // Places a node's branches at a rotation; drawn ones as near to it as their limit allows.
     void stand(std::size_t k, double turn_deg)
     {
         auto& node = nodes_[k];
@@ -296,7 +299,7 @@ private:
 
     double pair_cost(std::size_t k, std::size_t a, std::size_t l, std::size_t b) const
     {
-        // The pattern counts nodes, wherever they are.
+        // The pattern works on node numbers, regardless of the actual u.
         Place const first { static_cast<double>(k), places_[a].theta_deg };
         Place const second { static_cast<double>(l), places_[b].theta_deg };
         return kClosenessWeight * closeness(alpha_, places_[a], places_[b])
@@ -319,7 +322,7 @@ private:
         return sum;
     }
 
-    // As many places are tried as where branches move one by one.
+    // Uses as many proposals as the search that moves branches one by one.
     void search(Arrangement& result)
     {
         auto const proposals = options_.proposals / static_cast<int>(whorl_);
@@ -343,12 +346,12 @@ private:
     Random random_;
     std::size_t count_;
     std::size_t whorl_;
-    double gamma_deg_; // From a slot to the next.
+    double gamma_deg_; // Angle between adjacent slots.
     double alpha_;
     double first_u_;
     double node_;
     std::size_t shift_ = 0;
-    std::vector<Node> nodes_; // By u.
+    std::vector<Node> nodes_; // Sorted by u.
     std::vector<Place> places_;
 };
 
