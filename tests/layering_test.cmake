@@ -27,7 +27,7 @@ set(engine/export    engine/base engine/stroke engine/plant engine/lsystem engin
 set(engine/methods/construction_lines engine/base engine/stroke engine/plant engine/lsystem
                                       engine/scene)
 set(engine/methods/leaves engine/base engine/stroke engine/plant engine/scene)
-set(engine/methods/self_organising engine/base engine/stroke engine/plant engine/scene)
+set(engine/methods/self_organising engine/base engine/stroke engine/plant engine/variation engine/scene)
 set(engine/methods/silhouettes engine/base engine/stroke engine/plant engine/scene)
 set(engine/methods/sketch_lsystem engine/base engine/stroke engine/plant engine/lsystem engine/scene)
 set(drivers/reports  engine/base)

@@ -129,7 +129,7 @@ std::vector<scene::EditKind const*> edit_kinds()
                { &leaf::AddLeafLine::kKind, &leaf::EraseLeafLine::kKind, &leaf::FormLeaf::kKind });
     all.insert(all.end(),
                { &self_organising::PlantTree::kKind, &self_organising::GrowOn::kKind,
-                 &self_organising::ChangeHabit::kKind });
+                 &self_organising::GrowFrom::kKind, &self_organising::ChangeHabit::kKind });
     return all;
 }
 

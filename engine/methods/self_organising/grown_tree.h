@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/methods/self_organising/beginning.h"
 #include "engine/methods/self_organising/growing_tree.h"
 #include "engine/methods/self_organising/habit.h"
 #include "engine/scene/edit.h"
@@ -32,6 +33,7 @@ struct GrownTree {
     Habit habit {};
     std::uint64_t seed = 1;
     std::vector<LifePart> life {};
+    SharedBeginning start {}; // What it grew from; null: a seed.
 };
 
 // Adds a tree that begins to grow: where the stroke begins or, by itself, at the world's origin. It
@@ -56,6 +58,17 @@ struct GrowOn {
     LifePart next {};
 };
 
+// A plant of any kind grows on from how it stands, with what strokes and parts have made of it: its
+// axes become living wood, and its strokes, which are in the wood, go.
+struct GrowFrom {
+    static scene::EditKind const kKind;
+
+    scene::ItemId plant = 0;
+    Habit habit {};
+    std::uint64_t seed = 1;
+    LifePart next {};
+};
+
 // Lets a tree live the same life with another habit or by another chance.
 struct ChangeHabit {
     static scene::EditKind const kKind;
@@ -65,9 +78,13 @@ struct ChangeHabit {
     std::uint64_t seed = 1;
 };
 
-// Grows the tree. Fails, as the user's fault, for a habit or a life out of range, and a stroke that
-// is not in memory.
-Result<GrowingTree> grow_tree(GrownTree const& tree);
+// Fail, as the user's fault, for a part of a life out of range, and a tree that would be too old.
+Result<void> check_life(LifePart const& part);
+Result<void> check_age(GrownTree const& tree);
+
+// Grows the tree from its beginning. Fails, as the user's fault, for a habit or a life out of
+// range, and a stroke that is not in memory.
+Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& options = {});
 
 // The same as a plant; axes keep their keys as the tree lives longer.
 Result<scene::BuiltSource> build_tree(GrownTree const& tree, scene::LoadOptions const& options);

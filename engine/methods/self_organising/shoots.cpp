@@ -55,7 +55,7 @@ public:
             tree_.links[node] = links;
             tree_.places[node]
                 = { tree_.places[below].position + direction * shoot.length, direction, normal };
-            set_buds(node);
+            set_lateral_buds(tree_, node, laws_, seed_);
             lateral += links.lateral_count;
             attach(bud, begins_axis, below, node);
             below = node++;
@@ -106,28 +106,6 @@ private:
                  .axis = parent.rank == 0 ? kTrunk : parent.axis };
     }
 
-    // Laterals of a node stand evenly around it, but for chance.
-    void set_buds(std::uint32_t number)
-    {
-        auto const& node = tree_.links[number];
-        auto const& place = tree_.places[number];
-        double const start_deg = laws_.divergence_start_deg.at(node.order);
-        double const turn = radians(laws_.divergence_deg.at(node.order)) * node.rank;
-        double const angle = radians(laws_.branching_angle_deg.at(node.order));
-        Random random({ seed_ ^ node.axis, kSpreadStream, node.rank });
-        auto const stray = [&](double spread_deg) {
-            return spread_deg > 0 ? radians(spread_deg * random.normal()) : 0;
-        };
-        for (std::uint32_t k = 0; k < node.lateral_count; ++k) {
-            double const around = turn + radians(start_deg + 360.0 * k / node.lateral_count)
-                + stray(laws_.divergence_spread_deg);
-            Vec3 const axis = turned(place.normal, place.direction, around);
-            double const out = std::max(angle + stray(laws_.angle_spread_deg), 0.0);
-            tree_.laterals[node.first_lateral + k]
-                = { .direction = unit_or_zero(turned(place.direction, axis, out)) };
-        }
-    }
-
     void attach(Bud const& bud, bool begins_axis, std::uint32_t below, std::uint32_t node)
     {
         if (!begins_axis) {
@@ -153,6 +131,28 @@ private:
 };
 
 } // namespace
+
+// Laterals of a node stand evenly around it, but for chance.
+void set_lateral_buds(GrowingTree& tree, std::uint32_t number, Laws const& laws, std::uint64_t seed)
+{
+    auto const& node = tree.links[number];
+    auto const& place = tree.places[number];
+    double const start_deg = laws.divergence_start_deg.at(node.order);
+    double const turn = radians(laws.divergence_deg.at(node.order)) * node.rank;
+    double const angle = radians(laws.branching_angle_deg.at(node.order));
+    Random random({ seed ^ node.axis, kSpreadStream, node.rank });
+    auto const stray = [&](double spread_deg) {
+        return spread_deg > 0 ? radians(spread_deg * random.normal()) : 0;
+    };
+    for (std::uint32_t k = 0; k < node.lateral_count; ++k) {
+        double const around = turn + radians(start_deg + 360.0 * k / node.lateral_count)
+            + stray(laws.divergence_spread_deg);
+        Vec3 const axis = turned(place.normal, place.direction, around);
+        double const out = std::max(angle + stray(laws.angle_spread_deg), 0.0);
+        tree.laterals[node.first_lateral + k]
+            = { .direction = unit_or_zero(turned(place.direction, axis, out)) };
+    }
+}
 
 Shoot shoot_of(Bud const& bud, std::size_t order, double vigour, Laws const& laws)
 {

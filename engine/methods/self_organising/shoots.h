@@ -20,6 +20,10 @@ struct Shoot {
 // the axis that would grow.
 Shoot shoot_of(Bud const& bud, std::size_t order, double vigour, Laws const& laws);
 
+// Gives the lateral positions of a node their buds: around it by the divergence, out by the
+// branching angle. `seed` as grow_shoots() has it.
+void set_lateral_buds(GrowingTree& tree, std::uint32_t node, Laws const& laws, std::uint64_t seed);
+
 // Adds the shoots' nodes, those of earlier shoots first, each with its lateral buds. Each internode
 // turns: d <- unit(d + space_weight * pull + tropism_weight * tropism_direction). The nodes' step
 // is tree.step. `seed` decides how lateral buds stray and which terminal buds die: by the names of

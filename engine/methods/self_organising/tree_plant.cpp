@@ -36,13 +36,13 @@ public:
         axis_.assign(tree_.size(), kNone);
         if (tree_.links[0].main != kNone)
             add_axis(0, tree_.links[0].main);
-        for (std::uint32_t i = 1; i < tree_.size(); ++i)
+        for (std::uint32_t i = 0; i < tree_.size(); ++i)
             for (auto const& lateral : tree_.laterals_of(i))
                 if (lateral.node != kNone)
                     add_axis(i, lateral.node);
         name_axes();
         for (std::uint32_t i = 1; i < tree_.size(); ++i)
-            if (is_leafy(i))
+            if (segment_[i] != kNone && is_leafy(i))
                 add_leaves(i);
         return std::move(made_);
     }
@@ -89,8 +89,13 @@ private:
                     .parent_axis = axis_[below] };
         if (axis.parent_axis != kNone)
             axis.order = plant().axes[axis.parent_axis].order + 1;
-        add_node(below, diameters_[first]);
-        for (auto node = first; node != kNone; node = tree_.links[node].main) {
+        // A lateral of the base is the foot of a stem of its own (given_wood.h).
+        bool const is_stem = below == 0 && first != tree_.links[0].main;
+        auto const second = is_stem ? tree_.links[first].main : first;
+        add_node(is_stem ? first : below, diameters_[second]);
+        if (is_stem)
+            axis_[first] = number;
+        for (auto node = second; node != kNone; node = tree_.links[node].main) {
             auto const above = tree_.links[node].main;
             add_node(node, diameters_[above == kNone ? node : above]);
             segment_[node] = axis.first_segment + axis.segment_count;
@@ -104,6 +109,7 @@ private:
 
     void add_node(std::uint32_t node, double diameter_mm)
     {
+        made_.tree_nodes.push_back(node);
         Vec3 const at_mm = tree_.places[node].position - tree_.places[0].position;
         plant().node_position_mm.push_back(at_mm);
         plant().node_radius_mm.push_back(
@@ -125,7 +131,7 @@ private:
     {
         made_.keys.resize(plant().axes.size());
         for (std::uint32_t i = 1; i < tree_.size(); ++i)
-            if (tree_.links[i].rank == 1)
+            if (tree_.links[i].rank == 1 && axis_[i] != kNone)
                 made_.keys[axis_[i]] = key_of(tree_.links[i].axis);
     }
 

@@ -5,12 +5,16 @@
 #include "engine/plant/branch_address.h"
 #include "engine/plant/plant.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace tractus::self_organising {
 
 struct TreePlant {
     Plant plant {};
     // One for each axis: the same for the same axis of the same tree in other years.
     AxisKeys keys {};
+    std::vector<std::uint32_t> tree_nodes {}; // The tree's node at each of the plant's nodes.
 };
 
 // A grown tree as a plant, in millimetres from its base: wood, and leaves on the shoots of the last
