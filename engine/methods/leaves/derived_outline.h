@@ -6,9 +6,9 @@
 
 namespace tractus::leaf {
 
-// The outline of the leaf that a drawn leaf's grammar derives to, without variation: closed,
-// counter-clockwise from the stalk's end, which is (0, 0), in the blade's lengths. Fails where the
-// leaf cannot be derived.
+// The outline of the leaf that a drawn leaf's grammar derives without variation: closed,
+// counter-clockwise from the end of the petiole at (0, 0), in units of the blade's length. Fails if
+// the leaf cannot be derived.
 Result<FlatLine> derived_outline(DrawnLeaf const& leaf);
 
 } // namespace tractus::leaf

@@ -12,21 +12,21 @@
 
 namespace tractus::leaf {
 
-// A drawn leaf in numbers, each of which its grammar has by name. Lengths are shares of the
-// blade's length, angles are degrees; they are rounded as their text is.
+// Parameters of a drawn leaf; its grammar has each of them under its own name. Lengths are shares
+// of the blade's length, angles are degrees, and all are rounded as in the grammar's text.
 struct DrawnLeaf {
-    // A place on a main vein where side veins begin, on one of its sides or on both.
+    // A position on a main vein where side veins begin, on one side or both.
     struct Knot {
-        double at = 0;                      // Share of the main vein's length.
-        std::optional<double> right_deg {}; // From the main vein's direction.
+        double at = 0;                      // Position as a share of the main vein's length.
+        std::optional<double> right_deg {}; // Angle to the main vein's direction.
         std::optional<double> left_deg {};
 
         bool operator==(Knot const&) const = default;
     };
     struct Main {
-        double angle_deg = 0;       // From the leaf's axis, positive to the right. 0: the midrib.
-        double curve_deg = 0;       // Turns so far from begin to end, positive to the right.
-        std::vector<Knot> knots {}; // From its begin on.
+        double angle_deg = 0; // Angle to the leaf's axis, positive to the right; 0 for the midrib.
+        double curve_deg = 0; // Total turn from beginning to end, positive to the right.
+        std::vector<Knot> knots {}; // Sorted from the vein's beginning.
 
         bool operator==(Main const&) const = default;
     };
@@ -34,56 +34,59 @@ struct DrawnLeaf {
 
     double size_mm = 0; // Length of the blade along its midrib.
     double stalk = 0;
-    Half right {}; // From (0, 0), the stalk's end, to the tip.
-    Half left {};  // Its x to the left; empty: it mirrors the right half.
+    Half right {}; // From the petiole's end at (0, 0) to the tip.
+    Half left {};  // x is positive to the left; empty: mirror image of the right half.
     HalfOutline::Margin margin = HalfOutline::Margin::Entire;
-    int tooth_count = 0; // On each half.
+    int tooth_count = 0; // Number of teeth on each half.
     double tooth_depth = 0;
     double tooth_lean = 0;
     std::vector<Main>
-        mains;      // The midrib, then the others from the outermost right one to the left.
-    double hub = 0; // Length of the piece on which main veins begin, if there are several.
-    // Side veins turn so far towards the main vein's end, those at its begin and those at its end;
-    // negative: away from it.
+        // The midrib first, then the others from the outermost right to the outermost left one.
+        mains;
+    double hub = 0; // Length of the segment on which the main veins begin, if there are several.
+    // Turn of the side veins towards the main vein's end, for those at its beginning and those at
+    // its end; negative: away from it.
     double side_curve_deg = 0;
     double side_curve_at_tip_deg = 0;
-    double bend_deg = 0;     // Bend of the midrib, downwards, all in all.
-    double droop_deg = 0;    // Twice what its upper half bends more than its lower one.
-    double rise_deg = 0;     // How far the blade rises on both sides of the midrib.
-    double width = 0.014;    // Width of the midrib at its begin; others follow.
-    double spread_deg = 2.5; // Standard deviation of veins' angles from leaf to leaf.
+    double bend_deg = 0;  // Total downward bend of the midrib.
+    double droop_deg = 0; // Twice the difference between the bend of the upper and the lower half.
+    double rise_deg = 0;  // Upward angle of the blade on both sides of the midrib.
+    double width = 0.014; // Width of the midrib at its beginning; other veins are proportional.
+    double spread_deg = 2.5; // Standard deviation of vein angles between leaves.
 
     bool operator==(DrawnLeaf const&) const = default;
 };
 
-// How a drawing became numbers.
+// Record of how a drawing was converted to parameters.
 struct LeafFit {
     struct Vein {
         std::size_t stroke = 0;
-        std::size_t parent = 0; // Stroke of the main vein that bears it; a main vein's own.
-        double drawn_at = 0;    // Shares of the parent's length.
+        // Stroke index of the parent main vein; for a main vein its own index.
+        std::size_t parent = 0;
+        double drawn_at = 0; // Position of its beginning, as a share of the parent's length.
         double fitted_at = 0;
         double drawn_angle_deg
-            = 0; // From the parent's direction, or the leaf's axis; to the right.
+            = 0; // Angle to the parent's direction, or to the leaf's axis; positive to the right.
         double fitted_angle_deg = 0;
         double drawn_length_mm = 0;
-        double fitted_length_mm = 0; // To the margin.
+        double fitted_length_mm = 0; // Length to the margin.
     };
     DrawnLeaf leaf;
     std::vector<Vein> veins {}; // In the drawing's order.
-    // As drawn, its midrib straight, in the blade's lengths; counter-clockwise.
+    // The outline as drawn, but with a straight midrib, in units of the blade's length;
+    // counter-clockwise.
     FlatLine outline {};
-    double asymmetry = 0; // Area that one half lacks of the other, as a share of both together.
-    double tremor_mm = 0; // What the fit took out of the veins, as a standard deviation.
-    double sweep_deg = 0; // How far the midrib turns sideways: the grammar's is straight.
+    double asymmetry = 0; // Difference between the halves' areas, as a share of the total area.
+    double tremor_mm = 0; // Standard deviation of the veins' deviation from the fitted curves.
+    double sweep_deg = 0; // Sideways turn of the drawn midrib; the grammar's midrib has none.
     BladePlace place {};
 };
 
-// Finds the numbers of a recognised leaf. Fails, as the user's fault, where the outline does not
-// lie round the midrib.
+// Determines the parameters of a recognised leaf. Fails with a user error if the outline does not
+// surround the midrib.
 Result<LeafFit> fit_leaf(RecognisedLeaf const& leaf);
 
-// The area that two closed lines have in common, as a share of the area that one of them has.
+// Intersection over union of the areas of two closed polylines.
 double overlap_of(FlatLine const& a, FlatLine const& b);
 
 } // namespace tractus::leaf

@@ -11,13 +11,14 @@
 
 namespace tractus::leaf {
 
-// Which strokes are a leaf's edge.
+// The strokes that form the outline of a leaf.
 struct FoundOutline {
     RecognisedLeaf::Edge edge = RecognisedLeaf::Edge::Whole;
     std::vector<std::size_t> strokes {};
-    // Known at once where it closes a half outline.
+    // Set if the midrib closes a half outline.
     std::optional<std::size_t> midrib {};
-    // Points of the strokes, in order: which stroke, which of its points. Closed, but for one half.
+    // The outline as references to points of the strokes (stroke index, point index), in order.
+    // Closed, unless it is only one half.
     struct Point {
         std::size_t stroke = 0;
         std::size_t point = 0;
@@ -25,8 +26,8 @@ struct FoundOutline {
     std::vector<Point> line {};
 };
 
-// Looks at strokes in the drawing's plane, in millimetres, with points at even distances. Fails, as
-// the user's fault, with what to draw.
+// Finds the outline among strokes in the drawing plane, in millimetres with evenly spaced points.
+// Fails with a user error that says what to draw.
 Result<FoundOutline> find_outline(std::span<FlatLine const> strokes);
 
 } // namespace tractus::leaf

@@ -8,17 +8,17 @@
 
 namespace tractus::leaf {
 
-// A half outline as drawn, from (0, 0) to (0, 1), its x to its own side: as few points as leave the
-// curve through them (HalfOutline) within `tolerance` of it in the mean, span by span. Points are
-// corners where the line breaks by 50 degrees and more and no smooth curve fits. `window` is the
-// length over which the hand's tremor does not hide a corner.
+// Fits a half outline as drawn, from (0, 0) to (0, 1) with x positive to its own side: the fewest
+// points for which the curve through them (HalfOutline) has a mean distance of at most `tolerance`
+// in each span. A point is a corner if the line breaks there by 50 degrees or more and no smooth
+// curve fits. `window` is the length over which a corner can be told from tremor.
 std::vector<HalfOutline::Point> fit_half_outline(FlatLine const& half, double tolerance,
                                                  double window);
 
-// The line halfway between two half outlines whose corners correspond. No value where they do not.
+// The mean of two half outlines with matching corners; no value if the corners do not match.
 std::optional<FlatLine> mean_half(FlatLine const& a, FlatLine const& b, double window);
 
-// Where a half outline is left, in points, where it turns sharply.
+// Positions of the corners of a half outline, as point indices.
 std::vector<std::size_t> corners_of_half(FlatLine const& half, double window);
 
 } // namespace tractus::leaf

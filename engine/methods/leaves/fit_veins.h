@@ -9,22 +9,23 @@
 
 namespace tractus::leaf {
 
-// The standard deviation of the hand's tremor, from how far veins are from smooth curves; a share
-// of the blade's length.
+// Standard deviation of the hand's tremor, estimated from the veins' deviations from smooth curves,
+// as a share of the blade's length.
 double tremor_of(FlatBlade const& blade);
 
-// Numbers of the main and side veins.
+// Parameters of the main and side veins.
 struct FittedVeins {
-    std::vector<DrawnLeaf::Main> mains {}; // In DrawnLeaf's order.
+    std::vector<DrawnLeaf::Main> mains {}; // In the order of DrawnLeaf::mains.
     double hub = 0;
-    double side_curve_deg = 0;           // Curve of veins at their parents' begin,
-    double side_curve_at_tip_deg = 0;    // and at their end.
-    std::vector<LeafFit::Vein> veins {}; // Mains, then sides, as recognised.
+    double side_curve_deg = 0;        // Curve of side veins at the beginning of their parents,
+    double side_curve_at_tip_deg = 0; // and at their ends.
+    // First the main, then the side veins, in the order of RecognisedLeaf.
+    std::vector<LeafFit::Vein> veins {};
 };
 
-// `outline` is the fitted one: main veins reach it. A single vein's angle is hardly to be seen in
-// a short stroke: it is drawn towards what the veins beside it say, the more so the shorter it is.
-// Fails, as the user's fault, where too many veins begin on one.
+// Fits the veins. `outline` is the fitted outline, which the main veins reach. The angle of a short
+// stroke is uncertain, so it is shrunk towards the angles of neighbouring veins; more so for
+// shorter strokes. Fails with a user error if too many veins begin on one vein.
 Result<FittedVeins> fit_veins(RecognisedLeaf const& leaf, FlatBlade const& blade,
                               Outline const& outline, double tremor);
 

@@ -9,32 +9,33 @@
 
 namespace tractus::leaf {
 
-// Where a blade is in its drawing, in the drawing's millimetres.
+// Position of a blade in its drawing, in the drawing's millimetres.
 struct BladePlace {
-    Vec3 base_mm = Vec3::Zero(); // At the stalk.
+    Vec3 base_mm = Vec3::Zero(); // At the petiole.
     Vec3 tip_mm = Vec3::UnitY();
-    Vec3 normal = Vec3::UnitZ(); // Out of its upper side, across the line from base to tip.
+    // Normal of the upper side, perpendicular to the line from base to tip.
+    Vec3 normal = Vec3::UnitZ();
 };
 
-// A drawn leaf laid out flat: its midrib straight, without bend or rise.
+// A drawn leaf laid out flat, its midrib straight, without bend or rise.
 //
-// The blade's begin at the stalk is the origin; x is to the right, y along the midrib, the tip at
-// (0, 1). What is measured along and across the midrib in space stays as long.
+// The origin is the beginning of the blade at the petiole; x is to the right, y along the midrib,
+// the tip at (0, 1). Lengths along and across the midrib are preserved.
 struct FlatBlade {
-    double size_mm = 0; // Length of the midrib within the blade.
-    double stalk = 0;   // As a share of that; 0: none is drawn.
-    FlatLine right {};  // Halves of the outline from base to tip; the left one's x is negative.
-    FlatLine left {};   // Empty: only one half is drawn, and given as the right one.
+    double size_mm = 0; // Length of the midrib within the blade, the unit of the fields below.
+    double stalk = 0;   // Length of the petiole as a share of size_mm; 0: none was drawn.
+    FlatLine right {};  // Half outlines from base to tip; x is negative in the left one.
+    FlatLine left {};   // Empty: only one half was drawn and is stored as the right one.
     std::vector<FlatLine> mains {};
     std::vector<FlatLine> sides {};
-    double bend_low_deg = 0;  // Downwards, over the midrib's lower half,
-    double bend_high_deg = 0; // and over its upper one.
-    double rise_deg = 0;      // Rise of the blade on both sides of the midrib.
-    double sweep_deg = 0;     // The midrib's turn sideways.
+    double bend_low_deg = 0;  // Downward bend of the midrib over its lower half,
+    double bend_high_deg = 0; // and over its upper half.
+    double rise_deg = 0;      // Upward angle of the blade on both sides of the midrib.
+    double sweep_deg = 0;     // Sideways turn of the midrib.
     BladePlace place {};
 };
 
-// Fails, as the user's fault, where the outline does not lie round the midrib.
+// Fails with a user error if the outline does not surround the midrib.
 Result<FlatBlade> lay_flat(RecognisedLeaf const& leaf);
 
 } // namespace tractus::leaf

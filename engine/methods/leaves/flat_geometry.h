@@ -4,13 +4,13 @@
 
 namespace tractus::leaf {
 
-// Positive where b lies counter-clockwise of a.
+// Positive if b is counter-clockwise of a.
 inline double cross(Vec2 const& a, Vec2 const& b)
 {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// Twice a triangle's area, positive where its corners run counter-clockwise.
+// Twice the signed area of a triangle, positive if its corners are counter-clockwise.
 inline double turn(Vec2 const& a, Vec2 const& b, Vec2 const& c)
 {
     return cross(b - a, c - a);

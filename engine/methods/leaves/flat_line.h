@@ -8,34 +8,35 @@
 
 namespace tractus::leaf {
 
-// Lines in a plane, as points; each has at least one.
+// A polyline in a plane, of at least one point.
 using FlatLine = std::vector<Vec2>;
 
 double length_of(std::span<Vec2 const> line);
 
-// Area on the left of a closed line that runs counter-clockwise; negative the other way round.
+// Signed area of a closed polyline, positive if it is counter-clockwise.
 double area_of(std::span<Vec2 const> ring);
 
-// Whether a place lies inside a closed line.
+// True if the point is inside a closed polyline.
 bool is_inside(std::span<Vec2 const> ring, Vec2 const& place);
 
-// Share of a closed line's area that lies to the left of the line through two places.
+// Share of a closed polyline's area that is to the left of the line through two points.
 double share_left_of(std::span<Vec2 const> ring, Vec2 const& from, Vec2 const& to);
 
-// Diagonal of the box round a line.
+// Diagonal of a polyline's bounding box.
 double extent_of(std::span<Vec2 const> line);
 
-// Where a line is nearest to a place.
+// The point of a polyline nearest to a given point.
 struct NearestOnLine {
     double distance = 0;
-    double along = 0; // In points: 2.5 is halfway from the third to the fourth one.
+    // Position as an index: 2.5 is halfway between the third and the fourth point.
+    double along = 0;
 };
 NearestOnLine nearest_on(std::span<Vec2 const> line, Vec2 const& place);
 
-// A line's place at so many points from its begin.
+// The point of a polyline at a fractional index.
 Vec2 place_at(std::span<Vec2 const> line, double along);
 
-// So many places (at least 2) at equal distances along the line, both ends among them.
+// `count` (at least 2) evenly spaced points along the polyline, both ends included.
 FlatLine evenly(std::span<Vec2 const> line, std::size_t count);
 
 } // namespace tractus::leaf

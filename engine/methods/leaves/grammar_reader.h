@@ -12,21 +12,21 @@
 
 namespace tractus::leaf {
 
-constexpr int kMostSides = 9'999; // The text's C1 to C9999.
+constexpr int kMostSides = 9'999; // The labels C1 to C9999.
 
-// A capital letter alone.
+// True for a single capital letter.
 bool is_face(std::string_view word);
 
-// "O", "E" or "C" and a number from 1 on, at a word's beginning; the rest is left in `word`.
+// Takes an edge label, "O", "E" or "C" with a number from 1 on, off the beginning of `word`.
 std::optional<EdgeLabel> take_edge(std::string_view& word);
 
-// The edge that is all of a word.
+// Parses a whole word as an edge label.
 std::optional<EdgeLabel> edge_of(std::string_view word);
 
-// What reading a directive and reading a rule have in common: the text, the grammar as far as it
-// has been read, and what the text has named, which can be checked only at its end.
+// State shared by the parsers of directives and rules: the text, the grammar so far, and the names
+// used in the text, which can be checked only at its end.
 struct GrammarReader {
-    // An edge that a face must have, and be split along if the rule says so.
+    // An edge that a face must have and, if a rule says so, along which it must be splittable.
     struct EdgeUse {
         char face;
         EdgeLabel edge;
@@ -42,27 +42,29 @@ struct GrammarReader {
     }
 
     Result<char> face();
-    // One that must be defined somewhere.
+    // Reads a face letter that must be defined somewhere in the text.
     Result<char> known_face();
-    // Value of what a definition says: by then earlier definitions have values, and nothing else.
+    // Evaluates an expression in a definition. Only names defined earlier have values there.
     Result<double> constant(Expression const& expression, TextPlace const& place);
-    // Reads that many numbers in parentheses, all of which have values by now.
+    // Reads a parenthesised list of `least` to `most` numbers. Names in it must have values
+    // already.
     Result<std::vector<double>> numbers(std::size_t least, std::size_t most, std::string_view what);
-    // Nothing where there are no parentheses.
+    // Reads a parenthesised list of fields; empty if there are no parentheses.
     Result<Fields> fields();
 
     GrammarText text;
     Grammar grammar {};
     std::vector<std::pair<char, TextPlace>> named_faces {};
     std::vector<EdgeUse> named_edges {};
-    TextPlace left_place {}; // Of "#left", whose tip must be that of "#outline".
+    TextPlace left_place {}; // Position of "#left", whose tip must be that of "#outline".
     bool has_axiom = false;
 };
 
-// Reads what stands behind a "#" into the grammar. Fails, as the user's fault, with the place.
+// Reads what follows a "#" into the grammar. Fails with a user error that gives the position.
 Result<void> read_directive(GrammarReader& reader);
 
-// Reads a rule, from its name on, into the grammar. Fails, as the user's fault, with the place.
+// Reads a rule, beginning with its name, into the grammar. Fails with a user error that gives the
+// position.
 Result<void> read_rule(GrammarReader& reader);
 
 } // namespace tractus::leaf

@@ -8,31 +8,32 @@
 
 namespace tractus::leaf {
 
-// A grammar's text as it is read: words and signs, with spaces and comments passed over.
+// Tokenizer of a grammar's text; skips white space and comments.
 class GrammarText {
 public:
     GrammarText(std::string_view text, std::string name);
 
-    TextPlace place() const; // Place of what comes next.
+    TextPlace place() const; // Position of the next token.
     bool is_over() { return peek() == '\0'; }
 
-    // The next character that means something; '\0' at the end.
+    // The next significant character; '\0' at the end.
     char peek();
     bool next_is(std::string_view sign);
-    // Whether that comes next; takes it if so.
+    // Consumes `sign` if it is next; false if it is not.
     bool take(std::string_view sign);
     bool take_arrow();
 
-    // Fails if it is not there.
+    // Consumes `sign`; fails if it is not next.
     Result<void> expect(std::string_view sign);
-    // Letters, digits and underscores, the first no digit. `what` it is to be, for messages.
+    // Reads an identifier: letters, digits and underscores, not beginning with a digit. `what`
+    // names it in messages.
     Result<std::string_view> word(std::string_view what);
     Result<double> number();
 
-    // Up to the end of this, nothing comes after the line's end.
+    // While set, the end of the line counts as the end of the text.
     void stay_in_line(bool stays) { stays_in_line_ = stays; }
 
-    // Fails with what is wrong at that place, or at the next character.
+    // Failure with a message about the given position, or the next character.
     tl::unexpected<Error> fail_at(TextPlace const& place, std::string const& what) const;
     tl::unexpected<Error> fail_here(std::string const& what);
     tl::unexpected<Error> fail_expected(std::string_view what);
@@ -44,13 +45,15 @@ private:
     std::string_view text_;
     std::string name_;
     std::size_t at_ = 0;
-    int line_ = 1; // Line of at_.
+    int line_ = 1; // Line number at at_.
     std::size_t line_begin_ = 0;
     bool stays_in_line_ = false;
 };
 
-// C-like, as cpfg has them: ?: || && == != < <= > >= + - * / % ^ ! and calls. With `in_angles` it
-// stands between < and >, where a comparison needs parentheses.
+// Reads a C-like expression as in cpfg: ?:
+//
+// && == != < <= > >= + - * / % ^ ! and function calls. `in_angles`: it is enclosed in < and >, so
+// comparisons need parentheses.
 Result<Expression> read_expression(GrammarText& text, NameTable& names, bool in_angles = false);
 
 } // namespace tractus::leaf

@@ -15,72 +15,70 @@
 
 namespace tractus::leaf {
 
-// Derivation of a grammar: a leaf's veins as a 2-G-map of faces, and its limb between them.
+// Derivation of a grammar: a leaf's veins as a 2-G-map of faces, and the limb between them.
 //
-// The frame of the first face is x along it, y to its left and z out of its upper side; the middle
-// of its edge O is the origin. Lengths are the grammar's.
+// The first face has x along it, y to its left and z out of its upper side; the origin is the
+// middle of its edge O. Lengths are in the grammar's unit.
 class Leaf {
 public:
-    // How the blade stands in space besides what its grammar says: in degrees, each spread over the
-    // veins by their share of the outline's length. Without an outline it changes nothing.
+    // Additional deformation of the blade in space. Angles are in degrees, distributed over the
+    // veins by their share of the outline's length. Has no effect without an outline.
     struct Pose {
-        double bend_deg = 0;   // Downwards along main veins.
-        double curl_deg = 0;   // Upwards along the veins on their sides.
-        double twist_deg = 0;  // About main veins.
-        double uneven_deg = 0; // Standard deviation of each side vein's own twist.
+        double bend_deg = 0;   // Downward bend along main veins.
+        double curl_deg = 0;   // Upward curl along side veins.
+        double twist_deg = 0;  // Twist about main veins.
+        double uneven_deg = 0; // Standard deviation of an individual twist of each side vein.
 
         bool operator==(Pose const&) const = default;
     };
 
     struct Options {
-        int final_step = 0; // Value that the grammar reads as `finalstep`.
-        double age = 1;     // Value that it reads as `age`, 0 to 1.
+        int final_step = 0; // Value of `finalstep` in the grammar.
+        double age = 1;     // Value of `age` in the grammar, 0 to 1.
         std::uint64_t seed = 1;
-        // How far the outline differs from the grammar's: 1 as leaves of a tree do, 0 not at all.
-        // The grammar reads it as `variation`.
+        // Scale of the random variation of the outline: 1 as between leaves of a tree, 0 none.
+        // Value of `variation` in the grammar.
         double variation = 1;
         Pose pose {};
     };
 
-    // More faces than that are refused.
+    // Limit on the number of faces; derivation fails beyond it.
     static constexpr std::size_t kMostFaces = 100'000;
 
-    // Step 0: the axiom's face. `grammar` must outlive this. Fails, as the user's fault, where an
-    // attribute is out of its range; the text is the grammar's file and line.
+    // Step 0: the axiom's face. `grammar` must outlive the leaf. Fails with a user error, with file
+    // and line of the grammar, if an attribute is out of range.
     static Result<Leaf> begin(Grammar const& grammar, Options const& options);
 
-    // One step: each face that stands takes the first rule that fits, in the order in which they
-    // were made; then edges are glued. Takes the limb away first. Fails like begin(), and where the
-    // leaf grows beyond all measure.
+    // One derivation step: removes the limb, applies to each face, in order of creation, the first
+    // rule that matches, and then glues edges. Fails like begin(), and if the leaf grows too large.
     Result<void> derive();
 
-    // Fills the limb between the veins: a face between each free extremity and the next. Where the
-    // way between them bulges out it is filled in parts. Fails, as the user's fault, where that
-    // takes too long.
+    // Fills the limb: adds a face between each free extremity and the next one. Where the border
+    // between them bulges outwards, it is filled in parts. Fails with a user error if that takes
+    // too long.
     Result<void> fill();
 
     int step() const { return step_; }
     LeafMap const& map() const { return map_; }
-    // Numbers of the veins' faces, by their letters.
+    // Number of vein faces by letter.
     std::map<char, std::size_t> face_counts() const;
-    // Edges E on the border: vein tips, from which more may grow.
+    // Number of edges E on the border: vein tips from which more can grow.
     std::size_t free_extremities() const;
     double variable(std::size_t name) const { return values_[name]; }
 
     struct Limb {
-        std::vector<int> sizes; // Edges of each face, in order of size.
-        int cuts = 0;           // Ways that were filled in parts, once for each cut.
+        std::vector<int> sizes; // Number of edges of each face, sorted.
+        int cuts = 0;           // Number of cuts in borders that were filled in parts.
     };
     Limb const& limb() const { return limb_; }
 
-    // A vein in the flat leaf, as one of its faces: along its middle, and half its width, in the
-    // grammar's lengths.
+    // A face of a vein in the flat leaf: its centre line and half its width, in the grammar's unit.
     struct Vein {
         Vec2 from = Vec2::Zero();
         Vec2 to = Vec2::Zero();
         double half_width_from = 0;
         double half_width_to = 0;
-        int order = 1; // 1: main veins; one more where a vein leaves another's side.
+        int order = 1; // 1 for main veins; one more for a vein on the side of another.
     };
     std::vector<Vein> veins() const;
     Outline const& outline() const { return outline_; }
@@ -97,33 +95,33 @@ private:
         char name = 'A';
         Attributes attributes {};
         Frame frame;
-        Dart first = 0;       // Starts an edge; of one that was not split, its O.
-        int edge_count = 0;   // Edges as made: neighbours that are split may add to them.
-        bool is_part = false; // Part of one that was split: it may lack edges.
-        int order = 1;        // Order as a vein.
+        Dart first = 0;       // Start of one of its edges; of O, unless the face was split.
+        int edge_count = 0;   // Number of edges when made; splitting neighbours can add more.
+        bool is_part = false; // Part of a split face, which may lack some edges.
+        int order = 1;        // Branching order as a vein.
         std::size_t blade = 0;
     };
-    // Where an outline lies in the flat leaf: it begins at a stalk's end.
+    // Position of an outline in the flat leaf; it begins at the end of a petiole.
     struct Blade {
         Vec2 base = Vec2::Zero();
-        Vec2 axis = Vec2::UnitY(); // The outline's y.
+        Vec2 axis = Vec2::UnitY(); // Direction of the outline's y axis.
         double scale = 1;
 
         Vec2 to_outline(Vec2 const& flat) const;
         Vec2 to_flat(Vec2 const& on_outline) const;
     };
-    // A child's place on its parent: the way across the edge's end.
+    // Attachment of a child face to its parent: its frame and the ends of the shared edge.
     struct Stand {
         Frame frame;
-        Vec3 left = Vec3::Zero();  // Left side of the edge O: where it starts,
-        Vec3 right = Vec3::Zero(); // and ends.
+        Vec3 left = Vec3::Zero();  // Left end of edge O, where it starts,
+        Vec3 right = Vec3::Zero(); // and its right end.
     };
 
     Leaf(Grammar const& grammar, Options const& options);
 
     tl::unexpected<Error> fail_at(TextPlace const& place, std::string const& what) const;
     Result<Attributes> attributes_of(char face, Fields const& fields, TextPlace const& place);
-    // Shape as it grows, or as if it neither bent nor twisted.
+    // Grown: with bending and twisting. Flat: without.
     enum class Shape { Grown, Flat };
     Vec3 place_of(Dart d, Shape shape) const;
     Stand stand_on(Dart edge, Shape shape) const;
@@ -160,17 +158,17 @@ private:
     Grammar const* grammar_;
     LeafMap map_;
     std::vector<Face> faces_;
-    std::vector<double> values_; // Indexed by names' numbers; NaN where nothing has given one.
-    // Variables that a face's attributes of the same names hide while a rule is at work.
+    std::vector<double> values_; // Values by name index; NaN: no value yet.
+    // Variables hidden by attributes of the same name while a rule is applied.
     std::map<std::size_t, double> hidden_;
     Random random_;
     Outline outline_;
     Pose pose_;
-    Random unevenness_; // Its own, so that a pose changes nothing in the flat leaf.
+    Random unevenness_; // Separate stream, so that a pose does not change the flat leaf.
     std::vector<Blade> blades_;
     int step_ = 0;
-    std::size_t work_ = 0;                  // Work so far, in darts looked at.
-    std::optional<std::size_t> limb_begin_; // The first of its darts, if it is filled.
+    std::size_t work_ = 0;                  // Work so far, as the number of darts visited.
+    std::optional<std::size_t> limb_begin_; // First dart of the limb, if it is filled.
     FaceId limb_faces_ = 0;
     Limb limb_;
 };

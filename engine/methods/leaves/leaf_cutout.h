@@ -9,23 +9,25 @@
 
 namespace tractus::leaf {
 
-// A flat shape on which a leaf's picture is shown: it holds all that the picture has of the leaf,
-// and little else, so that little is drawn that cannot be seen.
+// A flat polygon that shows a leaf's picture. It contains all visible pixels of the leaf and little
+// else, to reduce overdraw.
 struct Cutout {
-    std::vector<Vec2> corners; // Pixels from the picture's upper left; within the picture.
-    // Counter-clockwise as one looks at the picture.
+    // In pixels from the picture's upper left corner; within the picture.
+    std::vector<Vec2> corners;
+    // Counter-clockwise as seen by a viewer of the picture.
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
 struct CutoutOptions {
-    float least_alpha = 0; // Pixels of at most this alpha need not be held.
-    int most_corners = 16; // May be passed where the leaf has no simpler shape; at least 4.
-    int most_bays = 6;     // How often the shape turns inwards.
+    float least_alpha = 0; // Pixels up to this alpha may be outside.
+    // Target number of corners, at least 4; exceeded if the leaf has no simpler shape.
+    int most_corners = 16;
+    int most_bays = 6; // Greatest number of concave corners.
 };
 
-// Round the pixels of a square picture, rows from the top, whose alpha is 0 to 1: their convex
-// hull, cut in to the leaf where that saves most, with its shortest sides left out. Empty where
-// there are no such pixels.
+// Computes the cutout of a square picture from its alpha (0 to 1, rows from the top): the convex
+// hull of the visible pixels, cut inwards where that saves most area, with the shortest sides
+// removed. Empty if no pixel is visible.
 Cutout cut_out(std::span<float const> alpha, int side, CutoutOptions const& options = {});
 
 } // namespace tractus::leaf

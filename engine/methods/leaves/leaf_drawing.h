@@ -9,47 +9,48 @@
 
 namespace tractus::leaf {
 
-// A leaf as a pen drew it: strokes in millimetres, in the order drawn, z up or towards the viewer.
-// What each stroke is does not matter here: it is recognised.
+// A leaf as drawn: strokes in millimetres in order of drawing, with z up or towards the viewer.
+// Their roles are found by recognise_leaf().
 struct LeafDrawing {
     std::vector<std::vector<Vec3>> strokes {};
 };
 
 enum class StrokeRole {
-    Outline,   // All of the leaf's edge, or one of its halves.
-    Midrib,    // With the stalk, if it begins outside of the outline.
-    MainVein,  // Begins where the midrib does.
-    SideVein,  // Begins on the midrib or on another main vein.
-    Stalk,     // Drawn by itself.
-    FinerVein, // Begins on a side vein: left out.
+    Outline,   // The whole outline or one of its halves.
+    Midrib,    // Includes the petiole if it begins outside the outline.
+    MainVein,  // Begins at the beginning of the midrib.
+    SideVein,  // Begins on the midrib or another main vein.
+    Stalk,     // A petiole drawn as a separate stroke.
+    FinerVein, // Begins on a side vein; ignored.
 };
 std::string_view name_of(StrokeRole role);
 
-// A drawing in which each stroke's part in the leaf is known. Lines are at even distances.
+// A drawing with a role for each stroke. Points are evenly spaced.
 struct RecognisedLeaf {
     enum class Edge { Whole, Halves, OneHalf };
 
     std::vector<StrokeRole> roles {}; // Indexed by stroke.
     Edge edge = Edge::Whole;
-    // Closed, from anywhere; of one half the line alone, from base to tip.
+    // Closed, with an arbitrary first point; for a single half an open line from base to tip.
     std::vector<Vec3> outline {};
-    Vec3 normal = Vec3::UnitZ(); // Upper side of the leaf.
+    Vec3 normal = Vec3::UnitZ(); // Normal of the leaf's upper side.
 
     struct Vein {
         std::size_t stroke = 0;
-        std::size_t parent = 0; // Main vein on which it begins; a main vein's own number.
-        std::vector<Vec3> line; // Away from where it begins.
+        // Index of the main vein on which it begins; for a main vein its own index.
+        std::size_t parent = 0;
+        std::vector<Vec3> line; // Directed away from its beginning.
     };
-    // The midrib first; it begins at the stalk's end, outside the blade.
+    // The midrib first; it begins at the petiole's end, outside the blade.
     std::vector<Vein> mains {};
     std::vector<Vein> sides {};
-    std::vector<Vec3> stalk {}; // Drawn by itself; empty otherwise.
+    std::vector<Vec3> stalk {}; // Only if drawn as a separate stroke.
 };
 
-// Recognises strokes in any order and direction: an outline closed within a few millimetres, as two
-// halves, or as one half; a midrib; and veins that begin on it, or where it begins. Fails, as the
-// user's fault, with what to draw or which stroke cannot be used: strokes count from 1, places are
-// in millimetres.
+// Recognises strokes in any order and direction: an outline (closed to within a few millimetres, as
+// two halves, or as one half), a midrib, and veins that begin on it or at its beginning. Fails with
+// a user error that says what to draw or which stroke cannot be used; it counts strokes from 1 and
+// gives positions in millimetres.
 Result<RecognisedLeaf> recognise_leaf(LeafDrawing const& drawing);
 
 } // namespace tractus::leaf

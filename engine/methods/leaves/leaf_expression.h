@@ -12,14 +12,15 @@
 
 namespace tractus::leaf {
 
-// Names of variables, numbered in the order in which they are met. Built-in ones come first.
+// Names of variables, numbered in order of appearance; the built-in ones come first.
 class NameTable {
 public:
     static constexpr std::size_t kStep = 0;
     static constexpr std::size_t kFinalStep = 1;
     static constexpr std::size_t kAge = 2;
-    static constexpr std::size_t kBlade = 3;     // How large outlines are from here on.
-    static constexpr std::size_t kVariation = 4; // How far leaves differ: Leaf::Options.
+    static constexpr std::size_t kBlade = 3; // Size of the outlines that begin from here on.
+    // Amount of variation between leaves: Leaf::Options.
+    static constexpr std::size_t kVariation = 4;
 
     std::size_t number_of(std::string_view name);
     std::string const& name(std::size_t number) const { return names_[number]; }
@@ -45,7 +46,7 @@ enum class Function : std::uint8_t {
     Fabs,
     Exp,
     Log,
-    Ran,  // ran(x): 0 to x.
+    Ran,  // ran(x): uniform, 0 to x.
     Nran, // nran(mean, deviation): normally distributed.
 };
 
@@ -54,10 +55,10 @@ struct FunctionName {
     Function function;
     int arguments;
 };
-// Null if there is none of that name.
+// Null if no function has this name.
 FunctionName const* find_function(std::string_view name);
 
-// Steps of an expression: in which order its values are found and put together.
+// An instruction of a compiled expression (stack machine).
 struct Operation {
     enum class Kind : std::uint8_t {
         Number,
@@ -69,7 +70,7 @@ struct Operation {
         Subtract,
         Multiply,
         Divide,
-        Remainder, // Remainder of whole numbers.
+        Remainder, // Integer remainder.
         Power,
         Less,
         LessOrEqual,
@@ -79,24 +80,24 @@ struct Operation {
         Unequal,
         And,
         Or,
-        Skip,       // Goes `target` operations on.
-        SkipIfZero, // Likewise, if the newest value, which is taken away, is 0.
+        Skip,       // Skips `target` instructions.
+        SkipIfZero, // Pops a value and skips `target` instructions if it is 0.
     };
     Kind kind = Kind::Number;
     Function function = Function::Sin;
     double number = 0;
-    std::size_t target = 0; // A name's number, or how far to skip.
+    std::size_t target = 0; // Index of a name, or number of instructions to skip.
 };
 
-// Compiled by the parser; angles are degrees, truth is 1 and 0.
+// An expression compiled by the parser. Angles are in degrees; true is 1 and false is 0.
 class Expression {
 public:
     std::vector<Operation> operations {};
 
     bool empty() const { return operations.empty(); }
 
-    // `values` by the names' numbers; a value that is not a number stands for one that nobody has
-    // given yet. The result may be infinite or no number: the caller decides what that means.
+    // Evaluates the expression. `values` is indexed by name; NaN is a name without a value. The
+    // result can be infinite or NaN; the caller must check it.
     double value(std::span<double const> values, Random& random) const;
 
 private:

@@ -17,13 +17,13 @@
 
 namespace tractus::leaf {
 
-// Where something stands in a grammar's text; both count from 1.
+// Position in a grammar's text; line and column count from 1.
 struct TextPlace {
     int line = 1;
     int column = 1;
 };
 
-// A face's attributes in the text's order: number of edges, translation coefficient, rotations
+// A face's attributes in the order of the text: number of edges, translation coefficient, rotations
 // about the face's x, y and z (degrees), length and width.
 constexpr std::size_t kAttributes = 7;
 using Attributes = std::array<double, kAttributes>;
@@ -33,8 +33,8 @@ constexpr std::size_t kTwist = 2;
 constexpr std::size_t kBend = 3;
 constexpr std::size_t kLength = 5;
 
-// Values that overload attributes; empty expressions leave them as they are. There may be fewer
-// than attributes.
+// Expressions that override attributes; an empty one leaves its attribute unchanged. The list can
+// be shorter than that of the attributes.
 using Fields = std::vector<Expression>;
 
 struct Statement {
@@ -42,8 +42,8 @@ struct Statement {
     Expression value;
 };
 
-// "[B(,,,,,2,)]E": a face, what overloads its attributes, what grows on it in turn, and the edge
-// of its parent on which it grows.
+// "[B(,,,,,2,)]E": a new face, its attribute overrides, the faces that grow on it in turn, and the
+// edge of the parent on which it grows.
 struct Child {
     char face = 'A';
     Fields fields;
@@ -54,18 +54,18 @@ struct Child {
 };
 
 struct Growing {
-    Fields fields; // Fields of the parent's face.
+    Fields fields; // Overrides for the parent face itself.
     std::vector<Child> children;
 };
 
-// "OBC": parallel to the edge O, into B, which has it, and C.
+// "OBC": split parallel to edge O into face B, which gets edge O, and face C.
 struct Splitting {
     EdgeLabel edge = EdgeLabel::Origin;
     char near = 'A';
     char far = 'A';
 };
 
-// An edge of a kind of face: "B_C2".
+// An edge of a face type, such as "B_C2".
 struct FaceEdge {
     char face = 'A';
     EdgeLabel edge = EdgeLabel::Origin;
@@ -82,10 +82,11 @@ struct Rule {
     std::string name;
     TextPlace place;
     char face = 'A';
-    // The names of the face's own attributes, as the text numbers them; no value for one without.
+    // Names that the rule gives to the face's attributes, by name index; no value for an unnamed
+    // attribute.
     std::vector<std::optional<std::size_t>> formal;
     std::vector<Statement> always;
-    Expression condition; // Empty: always met.
+    Expression condition; // Empty: always true.
     std::vector<Statement> if_met;
     std::variant<Growing, Splitting, Gluing> kind;
 };
@@ -93,32 +94,32 @@ struct Rule {
 // A leaf grammar (Peyrat, Terraz, Mérillou, Galin, "Generating vast varieties of realistic leaves
 // with parametric 2Gmap L-systems", The Visual Computer 24, 2008).
 struct Grammar {
-    std::string name; // The file's name, for messages.
+    std::string name; // File name, for messages.
     std::map<char, Attributes> faces;
     NameTable names;
-    std::map<std::size_t, double> variables; // Values at the beginning.
+    std::map<std::size_t, double> variables; // Initial values.
     char axiom = 'A';
     Fields axiom_fields;
     std::vector<Rule> rules;
-    // The limb reaches the stalk: #base.
+    // #base: the limb extends down to the petiole.
     bool has_base = false;
-    // Faces whose edges no limb is fastened to: #bare.
+    // #bare: faces to whose edges no limb is attached.
     std::set<char> bare;
-    // Faces whose length is a share of the way from where they start to the outline: #reach.
+    // #reach: faces whose length is a share of the distance from their beginning to the outline.
     std::set<char> reaching;
-    // The margin between vein tips, in the frame of the stalk's end: #outline and #margin.
+    // #outline and #margin: the margin between vein tips, in the frame of the petiole's end.
     HalfOutline outline;
-    // The left half where it differs from the right one, its x to the left: #left. None: it mirrors
-    // the right half.
+    // #left: the left half if it differs from the right one, with x positive to the left. Empty:
+    // mirror image of the right half.
     std::vector<HalfOutline::Point> left;
-    // Properties of the adult leaf: #steps, #size. 0: the text says nothing.
+    // #steps and #size: properties of the adult leaf; 0: not given.
     int steps = 0;
-    double size_mm = 0; // The blade's length.
-    // sRGB, 0 to 1: #young and #old.
+    double size_mm = 0; // Length of the blade.
+    // #young and #old: colours, sRGB from 0 to 1.
     Vec3 young { 0.36, 0.54, 0.22 };
     Vec3 old { 0.72, 0.50, 0.16 };
 
-    // The left half with the margin that both halves have.
+    // The left half, with the margin that both halves share.
     HalfOutline left_outline() const
     {
         auto half = outline;
@@ -128,8 +129,8 @@ struct Grammar {
     }
 };
 
-// Fails, as the user's fault, with file, line and column and one sentence. Any text is safe to
-// give.
+// Parses a grammar. Fails with a user error of one sentence that gives file, line and column. Safe
+// for arbitrary input.
 Result<Grammar> parse_grammar(std::string_view text, std::string const& name);
 
 } // namespace tractus::leaf

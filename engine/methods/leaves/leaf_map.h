@@ -15,23 +15,23 @@ using Dart = std::int32_t;
 using Vertex = std::int32_t;
 using FaceId = std::int32_t;
 
-// An edge's name within its face: O is the edge at which the face was grown, E the one across from
-// it, C1, C2, … are the sides.
+// Name of an edge within its face: O is the edge on which the face was grown, E the opposite one,
+// C1, C2, … are the sides.
 enum class EdgeLabel : std::uint16_t { Origin, Extremity, FirstSide, LimbSide = 0xFFFE, LimbEnd };
 
-// C1 for 1 and so on.
+// Label C<number>, counting from 1.
 constexpr EdgeLabel side_label(int number)
 {
     return static_cast<EdgeLabel>(static_cast<int>(EdgeLabel::FirstSide) + number - 1);
 }
 
-// The labels of a face of so many edges, 3 or more, counter-clockwise from O: the right sides, E,
+// Labels of a face with this many edges (at least 3), counter-clockwise from O: the right sides, E,
 // the left sides. A quad has O C1 E C2.
 std::vector<EdgeLabel> edge_labels(int edge_count);
 
 bool has_edge(int edge_count, EdgeLabel label);
 
-// How many cells of each kind there are.
+// Number of cells of each kind.
 struct MapCounts {
     std::size_t faces = 0;
     std::size_t edges = 0;
@@ -40,7 +40,7 @@ struct MapCounts {
     std::size_t components = 0;
     std::size_t border_edges = 0;
     std::size_t border_cycles = 0;
-    // Triangles that the faces can be cut into: n - 2 for each of n edges.
+    // Number of triangles after triangulation: n - 2 for a face of n edges.
     std::size_t triangles = 0;
 
     std::ptrdiff_t euler_characteristic() const
@@ -50,13 +50,12 @@ struct MapCounts {
 };
 
 // A 2-G-map (Lienhardt, "N-dimensional generalized combinatorial maps and cellular
-// quasi-manifolds", 1994) whose faces are closed, embedded in space, and its vertices.
+// quasi-manifolds", 1994) with closed faces, embedded in space.
 //
-// Each edge of a face has two darts: 2i, where it starts counter-clockwise round the face, and
-// 2i + 1, where it ends; so a0 needs no array. a1 leads to the neighbouring edge's dart at the same
-// vertex of the face, a2 to the dart at the same vertex of the face on the other side, or to itself
-// on the border. Each vertex has its place in space and in the flat leaf, which neither bends nor
-// twists.
+// Each edge of a face has two darts: 2i at its counter-clockwise start and 2i + 1 at its end, so a0
+// needs no storage. a1 is the dart of the neighbouring edge at the same vertex of the face. a2 is
+// the dart at the same vertex in the adjacent face, or the dart itself on the border. Each vertex
+// has a position in space and one in the flat leaf, which neither bends nor twists.
 class LeafMap {
 public:
     static Dart a0(Dart d) { return d ^ 1; }
@@ -71,48 +70,49 @@ public:
     Vec2 const& flat_of(Dart d) const { return flat(vertex(d)); }
     bool is_free(Dart d) const { return a2(d) == d; }
     std::size_t dart_count() const { return a1_.size(); }
-    std::size_t vertex_count() const { return positions_.size(); } // Merged ones counted as well.
+    // Includes vertices that were merged into others.
+    std::size_t vertex_count() const { return positions_.size(); }
 
-    // `flat` is its place in the flat leaf.
+    // `flat`: position in the flat leaf.
     Vertex add_vertex(Vec3 const& position, Vec2 const& flat);
     Vertex add_vertex(Vec3 const& position) { return add_vertex(position, position.head<2>()); }
 
     // Adds a face with these corners, counter-clockwise; edge i starts at corner i. Returns the
-    // dart that starts edge 0; the others follow it.
+    // start dart of edge 0; the others follow consecutively.
     Dart add_face(std::span<Vertex const> corners, FaceId face, std::span<EdgeLabel const> labels);
 
-    // Joins two free edges: d and e, ends of them, come to lie together, and so do their other
-    // ends, each halfway between the two.
+    // Sews two free edges at their darts d and e. Both pairs of end points are merged at their
+    // midpoints.
     void sew(Dart d, Dart e);
-    // Sews two edges whose ends lie together already.
+    // Sews two edges whose end points already coincide.
     void sew_in_place(Dart d, Dart e);
-    // The edge of d is two again.
+    // Separates the edge of d into two edges.
     void unsew(Dart d);
 
-    // Cuts the edge of d, which may be sewn, at `share` of the way from d. d keeps its vertex;
-    // gives the dart across from d, which comes to lie at the new one. On the other side of a sewn
-    // edge the dart that is joined with d keeps its vertex in the same way.
+    // Splits the edge of d, which may be sewn, at `share` of its length from d. d keeps its vertex;
+    // returns the other dart of d's half, which is at the new vertex. On the other side of a sewn
+    // edge, the dart joined to d keeps its vertex as well.
     Dart insert_vertex(Dart d, double share);
 
-    // Parts a face: the new edge runs from the vertex where e1 ends its edge to that where e2 does.
-    // The edges that follow e1 become the face `far`, on whose side the new edge is labelled
-    // `far_label`; the rest keeps its face. Gives the dart that starts the new edge in `far`.
+    // Splits a face by a new edge from the end of e1's edge to the end of e2's. The edges that
+    // follow e1 form the face `far`, where the new edge has the label `far_label`; the rest keeps
+    // its face. Returns the start dart of the new edge in `far`.
     Dart insert_edge(Dart e1, Dart e2, FaceId far, EdgeLabel near_label, EdgeLabel far_label);
 
-    // Takes away everything from this dart on: faces that were added last.
+    // Removes all darts from this one on, that is, the most recently added faces.
     void truncate(std::size_t dart_count);
 
-    // The darts that start the edges of a face, from d's edge on, counter-clockwise.
+    // The start darts of a face's edges, counter-clockwise, beginning with d's edge.
     std::vector<Dart> cycle(Dart d) const;
 
-    // Leads from the start of a free edge to that of the next one on the border.
+    // From the start of a free edge to the start of the next one along the border.
     Dart next_on_border(Dart d) const;
     std::vector<Dart> border(Dart d) const;
 
     MapCounts counts() const;
 
-    // Returns what contradicts the axioms of a 2-G-map with closed faces that can be oriented;
-    // empty if nothing does.
+    // Describes a violation of the axioms of an orientable 2-G-map with closed faces; empty if
+    // there is none.
     std::string fault() const;
 
 private:

@@ -6,7 +6,7 @@
 
 namespace tractus::leaf {
 
-// A page of square cells with a leaf each, rows from the top; `channels` bytes to a pixel.
+// An atlas of square cells with one leaf each, rows from the top; `channels` bytes per pixel.
 struct CellPage {
     int side = 0; // Pixels; a multiple of `cell`, which is a power of two.
     int cell = 0;
@@ -14,22 +14,22 @@ struct CellPage {
     std::vector<std::uint8_t> pixels {};
 };
 
-// Content of a page, which says how four of its bytes become one.
+// Type of content, which determines how four pixels are averaged.
 enum class PageKind {
-    Color,  // sRGB, mixed in linear light; a fourth channel is alpha.
-    Normal, // Directions: they stay of length 1.
+    Color,  // sRGB, averaged in linear light; an optional fourth channel is alpha.
+    Normal, // Unit vectors, renormalised.
     Plain,
 };
 
-// Returns the page half as wide and high. Its cells must be 2 pixels wide or more.
+// The page at half its resolution. Its cells must be at least 2 pixels wide.
 CellPage half_page(CellPage const& page, PageKind kind);
 
-// How much of each cell is there where what is less than half opaque is cut away, 0 to 1, in the
-// order of the cells. The page has four channels.
+// Share of each cell's pixels with alpha of at least one half, 0 to 1, in order of the cells. The
+// page must have four channels.
 std::vector<double> alpha_coverage(CellPage const& page);
 
-// Scales the alpha of each cell so that as much of it is there as `wanted` says (Castaño,
-// "Computing alpha mipmaps", 2010): means of alpha lose what is thin.
+// Scales the alpha of each cell so that alpha_coverage() returns `wanted` (Castaño, "Computing
+// alpha mipmaps", 2010); plain averaging makes thin parts vanish.
 void keep_coverage(CellPage& page, std::span<double const> wanted);
 
 } // namespace tractus::leaf

@@ -8,8 +8,9 @@
 
 namespace tractus::leaf {
 
-// Half a blade's margin in the flat leaf, from the stalk's end at (0, 0) to the tip: x to the right
-// of the leaf's axis, y along it. The curve passes through the points and breaks at corners.
+// Half of a blade's margin in the flat leaf, from the petiole's end at (0, 0) to the tip: x to the
+// right of the leaf's axis, y along it. The curve passes through the points and can have corners at
+// them.
 struct HalfOutline {
     struct Point {
         Vec2 at = Vec2::Zero();
@@ -17,56 +18,56 @@ struct HalfOutline {
 
         bool operator==(Point const&) const = default;
     };
-    std::vector<Point> points {}; // None: the grammar has no outline.
+    std::vector<Point> points {}; // Empty: the grammar has no outline.
 
     enum class Margin { Entire, Teeth, Scallops };
     Margin margin = Margin::Entire;
-    int count = 0;    // Number of teeth or scallops, on this half.
-    double depth = 0; // Theirs, as a length; they fade towards both ends.
-    double lean = 0;  // 0 to 1: how far they point towards the tip.
+    int count = 0;    // Number of teeth or scallops on this half.
+    double depth = 0; // Depth of the teeth, as a length; they fade towards both ends.
+    double lean = 0;  // How far teeth point towards the tip, 0 to 1.
 };
 
-// The whole margin of one leaf: a closed line, counter-clockwise from the stalk's end.
+// The whole margin of one leaf: a closed polyline, counter-clockwise from the petiole's end.
 class Outline {
 public:
-    // How far one leaf differs from the next: standard deviations.
+    // Standard deviations of the variation between leaves.
     struct Variation {
-        double width = 0.06;  // Variation of the factor on x.
-        double point = 0.012; // Variation of each point's place, as a share of the blade's length.
+        double width = 0.06;  // Of the factor on x.
+        double point = 0.012; // Of each point's position, as a share of the blade's length.
     };
 
-    // No points: an outline that nothing reaches. The halves vary each by itself.
+    // Without points there is no outline for veins to reach. The two halves vary independently.
     Outline(HalfOutline const& half, Variation const& variation, Random& random)
         : Outline(half, half, variation, random)
     {
     }
 
-    // Halves that differ end at one tip; the left one's x is to the left.
+    // Different halves with a common tip; in the left one x is positive to the left.
     Outline(HalfOutline const& right_half, HalfOutline const& left_half, Variation const& variation,
             Random& random);
 
     bool empty() const { return line_.empty(); }
     std::vector<Vec2> const& line() const { return line_; }
 
-    // How far the outline is from there in that direction; 0 where the way meets none.
+    // Distance from a point to the outline in a direction; 0 if there is no intersection.
     double reach(Vec2 const& from, Vec2 const& direction) const;
 
-    // The points of the line on the way from beside `from` to beside `to`, counter-clockwise. None
-    // where one of them is farther than `tolerance` from the line or the way is most of it.
+    // The outline's points from next to `from` to next to `to`, counter-clockwise. Empty if either
+    // is farther than `tolerance` from the outline, or if this is more than half the way around.
     std::vector<Vec2> between(Vec2 const& from, Vec2 const& to, double tolerance) const;
 
-    // Whether the way along the line from beside `from` to beside `to`, counter-clockwise, is not
-    // most of it.
+    // True if the way along the outline from `from` to `to`, counter-clockwise, is at most half of
+    // it.
     bool goes_forward(Vec2 const& from, Vec2 const& to) const;
 
 private:
     struct Place {
-        double along = 0; // Place in points of the line.
+        double along = 0; // Position as a fractional index.
         double distance = 0;
     };
-    // A piece of the line in a circle, so that what is elsewhere need not be looked at.
+    // Part of the outline with its bounding circle, for fast rejection.
     struct Part {
-        std::size_t begin = 0; // Points; each with the way to the next one.
+        std::size_t begin = 0; // Range of points, each with the segment to the next one.
         std::size_t end = 0;
         Vec2 middle = Vec2::Zero();
         double radius = 0;

@@ -11,81 +11,82 @@
 
 namespace tractus::leaf {
 
-// How a leaf stands in its picture: on the lower edge, but for a margin.
+// Placement of a leaf in its picture: at the lower edge, inside a margin.
 struct PictureStand {
-    double margin = 0.03; // Empty all round, as a share of the picture's side.
+    double margin = 0.03; // Empty border, as a share of the picture's side.
     enum class Middle {
-        Box, // The leaf's box is in the middle,
-        Stem // or the middle of the first face's edge O: the stalk's end.
+        Box, // Horizontally centred by the leaf's bounding box,
+        Stem // or by the petiole's end, the middle of the first face's edge O.
     };
     Middle middle = Middle::Box;
 };
 
 struct PaintOptions {
-    int side = 512; // Side of the pictures, in pixels.
+    int side = 512; // Side of the square pictures, in pixels.
     PictureStand stand {};
-    bool has_underside = false;      // Whether that is painted, too.
-    double age = 0;                  // 0: young, 1: old, as the colours go.
+    bool has_underside = false;      // Also paint the underside.
+    double age = 0;                  // Colour age, 0 young to 1 old.
     Vec3 young { 0.36, 0.54, 0.22 }; // sRGB, 0 to 1.
     Vec3 old { 0.72, 0.50, 0.16 };
     Vec3 dead { 0.35, 0.24, 0.14 };
-    double dead_age = 0; // 0 to 1: how far the old colour has become the dead one, by the same law.
-    enum class First { NearVeins, BetweenVeins }; // Places that grow old first.
+    double dead_age = 0; // Progress from the old to the dead colour, 0 to 1, by the same law.
+    enum class First { NearVeins, BetweenVeins }; // The places that age first.
     First first = First::NearVeins;
-    double near_veins = 0.8; // How much earlier it does.
-    double noise = 0.5;      // How much later masks let places grow old.
-    double tip = 0;          // 0 to 1: how much of the masks is the way from the tip, the rest
-                             // patches of noise: at 1, the tip grows old first.
-    double spots = 0;        // 0 to 1: how much of the leaf has brown spots.
-    double mildew = 0;       // 0 to 1: how much of it is white with mildew.
-    int mines = 0;           // Pale ways that larvae have eaten under its skin.
+    double near_veins = 0.8; // Strength of that effect.
+    double noise = 0.5;      // Strength with which the noise masks delay ageing.
+    double tip = 0;    // Share of the masks, 0 to 1, that is the distance from the tip instead of
+                       // noise; at 1 the tip ages first.
+    double spots = 0;  // Share of the leaf with brown spots, 0 to 1.
+    double mildew = 0; // Share of the leaf with white mildew, 0 to 1.
+    int mines = 0;     // Number of leaf mines, pale tunnels of larvae under the epidermis.
     Larvae larvae {};
-    bool is_skeleton = false; // Nothing but veins is left.
+    bool is_skeleton = false; // Only the veins are left.
     std::uint64_t seed = 1;
 };
 
-// Pictures of a flat leaf: rows from the top, `side` pixels each way. Outside of the leaf, where
-// alpha is 0, the colours of what is nearest go on, so that smaller pictures mix leaves' colours
-// only.
+// Textures of a flat leaf: `side` rows from the top of `side` pixels. Outside the leaf (alpha 0)
+// the colours of the nearest parts continue, so that mipmaps only mix colours of the leaf.
 struct LeafPicture {
     int side = 0;
-    std::vector<std::array<std::uint8_t, 4>> color;  // sRGB and straight alpha.
-    std::vector<std::array<std::uint8_t, 3>> normal; // glTF's: green is up.
-    // glTF's: red is occlusion, green roughness, blue metal, which is 0.
+    std::vector<std::array<std::uint8_t, 4>> color;  // sRGB with straight alpha.
+    std::vector<std::array<std::uint8_t, 3>> normal; // As in glTF: green is up.
+    // As in glTF: red is occlusion, green roughness, blue metalness (0).
     std::vector<std::array<std::uint8_t, 3>> roughness;
     std::vector<std::uint8_t> translucency;
-    // Pictures of the leaf seen from below, in the same places; empty unless it was asked for. Its
-    // veins stand out twice as far where they are grooves above.
+    // Textures of the underside at the same texture coordinates; empty unless requested. Veins that
+    // are grooves on the upper side stand out twice as far here.
     std::vector<std::array<std::uint8_t, 3>> under_color;
     std::vector<std::array<std::uint8_t, 3>> under_normal;
 
-    // Values that the pictures are made from, for each pixel. Only coverage, alpha and protection
-    // have values where neither the leaf is nor its edge.
-    std::vector<float> coverage;  // Share of the pixel under the leaf, before larvae.
-    std::vector<float> alpha;     // Rest of it after larvae.
-    std::vector<float> distance;  // To the nearest vein's side, in pixels, 0 inside; at most reach.
-    std::vector<float> closeness; // D of the colour law: 0 at veins, 1 between them.
+    // Intermediate maps, one value per pixel. Outside the leaf and its edge only coverage, alpha
+    // and protection have values.
+    std::vector<float> coverage; // Share of the pixel covered by the leaf, before larvae.
+    std::vector<float> alpha;    // The same after larvae.
+    // Distance to the nearest vein's side, in pixels; 0 inside, at most reach.
+    std::vector<float> distance;
+    std::vector<float> closeness;  // D of the colour law: 0 at veins, 1 between them.
     std::vector<float> protection; // P: 1 where larvae spare a vein.
     std::vector<float> age;        // m of the colour law: 0 young, 1 old.
-    std::vector<float> height; // Height of the relief, as a share of what a vein stands out twice.
+    std::vector<float> height;     // Height of the relief, in units of twice a vein's height.
     float reach = 0;
 };
 
-// Where in the picture the flat leaf lies: the longer side of its box fills it but for a margin.
+// Transform from the flat leaf to the picture: the longer side of its bounding box fills the
+// picture inside the margin.
 struct PictureFrame {
     PictureFrame(LeafTriangles const& leaf, int side, PictureStand const& stand = {});
     Vec2 pixel(Vec2 const& flat) const
     {
         return { x0 + scale * (flat.x() - origin.x()), y0 - scale * (flat.y() - origin.y()) };
     }
-    Vec2 origin = Vec2::Zero(); // Point of the flat leaf that stands on the middle,
-    double x0 = 0;              // and its pixel.
+    Vec2 origin = Vec2::Zero(); // The point of the flat leaf that is at the horizontal middle,
+    double x0 = 0;              // and its pixel column.
     double y0 = 0;
-    double scale = 1; // Pixels for a length of 1.
+    double scale = 1; // Pixels per unit of length.
 };
 
-// Paints one leaf after another in the same memory. Any number of threads gives the same bytes, and
-// so does a painter that has painted others before. Used by one thread at a time.
+// Paints leaves one after another, reusing its memory. The result does not depend on the number of
+// threads or on earlier leaves. Not thread-safe.
 class LeafPainter {
 public:
     LeafPainter();
@@ -93,7 +94,7 @@ public:
     LeafPainter(LeafPainter&&) noexcept;
     LeafPainter& operator=(LeafPainter&&) noexcept;
 
-    // The picture stands until the next one is painted. A leaf without an extent is an empty one.
+    // The result is valid until the next call. A leaf without extent gives an empty picture.
     LeafPicture const& paint(Leaf const& leaf, LeafTriangles const& triangles,
                              PaintOptions const& options);
 
@@ -107,8 +108,8 @@ private:
 LeafPicture paint_leaf(Leaf const& leaf, LeafTriangles const& triangles,
                        PaintOptions const& options);
 
-// The colour law (Peyrat et al. 2008, section 4, "two colours"): how old a place is, 0 to 1, of a
-// leaf whose colours have that age; `closeness` and `noise` are 0 to 1.
+// The colour law (Peyrat et al. 2008, section 4, "two colours"): local age, 0 to 1, in a leaf of
+// colour age `age`; `closeness` and `noise` are 0 to 1.
 double age_at(double age, double closeness, double noise, PaintOptions const& options);
 
 } // namespace tractus::leaf

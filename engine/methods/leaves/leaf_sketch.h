@@ -15,81 +15,86 @@
 
 namespace tractus::leaf {
 
-// What a person changes of a drawn leaf beside its lines. As it is, the leaf is as drawn.
+// Adjustments to a drawn leaf; the defaults leave it as drawn.
 struct LeafForm {
-    double bend_deg = 0;       // Added to the midrib's bend, downwards: -180 to 180.
-    double rise_deg = 0;       // Added to the blade's rise beside the midrib: -90 to 90.
-    double vein_curve_deg = 0; // Side veins turn by that much more towards the tip: -90 to 90.
-    double vein_width = 1;     // Times as wide: 0.2 to 5.
-    int teeth = 0;             // On each half; 0: the margin is as drawn. At most 60.
-    double tooth_depth = 0.02; // Of the blade's length: 0 to 0.2; only with teeth.
-    double variation = 1;      // Times as much from leaf to leaf, for what wears them: 0 to 4.
+    double bend_deg = 0; // Added to the downward bend of the midrib, -180 to 180.
+    double rise_deg = 0; // Added to the rise of the blade on both sides of the midrib, -90 to 90.
+    double vein_curve_deg = 0; // Added to the side veins' turn towards the tip, -90 to 90.
+    double vein_width = 1;     // Factor on the width of veins, 0.2 to 5.
+    int teeth = 0;             // Teeth on each half, at most 60; 0: the margin is as drawn.
+    double tooth_depth = 0.02; // As a share of the blade's length, 0 to 0.2; only used with teeth.
+    double variation = 1;      // Factor on the variation between the leaves of a plant, 0 to 4.
 
     bool operator==(LeafForm const&) const = default;
 };
-Result<void> check_form(LeafForm const& form); // Refuses what is out of range, as the user's fault.
+// Fails with a user error if a value is out of range.
+Result<void> check_form(LeafForm const& form);
 
-// A line of a leaf as a pen drew it.
+// A drawn line of a leaf.
 struct LeafLine {
     scene::ItemId id = 0;
-    Stroke stroke {}; // World frame: x and y on the tablet as on upright paper, z the height.
+    Stroke stroke {}; // World frame; x and y are taken as an upright sheet of paper, z is the
+                      // height of the surface.
 };
 
-// What the lines of a sketch are, and the leaf in numbers.
+// Recognition result: the roles of the sketch's lines, and the leaf's parameters.
 struct SeenLeaf {
     RecognisedLeaf lines;
     LeafFit fit;
-    bool is_midrib_guessed = false; // Its stroke is one more than there are then.
-    // Why one of the lines is no part of the leaf, which is then as without it; its role is that of
-    // a finer vein. Empty: all are.
+    // True: the midrib was added; its index is one past the last stroke.
+    bool is_midrib_guessed = false;
+    // Reason why one line was ignored; that line has the role of a finer vein. Empty: all lines
+    // were used.
     std::string left_out {};
 };
 
-// A leaf that is drawn on paper which stands upright (engine/scene/paper.h): the source of a plant.
-// Depth towards the viewer is the surface's height above where the first line began. It gives a
-// plant at every stage: lines that are no leaf yet are stems along them.
+// A leaf drawn on an upright sheet of paper (engine/scene/paper.h); the source of a plant. Depth
+// towards the viewer is the surface's height relative to the beginning of the first line. It gives
+// a plant at every stage: lines that are no leaf yet become stems.
 struct LeafSketch {
     static scene::SourceKind const kKind;
 
-    std::vector<LeafLine> lines {}; // At least one, in the order in which they were drawn.
+    std::vector<LeafLine> lines {}; // At least one, in order of drawing.
     LeafForm form {};
     double scale = 0.1; // World millimetres per plant millimetre.
-    // What the lines are; null: no leaf yet. It follows from them: with_line() sets it.
+    // Result of see_leaf(), kept up to date by with_line(); null: no leaf yet.
     std::shared_ptr<SeenLeaf const> seen {};
-    // Of which leaf of the kind it is the source; none: the one that was drawn.
+    // Seed of another leaf of the same kind; no value: the leaf as drawn.
     std::optional<std::uint64_t> seed {};
     double spread = 1;
 };
 
-// The sketch's lines in millimetres of the paper: (x, y, depth).
+// The sketch's lines on the paper, (x, y, depth) in millimetres.
 Result<LeafDrawing> drawing_of(LeafSketch const& sketch);
 
-// Where the plant stands on the paper: below its lowest place. Fails where tips cannot be read.
+// Position of the plant's base on the paper: below its lowest point. Fails if the pen data cannot
+// be read.
 Result<Vec2> foot_of(LeafSketch const& sketch);
 
-// What the lines are. A closed line without a midrib has one from where the pen began to its
-// farthest point, an open one that is alone from end to end. Where all lines give no leaf, one of
-// the newest is left out. Fails, as the user's fault, like recognise_leaf() and fit_leaf().
+// Recognises a sketch. A closed line without a midrib gets one from where the pen began to the
+// line's farthest point; a single open line is taken as a half outline with a midrib from end to
+// end. If all lines together give no leaf, one of the newest is ignored. Fails with a user error
+// like recognise_leaf() and fit_leaf().
 Result<SeenLeaf> see_leaf(LeafSketch const& sketch);
 
-// The sketch with one more line, which takes the place of one that it draws again: a closed line
-// that of the closed one around which it lies or in which, any other one that of a line that it
-// follows within 2.5 mm. Fails, as the user's fault, for a dot and for more than 200 lines.
+// Adds a line, replacing the one that it redraws: a closed line replaces a closed one that contains
+// it or that it contains; any other line replaces one that it follows within 2.5 mm. Fails with a
+// user error for a dot, or for more than 200 lines.
 Result<LeafSketch> with_line(LeafSketch sketch, LeafLine line);
 
-// Without one of them. Fails, as the user's fault, for one that is not there and for the last one.
+// Removes a line. Fails with a user error if there is no such line, or if it is the last one.
 Result<LeafSketch> without_line(LeafSketch sketch, scene::ItemId line);
 
-// The numbers of the leaf that was drawn, with what the form changes; no value: it is none yet.
+// The drawn leaf's parameters with the form's adjustments; no value if there is no leaf yet.
 std::optional<DrawnLeaf> formed_leaf(LeafSketch const& sketch);
 
-// As a grammar's text, for plants that wear it and for people (print_grammar()). Fails, as the
-// user's fault, where the lines are no leaf yet.
+// The leaf as a grammar's text, for use on plants and for editing (print_grammar()). Fails with a
+// user error if the lines are no leaf yet.
 Result<std::string> grammar_text(LeafSketch const& sketch, std::string const& title);
 
-// The plant: as large as drawn when it is shown at its scale, the place of foot_of() at the origin.
-// The blade is as in the drawing; its veins and limb are polygons on the end of its stalk. Fails,
-// as the user's fault, for a form that check_form() refuses, or with which the grammar gives none.
+// Builds the plant: as large as drawn when shown at its scale, with foot_of() at the origin. The
+// blade is posed as in the drawing; veins and limb are polygons at the end of the petiole. Fails
+// with a user error if check_form() refuses the form, or if the grammar gives no leaf with it.
 Result<scene::BuiltSource> build_leaf(LeafSketch const& sketch,
                                       scene::LoadOptions const& options = {});
 

@@ -8,20 +8,20 @@
 
 namespace tractus::leaf {
 
-// Adds a line to a leaf on paper: see with_line().
+// Adds a line to a leaf on paper; see with_line().
 struct AddLeafLine {
     static scene::EditKind const kKind;
 
-    scene::ItemId plant = 0; // 0: the line begins another leaf, which becomes the active plant.
+    scene::ItemId plant = 0; // 0: begins a new leaf, which becomes the active plant.
     Stroke stroke {};        // World frame.
-    // Of a leaf that begins.
+    // The following fields are for a new leaf only.
     LeafForm form {};
-    double scale = 0.1;               // A document whose scale nobody has set keeps it.
-    Vec3 stands_at_mm = Vec3::Zero(); // Of foot_of(). World frame.
-    scene::ItemId id = 0; // Of the line, and of the plant that it begins; 0: it has none yet.
+    double scale = 0.1;               // Becomes the document's scale if none was set.
+    Vec3 stands_at_mm = Vec3::Zero(); // Position of foot_of(), world frame.
+    scene::ItemId id = 0; // Id of the line, and of the plant that it begins; 0: none assigned yet.
 };
 
-// Takes a line of a leaf away. Its last one is refused: RemovePlant takes the whole.
+// Removes a line of a leaf. Removing the last line is refused; use RemovePlant instead.
 struct EraseLeafLine {
     static scene::EditKind const kKind;
 
@@ -29,7 +29,7 @@ struct EraseLeafLine {
     scene::ItemId line = 0;
 };
 
-// Sets what is changed of a leaf beside its lines.
+// Sets the adjustments to a drawn leaf.
 struct FormLeaf {
     static scene::EditKind const kKind;
 
@@ -37,13 +37,13 @@ struct FormLeaf {
     LeafForm form {};
 };
 
-// Null for a plant that was not drawn as a leaf.
+// Null if the plant was not drawn as a leaf.
 LeafSketch const* leaf_sketch(scene::PlantState const& plant);
 
-// The active plant's; null where there is none, or it was not drawn so.
+// The leaf sketch of the active plant; null if there is none.
 LeafSketch const* active_leaf_sketch(scene::DocumentState const& state);
 
-// Says what there is of a leaf, and what it still lacks, to the person who draws it.
+// Describes for the user what the leaf consists of and what is still missing.
 std::string said_of(LeafSketch const& sketch);
 
 } // namespace tractus::leaf

@@ -7,21 +7,21 @@
 
 namespace tractus::leaf {
 
-// A number from 0 to 1 for a point of a grid.
+// Hash of a grid point, 0 to 1.
 double grid_hash(std::uint64_t seed, std::int64_t x, std::int64_t y);
 
-// A square of noise that repeats in both directions, 0 to 1 in each place. Found once for the whole
-// program: noise by the pixel would take longer than all else that is painted.
+// A table of tileable noise, values 0 to 1. Computed once per program, because noise per pixel
+// would take longer than all other painting.
 class NoiseTable {
 public:
     // Clouds: three octaves of value noise.
     static NoiseTable const& clouds();
-    // The net of the smallest veins: 1 on them, 0 between; larger meshes with smaller ones inside
-    // (Worley, "A cellular texture basis function", 1996).
+    // The network of the smallest veins: 1 on them, 0 between them; large meshes subdivided by
+    // smaller ones (Worley, "A cellular texture basis function", 1996).
     static NoiseTable const& net();
 
-    // Value at a place in meshes or clouds of the first octave; at least 0. Between the table's
-    // points it is interpolated.
+    // Interpolated value at a position given in cells of the first octave (or large meshes), at
+    // least 0.
     float at(float x, float y) const
     {
         float const u = x * per_cell_;
@@ -49,16 +49,17 @@ private:
         return values_.data() + static_cast<std::size_t>(j & kMask) * kSide;
     }
 
-    float per_cell_ = 1; // Points of the table.
+    float per_cell_ = 1; // Table entries per cell.
     std::vector<float> values_;
 };
 
-// A table laid over a picture: `cells` of it on the picture's side, from a place that `seed` says.
+// A noise table mapped to a picture: `cells` cells along the picture's side, with an offset derived
+// from `seed`.
 class Noise {
 public:
     Noise(NoiseTable const& table, std::uint64_t seed, double cells);
 
-    // x and y: 0 to 1 on the picture.
+    // x and y from 0 to 1 over the picture.
     float at(float x, float y) const { return table_->at(x0_ + scale_ * x, y0_ + scale_ * y); }
 
 private:

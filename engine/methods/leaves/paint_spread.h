@@ -5,8 +5,8 @@
 
 namespace tractus::leaf {
 
-// Fills the tiles that are not near the leaf: each with the mean of the leaf's pixels in the
-// smallest square round it that has any, so that colours go on to the picture's edge.
+// Fills the unmarked tiles with the mean colour of the leaf's pixels in the smallest surrounding
+// square that has any, so that colours continue to the picture's edge.
 void spread_colors(LeafPicture& picture, TileGrid const& tiles);
 
 } // namespace tractus::leaf

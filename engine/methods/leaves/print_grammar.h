@@ -8,12 +8,12 @@
 
 namespace tractus::leaf {
 
-// A drawn leaf as a grammar's text (parse_grammar). Each number has a line of its own, by name, so
-// that a slider or a keyboard can change it; derived with Options::variation 0, the grammar gives
-// the drawn leaf. `title` is one line of text, for the remark at its begin.
+// A drawn leaf as a grammar's text (parse_grammar()). Each parameter is a named variable on its own
+// line, so that a slider or a keyboard can change it. Derived with Options::variation 0, the
+// grammar gives the drawn leaf. `title` is one line of text for the comment at the beginning.
 std::string print_grammar(DrawnLeaf const& leaf, std::string const& title);
 
-// The numbers that such a text names. No value for a grammar that does not name them all.
+// Reads the parameters back from such a grammar; no value if one is missing.
 std::optional<DrawnLeaf> read_drawn_leaf(Grammar const& grammar);
 
 } // namespace tractus::leaf
