@@ -8,19 +8,19 @@ namespace tractus::drivers {
 
 // Role of a device in the station.
 enum class DeviceKind {
-    Pen,    // make_pen_decoder takes it.
-    Height, // make_height_decoder takes it.
-    Other,  // Neither does.
+    Pen,    // Supported by make_pen_decoder().
+    Height, // Supported by make_height_decoder().
+    Other,  // Supported by neither.
 };
 
 struct DeviceDescription {
     DeviceKind kind = DeviceKind::Other;
-    // "pen tablet, 152.0 x 95.0 mm", "height sensor, 0 to 4095"; for the others the reason why they
-    // are neither, as a sentence.
+    // For a pen or height sensor a summary, such as "pen tablet, 152.0 x 95.0 mm" or "height
+    // sensor, 0 to 4095"; for other devices a sentence that says why they are neither.
     std::string text {};
 };
 
-// Tells from the report descriptor alone.
+// Classifies a device from its ids and report descriptor, without reading reports.
 DeviceDescription describe_device(DeviceInfo const&);
 
 } // namespace tractus::drivers

@@ -25,7 +25,7 @@ namespace tractus::drivers {
 
 namespace {
 
-// hidapi keeps what went wrong in one place for all threads.
+// hidapi stores its last error globally, so calls must be serialised.
 std::mutex& library_mutex()
 {
     static std::mutex mutex;
@@ -75,7 +75,7 @@ static Result<DeviceInfo> find_at_address(std::string_view text)
 
 Result<DeviceInfo> find_device(std::string_view text)
 {
-    // A GPIO chip's label may have an @ of its own, and its converter has no settings.
+    // A GPIO chip's label may contain an @, and its converters have no settings.
     auto const at = text.starts_with("gpio:") ? text.size() : std::min(text.find('@'), text.size());
     auto info = TRY(find_at_address(text.substr(0, at)));
     info.settings = text.substr(std::min(at + 1, text.size()));

@@ -10,15 +10,14 @@
 
 namespace tractus::drivers {
 
-// Every device that can be found without being told where: HID devices by their hidraw nodes, pens
-// that have none by their event nodes, then
-// the USB devices that are height sensors, serial lines over USB, and channels of industrial I/O.
-// What is on GPIO lines cannot be found, and is named by its address. Needs no permission. Safe to
-// call from any thread.
+// Lists every device that can be discovered: HID devices by their hidraw nodes, pens without one by
+// their event nodes, then USB height sensors, USB serial ports, and channels of industrial I/O.
+// Devices on GPIO lines cannot be discovered and must be named by their address. Needs no
+// permissions. Thread-safe.
 std::vector<DeviceInfo> list_devices();
 
-// Lists devices by every address that can be opened: a tablet on USB stands there by its node and,
-// at the end, by its "libusb:" address as well, as list_usb_tablets has it.
+// Lists devices under every address by which they can be opened. A USB tablet appears under its
+// node and, at the end of the list, also under its "libusb:" address (list_usb_tablets()).
 std::vector<DeviceInfo> list_device_addresses();
 
 // Returns what is known of the device at an address (see drivers/device_address.h). A GPIO
@@ -35,10 +34,9 @@ std::vector<DeviceInfo> list_device_addresses();
 //   iio:ads1015:voltage0@max=2047  drivers/sensors/iio_channel.h
 Result<DeviceInfo> find_device(std::string_view address);
 
-// Opens a device with the driver that its location and ids ask for. Safe to call from any thread,
-// since the libraries' own opening is not: one device at a time is opened. Fails, as the user's
-// fault, for a location that is no address and for settings of a device that has none, and as the
-// driver does.
+// Opens a device with the driver for its location and ids. Thread-safe: devices are opened one at a
+// time, because the underlying libraries are not thread-safe there. Fails with a user error for a
+// malformed location or for settings of a device that has none, and as the driver does.
 Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info);
 
 } // namespace tractus::drivers

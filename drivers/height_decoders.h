@@ -8,11 +8,11 @@
 
 namespace tractus::drivers {
 
-// The decoder of a height sensor, chosen by what is known of the device alone, so that a log of
+// Makes the decoder for a height sensor, chosen by the device's description alone, so that a log of
 // any sensor replays as it was recorded.
 //
-// Fails, as the user's fault, if the device is no height sensor, and as the device's if what it
-// says of itself is broken.
+// Fails with a user error if the device is no height sensor, and with a device error if its
+// description is invalid.
 Result<std::unique_ptr<HeightDecoder>> make_height_decoder(DeviceInfo const&);
 
 } // namespace tractus::drivers

@@ -14,15 +14,15 @@ std::vector<LibraryVersion> library_versions()
 {
     auto const& usb = *libusb_get_version();
     return {
-        // hid_get_input_report, which no earlier one has.
+        // First version with hid_get_input_report().
         { "hidapi", hid_version_str(), "0.10.0" },
         { "libusb", fmt::format("{}.{}.{}", usb.major, usb.minor, usb.micro), "1.0.22" },
-        // Lines with a drive and a bias of their own.
+        // First version with drive and bias settings for each line.
         { "libgpiod", gpio_library_version(), "1.6" },
     };
 }
 
-// The number at the beginning of a version; what is behind its point stays.
+// Reads the leading number of a version and removes it and the following point.
 static int take_number(std::string_view& version)
 {
     int value = 0;

@@ -5,18 +5,18 @@
 
 namespace tractus::drivers {
 
-// A library of the system that a driver stands on.
+// A system library that a driver uses.
 struct LibraryVersion {
     std::string name {}; // "hidapi"
-    // The one that runs, or where it does not tell, that the program was built with.
+    // Version at run time; where the library does not report it, the version at build time.
     std::string version {};
-    std::string needed {}; // The oldest that does all we ask of it.
+    std::string needed {}; // The oldest version with everything that we use.
 };
 
 std::vector<LibraryVersion> library_versions();
 
-// Whether the first version, numbers with points between them, is the older one. What is no number
-// counts as 0.
+// True if the first version is older. Versions are numbers separated by points; other parts count
+// as 0.
 bool is_older_version(std::string const& version, std::string const& than);
 
 } // namespace tractus::drivers

@@ -38,13 +38,14 @@ Reconnection system_reconnection()
         .list = list_device_addresses,
         .open = open_device,
         .now = [] { return Timestamp(clock_time(CLOCK_MONOTONIC)); },
-        // The one clock counts while the machine sleeps, the other does not.
+        // CLOCK_BOOTTIME includes suspended time, CLOCK_MONOTONIC does not.
         .slept = [] { return clock_time(CLOCK_BOOTTIME) - clock_time(CLOCK_MONOTONIC); },
         .events = listen_to_udev,
     };
 }
 
-// Whether both are read through the kernel's driver, or both past it, since a device stays so.
+// True if both addresses use the kernel's driver, or both bypass it; a returning device is opened
+// the same way.
 static bool are_reached_alike(DeviceInfo const& a, DeviceInfo const& b)
 {
     auto const first = parse_device_address(a.location);
@@ -111,7 +112,7 @@ std::string ReconnectingSource::refusal() const
     return refusal_;
 }
 
-// Empty: nothing is in the way.
+// An empty reason means that nothing prevents opening.
 void ReconnectingSource::refuse(std::string reason)
 {
     if (reason.empty()) {
@@ -133,7 +134,7 @@ RawReport ReconnectingSource::lose()
     refuse({});
     reconnection_.open_locations->release(location_);
     is_connected_.store(false, std::memory_order_relaxed);
-    // Listening comes before the first look, so that nothing comes unnoticed in between.
+    // Listens before the first search, so that no event is missed in between.
     if (reconnection_.events)
         events_ = reconnection_.events();
     next_try_ = reconnection_.now();
@@ -143,7 +144,8 @@ RawReport ReconnectingSource::lose()
 Result<std::optional<RawReport>> ReconnectingSource::read(Duration timeout)
 {
     if (source_) {
-        constexpr Duration kSleep = 500ms; // The two clocks are not read at the same instant.
+        // Tolerance, because the two clocks are not read at the same instant.
+        constexpr Duration kSleep = 500ms;
         auto const slept = reconnection_.slept();
         if (std::exchange(slept_, slept) + kSleep < slept)
             return std::optional(lose());
@@ -167,7 +169,8 @@ void ReconnectingSource::wait_for_it(Duration timeout)
         look_for_it();
 }
 
-// Events tell of its coming. Where it is there and refused, its permissions may change without one.
+// True if an event will announce the device. No event announces a change of permissions of a device
+// that is present but could not be opened.
 bool ReconnectingSource::is_told_of_it() const
 {
     auto const address = parse_device_address(listed_.location);
@@ -194,8 +197,8 @@ void ReconnectingSource::try_to_find_it()
         try_to_open(found[*index]);
         return;
     }
-    refuse({}); // It is not there.
-    // What no list need name stands where it stood, if anywhere.
+    refuse({}); // The device is not present.
+    // A device that cannot be listed is tried at its previous address.
     auto const address = parse_device_address(listed_.location);
     if (address && is_only_named(*address))
         try_to_open(listed_);

@@ -18,11 +18,11 @@
 
 namespace tractus::drivers {
 
-// The locations that a program's sources have open, so that of two equal tablets the one that comes
-// back is not taken for the one that never left. Safe to use from any thread.
+// Locations opened by the program's sources, so that of two identical tablets a returning one is
+// not confused with the other, which is still open. Thread-safe.
 class OpenLocations {
 public:
-    // False if somebody else has it.
+    // False if another source has it open.
     bool take(std::string const& location);
     void release(std::string const& location);
 
@@ -31,62 +31,63 @@ private:
     std::set<std::string> taken_;
 };
 
-// How a lost device is looked for: the system's means, or those of a test.
+// System functions for finding a lost device; tests can replace them.
 struct Reconnection {
     std::function<std::vector<DeviceInfo>()> list;
     std::function<Result<std::unique_ptr<ReportSource>>(DeviceInfo)> open;
-    std::function<Timestamp()> now; // The clock of the reports.
+    std::function<Timestamp()> now; // Uses the same clock as the reports.
 
-    // How long the machine has slept since it was started.
+    // Total time that the machine has been suspended since boot.
     std::function<Duration()> slept;
 
-    // Tells that it is worth looking. Null, or gives null: nobody does.
+    // Opens a listener for device events. Null, or returning null: there are no events and the
+    // source only polls.
     std::function<std::unique_ptr<DeviceEvents>()> events {};
 
-    // How often to look where no events tell of the device, and where it is there but cannot be
-    // opened yet; and how often nevertheless, since events may be lost.
+    // Polling interval without events, and while a present device cannot be opened yet; and the
+    // longer interval beside events, since events can be lost.
     Duration retry_every = std::chrono::milliseconds(300);
     Duration retry_beside_events = std::chrono::seconds(5);
 
-    // Shared by all sources of the program, each on a thread of its own.
+    // Shared by all sources of the program, which run on different threads.
     std::shared_ptr<OpenLocations> open_locations = std::make_shared<OpenLocations>();
 };
 
-// The system's means (list_device_addresses, open_device, listen_to_udev).
+// Uses list_device_addresses(), open_device() and listen_to_udev().
 Reconnection system_reconnection();
 
-// Returns which of these devices, if any, is the one that was lost: same kind of address, ids,
-// interface, serial number and report descriptor; of several, the one at the same place of the bus.
-// Without a serial number a single candidate may stand at another place, since people use another
-// socket.
+// Index of the device that was lost, if it is in `found`. It must have the same kind of address,
+// ids, interface, serial number and report descriptor; of several, the one at the same port is
+// taken. A single candidate without a serial number may be at another port, because people change
+// sockets.
 std::optional<std::size_t> find_again(DeviceInfo const& lost, std::vector<DeviceInfo> const& found);
 
-// A device that may go away and come back. When it is lost, by unplugging or because the machine
-// slept (many tablets forget their mode then), an empty report says so, once, with the time. From
-// then on it is looked for, when devices have come or after Reconnection::retry_every, and its
-// reports go on when it is there again, whatever its node is called then. read() never fails: there
-// is always hope.
+// A source for a device that can disappear and return. When it is lost, by unplugging or because
+// the machine was suspended (many tablets forget their mode then), read() returns one empty report
+// with the time. From then on the device is searched, after device events or every
+// Reconnection::retry_every, and its reports continue once it is back, under whatever node. read()
+// never fails.
 //
-// Called from one thread; is_connected() from any.
+// Used from one thread, except is_connected(), which any thread may call.
 class ReconnectingSource final : public ReportSource {
 public:
-    // Opens the device at `info.location`. Fails as opening does.
+    // Opens the device at `info.location`. Fails like open_device().
     static Result<std::unique_ptr<ReconnectingSource>> open(DeviceInfo info,
                                                             Reconnection reconnection);
     ~ReconnectingSource() override;
 
-    // Describes the device as it was first opened, whatever it is called when it comes back.
+    // The description from the first opening, even if the device returns under another name.
     DeviceInfo const& info() const override { return info_; }
 
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
-    // Counts those of the device before it went away, too.
+    // Includes reports from before the device was lost.
     std::uint64_t too_long_count() const override;
 
     bool is_connected() const { return is_connected_.load(std::memory_order_relaxed); }
 
-    // Why the device, which is there again, cannot be opened; empty while it is away or in use.
-    // Said only after kPatience: at first udev is still at work. From any thread.
+    // Why the device, present again, cannot be opened; empty while it is absent or in use. Empty
+    // during the first kPatience, in which udev may still be setting permissions. Thread-safe.
     std::string refusal() const;
     static constexpr Duration kPatience = std::chrono::seconds(2);
 
@@ -102,19 +103,19 @@ private:
     bool is_told_of_it() const;
     void try_to_open(DeviceInfo const& info);
 
-    DeviceInfo listed_; // The device as it was found; opening may tell more of it.
+    DeviceInfo listed_; // As it was listed; opening can add more information.
     Reconnection reconnection_;
     std::unique_ptr<ReportSource> source_; // Null while the device is away.
     DeviceInfo info_;
-    std::string location_;                 // Where it is open.
-    std::unique_ptr<DeviceEvents> events_; // While the device is away.
+    std::string location_;                 // Location at which it is open.
+    std::unique_ptr<DeviceEvents> events_; // Only set while the device is away.
     Timestamp next_try_ {};
     Duration slept_ {};
     std::uint64_t too_long_before_ = 0;
     std::optional<Timestamp> refused_since_;
-    std::atomic<bool> is_connected_ = true; // Reading thread to any.
+    std::atomic<bool> is_connected_ = true; // Written by the reading thread, read by any.
     mutable std::mutex refusal_mutex_;
-    std::string refusal_; // Reading thread to any, under its mutex.
+    std::string refusal_; // Written by the reading thread, read by any, under its mutex.
 };
 
 } // namespace tractus::drivers

@@ -17,7 +17,7 @@ namespace tractus::drivers {
 
 namespace {
 
-constexpr std::uint16_t kBusSpi = 0x1c; // linux/input.h.
+constexpr std::uint16_t kBusSpi = 0x1c; // From linux/input.h.
 constexpr std::size_t kReportSize = 4;
 constexpr unsigned kNothingAnswered = 1;
 constexpr unsigned kHeldTooLong = 2;
@@ -33,7 +33,7 @@ constexpr std::array<Converter, 2> kConverters { {
 } };
 constexpr unsigned kChannels = 8;
 
-// The address' parts, checked.
+// The validated parts of an address.
 struct Place {
     GpioAddress address;
     Converter const* converter = nullptr;
@@ -64,10 +64,10 @@ void describe(DeviceInfo& info, GpioAddress const& address, Converter const& con
 {
     info.name = fmt::format("{} channel {} on {}", converter.name, address.channel, address.chip);
     info.bus = kBusSpi;
-    info.physical_path = info.location; // A log keeps it.
+    info.physical_path = info.location; // Stored in logs.
 }
 
-// The converter that a live or recorded device is by its name; none if it is none.
+// The converter type of a live or recorded device, by its name; null if it is no such device.
 Converter const* find_converter(DeviceInfo const& info)
 {
     if (info.bus != kBusSpi)
@@ -97,7 +97,7 @@ public:
     DeviceInfo const& info() const override { return info_; }
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
-    // Learns how quick the lines are; an error if nothing answers.
+    // Measures the speed of the lines; fails if nothing answers.
     Result<void> try_out();
 
 private:
@@ -143,7 +143,8 @@ RawReport encode(Mcp3208Reading const& reading, unsigned repeats)
 
 Result<std::optional<RawReport>> GpioAdcSource::read(Duration timeout)
 {
-    constexpr unsigned kMaxRepeats = 7; // Where each is interrupted, nothing better will come.
+    // If this many attempts are interrupted, further ones will be, too.
+    constexpr unsigned kMaxRepeats = 7;
     constexpr Duration kForEver = std::chrono::hours(24);
     auto const deadline = clock_.now() + std::min(timeout, kForEver);
     clock_.sleep_until(std::min(due_, deadline));
@@ -153,7 +154,7 @@ Result<std::optional<RawReport>> GpioAdcSource::read(Duration timeout)
     auto reading = TRY(convert());
     for (; reading.held > hold_limit_ && repeats < kMaxRepeats; ++repeats)
         reading = TRY(convert());
-    due_ = std::max(due_ + kGpioAdcPeriod, clock_.now()); // Missed readings are not made up for.
+    due_ = std::max(due_ + kGpioAdcPeriod, clock_.now()); // Missed readings are skipped.
     return std::optional(encode(reading, repeats));
 }
 

@@ -12,49 +12,51 @@
 
 namespace tractus::drivers {
 
-// An MCP3008 or MCP3208 on GPIO lines as a height sensor. It cannot be found, only named: its
-// address, "gpio:CHIP:CLK,DIN,DOUT,CS:mcp3208:CHANNEL" in DeviceInfo::location, says where it is
-// (device_address.h). How to wire one is in firmware-notes/wiring.md.
+// An MCP3008 or MCP3208 converter on GPIO lines as a height sensor. It cannot be discovered, only
+// named: its address "gpio:CHIP:CLK,DIN,DOUT,CS:mcp3208:CHANNEL" in DeviceInfo::location tells
+// where it is (device_address.h). Wiring: firmware-notes/wiring.md.
 //
-// Its reports have four bytes, and their time is that of the sampling, without latency:
+// A report has four bytes; its time is the time of sampling, without latency:
 //
-//   ..      bit 0: nothing answered, DOUT was high where the converter sends a zero
-//           bit 1: the reading was held for more than 1.2 ms and may be too low
-//   ..      how many conversions were interrupted for too long and repeated before this one
-//   .. ..   counts, the low byte first
+// byte 0, bit 0: no answer, DOUT was high where the converter sends a zero; bit 1: the sample was
+// held for more than 1.2 ms, so the reading may be too low
+//
+// byte 1: number of conversions that were interrupted for too long and repeated before this one
+//
+// bytes 2 and 3: counts, little-endian
 
-// Readings come at this rate where the lines are quick enough, as a Raspberry Pi's are.
+// Interval between readings if the lines are fast enough, as those of a Raspberry Pi are.
 constexpr Duration kGpioAdcPeriod = std::chrono::milliseconds(2);
 
-// A monotonic clock and how to wait by it.
+// A monotonic clock and a function that waits by it.
 struct GpioClock {
     std::function<Timestamp()> now;
     std::function<void(Timestamp)> sleep_until;
 };
 
-// Describes the converter at an address, whether it is there or not. Fails, as the user's fault, if
+// Describes the converter at an address, whether or not it is connected. Fails with a user error if
 // the text is no address of such a converter.
 Result<DeviceInfo> describe_gpio_adc(std::string const& address);
 
-// Opens the converter at `info.location` through libgpiod and reads it a few times. A conversion
-// that the scheduler interrupted for so long that the converter forgot what it had sampled is
-// repeated. Lines that are too slow for the converter at their best (those of a USB adapter) are
-// used all the same, and the reports say so.
+// Opens the converter at `info.location` through libgpiod and takes trial readings. A conversion is
+// repeated if the scheduler interrupted it for so long that the sampled charge was lost. Lines that
+// are too slow for this even without interruption (those of a USB adapter) are used nevertheless,
+// and the reports are flagged.
 //
-// Fails, as the user's fault, if the address is none or its lines cannot be had, and as the
-// device's if nothing answers on DOUT. A read fails, as the device's fault, when the lines do.
+// Fails with a user error if the address is malformed or its lines are not available, and with a
+// device error if nothing answers on DOUT. read() fails with a device error when the lines fail.
 Result<std::unique_ptr<ReportSource>> open_gpio_adc(DeviceInfo info);
 
-// Opens the converter on lines that are open already, those of mcp3208_lines, be they real or
-// simulated. Fails likewise.
+// Opens the converter on real or simulated lines that are open already, in the order of
+// mcp3208_lines(). Fails likewise.
 Result<std::unique_ptr<ReportSource>>
 open_gpio_adc(DeviceInfo info, std::unique_ptr<GpioLines> lines, GpioClock clock);
 
-// Whether a device, live or from a log, is one of these.
+// True if a device, live or from a log, is such a converter.
 bool is_gpio_adc(DeviceInfo const& info);
 
-// The decoder of its reports; `info` must be one of these. Decoding fails, as the device's fault,
-// for a report of another length, a reading beyond full scale, and when nothing answered.
+// Makes the decoder of its reports; requires is_gpio_adc(info). Decoding fails with a device error
+// for a wrong length, a reading beyond full scale, or no answer.
 std::unique_ptr<HeightDecoder> make_gpio_adc_decoder(DeviceInfo const& info);
 
 } // namespace tractus::drivers

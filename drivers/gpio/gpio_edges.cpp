@@ -58,8 +58,8 @@ bool is_chip_called(int chip, std::string const& name)
         && (kernel_name(info.name) == name || kernel_name(info.label) == name);
 }
 
-// The chip of this name or label; none, with errno, if there is none. One that may not be opened
-// tells no label, so it may be the one.
+// Opens the chip with this name or label; invalid, with errno set, if there is none. The error of a
+// chip without read permission is kept, because its label is unknown and it could be the right one.
 EdgeDescriptor find_edge_chip(std::string const& name)
 {
     std::vector<fs::path> nodes;
@@ -159,7 +159,7 @@ find_beginning(GpioEdges& edges, std::function<Result<QuadratureLevels>()> const
     constexpr int kTrials = 100;
     std::uint32_t last_number = 0;
     std::vector<QuadratureEdge> read;
-    // Returns whether there were none for so long.
+    // True if there were no edges for the duration.
     auto const is_quiet = [&](Duration duration) -> Result<bool> {
         read.clear();
         TRY(edges.read(duration, read));

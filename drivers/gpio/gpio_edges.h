@@ -11,52 +11,52 @@
 
 namespace tractus::drivers {
 
-// The edges of two input lines of a GPIO chip, as the kernel has stamped and numbered them, held
-// for us alone. Called from one thread only. After an error the lines are dead.
+// Edges of two input lines of a GPIO chip, time-stamped and numbered by the kernel; the lines are
+// held exclusively. Single-threaded. After an error the object is unusable.
 class GpioEdges {
 public:
     virtual ~GpioEdges() = default;
 
-    // Appends the edges that are there, in their order, after waiting for the first at most
-    // `timeout`. Fails, as the device's fault, when the chip has gone.
+    // Appends all pending edges in order, waiting at most `timeout` for the first. Fails with a
+    // device error if the chip is gone.
     virtual Result<void> read(Duration timeout, std::vector<QuadratureEdge>& edges) = 0;
 
-    virtual Timestamp now() = 0; // Time by the clock of the edges' times.
+    virtual Timestamp now() = 0; // The present time, on the clock of the edges.
 
-    // Returns what the lines were before the first edge that is read.
+    // Levels and edge number before the first edge that is read.
     virtual Quadrature::Beginning beginning() const = 0;
 };
 
-// Levels of an encoder's two lines, as the chip tells them when it is asked.
+// Current levels of an encoder's two lines.
 struct QuadratureLevels {
-    bool a = false; // High.
-    bool b = false; // High.
+    bool a = false; // True: high.
+    bool b = false; // True: high.
 };
 
-// How long edges are not believed after the lines were taken. A chip without interrupts is looked
-// at by its driver every now and then, each 40 ms by the kernel's hid-cp2112, and the first look is
-// compared with what was there when somebody else had the lines, or with lines that are low: a line
-// that has been high all the time rises then.
+// Time after opening the lines during which edges are ignored. For a chip without interrupts the
+// driver polls (hid-cp2112: every 40 ms), and the first poll is compared with the state left by a
+// previous user or with low levels. A line that has been high all the time then produces a false
+// rising edge.
 constexpr Duration kGpioEdgesUntrue = std::chrono::milliseconds(100);
 
-// Finds where counting begins on lines that have just been taken: once edges are believed, at a
-// moment without any, at which the lines' levels are those after the last edge. Edges before it are
-// lost on purpose. Fails, as the user's fault, where there is no such moment, for the surface
-// moves; otherwise as edges and levels do.
+// Determines the starting state for counting on newly opened lines: a quiet moment after the
+// initial false edges, when the levels agree with the last edge. Earlier edges are discarded. Fails
+// with a user error if there is no quiet moment because the surface moves, and like `edges` and
+// `levels`.
 Result<Quadrature::Beginning>
 find_beginning(GpioEdges& edges, std::function<Result<QuadratureLevels>()> const& levels,
                std::string const& chip);
 
-// How many edges the kernel keeps for us; when more wait, the oldest are gone, and their numbers
-// with them.
+// Size of the kernel's edge buffer. If more edges are pending, the oldest are lost, which leaves a
+// gap in their numbers.
 constexpr unsigned kGpioEdgesKept = 4096;
 
-// Takes two lines of the chip with this name or label. By the kernel's own interface (linux/gpio.h,
-// version 2, from kernel 5.10), since libgpiod 1.6 speaks version 1, in which edges have no
-// numbers, so that lost ones go unnoticed.
+// Opens two lines of the chip with this name or label. Uses the kernel's interface directly
+// (linux/gpio.h, version 2, since kernel 5.10): libgpiod 1.6 uses version 1, whose edges have no
+// numbers, so lost ones would go unnoticed.
 //
-// Fails, as the user's fault, if there is no such chip or line, it may not be opened, somebody else
-// holds the line, or the chip tells no edges.
+// Fails with a user error if the chip or a line does not exist, may not be opened or is in use, or
+// if the chip does not report edges.
 Result<std::unique_ptr<GpioEdges>> open_gpio_edges(std::string const& chip, unsigned a_line,
                                                    unsigned b_line);
 

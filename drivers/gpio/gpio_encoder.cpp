@@ -13,7 +13,7 @@ namespace tractus::drivers {
 
 namespace {
 
-constexpr std::uint16_t kBusHost = 0x19; // linux/input.h.
+constexpr std::uint16_t kBusHost = 0x19; // From linux/input.h.
 constexpr std::size_t kEncoderReportSize = 8;
 constexpr std::string_view kEncoderName = "Quadrature encoder";
 
@@ -52,11 +52,11 @@ private:
     DeviceInfo info_;
     std::unique_ptr<GpioEdges> edges_;
     Quadrature quadrature_;
-    std::vector<QuadratureEdge> new_edges_; // Kept for its memory.
-    Timestamp last_report_;                 // When it was made.
-    Timestamp last_time_ {};                // Time that it said.
+    std::vector<QuadratureEdge> new_edges_; // A member to reuse its memory.
+    Timestamp last_report_;                 // Time when it was made.
+    Timestamp last_time_ {};                // Time stamp of the last report.
     Timestamp last_edge_ {};
-    std::uint32_t edge_count_ = 0; // Since the last report.
+    std::uint32_t edge_count_ = 0; // Edges since the last report.
     std::uint32_t told_lost_ = 0;
 };
 
@@ -72,7 +72,8 @@ Result<void> GpioEncoderSource::take(Duration timeout)
     return {};
 }
 
-// Times never go back: an edge may be told after a report that said that nothing had moved.
+// Times must not go back: an edge can be delivered after a report of no movement that has a later
+// time.
 RawReport GpioEncoderSource::report()
 {
     auto const now = edges_->now();
@@ -153,7 +154,7 @@ Result<DeviceInfo> describe_gpio_encoder(std::string const& address)
     auto const place = TRY(parse_encoder_place(address));
     return DeviceInfo { .name = fmt::format("{} on {}", kEncoderName, place.chip),
                         .location = address,
-                        .physical_path = address, // A log keeps it.
+                        .physical_path = address, // Stored in logs.
                         .bus = kBusHost };
 }
 

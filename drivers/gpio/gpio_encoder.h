@@ -13,45 +13,48 @@
 
 namespace tractus::drivers {
 
-// A draw-wire encoder in quadrature on two GPIO lines as a height sensor. It cannot be found, only
-// named: its address, "gpio:CHIP:A,B:quadrature" in DeviceInfo::location, says where it is. How to
-// wire one is in firmware-notes/encoder.md.
+// A quadrature draw-wire encoder on two GPIO lines as a height sensor. It cannot be discovered,
+// only named: its address "gpio:CHIP:A,B:quadrature" in DeviceInfo::location tells where it is.
+// Wiring: firmware-notes/encoder.md.
 //
-// It counts from where the surface is when it is opened. Its reports have eight bytes; their time
-// is that of the last edge in them, or the present while nothing moves:
+// Counts are relative to the height at opening. A report has eight bytes; its time is that of its
+// last edge, or the present while nothing moves:
 //
-//   ..            bit 0: edges were lost since the last report, so that the count is not true
-//   ..            how many, 255 at most
-//   .. ..         how many edges there are in it, the low byte first
-//   .. .. .. ..   count, signed, the low byte first
+// byte 0, bit 0: edges were lost since the last report, so the count is wrong
+//
+// byte 1: number of lost edges, at most 255
+//
+// bytes 2 and 3: number of edges in this report, little-endian
+//
+// bytes 4 to 7: count, signed, little-endian
 
-// Readings come at this rate while it moves, and at that one while it rests.
+// Report intervals while the encoder moves and while it rests.
 constexpr Duration kEncoderPeriod = std::chrono::milliseconds(2);
 constexpr Duration kEncoderRestingPeriod = std::chrono::milliseconds(10);
 
-// A sample's counts are the reports' and this, so that it may go down from where it began.
+// Offset added to the reports' counts, so that samples stay positive below the starting height.
 constexpr std::int32_t kEncoderCountsBelow = 1 << 20;
 constexpr std::int32_t kEncoderFullScale = (1 << 21) - 1;
 
-// Describes the encoder at an address, whether it is there or not. Fails, as the user's fault, if
+// Describes the encoder at an address, whether or not it is connected. Fails with a user error if
 // the text is no address of one.
 Result<DeviceInfo> describe_gpio_encoder(std::string const& address);
 
-// Opens the lines that `info.location` names. Fails as open_gpio_edges() does; a read fails, as the
-// device's fault, when the lines do.
+// Opens the lines named by `info.location`. Fails like open_gpio_edges(); read() fails with a
+// device error when the lines fail.
 Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo const& info);
 
-// Opens the encoder on lines that are open already, be they real or simulated. Fails, as the user's
-// fault, if `info.location` is no address of an encoder.
+// Opens the encoder on real or simulated lines that are open already. Fails with a user error if
+// `info.location` is no address of an encoder.
 Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo const& info,
                                                         std::unique_ptr<GpioEdges> edges);
 
-// Whether a device, live or from a log, is one of these.
+// True if a device, live or from a log, is such an encoder.
 bool is_gpio_encoder(DeviceInfo const& info);
 
-// Decoding fails, as the device's fault, for a report of another length, a count that no string is
-// long enough for, and once for each report that has lost edges; the counts after it go on from
-// where the lost ones have left them.
+// Makes the decoder of its reports. Decoding fails with a device error for a wrong length, for a
+// count beyond the length of any wire, and once for each report with lost edges; later counts
+// continue without the lost edges.
 std::unique_ptr<HeightDecoder> make_gpio_encoder_decoder();
 
 } // namespace tractus::drivers

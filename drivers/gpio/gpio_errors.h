@@ -8,16 +8,16 @@
 
 namespace tractus::drivers {
 
-// Messages for what both versions of libgpiod say in errno.
+// Error messages for the errno values of both libgpiod versions.
 
-// Why a chip could not be opened.
+// A chip could not be opened.
 tl::unexpected<Error> cannot_open_gpio_chip(std::string const& chip, int error_number);
 
-// Why its lines could not be had.
+// Lines could not be requested.
 tl::unexpected<Error> cannot_take_gpio_lines(std::string const& chip,
                                              std::span<GpioLine const> lines, int error_number);
 
-// Why lines that we hold do not answer any more.
+// Lines that we hold stopped responding.
 tl::unexpected<Error> lost_gpio_lines(std::string const& chip, int error_number);
 
 } // namespace tractus::drivers

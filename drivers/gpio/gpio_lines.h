@@ -9,45 +9,44 @@
 
 namespace tractus::drivers {
 
-// One line of a GPIO chip, as whoever drives it wants it.
+// A requested line of a GPIO chip and its direction.
 struct GpioLine {
     enum class Direction { Input, Output };
 
-    unsigned offset = 0; // Number on its chip, as gpioinfo counts.
+    unsigned offset = 0; // Number of the line on its chip, as listed by gpioinfo.
     Direction direction = Direction::Input;
-    bool initial = false; // State of an output when it is opened: high or low.
+    bool initial = false; // Level of an output on opening; true: high.
 };
 
-// A few lines of one GPIO chip, held for us alone. Values are bits: bit i is the line that was i-th
-// when they were opened, 1 is high.
+// Lines of one GPIO chip, held exclusively. Values are bit sets: bit i is the i-th line in the
+// order of opening, 1 is high.
 //
-// A request to the kernel costs microseconds on a Raspberry Pi and a millisecond on a USB adapter,
-// so all lines change in one. Called from one thread only. After an error the lines are dead.
+// All lines change in one kernel request, because a request takes microseconds on a Raspberry Pi
+// but a millisecond on a USB adapter. Single-threaded. After an error the object is unusable.
 class GpioLines {
 public:
     static constexpr std::size_t kMaxLines = 32;
 
     virtual ~GpioLines() = default;
 
-    // Makes the outputs what their bits say, all at once; bits of inputs are ignored. Fails, as the
-    // device's fault, where the kernel tells: some chips' drivers, among them the CP2112's, swallow
-    // a failing write. A failing get shows those a moment later.
+    // Sets all outputs at once; bits of inputs are ignored. Fails with a device error if the kernel
+    // reports one. Some chips' drivers, such as the CP2112's, do not report failed writes; the next
+    // get() fails then.
     [[nodiscard]] virtual Result<void> set(std::uint32_t values) = 0;
 
-    // Returns the levels of the inputs; bits of outputs are 0. Fails, as the device's fault, when
-    // the chip has gone or does not answer.
+    // Levels of the inputs; bits of outputs are 0. Fails with a device error if the chip is gone or
+    // does not answer.
     [[nodiscard]] virtual Result<std::uint32_t> get() = 0;
 };
 
-// Takes lines of the chip with this name ("gpiochip0") or label ("pinctrl-bcm2711"), through
-// libgpiod, 1.6 or 2. The chip's name may change when it is plugged in again, its label does not.
+// Opens lines of the chip with this name ("gpiochip0") or label ("pinctrl-bcm2711") through
+// libgpiod 1.6 or 2. A chip's name can change when it is plugged in again; its label does not.
 //
-// Fails, as the user's fault, if there is no such chip or line, it may not be opened, or somebody
-// else holds the line.
+// Fails with a user error if the chip or a line does not exist, may not be opened, or is in use.
 Result<std::unique_ptr<GpioLines>> open_gpio_lines(std::string const& chip,
                                                    std::span<GpioLine const> lines);
 
-// "1.6.3": the library's own word, for diagnosis.
+// Version string of libgpiod, such as "1.6.3", for diagnosis.
 std::string gpio_library_version();
 
 } // namespace tractus::drivers

@@ -1,5 +1,5 @@
-// The lines through libgpiod 1.6 (Debian 12), which has an object for each line and requests them
-// in bulks of one direction.
+// GpioLines through libgpiod 1.6 (Debian 12), where each line is an object and bulk requests have a
+// single direction.
 
 #include "drivers/gpio/gpio_errors.h"
 #include "drivers/gpio/gpio_lines.h"
@@ -14,16 +14,16 @@ namespace tractus::drivers {
 
 namespace {
 
-constexpr char kConsumer[] = "tractus"; // Name that gpioinfo shows.
+constexpr char kConsumer[] = "tractus"; // Shown by gpioinfo.
 
 struct CloseChip {
-    void operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); } // Gives its lines back.
+    void operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); } // Also releases its lines.
 };
 using Chip = std::unique_ptr<gpiod_chip, CloseChip>;
 
 using LineValues = std::array<int, GpioLines::kMaxLines>;
 
-// The lines of one direction, and which bits they are.
+// Lines of one direction and their bits.
 struct Bulk {
     gpiod_line_bulk lines GPIOD_LINE_BULK_INITIALIZER;
     std::array<unsigned, GpioLines::kMaxLines> bits {};
@@ -46,7 +46,7 @@ public:
     {
     }
 
-    // 0, or what errno says.
+    // Returns 0 or an errno value.
     int take(std::span<GpioLine const> lines);
 
     Result<void> set(std::uint32_t values) override;

@@ -1,5 +1,5 @@
-// The lines through libgpiod 2 (Debian 13), which speaks of offsets and has one request for lines
-// of both directions.
+// GpioLines through libgpiod 2 (Debian 13), where lines are offsets and one request covers both
+// directions.
 
 #include "drivers/gpio/gpio_errors.h"
 #include "drivers/gpio/gpio_lines.h"
@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char kConsumer[] = "tractus"; // Name that gpioinfo shows.
+constexpr char kConsumer[] = "tractus"; // Shown by gpioinfo.
 
-// Frees what the library gave with the function that the library has for it.
+// Deleter that calls the given libgpiod function.
 template<auto function> struct FreeWith {
     template<typename T> void operator()(T* pointer) const { function(pointer); }
 };
@@ -37,7 +37,7 @@ gpiod_line_value to_value(bool high)
     return high ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE;
 }
 
-// The lines of one direction, and which bits they are.
+// Lines of one direction and their bits.
 struct Subset {
     std::vector<unsigned> offsets {};
     std::vector<unsigned> bits {};
@@ -99,7 +99,7 @@ Result<std::uint32_t> GpiodLines::get()
     return values;
 }
 
-// The chip if it has this name or label; none, with errno, if not.
+// Opens the chip if it has this name or label; otherwise null, with errno set.
 Chip open_if_called(fs::path const& node, std::string const& name)
 {
     if (!gpiod_is_gpiochip_device(node.c_str()))
@@ -115,8 +115,8 @@ Chip open_if_called(fs::path const& node, std::string const& name)
     return nullptr;
 }
 
-// Returns null, with errno, if there is no such chip. A chip that may not be opened tells no label,
-// so it may be the one.
+// Null, with errno set, if there is no such chip. The error of a chip without read permission is
+// kept, because its label is unknown and it could be the right one.
 Chip find_chip(std::string const& name)
 {
     std::vector<fs::path> nodes;
@@ -137,7 +137,7 @@ Chip find_chip(std::string const& name)
     return nullptr;
 }
 
-// Returns null, with errno, if the kernel does not give them.
+// Null, with errno set, if the kernel refuses the request.
 LineRequest take(gpiod_chip& chip, std::span<GpioLine const> lines)
 {
     LineSettings const settings(gpiod_line_settings_new());

@@ -4,12 +4,13 @@ namespace tractus::drivers {
 
 namespace {
 
-// Start bit, single-ended, and before the channel's three bits.
+// Start bit and single-ended bit, followed by three channel bits.
 constexpr unsigned kCommand = 0b11'000;
 constexpr unsigned kCommandBits = 5;
 
-// One clock with CS low. The converter takes `din` at the rising edge and changes DOUT at the
-// falling one; DIN is left alone between the two, and changes with the clock low, at the next call.
+// One clock cycle with CS low. The converter samples `din` at the rising edge and changes DOUT at
+// the falling edge. DIN stays stable in between; it changes while the clock is low, in the next
+// call.
 Result<void> rise(GpioLines& lines, std::uint32_t din)
 {
     return lines.set(kMcp3208Clk | din);
@@ -45,13 +46,13 @@ std::array<GpioLine, 4> mcp3208_lines(Mcp3208Wiring const& wiring)
 Result<Mcp3208Reading> convert_mcp3208(GpioLines& lines, Mcp3208Channel const& channel,
                                        std::function<Timestamp()> const& now)
 {
-    TRY(lines.set(command_bit(channel.channel, 0))); // CS goes low, the start bit stands.
+    TRY(lines.set(command_bit(channel.channel, 0))); // CS goes low with the start bit on DIN.
     for (unsigned i = 0; i < kCommandBits; ++i) {
         TRY(rise(lines, command_bit(channel.channel, i)));
         TRY(fall(lines, command_bit(channel.channel, i + 1)));
     }
 
-    // Sampling ends somewhere between the two looks at the clock.
+    // Sampling ends between these two clock readings.
     Mcp3208Reading reading;
     TRY(rise(lines, 0));
     auto const before = now();

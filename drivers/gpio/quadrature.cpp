@@ -4,16 +4,16 @@
 
 namespace tractus::drivers {
 
-// Before the edge A and B are equal or they are not; that, and whose edge it is, tells the
-// direction: A's while they are equal, and B's while they are not, are those of A ahead.
+// The direction follows from the levels before the edge: an edge of A at equal levels, or of B at
+// different levels, means that A leads.
 void Quadrature::push(QuadratureEdge const& edge)
 {
     auto& is_high = is_high_[static_cast<std::size_t>(edge.line)];
-    // Counts 32 bits: numbers may begin anew at 0.
+    // Unsigned 32-bit arithmetic, so numbers may wrap around.
     auto const missing = edge.number - last_number_ - 1;
     last_number_ = edge.number;
     if (missing > 0)
-        is_known_ = { false, false }; // Nobody knows whose edges they were.
+        is_known_ = { false, false }; // The lost edges can belong to either line.
     auto& is_known = is_known_[static_cast<std::size_t>(edge.line)];
     bool const rises_twice = is_known && is_high == edge.is_rising;
     lost_count_ += missing + (rises_twice ? 1 : 0);

@@ -7,27 +7,28 @@
 
 namespace tractus::drivers {
 
-// A change of one of an encoder's two lines, A and B, which are a quarter of a period apart.
+// A level change of one of an encoder's two lines, A and B, which are a quarter of a period apart
+// in phase.
 struct QuadratureEdge {
     enum class Line { A, B };
 
-    Timestamp time {}; // When the line changed, by the kernel's interrupt.
+    Timestamp time {}; // Time of the kernel's interrupt.
     Line line = Line::A;
     bool is_rising = false;
-    std::uint32_t number = 0; // Counts both lines' edges since they were opened, from 1.
+    std::uint32_t number = 0; // Sequence number over both lines since they were opened, from 1.
 };
 
-// Counts an encoder's edges, all four of a period: up while A is ahead of B, down while B is.
+// Counts all four edges per period of an encoder: up while A leads, down while B leads.
 //
-// An edge that is missing makes the count wrong for good, and is noticed: a gap in the numbers, or
-// a line that rises though it is high already.
+// A missing edge makes the count permanently wrong. It is detected by a gap in the numbers, or by a
+// rising edge of a line that is high already.
 class Quadrature {
 public:
-    // Where it begins.
+    // State from which counting starts.
     struct Beginning {
-        bool a = false;           // High.
-        bool b = false;           // High.
-        std::uint32_t number = 0; // Number of the last edge before the next.
+        bool a = false;           // True: high.
+        bool b = false;           // True: high.
+        std::uint32_t number = 0; // Number of the last edge before counting starts.
     };
     explicit Quadrature(Beginning const& beginning)
         : is_high_ { beginning.a, beginning.b }
@@ -37,14 +38,14 @@ public:
 
     void push(QuadratureEdge const& edge);
 
-    std::int32_t count() const { return count_; } // Counts from 0.
+    std::int32_t count() const { return count_; } // Starts at 0.
 
-    // How many edges are missing at least. Then `count` is no longer true.
+    // Lower bound on the number of missing edges; unless it is 0, `count` is wrong.
     std::uint32_t lost_count() const { return lost_count_; }
 
 private:
     std::array<bool, 2> is_high_;                 // Indexed by line.
-    std::array<bool, 2> is_known_ { true, true }; // Likewise: whether is_high_ is what it says.
+    std::array<bool, 2> is_known_ { true, true }; // Whether is_high_ is valid; indexed by line.
     std::uint32_t last_number_;
     std::int32_t count_ = 0;
     std::uint32_t lost_count_ = 0;

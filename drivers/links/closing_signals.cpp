@@ -14,14 +14,14 @@ std::atomic<bool> signal_has_come = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal's handler may use nothing else");
 std::array<struct sigaction, kSignals.size()> earlier_actions {};
 
-// Only what a signal handler may do.
+// Signal handler; only async-signal-safe calls.
 void remember(int signal)
 {
     bool const is_second = signal_has_come.exchange(true);
     if (!is_second || signal != SIGINT)
         return;
     ::sigaction(SIGINT, &earlier_actions[0], nullptr);
-    ::raise(SIGINT); // Comes when this handler returns.
+    ::raise(SIGINT); // Delivered when this handler returns.
 }
 
 } // namespace

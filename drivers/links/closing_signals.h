@@ -2,18 +2,17 @@
 
 namespace tractus::drivers {
 
-// While one of these is there, a signal that asks the program to end (Ctrl-C, SIGTERM, SIGHUP) does
-// not end it, but is remembered, so that somebody who draws can finish and keep what is under way.
-// A second Ctrl-C ends the program at once, as without this: a person may not want to wait. Signals
-// that were ignored stay so. One at a time; for the main thread.
+// While an object exists, a termination signal (Ctrl-C, SIGTERM, SIGHUP) is recorded instead of
+// ending the program, so that work in progress can be finished and saved. A second Ctrl-C ends the
+// program at once. Ignored signals stay ignored. One object at a time, main thread only.
 class ClosingSignals {
 public:
     ClosingSignals();
-    ~ClosingSignals(); // Makes signals do what they did before.
+    ~ClosingSignals(); // Restores the previous signal handlers.
     ClosingSignals(ClosingSignals const&) = delete;
     ClosingSignals& operator=(ClosingSignals const&) = delete;
 
-    // Whether one of them has come, in the life of this object or of an earlier one.
+    // True if a signal has arrived during the life of this or an earlier object.
     static bool have_come();
 };
 

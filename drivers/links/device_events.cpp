@@ -26,7 +26,7 @@ private:
     std::unique_ptr<udev_monitor, UdevUnreference> monitor_;
 };
 
-// Takes all events that are waiting. True if there is one of something that may be opened now.
+// Drains all pending events. True if one concerns a device that can be opened now.
 bool UdevEvents::take()
 {
     bool is_any = false;

@@ -6,20 +6,20 @@
 
 namespace tractus::drivers {
 
-// Tells that devices have come or changed, so that nobody who waits for one has to look again and
-// again. What came, and whether it is the one that is wanted, is for list_devices() to say.
+// Notifies that devices were added or changed, so that waiting code need not poll. It does not say
+// which device; see list_devices().
 class DeviceEvents {
 public:
     virtual ~DeviceEvents() = default;
 
-    // True as soon as something has come or changed since the last call, or since this was made;
-    // false after `timeout`, which may be 0. Events that come close together count once.
+    // True as soon as something was added or changed since the previous call, or since
+    // construction; false after `timeout`, which may be 0. Events in quick succession are merged.
     virtual bool wait(Duration timeout) = 0;
 };
 
-// Listens to the events of udev's daemon: HID devices' nodes and USB devices, once udev's rules
-// have given them their permissions. Null where no daemon runs, as in many containers and small
-// systems, or the kernel gives no socket. Converters on GPIO lines send no events.
+// Listens to udev's events for HID nodes and USB devices, after udev's rules have set their
+// permissions. Null if no udev daemon runs, as in many containers and small systems, or if the
+// kernel refuses the socket. Converters on GPIO lines send no events.
 std::unique_ptr<DeviceEvents> listen_to_udev();
 
 } // namespace tractus::drivers

@@ -75,10 +75,11 @@ private:
     DeviceInfo info_;
     Evdev device_;
     EventPen pen_;
-    bool is_catching_up_ = false; // The kernel dropped events; libevdev tells what has changed.
+    // The kernel dropped events; libevdev is reporting the resulting state.
+    bool is_catching_up_ = false;
 };
 
-// The next report that is complete among the events that wait.
+// The next complete report among the pending events.
 Result<std::optional<RawReport>> EventSource::take_waiting()
 {
     for (;;) {
@@ -122,7 +123,7 @@ Result<std::optional<RawReport>> EventSource::read(Duration timeout)
     }
 }
 
-// Bit `code` of a bit map as sysfs prints it: words of as many bits as a long has, the highest
+// Tests bit `code` of a bit map in sysfs format: words of the size of a long, most significant
 // first, without leading zeros.
 bool has_sysfs_bit(std::string const& map, unsigned code)
 {
@@ -141,7 +142,7 @@ bool has_sysfs_bit(std::string const& map, unsigned code)
     return (value >> (code % kWordBits) & 1) != 0;
 }
 
-// Whether sysfs says that it has a pen's keys and axes. The ranges of the axes it does not tell.
+// True if sysfs lists the keys and axes of a pen. It does not list the axes' ranges.
 bool may_be_event_pen(fs::path const& device)
 {
     auto const keys = read_sysfs_line(device / "capabilities/key");
@@ -179,7 +180,7 @@ std::vector<DeviceInfo> list_event_pens(fs::path const& root)
     for (auto const& entry : fs::directory_iterator(root / "sys/class/input", error)) {
         auto const name = entry.path().filename().string();
         auto const device = entry.path() / "device";
-        // A HID device's input has the HID device above it, and its hidraw node beside.
+        // Skips HID devices, whose input device is below a HID device that has a hidraw node.
         if (!name.starts_with("event") || fs::exists(device / "device/hidraw", error)
             || !may_be_event_pen(device))
             continue;

@@ -13,20 +13,20 @@ struct libevdev;
 
 namespace tractus::drivers {
 
-// Pens that reach Linux as input events alone, since no HID driver is between: those of some
-// Surfaces, and on serial lines, I2C and SPI. Their reports are an EventPen's, with the kernel's
-// times of the events.
+// Pens that Linux exposes only as input events, without a hidraw node: those of some Surface
+// devices, and pens on serial lines, I2C and SPI. Their reports are made by EventPen and have the
+// kernel's event times.
 
-// The pens of which no hidraw node tells, by what sysfs says of them; `root` is the file system's.
-// One that may not be read has no report descriptor.
+// Pens without a hidraw node, listed from sysfs; `root` is the root of the file system. A pen
+// without read permission has no report descriptor.
 std::vector<DeviceInfo> list_event_pens(std::filesystem::path const& root = "/");
 
-// Opens the node at `info.location`, "/dev/input/event5". Others go on reading it as well. Fails,
-// as the user's fault, if it cannot be opened or is no pen. A read fails, as the device's fault,
-// when the device is gone.
+// Opens the event node at `info.location`, such as "/dev/input/event5"; other readers keep
+// receiving events. Fails with a user error if it cannot be opened or is no pen. read() fails with
+// a device error when the device is gone.
 Result<std::unique_ptr<ReportSource>> open_event_pen(DeviceInfo info);
 
-// What a device says of itself.
+// The abilities that a device declares.
 EventAbilities abilities_of(libevdev const& device);
 
 } // namespace tractus::drivers

@@ -11,8 +11,8 @@ struct hid_device_;
 
 namespace tractus::drivers {
 
-// The calls of one of hidapi's two libraries. Both have the same names, so that only one can be
-// linked under them; see drivers/tablets/hidapi_libusb.h.
+// Functions of one of hidapi's two libraries. Both export the same names, so only one can be linked
+// directly; see drivers/tablets/hidapi_libusb.h.
 struct HidBackEnd {
     int (*write)(hid_device_*, unsigned char const* data, std::size_t size) = nullptr;
     int (*read_timeout)(hid_device_*, unsigned char* data, std::size_t size, int timeout_ms)
@@ -23,11 +23,11 @@ struct HidBackEnd {
 
 using HidHandle = std::unique_ptr<hid_device_, void (*)(hid_device_*)>;
 
-// An open device as a link, as open_hid_link says. `back_end` must outlive it.
+// An open device as a link; see open_hid_link(). `back_end` must outlive it.
 std::unique_ptr<PacketLink> make_hid_link(HidBackEnd const& back_end, HidHandle handle,
                                           DeviceInfo info);
 
-// A link as a source.
+// Adapts a link to a report source.
 std::unique_ptr<ReportSource> make_hid_source(DeviceInfo info, std::unique_ptr<PacketLink> link);
 
 } // namespace tractus::drivers

@@ -28,7 +28,7 @@ std::string narrow(wchar_t const* text)
     return result;
 }
 
-// hidapi counts in milliseconds, and a negative timeout means for ever.
+// hidapi takes milliseconds; a negative timeout would wait forever.
 int to_milliseconds(Duration timeout)
 {
     auto const count = std::chrono::ceil<std::chrono::milliseconds>(timeout).count();
@@ -61,13 +61,13 @@ private:
     HidHandle handle_;
     std::uint64_t too_long_count_ = 0;
     std::array<unsigned char, sizeof(RawReport::storage) + 1>
-        buffer_ {}; // One more shows what is too long, or is a report's number.
+        buffer_ {}; // One byte more, to detect reports that are too long or for a report id.
 };
 
 Result<void> HidLink::write(std::span<std::byte const> packet)
 {
     CHECK(packet.size() < buffer_.size());
-    buffer_[0] = 0; // No report ids.
+    buffer_[0] = 0; // Report id 0: the device uses no ids.
     std::memcpy(buffer_.data() + 1, packet.data(), packet.size());
     if (back_end_.write(handle_.get(), buffer_.data(), packet.size() + 1) < 0)
         return lost();
@@ -107,7 +107,7 @@ public:
 private:
     DeviceInfo info_;
     HidHandle handle_;
-    std::optional<RawReport> answer_; // An answer that is not read yet.
+    std::optional<RawReport> answer_; // Answer that has not been read yet.
 };
 
 Result<void> HidFeatureLink::write(std::span<std::byte const> packet)
@@ -155,10 +155,10 @@ std::string cannot_open_hidraw(DeviceInfo const& info, int error)
     return fmt::format("cannot open {} at {}: {}", info.name, info.location, why(error));
 }
 
-// The node at `info.location`. Fails as open_hid_link() does.
+// Opens the node at `info.location`. Fails like open_hid_link().
 static Result<HidHandle> open_hidraw(DeviceInfo const& info)
 {
-    // hidapi does not tell why it cannot.
+    // Opens the node with open() first, because hidapi does not report the reason of a failure.
     int const node = ::open(info.location.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
     if (node < 0)
         return fail(Fault::User, cannot_open_hidraw(info, errno));

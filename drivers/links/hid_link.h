@@ -9,22 +9,20 @@
 
 namespace tractus::drivers {
 
-// The reports of the hidraw device at `info.location`, both ways, through hidapi. Output reports
-// are those of a device without report ids. Other readers, the kernel's own driver among them, go
-// on as before. Input reports longer than a RawReport holds are left out and counted.
+// Opens the hidraw device at `info.location` for input and output reports, through hidapi. Output
+// reports have no report id. Other readers, including the kernel's driver, are not affected. Input
+// reports longer than a RawReport are dropped and counted.
 //
-// Fails, as the user's fault, if the device is not there or may not be read and written, which the
-// rules in drivers/70-tractus.rules permit.
+// Fails with a user error if the device is missing or lacks the permissions that
+// drivers/70-tractus.rules grants.
 Result<std::unique_ptr<PacketLink>> open_hid_link(DeviceInfo info);
 
-// The feature reports of such a device, as a link for drivers that ask: to write a single byte, a
-// report's id, asks for that report, which is read next; to write more sets the report that begins
-// so. Writing waits for the device's answer, so there is never anything to wait for when reading.
-// Fails like open_hid_link().
+// Opens the feature reports of such a device as a link. Writing a single byte, a report id,
+// requests that report, which is read next; writing more sets the report with that id. Writing
+// blocks until the device answers, so reading never waits. Fails like open_hid_link().
 Result<std::unique_ptr<PacketLink>> open_hid_feature_link(DeviceInfo info);
 
-// Why a hidraw node cannot be opened, in a sentence for its user: not permitted, busy, gone.
-// `error` is what open() has left in errno.
+// Explains to the user why a hidraw node cannot be opened. `error` is the errno of open().
 std::string cannot_open_hidraw(DeviceInfo const& info, int error);
 
 } // namespace tractus::drivers

@@ -87,7 +87,7 @@ DeviceInfo describe(fs::path const& folder)
     return info;
 }
 
-// hidraw10 after hidraw9.
+// Natural order: hidraw10 after hidraw9.
 bool comes_first(DeviceInfo const& a, DeviceInfo const& b)
 {
     return std::pair(a.location.size(), a.location) < std::pair(b.location.size(), b.location);
@@ -98,7 +98,7 @@ bool comes_first(DeviceInfo const& a, DeviceInfo const& b)
 std::vector<DeviceInfo> enumerate_hid(fs::path const& class_folder)
 {
     std::vector<DeviceInfo> devices;
-    std::error_code ignored; // No folder, no devices.
+    std::error_code ignored; // A missing folder means no devices.
     for (fs::directory_iterator entry(class_folder, ignored); entry != fs::directory_iterator();
          entry.increment(ignored))
         devices.push_back(describe(entry->path()));

@@ -10,20 +10,18 @@
 
 namespace tractus::drivers {
 
-// Every hidraw device that the kernel has, whether it can be opened or not, in the order of their
-// nodes; `location` is the node. Reads sysfs alone, for which no permission is needed: a device
-// whose files cannot be read comes without what they say. One physical tablet often has several
-// nodes, for pen, pad and mouse.
+// Lists every hidraw device of the kernel, in the order of nodes, whether or not it can be opened;
+// `location` is the node. Reads only sysfs, which needs no permissions; fields whose files cannot
+// be read stay empty. One tablet often has several nodes, for pen, pad and mouse.
 std::vector<DeviceInfo> enumerate_hid(std::filesystem::path const& class_folder
                                       = "/sys/class/hidraw");
 
-// Opens the hidraw device at `info.location`, through hidapi. Other readers, the kernel's own
-// driver among them, go on as before. Times are of the monotonic clock, taken when a report has
-// come; reports longer than a RawReport holds are left out and counted.
+// Opens the hidraw device at `info.location` through hidapi. Other readers, including the kernel's
+// driver, are not affected. Reports are stamped on arrival by the monotonic clock; those longer
+// than a RawReport are dropped and counted.
 //
-// Fails, as the user's fault, if the device is not there or may not be read and written, which the
-// rules in drivers/70-tractus.rules permit. A read fails, as the device's fault, when it was
-// unplugged.
+// Fails with a user error if the device is missing or lacks the permissions that
+// drivers/70-tractus.rules grants. read() fails with a device error after unplugging.
 Result<std::unique_ptr<ReportSource>> open_hid(DeviceInfo info);
 
 } // namespace tractus::drivers

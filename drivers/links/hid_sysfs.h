@@ -6,7 +6,7 @@
 
 namespace tractus::drivers {
 
-// Where a HID device hangs on USB.
+// The USB device and interface of a HID device.
 struct UsbParent {
     std::string address {};    // Name in /sys/bus/usb/devices: "1-2.3".
     int interface_number = -1; // -1 if it is not known.
@@ -15,8 +15,8 @@ struct UsbParent {
     std::string serial_number {};
 };
 
-// Returns what sysfs tells of a hidraw node's folder ("/sys/class/hidraw/hidraw3"). No value for a
-// device that is not on USB, or that went away.
+// Looks up the USB parent of a hidraw node, given its sysfs folder ("/sys/class/hidraw/hidraw3").
+// No value if the device is not on USB or has gone away.
 std::optional<UsbParent> find_usb_parent(std::filesystem::path const& hidraw_folder);
 
 // The kernel's driver for the node: "hid-generic", "wacom", "uclogic"; empty if there is none.

@@ -18,7 +18,7 @@ std::string_view property(udev_device* device, char const* name)
     return value ? value : "";
 }
 
-// No value for what is no tablet's side.
+// No value if the text is no plausible side of a tablet.
 std::optional<double> side_mm(std::string_view text)
 {
     constexpr int kLeast = 20;
@@ -52,7 +52,7 @@ std::optional<Vec2> size_known_to_udev(fs::path const& hidraw_folder)
     std::unique_ptr<udev, UdevUnreference> const context(udev_new());
     if (!context)
         return std::nullopt;
-    std::error_code ignored; // A device without inputs, or one that goes away.
+    std::error_code ignored; // The device has no inputs or has just been removed.
     auto const inputs = fs::canonical(hidraw_folder / "device", ignored) / "input";
     for (fs::recursive_directory_iterator entry(inputs, ignored), end; entry != end;
          entry.increment(ignored)) {

@@ -7,11 +7,11 @@
 
 namespace tractus::drivers {
 
-// A tablet's active area in millimetres, X then Y, as the kernel's driver for it knows it and udev
-// tells (ID_INPUT_WIDTH_MM and ID_INPUT_HEIGHT_MM of the pen's input device), to whole millimetres.
-// Drivers such as wacom and uclogic know sizes that descriptors do not tell. No value for a device
-// that is no tablet, whose driver does not know, or where no udev runs. `hidraw_folder` is the
-// node's in sysfs, "/sys/class/hidraw/hidraw3".
+// A tablet's active width and height in whole millimetres, as the kernel's driver reports them
+// through udev (ID_INPUT_WIDTH_MM and ID_INPUT_HEIGHT_MM of the pen's input device). Drivers such
+// as wacom and uclogic know sizes that descriptors lack. No value if the device is no tablet, if
+// its driver does not know the size, or without udev. `hidraw_folder`: the node in sysfs,
+// "/sys/class/hidraw/hidraw3".
 std::optional<Vec2> size_known_to_udev(std::filesystem::path const& hidraw_folder);
 
 } // namespace tractus::drivers

@@ -11,7 +11,7 @@ namespace tractus::drivers {
 
 using namespace std::chrono_literals;
 
-static constexpr Duration kReadTimeout = 50ms; // How long stopping may take.
+static constexpr Duration kReadTimeout = 50ms; // Upper limit on the time that stopping takes.
 static constexpr Duration kPollInterval = 500us;
 
 struct ThreadedSource::Shared {
@@ -23,16 +23,16 @@ struct ThreadedSource::Shared {
 
     void run();
 
-    std::unique_ptr<ReportSource> source; // The thread's alone, once it runs.
-    DeviceInfo info;                      // Never changes.
+    std::unique_ptr<ReportSource> source; // Only used by the reading thread once it runs.
+    DeviceInfo info;                      // Immutable.
     boost::lockfree::spsc_queue<RawReport, boost::lockfree::capacity<kRingReports>>
-        ring;                       // Thread to reader.
-    std::atomic<bool> stop = false; // Reader to thread.
-    // Thread to reader: `error` is written, and no report will come.
+        ring;                       // Written by the reading thread, read by the owner.
+    std::atomic<bool> stop = false; // Set by the owner, read by the reading thread.
+    // Set by the reading thread after `error` is written and no further report will follow.
     std::atomic<bool> ended = false;
-    std::atomic<std::uint64_t> lost = 0;     // Thread to reader.
-    std::atomic<std::uint64_t> too_long = 0; // Thread to reader.
-    Error error;                             // Written by the thread before `ended`, read after it.
+    std::atomic<std::uint64_t> lost = 0;     // Written by the reading thread.
+    std::atomic<std::uint64_t> too_long = 0; // Written by the reading thread.
+    Error error; // Written by the reading thread before `ended` is set, read afterwards.
     std::thread thread;
 };
 
@@ -84,7 +84,7 @@ Result<std::optional<RawReport>> ThreadedSource::read(Duration timeout)
 {
     RawReport report;
     for (auto left = timeout;; left -= kPollInterval) {
-        // Asked before the ring: what the thread pushed before it ended must still be found.
+        // Read before the ring: reports pushed before the end must still be found.
         bool const ended = shared_->ended.load(std::memory_order_acquire);
         if (shared_->ring.pop(report))
             return std::optional(report);

@@ -7,29 +7,28 @@
 
 namespace tractus::drivers {
 
-// Reads a source on a thread of its own, so that a report's time is when it came and not when
-// somebody had time for it. Reports wait in a ring of kRingReports until they are read.
+// Reads a source on its own thread, so that reports are stamped on arrival rather than when the
+// program gets to them. Reports wait in a ring of kRingReports.
 //
-// Everything here is called from the thread that started it.
+// All functions must be called from the thread that called start().
 class ThreadedSource final : public ReportSource {
 public:
     static constexpr std::size_t kRingReports = 2048; // Two seconds of a fast tablet.
 
-    // Takes the source over and starts reading. Fails, as the station's fault, if the system gives
-    // no thread.
+    // Takes ownership of the source and starts reading. Fails with a station error if no thread can
+    // be created.
     static Result<std::unique_ptr<ThreadedSource>> start(std::unique_ptr<ReportSource> source);
 
-    // Stops reading, within some 50 ms, and forgets what was not read.
+    // Stops reading within about 50 ms and discards unread reports.
     ~ThreadedSource() override;
 
     DeviceInfo const& info() const override;
 
-    // The oldest report that waits. When the source has failed, its error comes after the last
-    // report.
+    // The oldest waiting report. After a failure of the source, its error follows the last report.
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
-    // How many reports were dropped, since the start, because the ring was full or they were longer
-    // than a RawReport holds.
+    // Number of reports dropped since the start because the ring was full or they were longer than
+    // a RawReport.
     std::uint64_t lost_count() const;
 
 private:

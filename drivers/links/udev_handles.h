@@ -5,7 +5,7 @@
 
 namespace tractus::drivers {
 
-/// Gives back what libudev handed out: `std::unique_ptr<udev_device, UdevUnreference>`.
+/// Deleter for libudev objects: `std::unique_ptr<udev_device, UdevUnreference>`.
 struct UdevUnreference {
     void operator()(udev* context) const { udev_unref(context); }
     void operator()(udev_monitor* monitor) const { udev_monitor_unref(monitor); }
