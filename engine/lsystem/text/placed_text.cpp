@@ -125,6 +125,51 @@ PlacedText without_comments(std::string_view source, std::uint32_t file,
     return result;
 }
 
+// Whether the text behind a // reads on as modules and not as words.
+static bool reads_as_modules(std::string_view before, std::string_view behind)
+{
+    while (!behind.empty() && (is_blank(behind.back()) || behind.back() == '\n'))
+        behind.remove_suffix(1);
+    if (behind.find_first_of(" \t") != std::string_view::npos)
+        return false;
+    bool const is_rule_off = behind.find_first_not_of('/') == std::string_view::npos;
+    if (is_rule_off) // Slashes alone: at once behind a module they roll.
+        return !is_blank(before.back());
+    return behind.find_first_of("[]'+-&^/!$|\\(") != std::string_view::npos
+        || (!is_blank(before.back()) && std::isupper(static_cast<unsigned char>(behind.front())));
+}
+
+std::vector<SourcePlace> productions_cut_by_comments(std::string_view source, std::uint32_t file)
+{
+    std::vector<SourcePlace> result;
+    bool is_in_comment = false;
+    std::uint32_t line_number = 0;
+    for (std::size_t begin = 0; begin < source.size();) {
+        auto const end = std::min(source.find('\n', begin), source.size());
+        auto const line = source.substr(begin, end - begin);
+        begin = end + 1;
+        ++line_number;
+        std::size_t at = 0;
+        while (at < line.size()) {
+            auto const pair = line.substr(at, 2);
+            if (pair == (is_in_comment ? "*/" : "/*")) {
+                is_in_comment = !is_in_comment;
+                at += 2;
+            } else if (!is_in_comment && pair == "//") {
+                break;
+            } else {
+                ++at;
+            }
+        }
+        auto const before = line.substr(0, at);
+        bool const is_production = before.find("-->") != std::string_view::npos
+            || before.find("xiom:") != std::string_view::npos;
+        if (at < line.size() && is_production && reads_as_modules(before, line.substr(at + 2)))
+            result.push_back({ file, line_number, static_cast<std::uint32_t>(at + 1) });
+    }
+    return result;
+}
+
 std::string_view trimmed_line(std::string_view text)
 {
     while (!text.empty() && is_blank(text.front()))

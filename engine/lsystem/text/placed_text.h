@@ -40,6 +40,11 @@ tl::unexpected<Error> error_in(PlacedText const& text, std::size_t index,
 PlacedText without_comments(std::string_view source, std::uint32_t file,
                             std::optional<SourcePlace>& open_comment);
 
+// Where a // makes a comment of what looks like the rest of a production: it stands behind --> or
+// Axiom: on its line, and text without blanks follows it at once, as in books, where // is two
+// rolls. Comments begin with a blank there, or hold words.
+std::vector<SourcePlace> productions_cut_by_comments(std::string_view source, std::uint32_t file);
+
 // Characters that the preprocessor's tokens are made of.
 bool is_name_start(char c);
 bool is_digit(char c);

@@ -116,6 +116,11 @@ Result<void> Preprocessor::add_file(std::string const& name, std::string_view so
         return fail(Fault::User,
                     fmt::format("{}:{}:{}: the comment that begins here has no */", name,
                                 open_comment->line, open_comment->column));
+    for (auto const& at : productions_cut_by_comments(source, file))
+        warnings_.push_back(fmt::format(
+            "{}:{}:{}: // begins a comment here, and the rest of the line is not read; for two "
+            "rolls, as books print them, write / / with a blank between",
+            name, at.line, at.column));
     auto const around = conditions_.begin_file();
     auto const name_before = std::exchange(name_, name);
     auto const presumed_before = std::exchange(presumed_, std::nullopt);

@@ -28,6 +28,26 @@ bool is_on(std::string const& expression, std::string const& before = {})
     return result == "yes";
 }
 
+TEST(Preprocessor, WarnsWhereACommentCutsAProduction)
+{
+    // The Algorithmic Beauty of Plants, figure 1.25, as printed.
+    auto const bush = preprocess("bush.l",
+                                 "Axiom: A\nA --> [&FL!A]/////'[&FL!A]///////'[&FL!A]\n"
+                                 "F --> S/////F\nS --> FL\n",
+                                 {});
+    ASSERT_TRUE(bush);
+    ASSERT_EQ(bush->warnings.size(), 2U);
+    EXPECT_EQ(bush->warnings[0].substr(0, 12), "bush.l:2:14:");
+    EXPECT_EQ(bush->warnings[1].substr(0, 11), "bush.l:3:8:");
+    for (auto const* comment :
+         { "A --> B // grows", "A --> B//grows", "A --> B ////////", "A --> B / / C",
+           "// A --> B//C", "/* A --> B//[C] */", "/*\nA --> B//[C]\n*/", "x//[C]" }) {
+        auto const text = preprocess("model.l", comment, {});
+        ASSERT_TRUE(text) << comment;
+        EXPECT_TRUE(text->warnings.empty()) << comment << ": " << text->warnings.front();
+    }
+}
+
 TEST(Preprocessor, ComputesConditionsAsC)
 {
     for (auto const* expression : { "1",
