@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <cstring>
 
-// EXT_meshopt_compression, appendix A, mode 0: blocks of elements; in a block all first bytes, then
-// all second ones, and so on; of each the difference from the element before, in groups of 16 that
-// have 0, 2, 4 or 8 bits for each.
+// Data layout of EXT_meshopt_compression, appendix A, mode 0: elements in blocks; within a block
+// all first bytes, then all second bytes, and so on; each as the difference from the previous
+// element, in groups of 16 with 0, 2, 4 or 8 bits per difference.
 
 namespace tractus::exports {
 namespace {
@@ -32,14 +32,14 @@ Sixteen load_sixteen(std::uint8_t const* from)
     return bytes;
 }
 
-// Small for small differences of either sign: 0, -1, 1, -2, 2, ...
+// Zigzag encoding: maps 0, -1, 1, -2, 2, ... to 0, 1, 2, 3, 4, ...
 Sixteen zigzag(Sixteen const& differences)
 {
     Sixteen const negative = differences > 127 ? Sixteen {} + 255 : Sixteen {};
     return (differences + differences) ^ negative;
 }
 
-// How many are at least `least`.
+// Number of values that are at least `least`.
 std::size_t count_from(Sixteen const& values, int least)
 {
     auto const ones = std::bit_cast<TwoWords>(
@@ -53,7 +53,7 @@ Sixteen at_most(Sixteen const& values, int most)
     return values < limit ? values : limit;
 }
 
-// Two bits for each, the first of four in the highest.
+// Packs 2 bits per value, the first of four in the highest bits.
 std::uint8_t* pack_two_bits(Sixteen const& values, std::uint8_t* to)
 {
     for (auto const word : std::bit_cast<std::array<std::uint32_t, 4>>(values))
@@ -61,7 +61,7 @@ std::uint8_t* pack_two_bits(Sixteen const& values, std::uint8_t* to)
     return to;
 }
 
-// Four bits for each, the first of two in the higher ones.
+// Packs 4 bits per value, the first of two in the higher bits.
 std::uint8_t* pack_four_bits(Sixteen const& values, std::uint8_t* to)
 {
     for (auto const word : std::bit_cast<TwoWords>(values)) {
@@ -74,7 +74,7 @@ std::uint8_t* pack_four_bits(Sixteen const& values, std::uint8_t* to)
     return to;
 }
 
-// Values that did not fit in their bits follow in full.
+// Appends in full the values that did not fit in their bits.
 std::uint8_t* append_from(Sixteen const& values, int least, std::uint8_t* to)
 {
     std::array<std::uint8_t, kGroup> all;
@@ -86,8 +86,8 @@ std::uint8_t* append_from(Sixteen const& values, int least, std::uint8_t* to)
     return to;
 }
 
-// Appends a group in the smallest way, whose number is put into `way`. Up to 15 bytes beyond the
-// end are overwritten.
+// Appends a group in its smallest encoding, whose number is stored in `way`. May overwrite up to 15
+// bytes beyond the end.
 std::uint8_t* append_group(Sixteen const& values, unsigned& way, std::uint8_t* to)
 {
     auto const words = std::bit_cast<TwoWords>(values);
@@ -111,8 +111,8 @@ std::uint8_t* append_group(Sixteen const& values, unsigned& way, std::uint8_t* t
     return to + kGroup;
 }
 
-// One byte of each of a block's elements, after that of the element before. The last one is
-// repeated up to a whole group.
+// One byte of every element of a block, preceded by that of the element before the block. The last
+// one is repeated up to a whole group.
 struct Column {
     std::array<std::uint8_t, 1 + kMostInBlock> bytes;
 };
@@ -128,8 +128,8 @@ Sixteen second_halves(Sixteen const& a, Sixteen const& b)
                                    31);
 }
 
-// From 16 words of four bytes to all their first bytes, all second ones, and so on: shuffled as a
-// pack of 64 cards, whose halves are put into each other four times.
+// Transposes bytes: from 16 words of four bytes to all first bytes, all second bytes, and so on, as
+// a perfect shuffle of 64 bytes, four times.
 void transpose(std::array<Sixteen, 4>& words)
 {
     for (int i = 0; i < 4; ++i) {
@@ -139,7 +139,7 @@ void transpose(std::array<Sixteen, 4>& words)
     }
 }
 
-// A block's elements: `count` of them from `first` on, `element_bytes` apart.
+// The elements of a block: `count` elements from `first` on, `element_bytes` apart.
 struct Block {
     std::uint8_t const* first = nullptr;
     std::size_t count = 0;
@@ -148,7 +148,8 @@ struct Block {
     std::size_t groups() const { return (count + kGroup - 1) / kGroup; }
 };
 
-// Fills four columns with the bytes from `k` on, but for those of the element before.
+// Fills four columns with bytes `k` to `k` + 3 of all elements, except for the element before the
+// block.
 void fill_columns(Block const& block, std::size_t k, std::array<Column, 4>& columns)
 {
     for (std::size_t group = 0; group < block.groups(); ++group) {
@@ -180,7 +181,7 @@ std::uint8_t* append_column(Column const& column, std::size_t groups, std::uint8
     return to;
 }
 
-// Bytes of a block at most, and what append_group() may overwrite.
+// Maximum size of a block, including the bytes that append_group() may overwrite.
 std::size_t most_bytes(std::size_t count, std::size_t element_bytes, std::size_t block)
 {
     auto const blocks = (count + block - 1) / block;
@@ -213,7 +214,7 @@ void compress_attributes(std::span<std::byte const> elements, std::size_t elemen
             end = append_column(columns[k % 4], block.groups(), end);
         }
     }
-    // The tail: the first element, from which the first differs by nothing.
+    // The tail: the first element, against which the first difference is zero.
     auto const padding = element_bytes < kLeastTail ? kLeastTail - element_bytes : 0;
     end = std::fill_n(end, padding, std::uint8_t { 0 });
     end = std::copy_n(from, element_bytes, end);

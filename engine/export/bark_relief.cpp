@@ -21,10 +21,10 @@ double eased_between(double low, double high, double x)
     return t * t * (3 - 2 * t);
 }
 
-// Value noise in a box around a cylinder of radius 1 that repeats along the axis.
+// Value noise around a cylinder of radius 1, periodic along its axis.
 class CylinderNoise {
 public:
-    // Cells to the radius, and to the repeated length.
+    // `across`: cells per radius; `along`: cells per period.
     CylinderNoise(std::uint32_t layer, double across, int along)
         : across_(across)
         , along_(along)
@@ -39,7 +39,8 @@ public:
                 * 0x1p-32);
     }
 
-    // `x` and `y` -1 to 1, `v` in repeated lengths; `shift` moves along, in cells. 0 to 1.
+    // Returns 0 to 1. `x` and `y` from -1 to 1, `v` in periods; `shift`: offset along the axis, in
+    // cells.
     double at(double x, double y, double v, double shift = 0) const
     {
         double const middle = 0.5 * side_;
@@ -76,7 +77,7 @@ private:
     std::vector<double> values_;
 };
 
-// Heights, 0 to 1: ridges between furrows, as the window's shader has them (surface.cpp), with
+// Height field, 0 to 1: ridges between furrows, like the renderer's shader (surface.cpp), but with
 // whole numbers of cells along the axis.
 class Relief {
 public:
@@ -99,10 +100,10 @@ public:
         find_means();
     }
 
-    // Beyond the edges it repeats.
+    // Periodic beyond the edges.
     double at(int column, int row) const { return heights_[index(column, row)]; }
 
-    // The mean of some heights in a square.
+    // Mean of the heights in a square around a pixel.
     double around(int column, int row) const { return means_[index(column, row)]; }
 
 private:
@@ -113,7 +114,7 @@ private:
         return wrapped(row) * kRelief_px + wrapped(column);
     }
 
-    // Along the rows, then across them.
+    // Box filter along the rows, then along the columns.
     void find_means()
     {
         constexpr int kReach = 12;
@@ -151,7 +152,7 @@ std::uint8_t byte_of(double value)
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
 }
 
-// `color(column, row)` is red, green, blue, 0 to 1.
+// `color(column, row)` returns red, green and blue, 0 to 1.
 template<typename Color> TextureSlot paint_colors(Color const& color)
 {
     std::vector<std::uint8_t> pixels;
@@ -167,7 +168,7 @@ template<typename Color> TextureSlot paint_colors(Color const& color)
 
 Vec3 normal_color(int column, int row)
 {
-    constexpr double kBump = 0.055; // The window's bark has the same.
+    constexpr double kBump = 0.055; // The same value as in the renderer.
     auto const& heights = relief();
     double const per_step = 0.5 * kRelief_px * kBump;
     double const slope_u = per_step * (heights.at(column + 1, row) - heights.at(column - 1, row));

@@ -5,17 +5,17 @@
 
 namespace tractus::exports {
 
-// Bark's relief as the renderer shows it, baked into pictures that tile: once around the branch
-// along u, and as far along the axis along v. Made when they are first asked for; always the same.
+// The bark relief of the renderer, baked into tileable pictures: u runs once around the branch, v
+// the same distance along the axis. Made on first use; always the same.
 
-// How light the bark is: multiplies its colour.
+// Lightness of the bark, multiplied with its colour.
 GreyPicture bark_color_picture();
 
-// Normals (glTF 2.0 section 3.9.3: green points against v).
+// Normal map (glTF 2.0 section 3.9.3: green points towards -v).
 TextureSlot bark_normals();
 
-// Occlusion: red holds how much of the sky the furrows hide, green the roughness as it is, and blue
-// no metal.
+// Occlusion map: red is the visible share of the sky, reduced in the furrows; green leaves the
+// roughness unchanged; blue is zero metalness.
 TextureSlot bark_occlusion();
 
 } // namespace tractus::exports

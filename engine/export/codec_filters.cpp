@@ -10,7 +10,8 @@ namespace tractus::exports {
 namespace {
 
 constexpr float kOne = 127;
-constexpr int kMantissaBits = 22; // Bits that whole_bits() has room for, beside the sign.
+// Number of bits that whole_bits() can represent, without the sign.
+constexpr int kMantissaBits = 22;
 constexpr int kLeastExponent = -12;
 
 FourFloats magnitudes(FourFloats const& values)
@@ -18,14 +19,14 @@ FourFloats magnitudes(FourFloats const& values)
     return values < 0 ? -values : values;
 }
 
-// `sizes` with the signs of `signs`.
+// Combines the absolute values `sizes` with the signs of `signs`.
 FourFloats with_signs(FourFloats const& sizes, FourFloats const& signs)
 {
     return signs < 0 ? -sizes : sizes;
 }
 
-// Projects onto an octahedron; its lower half is folded over the upper one. Each result has the
-// two coordinates, the one, and `w`.
+// Projects onto an octahedron, with its lower half folded over the upper one. Each result contains
+// the two coordinates, 1, and `w`.
 FourInts octahedral_bytes(TurnedVectors const& v, FourInts const& w)
 {
     FourFloats const scale = kOne / (magnitudes(v.x) + magnitudes(v.y) + magnitudes(v.z));

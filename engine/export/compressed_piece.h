@@ -7,12 +7,12 @@
 
 namespace tractus::exports {
 
-// Compresses the streams of a piece that encode_triangles() and encode_wind() have filled, each by
-// its format's codec. Its indices have 32 bits and count from its own first vertex.
+// Compresses the streams that encode_triangles() and encode_wind() wrote to a piece, each with the
+// codec of its format. Its indices have 32 bits and count from the piece's first vertex.
 void compress_triangles(SurfaceFormat const& format, std::span<WindStream const> wind,
                         EncodedPiece& piece);
 
-// Compresses what encode_instances() and encode_wind() have filled.
+// Compresses the streams that encode_instances() and encode_wind() wrote.
 void compress_instances(InstanceFormat const& format, EncodedPiece& piece);
 
 } // namespace tractus::exports

@@ -18,7 +18,7 @@ constexpr char const* kMeshopt = "EXT_meshopt_compression";
 constexpr std::size_t kJsonStart = 20;
 constexpr std::uint64_t kMostDecompressed = std::uint64_t { 1 } << 32;
 
-// A member of an object; null where there is none.
+// Returns a member of an object, or null if there is none.
 Json const* member(Json const* object, char const* name)
 {
     if (!object || !object->is_object())
@@ -60,7 +60,7 @@ Result<CompressedView> view_from(Json const& json, std::size_t index)
     return view;
 }
 
-// The file with another JSON.
+// Replaces the JSON of a file.
 std::string with_json(std::string_view glb, std::string_view rest, std::string json)
 {
     json.resize((json.size() + 3) / 4 * 4, ' ');
@@ -128,7 +128,8 @@ Result<CompressedElements> elements_of(CompressedView const& view, tinygltf::Mod
     return elements;
 }
 
-// Without this views could share bytes, and a small file take any amount of memory.
+// Checks the total decompressed size: otherwise views could share compressed bytes, and a small
+// file could require any amount of memory.
 Result<void> check_total(std::vector<CompressedView> const& views, tinygltf::Model const& model)
 {
     std::uint64_t left = 0;
@@ -142,7 +143,7 @@ Result<void> check_total(std::vector<CompressedView> const& views, tinygltf::Mod
     return {};
 }
 
-// Where a view's elements come to lie.
+// Source and target of decompressing a view.
 struct Decompression {
     CompressedElements from {};
     std::uint64_t start = 0;

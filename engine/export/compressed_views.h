@@ -14,7 +14,7 @@ class Model;
 
 namespace tractus::exports {
 
-// A buffer view that EXT_meshopt_compression compresses, as its file describes it.
+// A buffer view compressed by EXT_meshopt_compression, as described in the file.
 struct CompressedView {
     std::size_t view = 0;   // Index of the view.
     std::size_t buffer = 0; // Buffer that holds the compressed bytes.
@@ -28,16 +28,17 @@ struct CompressedView {
 
 struct CompressedViews {
     std::vector<CompressedView> views {};
-    // The file with buffers of a byte in place of those that are not there, which tinygltf would
-    // look for. Empty where there are no views.
+    // The file with one-byte buffers in place of the missing fallback buffers, which tinygltf would
+    // try to load. Empty if there are no compressed views.
     std::string glb {};
 };
 
-// Finds them in a binary glTF file whose header is sound and whose JSON is not too deep.
+// Finds the compressed views of a binary glTF file. Fails if its header is invalid or its JSON is
+// nested too deeply.
 Result<CompressedViews> find_compressed_views(std::string_view glb);
 
-// Decompresses the views of the parsed file into a buffer that is added to the others. No size is
-// believed: fails if one cannot be, if views share compressed bytes, and on damaged ones.
+// Decompresses the views of the parsed file into an additional buffer. All sizes are validated:
+// fails if one is impossible, if views share compressed bytes, or if the data are damaged.
 Result<void> decompress_views(std::vector<CompressedView> const& views, tinygltf::Model& model);
 
 } // namespace tractus::exports

@@ -10,7 +10,7 @@
 namespace tractus::exports {
 namespace {
 
-// Where an accessor's elements lie.
+// Location of an accessor's elements.
 struct Elements {
     unsigned char const* first;
     std::size_t stride;
@@ -25,7 +25,7 @@ auto fail_at(int accessor, char const* reason)
                 fmt::format("cannot read the glTF file: accessor {} {}", accessor, reason));
 }
 
-// Adds without wrapping: the largest number instead.
+// Saturating addition.
 std::uint64_t sum(std::uint64_t a, std::uint64_t b)
 {
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;
@@ -74,7 +74,7 @@ template<typename Number> Number load(unsigned char const* bytes)
     return number;
 }
 
-// glTF 2.0 section 3.11 for the normalised ones.
+// Normalised numbers are converted as in glTF 2.0 section 3.11.
 template<typename Number> float load_number(unsigned char const* bytes, bool normalized)
 {
     auto const value = static_cast<float>(load<Number>(bytes));

@@ -74,7 +74,7 @@ std::size_t add_accessor(GltfJson& json, GlbColumn const& column, int target, Js
 {
     auto const& format = column.format;
     auto of_view = Json::object();
-    // Elements that are padded to four bytes say how far they are apart.
+    // Elements padded to four bytes need an explicit stride.
     if (format.components == 3 && format.type != ComponentType::Float)
         of_view["byteStride"] = format.element_bytes;
     if (target != kNoTarget)
@@ -94,7 +94,7 @@ std::size_t add_zeros(GltfJson& json, NumberFormat const& format, std::size_t co
     return json.accessors.add(accessor);
 }
 
-// The limits become doubles: the decimal that is exactly the float.
+// Converts to doubles, so that the decimal number written is exactly the float.
 Json limits_json(Vec3f const& low, Vec3f const& high)
 {
     return { { "min", json_numbers(low.cast<double>().eval()) },

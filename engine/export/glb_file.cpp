@@ -12,9 +12,9 @@
 namespace tractus::exports {
 namespace {
 
-// 65,535 is no index: it restarts strips (section 3.7.2.1).
+// Index 65,535 is excluded, since it restarts strips (glTF 2.0 section 3.7.2.1).
 constexpr std::size_t kMostShortVertices = 65535;
-// Most vertices of a branch have the same numbers for the wind.
+// Most vertices of a branch have equal wind data, so these compress well: expected factor.
 constexpr std::uint64_t kWindCompression = 8;
 
 auto fail_large(PlacedMesh const& placed)
@@ -45,7 +45,7 @@ std::uint64_t triangle_bytes(mesh::MeshExtent const& extent, SurfaceFormat const
         + rounded_up(extent.indices * static_cast<std::uint64_t>(format.indices().element_bytes));
 }
 
-// Bytes that trees and collections of plants have taken, on average.
+// Expected compressed size, from the average of exported trees and collections of plants.
 std::uint64_t compressed_triangle_bytes(mesh::MeshExtent const& extent, SurfaceFormat const& format)
 {
     return extent.vertices * (format.tangents ? 11 : 9) + extent.indices;
@@ -81,13 +81,13 @@ void encode_prototype(TriangleView const& triangles, SurfaceFormat format, bool 
                       EncodedPiece& piece)
 {
     if (compressed)
-        format.short_indices = false; // As the codec takes them.
+        format.short_indices = false; // As the codec requires.
     encode_triangles(triangles, format, piece);
     if (compressed)
         compress_triangles(format, {}, piece);
 }
 
-// Lists the coverage of all levels.
+// Lists the minimum coverage of all levels.
 Json coverages(PlacedMesh const& placed)
 {
     auto of_levels = Json::array({ json_number(placed.least_coverage) });
@@ -174,7 +174,7 @@ Result<void> GlbFile::begin_level(LevelInFile const& level, MeshPieces const& pl
     return {};
 }
 
-// The binary part.
+// The binary chunk.
 
 GlbColumn GlbFile::open(NumberFormat const& format, std::size_t count, std::size_t stream,
                         EncodedPiece const& piece)
@@ -240,7 +240,7 @@ Json GlbFile::add_primitive(Columns const& columns, EncodedPiece const& limits,
     return primitive;
 }
 
-// Compressed pieces are primitives of their own.
+// Each compressed piece becomes a primitive of its own.
 Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, EncodedPiece const& piece)
 {
     auto const& surface = plant_->surfaces()[index];
@@ -250,7 +250,7 @@ Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, Encoded
             : materials_.add_picture(plant_->picture_png());
     if (!piece.is_finite)
         return fail_infinite("a coordinate");
-    // Of a mesh with many vertices that it does not use, pieces may have no triangles.
+    // Pieces of a mesh with many unused vertices may have no triangles.
     bool const has_triangles = !is_compressed() || piece.extent.indices > 0;
     if (!open_ && has_triangles) {
         auto const& extent = is_compressed() ? piece.extent : surface.extent;
@@ -317,7 +317,7 @@ Result<std::size_t> GlbFile::prototype_index(mesh::TriangleMesh const& prototype
     return index;
 }
 
-// Compressed pieces are nodes of their own.
+// Each compressed piece becomes a node of its own.
 Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiece const& piece)
 {
     auto const& organ = plant_->organs()[index];
@@ -359,12 +359,12 @@ void GlbFile::add_instanced_node(Columns const& columns)
 void GlbFile::add_organ_nodes(std::size_t mesh, std::span<mesh::InstanceTransform const> instances,
                               std::span<mesh::WindVertex const> wind)
 {
-    Json node; // One after another, so that its members are allocated once.
+    Json node; // Reused, so that its members are allocated once.
     node["mesh"] = mesh;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         auto const placed = to_gltf(instances[i]);
         node["translation"] = json_numbers(placed.translation_mm);
-        node["rotation"] = json_numbers(placed.rotation.coeffs()); // w last.
+        node["rotation"] = json_numbers(placed.rotation.coeffs()); // In the order x, y, z, w.
         node["scale"] = json_numbers(placed.scale);
         if (!wind.empty())
             node["extras"] = wind_extras(wind[i]);
@@ -379,8 +379,8 @@ void GlbFile::add_child(Json const& node)
     children_.push_back(json_.nodes.add(node));
 }
 
-// Adds what the plant's node says of its own mesh: nothing where there are no tubes or polygons,
-// and nothing where a child says it, which takes quantised numbers to metres.
+// Puts the plant's own mesh into its node. Does nothing if there are no tubes or polygons.
+// Quantised meshes go into a child node, which scales them to metres.
 void GlbFile::add_surfaces(Json& node)
 {
     if (primitives_.empty())
@@ -398,7 +398,8 @@ void GlbFile::add_surfaces(Json& node)
                 { "scale", json_numbers(Vec3::Constant(vertices.step_m).eval()) } });
 }
 
-// The coarser levels stand beside the scene; who does not know the extension shows the finest.
+// The coarser levels are not part of the scene: programs without the extension show the finest
+// level.
 void GlbFile::end_level()
 {
     Json node;

@@ -17,9 +17,9 @@
 
 namespace tractus::exports {
 
-// How a plant's pieces are written.
+// Number formats of a plant's pieces.
 struct PlantFormat {
-    SurfaceFormat vertices {}; // Format of surfaces, but for the size of indices.
+    SurfaceFormat vertices {}; // For surfaces, except for the size of indices.
     InstanceFormat instances {};
 
     SurfaceFormat of(MeshPieces const& plant, MeshPieces::Surface const& surface) const;
@@ -27,14 +27,13 @@ struct PlantFormat {
 
 PlantFormat plant_format(MeshPieces const& plant, GlbOptions const& options);
 
-// Bytes that a plant takes in the binary chunk, textures of materials not counted; about as many if
-// it is compressed.
+// Size of a plant in the binary chunk, without textures; approximate if it is compressed.
 std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options);
 
-// A plant as it comes into a file, once for each of its levels of detail.
+// One level of detail of a plant being written.
 struct LevelInFile {
     PlacedMesh const* placed = nullptr;
-    std::size_t number = 0; // 0: the plant itself; then its details.
+    std::size_t number = 0; // 0: the plant itself; then its levels of detail.
 
     MeshSource const& source() const
     {
@@ -43,9 +42,9 @@ struct LevelInFile {
     bool is_last() const { return number == placed->details.size(); }
 };
 
-// One try at a .glb file, with a given room for its JSON. Plants come one after another, each from
-// its finest level to its coarsest; of each level its surfaces, then its organs, all pieces in
-// order.
+// One attempt to write a .glb file with a given space for its JSON. Plants come one after another,
+// each from its finest to its coarsest level; of each level first the surfaces, then the organs,
+// all pieces in order.
 class GlbFile {
 public:
     GlbFile(std::ostream& out, GlbOptions const& options, std::uint64_t json_room);
@@ -56,8 +55,8 @@ public:
     Result<void> add_instances(std::size_t organ, bool is_last, EncodedPiece const& piece);
     void end_level();
 
-    // Fills in headers and JSON. No value if the JSON does not fit in its room: then
-    // `json_bytes()` says how much it takes.
+    // Fills in the headers and the JSON. Returns no value if the JSON exceeds its space;
+    // json_bytes() then returns its size.
     Result<std::optional<GlbSummary>> finish();
 
     std::uint64_t json_bytes() const { return json_bytes_; }
@@ -66,7 +65,7 @@ private:
     using Columns = std::array<GlbColumn, kMostStreams>;
 
     bool is_compressed() const { return options_.vertices == GlbOptions::Vertices::Compressed; }
-    // Of a stream of `piece`, which is all of the column if it is compressed.
+    // Opens the column of a stream; if it is compressed, `piece` contains the whole column.
     GlbColumn open(NumberFormat const& format, std::size_t count, std::size_t stream,
                    EncodedPiece const& piece);
     Columns open_triangles(mesh::MeshExtent const& extent, SurfaceFormat const& format,
@@ -91,21 +90,21 @@ private:
     std::uint64_t json_room_;
     GltfJson json_;
     GltfMaterials materials_;
-    std::map<std::string, std::size_t> prototypes_; // Keyed by material and arrays.
+    std::map<std::string, std::size_t> prototypes_; // Prototype indices, by material and arrays.
     GlbSummary summary_;
     std::uint64_t json_bytes_ = 0;
 
-    // The plant that is being written.
+    // The level that is being written.
     LevelInFile level_;
     MeshPieces const* plant_ = nullptr;
     PlantFormat format_;
     Json primitives_;
     std::vector<std::size_t> children_;
-    Json finest_; // Its plant's node, to which the coarser ones are yet to be added.
+    Json finest_; // The plant's node, to which the coarser levels are still to be added.
     std::vector<std::size_t> coarser_;      // Nodes of the coarser levels.
-    std::optional<Columns> open_;           // The surface or organ whose pieces are coming.
+    std::optional<Columns> open_;           // The surface or organ whose pieces are being written.
     EncodedPiece limits_;                   // Limits of its positions so far.
-    std::optional<std::size_t> open_index_; // Its material, or its prototype.
+    std::optional<std::size_t> open_index_; // Index of its material or prototype.
 };
 
 } // namespace tractus::exports

@@ -21,7 +21,7 @@ constexpr NumberFormat kVectors {};
 constexpr NumberFormat kNumbers { ComponentType::Float, 1, false, 4 };
 constexpr std::size_t kVerticesAtOnce = 16 << 10;
 
-// How far vertices or normals go, in glTF's frame, in pieces that lie one after another.
+// Displacements of vertices or normals in glTF's frame, divided into consecutive pieces.
 struct Steps {
     BulkVector<Vec3f> steps;
     Vec3f low = Vec3f::Zero();
@@ -41,7 +41,8 @@ void find_steps(std::span<Vec3f const> from, std::span<Vec3f const> to, ToGltf c
             steps.steps[i] = to_gltf(Vec3f(to[i] - from[i]));
     });
     steps.low = steps.high = from.empty() ? Vec3f(Vec3f::Zero()) : steps.steps[0];
-    Vec3f nothing = Vec3f::Zero(); // x - x is 0, or no number where x is infinite or none.
+    // Detects values that are not finite: x - x is 0 for finite x, and NaN otherwise.
+    Vec3f nothing = Vec3f::Zero();
     for (auto const& step : steps.steps) {
         steps.low = steps.low.cwiseMin(step);
         steps.high = steps.high.cwiseMax(step);
@@ -50,7 +51,7 @@ void find_steps(std::span<Vec3f const> from, std::span<Vec3f const> to, ToGltf c
     steps.low += nothing;
 }
 
-// One try at a file, with a given room for its JSON.
+// One attempt to write the file with a given space for its JSON.
 class FilmWriter {
 public:
     FilmWriter(std::ostream& out, GrowthFilm const& film, std::uint64_t json_room)
@@ -63,7 +64,7 @@ public:
 
     Result<void> write();
 
-    // No value if the JSON does not fit in its room.
+    // Returns no value if the JSON exceeds its space.
     Result<std::optional<GlbSummary>> finish();
     std::uint64_t json_bytes() const { return json_bytes_; }
 
@@ -81,11 +82,11 @@ private:
     GlbStream stream_;
     GltfMaterials materials_;
     Json primitives_ = Json::array(); // One for each surface.
-    Json names_ = Json::array();      // Names of the targets.
+    Json names_ = Json::array();      // Names of the morph targets.
     GlbSummary summary_;
     std::uint64_t json_bytes_ = 0;
 
-    // Kept from age to age.
+    // Reused from age to age.
     std::vector<mesh::AgedMesh::Vertices> vertices_;
     Steps positions_;
     Steps normals_;
@@ -193,8 +194,8 @@ GlbColumn FilmWriter::add_numbers(std::span<float const> values)
     return column;
 }
 
-// Animates the weights: at the time of each age its own target has the weight 1; at the last one,
-// none has.
+// Animates the weights: at the time of each age its own target has weight 1; at the last one, all
+// weights are 0.
 void FilmWriter::add_animation()
 {
     auto const count = film_.ages.size();
@@ -230,10 +231,11 @@ Result<std::optional<GlbSummary>> FilmWriter::finish()
     return std::optional(summary_);
 }
 
-// Where every vertex moves and turns at every age, and without JSON and pictures.
+// Checks the total size: the displacements of every vertex at every age, and an allowance for JSON
+// and pictures.
 Result<void> check_size(GrowthFilm const& film)
 {
-    constexpr double kRoom = 16 << 20; // Room for JSON and pictures.
+    constexpr double kRoom = 16 << 20; // Bytes for JSON and pictures.
     constexpr std::size_t kVector = sizeof(Vec3f);
     double bytes = kRoom;
     for (auto const& surface : film.mesh->whole().surfaces)

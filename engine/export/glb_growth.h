@@ -9,28 +9,29 @@
 
 namespace tractus::exports {
 
-// A plant as it grows.
+// A plant at successive ages, for an animation of its growth.
 struct GrowthFilm {
-    std::string name = "plant"; // UTF-8; what is not becomes a replacement character.
+    std::string name = "plant"; // UTF-8; invalid bytes become replacement characters.
     mesh::AgedMesh const* mesh = nullptr;
-    std::vector<double> ages {}; // Ascending, and the last is that of mesh->whole().
-    double seconds = 10;         // Time from the first age to the last; above 0.
+    std::vector<double> ages {}; // Ascending; the last is the age of mesh->whole().
+    double seconds = 10;         // Duration from the first age to the last; above 0.
 
-    // The plant at an age, as AgedMesh::at() takes it. Called for each age but the last, in order,
-    // and perhaps again; what it answers need only hold until the next call.
+    // Returns the plant at an age, as for AgedMesh::at(). Called for each age except the last, in
+    // order, and possibly again; the reference must be valid until the next call.
     std::function<Plant const&(double age)> plant_at {};
     GlbOptions::Textures textures = GlbOptions::Textures::Embedded;
 };
 
-// Writes it as one binary glTF 2.0 file, in metres, +y up: one mesh, the whole plant, with a morph
-// target for each younger age (positions and normals; "age 0.25" and so on in extras.targetNames),
-// and an animation "growth" of its weights that goes evenly from age to age. All weights are 0 by
-// default: programs that do not play it show the whole plant. Leaves are triangles of the mesh,
-// since instances do not move. No extension is needed. Same input, same bytes.
+// Writes the film as one binary glTF 2.0 file, in metres, +y up. It contains one mesh, the whole
+// plant, with a morph target for each younger age (positions and normals; named "age 0.25" and so
+// on in extras.targetNames), and an animation "growth" of the target weights that moves evenly from
+// age to age. All weights are 0 by default, so programs that do not play animations show the whole
+// plant. Leaves are triangles of the mesh, since instances cannot morph. No extension is required.
+// Deterministic.
 //
-// `out` as for write_glb(). Memory holds two ages of the plant, however many there are. Fails if
-// the stream fails, if a coordinate is not finite, and, before anything is written, if the file
-// would pass glTF's limit of 4 GiB.
+// `out` as for write_glb(). Only two ages of the plant are in memory at a time. Fails if the stream
+// fails, a coordinate is not finite, or, before anything is written, if the file would exceed
+// glTF's limit of 4 GiB.
 Result<GlbSummary> write_glb(std::ostream& out, GrowthFilm const& film);
 
 } // namespace tractus::exports

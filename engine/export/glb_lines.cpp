@@ -10,9 +10,9 @@ namespace tractus::exports {
 
 namespace {
 
-constexpr std::size_t kMostLines = std::size_t { 1 } << 24; // After expanding.
+constexpr std::size_t kMostLines = std::size_t { 1 } << 24; // Limit after expanding instances.
 
-// The vertices of a primitive in the order in which its lines take them, in glTF's frame.
+// Returns the vertices of a primitive in the order of its lines, in glTF's frame.
 Result<std::vector<Vec3>> vertices_in_order(tinygltf::Model const& model,
                                             tinygltf::Primitive const& primitive)
 {
@@ -31,7 +31,7 @@ Result<std::vector<Vec3>> vertices_in_order(tinygltf::Model const& model,
     return result;
 }
 
-// Appends the lines of a primitive that stands at `place`.
+// Appends the lines of a primitive transformed by `place`.
 void add_lines(std::vector<Vec3> const& vertices, int mode, Affine const& place,
                std::vector<SkeletonPiece>& lines)
 {

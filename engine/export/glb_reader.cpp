@@ -19,7 +19,7 @@
 namespace tractus::exports {
 namespace {
 
-constexpr std::size_t kMostVertices = std::size_t { 1 } << 26; // After expanding.
+constexpr std::size_t kMostVertices = std::size_t { 1 } << 26; // Limit after expanding instances.
 
 void compute_normals(mesh::TriangleMesh& mesh)
 {
@@ -35,7 +35,7 @@ void compute_normals(mesh::TriangleMesh& mesh)
     }
 }
 
-// A normal without direction points up.
+// Normalises; a zero normal becomes +z.
 void normalize(std::span<Vec3f> normals)
 {
     for (auto& normal : normals) {
@@ -44,7 +44,7 @@ void normalize(std::span<Vec3f> normals)
     }
 }
 
-// The triangles of a primitive, in our frame. No value for points and lines.
+// Returns the triangles of a primitive in our frame, or no value for points and lines.
 Result<std::optional<mesh::TriangleMesh>> read_primitive(tinygltf::Model const& model,
                                                          tinygltf::Primitive const& primitive)
 {
@@ -96,7 +96,8 @@ Result<std::optional<mesh::TriangleMesh>> read_primitive(tinygltf::Model const& 
     return std::optional(std::move(mesh));
 }
 
-// A transform as scale, rotation and translation. No value if it shears, flattens or is too large.
+// Decomposes a transform into scale, rotation and translation. Returns no value if it shears,
+// flattens or is too large.
 std::optional<mesh::InstanceTransform> instance_of(Affine const& place)
 {
     Eigen::Matrix3d axes = place.linear();
@@ -117,7 +118,7 @@ std::optional<mesh::InstanceTransform> instance_of(Affine const& place)
     return instance;
 }
 
-// Puts what was read together: surfaces by material, instances by prototype.
+// Assembles the mesh: surfaces by material, instances by prototype.
 class Builder {
 public:
     explicit Builder(tinygltf::Model const& model)
@@ -204,7 +205,7 @@ private:
         surface.material = part.material;
         auto const base = static_cast<std::uint32_t>(surface.positions_mm.size());
         Eigen::Matrix3d const linear = place.linear();
-        // Takes normals along, and flips them where the transform mirrors.
+        // Transforms normals, and flips them if the transform mirrors.
         Eigen::Matrix3d cofactors;
         cofactors << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
             linear.col(0).cross(linear.col(1));

@@ -7,15 +7,16 @@
 
 namespace tractus::exports {
 
-// Reads the triangles of a binary glTF 2.0 file: of its default scene, with all node transforms,
-// taken to our frame (millimetres, +z up). A mesh that stands in several places, by nodes or by
-// EXT_mesh_gpu_instancing, becomes instances; one that stands once becomes part of the surfaces.
+// Reads the triangles of the default scene of a binary glTF 2.0 file, with all node transforms
+// applied, converted to our frame (millimetres, +z up). A mesh used several times, by nodes or by
+// EXT_mesh_gpu_instancing, becomes instances; one used once becomes part of the surfaces.
 //
-// Materials keep what read_materials.h says. Skins, animations, points and lines are not read.
+// Materials are read as described in read_materials.h. Skins, animations, points and lines are
+// ignored.
 //
-// Fails, as the user's fault, on what is no such file, is truncated or contradicts itself, needs an
-// extension that changes geometry in a way not known here, or expands to more than 67 million
-// vertices. Any bytes are safe to give.
+// Fails with Fault::User if the file is not a .glb, is truncated or inconsistent, requires an
+// unsupported extension that changes geometry, or expands to more than 67 million vertices. Safe
+// for arbitrary bytes.
 Result<mesh::Mesh> read_glb(std::string_view bytes);
 
 } // namespace tractus::exports

@@ -56,7 +56,8 @@ void GlbStream::write(Block& block, std::span<std::byte const> bytes)
         put("\0\0\0", 4 - block.size % 4);
 }
 
-// Files may be left before their end is written; memory streams have to be filled up to there.
+// Moves to a position that may be beyond the end. Files can be extended by seeking; memory streams
+// have to be filled up to there.
 void GlbStream::seek(std::uint64_t offset)
 {
     if (offset == at_ || !out_)

@@ -10,12 +10,12 @@
 
 namespace tractus::exports {
 
-// The frame of a .glb file (glTF 2.0 section 4.4): a JSON chunk of a size that is said beforehand,
-// and after it a binary chunk in which blocks are filled side by side. The file begins where the
-// stream stands.
+// The structure of a .glb file (glTF 2.0 section 4.4): a JSON chunk of a size fixed in advance,
+// then a binary chunk with blocks that can be filled concurrently. The file begins at the stream's
+// current position.
 class GlbStream {
 public:
-    // A stretch of the binary chunk, filled from its beginning.
+    // A block of the binary chunk, filled from its beginning.
     struct Block {
         std::uint64_t start = 0; // Offset in the chunk; a multiple of four.
         std::uint64_t size = 0;
@@ -25,14 +25,14 @@ public:
     // `json_room`: a multiple of four.
     GlbStream(std::ostream& out, std::uint64_t json_room);
 
-    // Makes room at the chunk's end.
+    // Reserves space at the end of the binary chunk.
     Block open_block(std::uint64_t size);
 
-    // Appends to a block. Blocks that are open at the same time may be filled in turn.
+    // Appends to a block. Writes to several open blocks may alternate.
     void write(Block& block, std::span<std::byte const> bytes);
 
-    // Fills in headers and JSON, which fits in its room; all blocks are full. Fails if the stream
-    // failed, now or before.
+    // Fills in the headers and the JSON, which must fit in its space; all blocks must be full.
+    // Fails if the stream has failed.
     Result<void> finish(std::string_view json);
 
     Result<void> check() const; // Fails if the stream has failed.
@@ -50,8 +50,8 @@ private:
     std::ostream& out_;
     std::uint64_t json_room_;
     std::streamoff start_;
-    std::uint64_t at_ = 0;  // Where the stream stands, from start_.
-    std::uint64_t end_ = 0; // How far it was written.
+    std::uint64_t at_ = 0;  // Current position of the stream, from start_.
+    std::uint64_t end_ = 0; // End of what has been written.
     std::uint64_t binary_bytes_ = 0;
 };
 

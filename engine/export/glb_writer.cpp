@@ -15,7 +15,7 @@ namespace tractus::exports {
 namespace {
 
 constexpr std::size_t kInstancesAtOnce = 16 << 10;
-// A plant is likely to take what the first one takes, more or less.
+// Other plants are expected to have at least this share of the size of the first.
 constexpr double kLikelyShare = 0.8;
 
 std::unique_ptr<MeshPieces const> pieces_for(MeshSource const& source, GlbOptions const& options)
@@ -30,26 +30,26 @@ std::unique_ptr<MeshPieces const> pieces_for(MeshSource const& source, GlbOption
                                                              : MeshPieces::Cut::OneSurface);
 }
 
-// A level of a plant on its way into the file. The pieces of it that are under way share it: the
-// last of them ends its life, so that plants which have been written take no memory.
+// A level of a plant being written. Shared by its pieces in progress; the last of them frees it, so
+// that plants already written take no memory.
 struct PlantOnItsWay {
     LevelInFile level;
     std::unique_ptr<MeshPieces const> pieces;
     PlantFormat format {};
 };
 
-// A piece of work: a part of a surface, or some of an organ's instances, or the end of a level.
+// A unit of work: a part of a surface, some of an organ's instances, or the end of a level.
 struct Unit {
     enum class Kind { Surface, Organ, End };
 
     Kind kind = Kind::End;
     std::shared_ptr<PlantOnItsWay const> plant {};
-    std::size_t index = 0; // Index of the surface or the organ in its plant.
+    std::size_t index = 0; // Index of the surface or organ in its plant.
     std::size_t piece = 0;
     std::size_t piece_count = 0;
     bool begins_level = false;
 
-    // Kept from unit to unit, so that they are allocated once.
+    // Reused for one unit after another.
     MeshPieces::Buffer buffer {};
     std::vector<mesh::WindVertex> wind {};
     EncodedPiece encoded {};
@@ -57,10 +57,10 @@ struct Unit {
     bool is_last() const { return piece + 1 == piece_count; }
 };
 
-// Says which unit comes after which. Grows and plans plants when their turn comes.
+// Enumerates the units in order. Grows and plans each plant when needed.
 class Units {
 public:
-    // `first`: the pieces of the first plant, if there is one.
+    // `first`: pieces of the first plant, if there is one.
     Units(std::span<PlacedMesh const> plants, GlbOptions const& options,
           std::unique_ptr<MeshPieces const> first)
         : plants_(plants)
@@ -106,7 +106,7 @@ private:
         return true;
     }
 
-    // Counts the pieces of the surface or organ that it is at.
+    // Number of pieces of the current surface or organ.
     std::size_t piece_count() const
     {
         auto const& pieces = *plant_->pieces;
@@ -192,7 +192,7 @@ Result<void> write(Unit const& unit, GlbFile& file)
     return {};
 }
 
-// Makes pieces on all threads and writes them one after another.
+// Makes pieces on all threads and writes them in order.
 Result<void> write_plants(Units units, GlbOptions const& options, GlbFile& file)
 {
     std::vector<Unit> slots(static_cast<std::size_t>(thread_count()) + 1);
@@ -209,17 +209,17 @@ Result<void> write_plants(Units units, GlbOptions const& options, GlbFile& file)
     return result;
 }
 
-// Measures the first plant in the file, all levels of detail together: the others are likely to be
-// like it. The finest level is kept, since it is the first to be written.
+// Sizes of the first plant in the file with all its levels of detail; the others are assumed to be
+// similar. The pieces of its finest level are kept, since they are written first.
 struct FirstPlant {
     std::unique_ptr<MeshPieces const> pieces {};
     std::uint64_t bytes = 0;
-    std::uint64_t compressed_bytes = 0; // As if it were compressed.
+    std::uint64_t compressed_bytes = 0; // Size if it were compressed.
     std::uint64_t json_bytes = 0;
-    std::uint64_t shared_json_bytes = 4000; // Materials and prototypes.
+    std::uint64_t shared_json_bytes = 4000; // JSON of materials and prototypes.
 };
 
-// How many primitives surfaces become, and nodes instances: each piece one if it is compressed.
+// Numbers of primitives for surfaces and of nodes for instances; if compressed, one for each piece.
 std::pair<std::size_t, std::size_t> counts_in_json(MeshPieces const& pieces,
                                                    GlbOptions const& options)
 {
@@ -230,7 +230,7 @@ std::pair<std::size_t, std::size_t> counts_in_json(MeshPieces const& pieces,
         primitives += surface.piece_count;
     std::size_t nodes = 0;
     for (auto const& organ : pieces.organs())
-        nodes += 2 + organ.instances.size() / kInstancesAtOnce; // Its prototype, too.
+        nodes += 2 + organ.instances.size() / kInstancesAtOnce; // Includes the prototype.
     return { primitives, nodes };
 }
 
@@ -262,7 +262,8 @@ FirstPlant measure_first(PlacedMesh const& placed, GlbOptions const& options)
     return first;
 }
 
-// Room for the JSON, if the other plants are like the first. Too little costs a second try.
+// Estimates the space for the JSON from the first plant. If it is too small the file is written a
+// second time.
 std::uint64_t guess_json_bytes(std::span<PlacedMesh const> plants, FirstPlant const& first)
 {
     std::uint64_t bytes = first.shared_json_bytes;
@@ -279,7 +280,7 @@ auto fail_large(std::size_t plants, double bytes, std::string_view about)
                             plants, about, bytes / 0x1p30));
 }
 
-// The plants that are there; and those that are not as if they were like the first one.
+// Checks the total size of the plants; those that are functions are assumed to be like the first.
 Result<void> check_size(std::span<PlacedMesh const> plants, FirstPlant const& first,
                         GlbOptions const& options)
 {

@@ -4,8 +4,9 @@
 
 namespace tractus::exports {
 
-// Conversions between our frame (millimetres, +z up) and glTF's (metres, +y up): x stays, our z is
-// its y, our -y is its z. A rotation, so triangles keep their sense.
+// Conversions between our frame (millimetres, +z up) and glTF's (metres, +y up): x is unchanged,
+// our z becomes y, our -y becomes z. This is a rotation, so the orientation of triangles is
+// preserved.
 
 template<typename Scalar>
 Eigen::Matrix<Scalar, 3, 1> turn_to_gltf(Eigen::Matrix<Scalar, 3, 1> const& v)
@@ -31,8 +32,8 @@ Eigen::Matrix<Scalar, 3, 1> from_gltf(Eigen::Matrix<Scalar, 3, 1> const& positio
     return turn_from_gltf(position_m) * Scalar(1000);
 }
 
-// Converts an instance of a prototype that was taken to glTF's frame, too. The result's translation
-// is in metres.
+// Converts an instance whose prototype is also converted to glTF's frame. The translation of the
+// result is in metres.
 inline mesh::InstanceTransform to_gltf(mesh::InstanceTransform const& instance)
 {
     auto const& r = instance.rotation;
@@ -42,7 +43,7 @@ inline mesh::InstanceTransform to_gltf(mesh::InstanceTransform const& instance)
              { s.x(), s.z(), s.y() } };
 }
 
-// The inverse of the function above.
+// The inverse of to_gltf().
 inline mesh::InstanceTransform from_gltf(mesh::InstanceTransform const& instance)
 {
     auto const& r = instance.rotation;

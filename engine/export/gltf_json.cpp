@@ -8,14 +8,14 @@ namespace tractus::exports {
 
 Json json_number(double value)
 {
-    constexpr double kMostExact = 0x1p53; // Every whole number up to it is a double.
+    constexpr double kMostExact = 0x1p53; // Integers up to this are exact as doubles.
     if (std::abs(value) <= kMostExact && value == std::trunc(value))
         return static_cast<std::int64_t>(value);
     return value;
 }
 
-// The library writes doubles only, so the double is taken that is nearest to the float's shortest
-// decimal.
+// The library writes doubles only, so this uses the double nearest to the float's shortest decimal
+// form.
 Json json_number(float value)
 {
     if (!std::isfinite(value))

@@ -9,15 +9,15 @@
 
 namespace tractus::exports {
 
-// Members stay in the order in which they were added.
+// Keeps members in the order of insertion.
 using Json = nlohmann::ordered_json;
 
-// A number that is read back as the same double or float: a float without the digits that only a
-// double needs. Whole ones have no point, and 0 has no sign.
+// Returns a number that reads back as the same double or float; a float has no digits that only a
+// double would need. Whole numbers are written without a decimal point, and 0 without a sign.
 Json json_number(double value);
 Json json_number(float value);
 
-// An array of an Eigen vector's numbers.
+// Returns the elements of an Eigen vector as an array.
 template<typename Vector> Json json_numbers(Vector const& vector)
 {
     Json::array_t numbers;
@@ -27,37 +27,37 @@ template<typename Vector> Json json_numbers(Vector const& vector)
     return numbers;
 }
 
-// A value as text; what is not UTF-8 becomes a replacement character.
+// Returns a value as text; invalid UTF-8 becomes replacement characters.
 std::string json_text(Json const& value);
 
-// A JSON array that grows. Its elements are kept as text: a file may have a million nodes, and as
-// values they would take several times as much memory.
+// A JSON array for many elements. They are stored as text, since a file may have a million nodes,
+// which would take several times as much memory as values.
 class JsonArray {
 public:
-    // Returns the new element's index.
+    // Appends an element; returns its index.
     std::size_t add(Json const& element);
 
     std::size_t count() const { return count_; }
-    std::string const& text() const { return text_; } // Excludes the brackets.
+    std::string const& text() const { return text_; } // Without the brackets.
 
 private:
     std::string text_;
     std::size_t count_ = 0;
 };
 
-// A glTF 2.0 document as it is put together: elements in arrays, extensions by name.
+// A glTF 2.0 document under construction: elements in arrays, extensions by name.
 struct GltfJson {
     std::vector<std::size_t> scene; // The scene's root nodes.
     JsonArray nodes, meshes, materials, textures, images, samplers, accessors, buffer_views,
         animations;
-    // Extensions that a reader must know, and those that it may pass over.
+    // Names of extensions that a reader must support, and of those it may ignore.
     std::set<std::string> required_extensions;
     std::set<std::string> optional_extensions;
-    // Bytes of the second buffer, which is not there: compressed views say that they lie in it
-    // decompressed.
+    // Size of the fallback buffer, which is declared but not stored: compressed views refer to
+    // their decompressed data in it.
     std::uint64_t fallback_bytes = 0;
 
-    // The document, with a buffer of so many bytes, and that one if it has any.
+    // Returns the document, with a buffer of `buffer_bytes`, and the fallback buffer if it is used.
     std::string text(std::uint64_t buffer_bytes) const;
 };
 

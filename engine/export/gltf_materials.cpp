@@ -12,7 +12,7 @@
 namespace tractus::exports {
 namespace {
 
-// glTF 2.0 section 3.8.4.
+// Texture filters (glTF 2.0 section 3.8.4).
 constexpr int kLinear = 9729;
 constexpr int kLinearMipmapLinear = 9987;
 constexpr int kRepeat = 10497;
@@ -23,7 +23,7 @@ bool is_thin(Material::Kind kind)
     return kind == Material::Kind::Leaf || kind == Material::Kind::Petal;
 }
 
-// Six digits, so that floats are as people wrote them.
+// Rounds to six digits, so that floats are written as they were entered.
 double six_digits(double value)
 {
     auto const text = fmt::format("{:.6g}", value);
@@ -84,7 +84,7 @@ std::size_t GltfMaterials::index_of(Material const& material)
     return place->second;
 }
 
-// Puts a picture into the file when it is first asked for.
+// Writes a picture to the file when it is first used.
 void GltfMaterials::refer(Json& to, char const* name, TextureSlot const& slot)
 {
     if (!slot)

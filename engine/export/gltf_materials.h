@@ -10,18 +10,18 @@
 
 namespace tractus::exports {
 
-// The materials of a glTF file, and the pictures of bark and of a leaf's veins that they use. What
-// is equal is there once.
+// The materials of a glTF file with their pictures of bark and leaf veins. Equal materials and
+// pictures are written once.
 class GltfMaterials {
 public:
-    // Puts materials into `json`, and pictures into `stream` unless they are not wanted.
+    // Writes materials to `json`, and pictures to `stream` if `has_textures`.
     GltfMaterials(GltfJson& json, GlbStream& stream, bool has_textures);
 
-    // Returns the material's index, which is new if no equal one has come before.
+    // Returns the index of a material, adding it unless an equal one exists.
     std::size_t index_of(Material const& material);
 
-    // A material that is all picture: transparent where that is, and lit as it was drawn
-    // (KHR_materials_unlit). Always new.
+    // Adds a material for a billboard: a picture with transparency, displayed without lighting
+    // (KHR_materials_unlit). Never shared.
     std::size_t add_picture(std::string_view png);
 
 private:
@@ -31,8 +31,8 @@ private:
     GltfJson& json_;
     GlbStream& stream_;
     bool has_textures_;
-    std::map<std::string, std::size_t> textures_; // Keyed by their bytes: few, each there once.
-    std::map<std::string, std::size_t> indices_;  // Keyed by their JSON.
+    std::map<std::string, std::size_t> textures_; // By the picture's bytes.
+    std::map<std::string, std::size_t> indices_;  // By the material's JSON.
 };
 
 } // namespace tractus::exports

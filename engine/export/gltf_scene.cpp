@@ -24,7 +24,7 @@ std::uint32_t u32_at(std::string_view bytes, std::size_t offset)
     return value;
 }
 
-// The parser calls itself for each level, so the levels are counted before.
+// Counts the nesting depth in advance, since the parser is recursive.
 bool is_too_deep(std::string_view json)
 {
     int depth = 0;
@@ -86,7 +86,7 @@ Result<void> load_json(std::string_view bytes, tinygltf::Model& model)
     return {};
 }
 
-// Refuses extensions that are needed and not known; those that change only looks may be ignored.
+// Fails if a required extension is unknown; those that only change appearance may be ignored.
 Result<void> check_extensions(tinygltf::Model const& model)
 {
     for (auto const& name : model.extensionsRequired) {
@@ -100,7 +100,7 @@ Result<void> check_extensions(tinygltf::Model const& model)
     return {};
 }
 
-// Where glTF's meshes stand: all their transforms to the scene's frame.
+// Collects the transforms of all uses of the meshes to the scene's frame.
 class PlaceCollector {
 public:
     explicit PlaceCollector(tinygltf::Model const& model)
@@ -110,7 +110,7 @@ public:
     {
     }
 
-    // The default scene; without scenes, every node that is nobody's child.
+    // Uses the default scene; without scenes, all root nodes.
     Result<void> collect()
     {
         for (auto const node : roots())
@@ -201,7 +201,8 @@ private:
         return {};
     }
 
-    // An accessor of the extension's attributes. No value if it does not have that one.
+    // Reads an accessor of the extension's attributes. Returns no value if there is none of that
+    // name.
     template<std::size_t Components>
     Result<std::vector<std::array<float, Components>>> attribute(tinygltf::Value const& extension,
                                                                  char const* name)

@@ -11,24 +11,24 @@
 
 namespace tractus::exports {
 
-// Shared parts of the readers of glTF files.
+// Functions shared by the readers of glTF files.
 
-// An error, as the user's fault, that begins with what all of them say.
+// Returns an error with Fault::User and the readers' common introduction.
 tl::unexpected<Error> fail_reading(std::string const& reason);
 
-// The parsed JSON part and the buffer of a binary glTF 2.0 file; pictures are not looked at. Fails
-// on what is no such file, is truncated or nested too deeply, or needs an extension that changes
-// geometry in a way not known here. Any bytes are safe to give.
+// Parses the JSON and the buffer of a binary glTF 2.0 file; pictures are not decoded. Fails if the
+// file is not a .glb, is truncated or nested too deeply, or requires an unsupported extension that
+// changes geometry. Safe for arbitrary bytes.
 Result<tinygltf::Model> parse_glb(std::string_view bytes);
 
 using Affine = Eigen::Affine3d;
 
-// Where each mesh of a file stands: transforms to the scene's frame, one for each node or instance
-// (EXT_mesh_gpu_instancing) of its default scene; without scenes, of every node that is nobody's
-// child, and what they bear. Fails on nodes and attributes that contradict each other.
+// Returns, for each mesh of a file, the transforms of all its uses to the scene's frame: one per
+// node or instance (EXT_mesh_gpu_instancing) of the default scene; if there are no scenes, of all
+// root nodes and their descendants. Fails if nodes or attributes are inconsistent.
 Result<std::vector<std::vector<Affine>>> find_places(tinygltf::Model const& model);
 
-// The number of a primitive's accessor, "POSITION" and so on; -1 without.
+// Returns the index of a primitive's accessor, such as "POSITION"; -1 if there is none.
 int accessor_of(tinygltf::Primitive const& primitive, char const* name);
 
 } // namespace tractus::exports

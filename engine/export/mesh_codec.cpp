@@ -7,12 +7,12 @@
 namespace tractus::exports {
 namespace {
 
-// A byte of 256 elements that are all alike takes four bytes of heads.
+// Limit on the expansion: 256 bytes that are all equal take four bytes of headers.
 constexpr std::uint64_t kMostExpansion = 64;
 constexpr std::uint64_t kMostStride = 256;
 
-// The library's own version changes; the extension's does not. It is set before the first
-// compression, as the library keeps it without a lock.
+// Fixes the version of the encoding, since the library's default may change while the extension's
+// does not. Called once before the first compression, as the library stores it without a lock.
 void choose_version()
 {
     [[maybe_unused]] static bool const is_chosen = [] {
@@ -43,7 +43,7 @@ char const* flaw_in_indices(CompressedElements const& elements)
     bool const are_triangles = elements.mode == CodecMode::Triangles;
     if (are_triangles && elements.count % 3 != 0)
         return "holds a part of a triangle";
-    // At least a byte for each.
+    // Each element takes at least one byte.
     if (elements.count / (are_triangles ? 3 : 1) > elements.bytes.size())
         return "claims more elements than it can hold";
     return nullptr;

@@ -8,31 +8,32 @@
 
 namespace tractus::exports {
 
-// The codecs of glTF's extension EXT_meshopt_compression that meshoptimizer has, but for the
-// encoder of attribute_codec.h. Functions may be called on any threads.
+// The codecs of glTF's extension EXT_meshopt_compression from meshoptimizer, except for the encoder
+// in attribute_codec.h. Thread-safe.
 
 enum class CodecMode { Attributes, Triangles, Indices };
 enum class CodecFilter { None, Octahedral, Quaternion, Exponential };
 
-// Compresses indices by mode INDICES, and replaces what `to` holds. TRIANGLES takes six times as
-// long for the order in which tubes have their triangles, and is no smaller.
+// Compresses indices by mode INDICES, replacing the contents of `to`. Mode TRIANGLES takes six
+// times as long for the triangle order of tubes, and is no smaller.
 void compress_indices(std::span<std::uint32_t const> indices, BulkVector<std::byte>& to);
 
-// What a file says of compressed elements.
+// The description of compressed elements in a file.
 struct CompressedElements {
     CodecMode mode = CodecMode::Attributes;
     CodecFilter filter = CodecFilter::None;
     std::uint64_t count = 0;
-    std::uint64_t stride = 0; // Bytes of an element.
+    std::uint64_t stride = 0; // Size of an element in bytes.
     std::span<std::byte const> bytes {};
 };
 
-// Says why these cannot be decompressed, whatever the bytes are, as the end of a sentence; null if
-// they perhaps can. Then they take at most 64 times as many bytes as they are compressed.
+// Returns the reason why such elements cannot be decompressed, whatever the bytes, as the end of a
+// sentence; null if there is none. Their decompressed size is then at most 64 times the compressed
+// size.
 char const* flaw_in(CompressedElements const& elements);
 
-// Decompresses elements without such a flaw into `to`, which has count * stride bytes. Any bytes
-// are safe to give. False if they are damaged.
+// Decompresses elements for which flaw_in() is null into `to`, of count * stride bytes. Safe for
+// arbitrary bytes. Returns false if they are damaged.
 bool decompress(CompressedElements const& elements, std::span<std::byte> to);
 
 } // namespace tractus::exports

@@ -11,9 +11,10 @@ namespace tractus::exports {
 namespace {
 
 constexpr std::size_t kPieceVertices = 12 << 10;
-constexpr std::size_t kPiecesOfOwnMesh = 4; // As many as 16-bit indices mostly reach.
+// Number of plan pieces per mesh: about as many as 16-bit indices can address.
+constexpr std::size_t kPiecesOfOwnMesh = 4;
 
-// Some of an organ's copies.
+// A range of an organ's copies.
 struct Copies {
     std::size_t first = 0;
     std::size_t end = 0;
@@ -24,9 +25,9 @@ Copies copies_in(std::size_t count, std::size_t piece, std::size_t piece_count)
     return { count * piece / piece_count, count * (piece + 1) / piece_count };
 }
 
-// Takes an organ's directions to the plant's.
+// Transforms an organ's normals to the plant's frame.
 struct NormalTurn {
-    // Uses the scale's cofactors, which unlike its inverse exist when a scale is zero.
+    // Uses the cofactors of the scale, which, unlike its inverse, exist if a scale is zero.
     explicit NormalTurn(mesh::InstanceTransform const& instance)
         : rotation(instance.rotation.toRotationMatrix())
         , is_mirrored(instance.scale.prod() < 0)
@@ -44,7 +45,7 @@ struct NormalTurn {
     }
 
     Eigen::Matrix3f rotation;
-    bool is_mirrored; // Then triangles are turned, too.
+    bool is_mirrored; // If true, the orientation of triangles is reversed, too.
     Vec3f factors;
 };
 
@@ -68,7 +69,7 @@ void append_copy(mesh::TriangleMesh const& prototype, mesh::InstanceTransform co
     to.vertex += static_cast<std::uint32_t>(count);
 }
 
-// A box around copies of an organ: of the corners of the organ's own box.
+// Adds the corners of the organ's bounding box for each copy.
 void add_copies(mesh::InstancedMesh const& organ, Bounds& bounds)
 {
     Eigen::AlignedBox3f box;
@@ -119,8 +120,9 @@ MeshPieces::MeshPieces(MeshSource const& source, Organs organs, Tangents tangent
         merge_organs();
 }
 
-// A surface in memory is cut wherever a piece is large enough, through triangles as well, so all of
-// it has its tangents found at once: not before a piece is asked for, as many a file's size is.
+// A surface in memory is cut anywhere, even through the triangles of a vertex, so all its tangents
+// are computed at once, when a piece is first requested: callers that only need a file's size do
+// not request any.
 std::span<Eigen::Vector4f const> MeshPieces::tangents_of_mesh(std::size_t surface) const
 {
     std::call_once(mesh_tangents_found_, [&] {
@@ -174,7 +176,7 @@ void MeshPieces::add_surface(MaterialId material, mesh::MeshExtent const& extent
     surfaces_.push_back({ material, extent, piece_count });
 }
 
-// Materials that have no surface yet get one.
+// Adds a surface for materials that have none yet.
 void MeshPieces::merge_organs()
 {
     auto const organs = all_organs();
@@ -208,7 +210,7 @@ std::span<mesh::InstancedMesh const> MeshPieces::organs() const
     return is_merged_ ? std::span<mesh::InstancedMesh const>() : all_organs();
 }
 
-// The last one that begins there or before: a run may be empty.
+// Finds the last run that begins at or before the piece, since a run may be empty.
 MeshPieces::Run const& MeshPieces::run_of(std::size_t surface, std::size_t piece) const
 {
     auto const& runs = runs_[surface];
@@ -336,7 +338,7 @@ static void resize(mesh::TriangleMesh& mesh, mesh::MeshExtent const& extent)
     mesh.indices.resize(extent.indices);
 }
 
-// Some of the surface's triangles, with those of its vertices that they have, in their order.
+// Makes a mesh of some of the surface's triangles, with the vertices that they use, in their order.
 TriangleView MeshPieces::own_mesh_piece(Run const& run, std::size_t piece, Buffer& buffer) const
 {
     auto const whole = view_of(mesh_->surfaces[run.index]);

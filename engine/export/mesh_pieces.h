@@ -11,35 +11,35 @@
 
 namespace tractus::exports {
 
-// A part of a surface, wherever its triangles are. Indices count from the surface's first vertex;
-// to the first vertex here they give the number `first_vertex`.
+// A part of a surface, in whatever memory. Indices count from the surface's first vertex; the first
+// vertex of this part has the index `first_vertex`.
 struct TriangleView {
     std::span<Vec3f const> positions_mm;
     std::span<Vec3f const> normals;
     std::span<Vec2f const> texture_coordinates;
     std::span<std::uint32_t const> indices;
     std::uint32_t first_vertex = 0;
-    std::span<Eigen::Vector4f const>
-        tangents {}; // From find_tangents(); empty for what needs none.
+    std::span<Eigen::Vector4f const> tangents {}; // From find_tangents(); empty if not needed.
 };
 
 TriangleView view_of(mesh::TriangleMesh const& mesh, std::uint32_t first_vertex = 0);
 
-// The triangles of one plant in pieces of about a megabyte, whether they are in memory or
-// are made as they are asked for. Pieces may be asked for on any threads.
+// The triangles of one plant in pieces of about a megabyte, either from memory or made on demand.
+// Thread-safe.
 class MeshPieces {
 public:
-    // Whether the copies of an organ are triangles of the surface that has their material, after
-    // what else is in it, or are left to the caller.
+    // Whether the copies of an organ are merged into the surface with their material, after its
+    // other triangles, or left to the caller.
     enum class Organs { Merged, Apart };
     // Whether surfaces with a normal map have tangents.
     enum class Tangents { Never, ForRelief };
-    // Whether the indices of a surface go through all of its pieces, and a piece may lack vertices
-    // of its triangles; or each piece has its own, from 0 on, and is a mesh by itself. Those are
-    // four times as large: a program draws each at once.
+    // OneSurface: the indices of a surface continue through all pieces, and triangles may refer to
+    // vertices of other pieces. OwnMeshes: each piece is a mesh of its own, with indices from 0.
+    // Such pieces are four times as large, since a program draws each with one call.
     enum class Cut { OneSurface, OwnMeshes };
 
-    // Grows, meshes or draws what `source` gives as a function; `source` must outlive this.
+    // If `source` is a function, calls it to grow, mesh or draw the plant. `source` must outlive
+    // this object.
     MeshPieces(MeshSource const& source, Organs organs, Tangents tangents = Tangents::Never,
                Cut cut = Cut::OneSurface);
     MeshPieces(MeshPieces const&) = delete;
@@ -53,40 +53,39 @@ public:
     std::span<Surface const> surfaces() const { return surfaces_; }
     std::span<mesh::InstancedMesh const> organs() const; // Empty if they are merged.
     Material const& material(MaterialId id) const;
-    std::uint64_t triangle_count() const; // Triangles as drawn: every instance counted.
-    // Writes what a piece's vertices need for the wind into `buffer`; nothing if it has no wind.
+    std::uint64_t triangle_count() const; // As drawn: counting every instance.
+    // Writes the wind data of a piece's vertices into `buffer`; does nothing if there are none.
     bool has_wind() const { return wind_.has_value(); }
     void wind(std::size_t surface, std::size_t piece, std::vector<mesh::WindVertex>& buffer) const;
-    // Returns the same for the instances of an organ.
+    // Returns the wind data of an organ's instances.
     std::span<mesh::WindVertex const> organ_wind(std::size_t organ) const;
 
-    // A billboard's picture, in PNG, on all of its surfaces; empty for what is none.
+    // A billboard's picture in PNG, for all of its surfaces; empty if this is no billboard.
     std::string const& picture_png() const { return picture_png_; }
-    // A box around all surfaces, found without making what is not there yet.
+    // Box around all surfaces, computed without making their triangles.
     Bounds bounds_mm() const;
 
-    // Whether surfaces and organs with this material have tangents.
+    // True if surfaces and organs with this material have tangents.
     bool has_tangents(MaterialId material) const;
 
-    // Memory for what has to be made of a piece; kept from piece to piece, so that it is allocated
-    // once.
+    // Reusable memory for the data of one piece.
     struct Buffer {
         mesh::TriangleMesh triangles {};
         BulkVector<Eigen::Vector4f> tangents {};
     };
 
-    // One piece; pieces of one surface follow each other without a gap. The extents of meshes of
-    // their own may be more than their surface's, as they do not share vertices.
+    // Returns one piece. The pieces of a surface are consecutive, without gaps. With Cut::OwnMeshes
+    // their total extent may exceed that of the surface, as they do not share vertices.
     TriangleView piece(std::size_t surface, std::size_t piece, Buffer& buffer) const;
 
 private:
-    // Pieces of a surface that follow each other and have one origin.
+    // Consecutive pieces of a surface that come from the same source.
     struct Run {
         enum class Of { Surface, Organ } of = Of::Surface;
-        std::size_t index = 0; // Index of the plan's or mesh's surface, or of the organ.
+        std::size_t index = 0; // Index of the surface in the plan or mesh, or of the organ.
         std::size_t first_piece = 0;
         std::size_t piece_count = 0;
-        mesh::MeshExtent start {}; // Extent of what lies before it in the surface.
+        mesh::MeshExtent start {}; // Extent of everything before the run in the surface.
     };
 
     void use_mesh(mesh::Mesh const& mesh);
@@ -100,7 +99,8 @@ private:
     }
     Run const& run_of(std::size_t surface, std::size_t piece) const;
     TriangleView triangles_of(Run const& run, std::size_t piece, Buffer& buffer) const;
-    // The first of a plan's pieces that are one piece here; and the end of the last.
+    // Index of the first piece of the plan that belongs to a piece here; for the number of pieces,
+    // `planned_pieces`.
     std::size_t planned_piece(std::size_t piece, std::size_t planned_pieces) const;
     std::size_t piece_vertices() const;
     TriangleView mesh_piece(Run const& run, std::size_t piece) const;
@@ -113,16 +113,16 @@ private:
     std::optional<mesh::Mesh> made_;
     std::string picture_png_;
     std::optional<Plant> grown_;
-    mesh::Mesh const* mesh_ = nullptr; // Either this one or
-    Plant const* plant_ = nullptr;     // this one, with its plan and organs.
+    mesh::Mesh const* mesh_ = nullptr; // Either the mesh is set,
+    Plant const* plant_ = nullptr;     // or the plant, with its plan and organs.
     std::optional<mesh::MeshPlan> plan_;
     std::vector<mesh::InstancedMesh> organs_;
     std::optional<mesh::WindKey> wind_;
-    std::vector<std::vector<mesh::WindVertex>> organ_wind_; // Per organ shape of the plant.
+    std::vector<std::vector<mesh::WindVertex>> organ_wind_; // By organ shape of the plant.
     std::vector<Surface> surfaces_;
-    std::vector<std::vector<Run>> runs_; // Per surface, in order.
+    std::vector<std::vector<Run>> runs_; // By surface, in order.
     mutable std::once_flag mesh_tangents_found_;
-    // Per surface of mesh_; empty for most.
+    // By surface of mesh_; empty for most.
     mutable std::vector<BulkVector<Eigen::Vector4f>> mesh_tangents_;
     bool is_merged_ = false;
     bool has_own_meshes_ = false;

@@ -15,7 +15,7 @@
 namespace tractus::exports {
 namespace {
 
-// OBJ's names end at a space.
+// Names in OBJ files end at a space.
 std::string name_word(std::string const& name)
 {
     std::string word = name.empty() ? "unnamed" : name;
@@ -25,7 +25,7 @@ std::string name_word(std::string const& name)
     return word;
 }
 
-// Gives every different material a name of its own.
+// Assigns a unique name to every different material.
 class MaterialNames {
 public:
     struct Named {
@@ -126,7 +126,7 @@ private:
     Eigen::Isometry3d place_ = Eigen::Isometry3d::Identity();
     MaterialNames names_;
     std::string used_;
-    std::size_t next_ = 1; // OBJ counts vertices from 1, through the whole file.
+    std::size_t next_ = 1; // OBJ numbers vertices from 1 throughout the file.
 };
 
 Result<void> check(std::ostream& out)
@@ -156,7 +156,7 @@ Result<void> write_obj(std::ostream& out, std::span<PlacedMesh const> plants,
 
 namespace {
 
-// One .mtl file and the pictures that it names.
+// One .mtl file and the pictures that it refers to.
 class MtlText {
 public:
     MtlText(std::ostream& out, std::string_view stem)
@@ -168,7 +168,7 @@ public:
     void add(std::string const& name, Material const& material)
     {
         auto const& color = material.base_color;
-        // Blinn-Phong's exponent for a roughness, as is usual: 2 / roughness^4 - 2.
+        // The usual Blinn-Phong exponent for a roughness: 2 / roughness^4 - 2.
         double const alpha = std::max(0.05, double { material.roughness } * material.roughness);
         out_ << fmt::format("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\nKs 0.04 0.04 0.04\nNs {:.2f}\n"
                             "Pr {:.4f}\nPm 0\nillum 2\n",
@@ -185,7 +185,8 @@ public:
         }
         if (textures.normal) {
             auto const picture = add_picture(name + "-normal", textures.normal->bytes);
-            out_ << "norm " << picture << "\nmap_Bump " << picture << '\n'; // Blender's name.
+            // The keyword that Blender reads.
+            out_ << "norm " << picture << "\nmap_Bump " << picture << '\n';
         }
     }
 
@@ -222,7 +223,7 @@ Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMes
     for (auto const& placed : plants) {
         std::optional<mesh::Mesh> made;
         auto const& mesh = mesh_of(placed.mesh, made);
-        // Adds the materials that are used, in write_obj()'s order, so that names agree.
+        // Adds the materials that are used, in the order of write_obj(), so that the names agree.
         auto const add = [&](mesh::TriangleMesh const& part) {
             auto const& material = mesh.materials[part.material];
             if (auto const [name, is_new] = names.name_of(material); is_new)

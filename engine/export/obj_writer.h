@@ -11,27 +11,26 @@
 
 namespace tractus::exports {
 
-// Writes plants as Wavefront OBJ text: metres and +y up, as in our glTF files; an object per plant,
-// a material change per surface, every organ written out where it stands. `library` is the name of
-// the .mtl file that write_mtl() fills; if it is empty, materials are named but not defined. Equal
-// names of materials mean equal materials: those of later plants get a number where they differ.
-// Fails if the stream fails.
+// Writes plants as Wavefront OBJ text, in metres and +y up, as in our glTF files: an object per
+// plant, a change of material per surface, and every organ written out in place. `library` is the
+// name of the .mtl file from write_mtl(); if it is empty, materials are named but not defined.
+// Different materials of the same name get a number appended. Fails if the stream fails.
 Result<void> write_obj(std::ostream& out, std::span<PlacedMesh const> plants,
                        std::string_view library = {});
 
-// A picture that a .mtl file names, which belongs beside it.
+// A picture that a .mtl file refers to and that must be stored beside it.
 struct MtlPicture {
     std::string name;
     std::string png;
 };
 
-// The materials of the same plants as a .mtl file: colours, roughness (Pr, Pm and Ns) and pictures,
-// which are answered; their names begin with `stem`, and without one there are none. Makes the
-// meshes once more where they are given as functions.
+// Writes the materials of the same plants as a .mtl file: colours, roughness (Pr, Pm and Ns) and
+// pictures. Returns the pictures; their names begin with `stem`, and without a stem none are
+// written. Plants given as functions are made again.
 //
-// MTL has no word for translucency, nor for what is hidden from the sky, so these are left out. A
-// colour's picture holds the material's own colour, since not every reader multiplies the two.
-// Fails if the stream fails.
+// Translucency and occlusion are left out, since MTL does not support them. A colour picture
+// contains the material's own colour, since not every reader multiplies the two. Fails if the
+// stream fails.
 Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants,
                                           std::string_view stem = {});
 

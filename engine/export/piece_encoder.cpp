@@ -15,7 +15,7 @@ namespace {
 constexpr float kMostByte = 127;
 constexpr float kMostShort = 32767;
 
-// Room for `count` values in one of a piece's streams.
+// Allocates `count` values in one of a piece's streams.
 template<typename Value> Value* room_for(EncodedPiece& piece, std::size_t stream, std::size_t count)
 {
     auto& storage = piece.storage[stream];
@@ -29,7 +29,8 @@ void encode_positions(std::span<Vec3f const> positions_mm, EncodedPiece& piece)
     auto* to = room_for<float>(piece, 0, 3 * positions_mm.size());
     Vec3f low = piece.low;
     Vec3f high = piece.high;
-    Vec3f nothing = Vec3f::Zero(); // x - x is 0, or no number where x is infinite or none.
+    // Detects values that are not finite: x - x is 0 for finite x, and NaN otherwise.
+    Vec3f nothing = Vec3f::Zero();
     for (auto const& position : positions_mm) {
         Vec3f const moved = to_gltf(position);
         low = low.cwiseMin(moved);
@@ -57,13 +58,13 @@ void encode_normals(std::span<Vec3f const> normals, EncodedPiece& piece)
     }
 }
 
-// Rounds half away from zero, which unlike std::round() is no call.
+// Rounds half away from zero; unlike std::round() it is inlined.
 std::int32_t rounded(float value)
 {
     return static_cast<std::int32_t>(value + std::copysign(0.5f, value));
 }
 
-// One component of positions on its way to 16 bits.
+// Quantises one component of positions to 16 bits.
 class ShortComponent {
 public:
     ShortComponent(float origin_mm, float per_mm)
@@ -82,7 +83,7 @@ public:
         return whole_bits(number) & 0xFFFF;
     }
 
-    // Limits of the numbers that were written.
+    // Limits of the numbers written.
     float low() const { return std::nearbyint(std::min({ low_[0], low_[1], low_[2], low_[3] })); }
     float high() const
     {
@@ -95,7 +96,8 @@ private:
     float per_mm_;
     FourFloats low_ = FourFloats {} + kMostShort;
     FourFloats high_ = FourFloats {} - kMostShort;
-    FourFloats nothing_ {}; // x - x is 0, or no number where x is infinite or none.
+    // Detects values that are not finite: x - x is 0 for finite x, and NaN otherwise.
+    FourFloats nothing_ {};
 };
 
 void encode_short_positions(std::span<Vec3f const> positions_mm, SurfaceFormat const& format,
@@ -161,7 +163,7 @@ Codec filtered_by(SurfaceFormat const& format, Codec codec)
     return format.filtered ? codec : Codec::Attributes;
 }
 
-// Indices stay as they are: the codec takes all 32 bits of them.
+// Indices are not converted: the codec takes 32-bit ones.
 void encode_filtered(TriangleView const& triangles, SurfaceFormat const& format,
                      EncodedPiece& piece)
 {
@@ -215,8 +217,9 @@ SurfaceFormat quantized_format(Bounds const& bounds_mm)
     if (bounds_mm.empty() || !size_mm.allFinite() || !(size_mm.maxCoeff() > 0))
         return format;
     Vec3 const center_mm = 0.5 * (bounds_mm.min_mm + bounds_mm.max_mm);
-    format.origin_m = to_gltf(center_mm).cast<float>().cast<double>(); // As it is subtracted.
-    // A little more than it takes, so that rounding stays within 16 bits.
+    // As rounded for the subtraction.
+    format.origin_m = to_gltf(center_mm).cast<float>().cast<double>();
+    // Slightly more than the size requires, so that rounding stays within 16 bits.
     format.step_m = 0.001 * size_mm.maxCoeff() / (2 * (double { kMostShort } - 1));
     return format;
 }

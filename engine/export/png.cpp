@@ -29,15 +29,15 @@ void append_chunk(std::string& bytes, std::string_view type, std::string_view da
     append_u32_be(bytes, libdeflate_crc32(0, bytes.data() + start, bytes.size() - start));
 }
 
-using Bytes = std::unique_ptr<std::uint8_t[]>; // Not filled first, as a vector is.
+using Bytes = std::unique_ptr<std::uint8_t[]>; // Unlike a vector, not initialised.
 
 std::size_t row_bytes(PngPicture const& picture)
 {
     return static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels);
 }
 
-// Puts a filter byte before each row: 2, the difference to the row above, which suits soft
-// pictures.
+// Puts a filter byte before each row: filter 2, the difference from the row above, which suits
+// smooth pictures.
 Bytes filtered_rows(PngPicture const& picture)
 {
     auto const width = row_bytes(picture);
@@ -58,8 +58,8 @@ Bytes filtered_rows(PngPicture const& picture)
     return rows;
 }
 
-// Result of zlib's deflate, with either library; libdeflate is several times as fast at level 1,
-// and its best takes longer than it is worth.
+// Output of deflate, from zlib or libdeflate. libdeflate is several times as fast at level 1; its
+// best level takes longer than it is worth.
 struct Packed {
     Bytes bytes;
     std::size_t size = 0;
@@ -110,9 +110,9 @@ std::string png_bytes(PngPicture const& picture)
     std::string header;
     append_u32_be(header, static_cast<std::uint32_t>(picture.width));
     append_u32_be(header, static_cast<std::uint32_t>(picture.height));
-    header += '\x08'; // Bits.
+    header += '\x08'; // Bit depth.
     header += colour_type(picture.channels);
-    header.append(3, '\0'); // Deflate, filters, no interlace.
+    header.append(3, '\0'); // Deflate, default filters, not interlaced.
 
     std::string bytes = "\x89PNG\r\n\x1a\n";
     append_chunk(bytes, "IHDR", header);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr char const* kTransmission = "KHR_materials_diffuse_transmission";
 
-// Null where there is none of that number.
+// Null if the index is out of range.
 template<typename T> T const* item_of(std::vector<T> const& items, int index)
 {
     return index >= 0 && static_cast<std::size_t>(index) < items.size()
@@ -97,7 +97,7 @@ private:
         return place->second;
     }
 
-    // Null where it is of another kind than PNG and JPEG, or not in this file.
+    // Null if the picture is neither PNG nor JPEG, or not in this file.
     TextureSlot read_picture(int texture) const
     {
         auto const* const from = item_of(model_.textures, texture);
@@ -118,10 +118,10 @@ private:
     }
 
     tinygltf::Model const& model_;
-    std::map<int, TextureSlot> pictures_; // Keyed by the texture's number.
+    std::map<int, TextureSlot> pictures_; // By index of the texture.
 };
 
-// Two numbers of a JSON array; `usual` where there are none.
+// Reads two numbers from a JSON array; returns `usual` twice if there are none.
 Vec2f two_numbers(tinygltf::Value const& from, char const* name, float usual)
 {
     auto const& list = from.Get(name);
@@ -134,8 +134,8 @@ Vec2f two_numbers(tinygltf::Value const& from, char const* name, float usual)
 
 } // namespace
 
-// A turn is counterclockwise where v grows upwards, so clockwise in glTF's coordinates, as
-// Khronos' own viewer has it.
+// The rotation is counter-clockwise with v upwards, so clockwise in glTF's coordinates, as in
+// Khronos' reference viewer.
 Eigen::Affine2f texture_transform(tinygltf::Material const& material)
 {
     auto const& surface = material.pbrMetallicRoughness;

@@ -8,18 +8,18 @@
 
 namespace tractus::exports {
 
-// The materials of a glTF file, in its order: name, base colour, roughness, metal, how much light
-// passes (KHR_materials_diffuse_transmission), and the pictures of each, those of the normals and
-// of occlusion too, where the file holds them as PNG or JPEG and the first texture coordinates
-// place them. A picture that several materials or slots show is one picture.
+// Reads the materials of a glTF file, in its order: name, base colour, roughness, metalness,
+// translucency (KHR_materials_diffuse_transmission), and all pictures that the file contains as PNG
+// or JPEG and that use the first texture coordinates. A picture used several times is stored once.
 //
-// Kind and translucency are kept in our own files' extras; in others' files what is double-sided is
-// taken for leaves and the rest for solids. What blends is shown where it is more than half there.
+// Kind and translucency come from the extras that our own files have; in other files two-sided
+// materials are taken as leaves and the others as solids. Materials with alpha blending are shown
+// where their alpha is above one half.
 std::vector<Material> read_materials(tinygltf::Model const& model);
 
-// What a material does to the texture coordinates of its meshes (KHR_texture_transform): that of
-// its picture of colours or, without one, of the first other picture. Files that place a material's
-// pictures differently are shown as if they did not.
+// Returns the transform that a material applies to texture coordinates (KHR_texture_transform):
+// that of its colour picture, or of its first other picture. Files with different transforms for
+// the pictures of one material are displayed as if they were equal.
 Eigen::Affine2f texture_transform(tinygltf::Material const& material);
 
 } // namespace tractus::exports

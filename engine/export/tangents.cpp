@@ -7,8 +7,8 @@
 namespace tractus::exports {
 namespace {
 
-// The sum over a vertex's triangles, each weighted by its area in the texture: where u grows, and
-// in w whether u and v turn as the triangle's corners do.
+// Adds a triangle to the sums of its vertices, weighted by its area in the texture: the direction
+// in which u increases, and in w the orientation of (u, v) relative to the triangle.
 void add_triangle(TriangleView const& triangles, std::size_t first,
                   BulkVector<Eigen::Vector4f>& sums)
 {
@@ -32,7 +32,7 @@ Eigen::Vector4f tangent_of(Eigen::Vector4f const& sum, Vec3f const& normal)
 {
     Vec3f tangent = sum.head<3>() - normal * normal.dot(sum.head<3>());
     float const length = tangent.norm();
-    // Also where the sum is no number.
+    // Also taken if the sum is NaN.
     tangent = length > 1e-6f * sum.head<3>().norm() ? Vec3f(tangent / length)
                                                     : Vec3f(normal.unitOrthogonal());
     return { tangent.x(), tangent.y(), tangent.z(), sum.w() < 0 ? 1.0f : -1.0f };

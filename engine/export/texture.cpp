@@ -24,7 +24,7 @@ double leaf_level(double u, double v)
 {
     double const side = std::abs(u - 0.5) * 2; // 0 at the midrib, 1 at the margin.
     double const midrib = 1 - eased(0.02, 0.05 + 0.02 * (1 - v), side);
-    // Veins leave the midrib at equal distances and climb towards the margin.
+    // Lateral veins leave the midrib at equal distances and curve towards the tip.
     constexpr double kVeins = 9;
     double const along = kVeins * (v - 0.32 * side + 0.06 * side * side) + 0.5;
     double const from_vein = std::abs(along - std::floor(along) - 0.5);
@@ -83,7 +83,7 @@ MaterialTextures textures_of(Material const& material)
     return textures;
 }
 
-// The linear light of a picture in the mean, 1 for white.
+// Mean linear light of a picture, 1 for white.
 static double mean_light(GreyPicture const& picture)
 {
     double sum = 0;
@@ -119,7 +119,7 @@ std::string colored_picture(Material const& material)
     if (!is_bark && material.kind != Material::Kind::Leaf)
         return {};
     auto const grey = is_bark ? bark_picture() : leaf_picture();
-    // Light multiplies light: sRGB numbers would give other colours than a .glb has.
+    // Multiplies linear light, not sRGB values, so that colours agree with those in .glb files.
     Vec3 const color = multiplied_color(material);
     std::array<std::array<std::uint8_t, 3>, 256> shades {};
     for (std::size_t level = 0; level < shades.size(); ++level)

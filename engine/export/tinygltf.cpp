@@ -1,5 +1,5 @@
-// The one place where tinygltf is compiled.
+// The only translation unit that compiles tinygltf's implementation.
 #define TINYGLTF_IMPLEMENTATION
-#include <fstream> // tinygltf writes files, whatever it is told; we never call that.
+#include <fstream> // tinygltf's code for writing files needs it, although we never call that.
 
 #include "engine/export/tinygltf.h"

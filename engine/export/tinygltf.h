@@ -1,6 +1,6 @@
 #pragma once
 
-// tinygltf with the switches that its one implementation (tinygltf.cpp) is compiled with.
+// Includes tinygltf with the same configuration macros as its single implementation (tinygltf.cpp).
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE

@@ -11,7 +11,7 @@
 
 namespace tractus::exports {
 
-// Shared parts of the functions that take vectors to glTF's frame and to integers, four at a time.
+// Helpers for converting vectors to glTF's frame and to integers, four at a time.
 
 // Four vectors in glTF's frame.
 struct TurnedVectors {
@@ -32,8 +32,8 @@ inline TurnedVectors turned_vectors(Vec3f const* four)
              -__builtin_shufflevector(y01, y23, 0, 2, 4, 6) };
 }
 
-// Calls use(four vectors, first, count) for all, four at a time; the last ones are repeated where
-// fewer than four are left.
+// Calls use(four vectors, first, count) for all vectors, four at a time; if fewer than four are
+// left the last one is repeated.
 template<typename Vector, typename Use>
 void for_each_four(std::span<Vector const> vectors, Use const& use)
 {
@@ -48,15 +48,15 @@ void for_each_four(std::span<Vector const> vectors, Use const& use)
     use(last.data(), i, vectors.size() - i);
 }
 
-// Within -most to most, and so for what is no number.
+// Clamps to -most…most; NaN also becomes a value in this range.
 inline FourFloats bounded(FourFloats const& values, float most)
 {
     auto const below = values < most ? values : FourFloats {} + most;
     return below > -most ? below : FourFloats {} - most;
 }
 
-// Numbers below 2^15 in size rounded to whole ones, those half way to even ones, in the low bits:
-// so large a number has no bits left for what comes after the point.
+// Rounds values below 2^15 in absolute value to the nearest integer, ties to even; the results are
+// in the low bits. Works by adding a number so large that no fraction bits remain.
 inline FourInts whole_bits(FourFloats const& values)
 {
     return std::bit_cast<FourInts>(values + 0x1.8p23f);

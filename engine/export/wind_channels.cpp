@@ -14,7 +14,7 @@ constexpr NumberFormat kScalar { ComponentType::Float, 1, false, 4 };
 constexpr NumberFormat kPair { ComponentType::Float, 2, false, 8 };
 constexpr NumberFormat kVector {};
 constexpr NumberFormat kColour { ComponentType::UnsignedByte, 4, true, 4 };
-constexpr float kMostLevels = 8; // Most levels that a colour tells apart.
+constexpr float kMostLevels = 8; // Number of branching levels that a colour can represent.
 
 constexpr std::array<WindStream, 5> kAttributes { { { "_PIVOT", kVector },
                                                     { "_AXIS", kVector },
@@ -27,7 +27,7 @@ constexpr std::array<WindStream, 4> kTextureCoordinates { { { "TEXCOORD_1", kPai
                                                             { "TEXCOORD_4", kPair } } };
 constexpr std::array<WindStream, 1> kColours { { { "COLOR_0", kColour } } };
 
-// One stream: what `values` gives for each vertex, an Eigen vector.
+// Fills one stream: `values` returns an Eigen vector for each vertex.
 template<typename Values>
 void fill_stream(std::span<mesh::WindVertex const> wind, std::size_t stream, EncodedPiece& piece,
                  Values const& values)

@@ -10,24 +10,24 @@
 
 namespace tractus::exports {
 
-// The first of a piece's streams that are for the wind.
+// Index of the first of a piece's streams with wind data.
 constexpr std::size_t kFirstWindStream = 5;
 
-// One attribute of a mesh or of instances.
+// One wind attribute of a mesh or of instances.
 struct WindStream {
     std::string_view name;
     NumberFormat format {};
 };
 
-// The streams that GlbOptions::Wind asks for, in their order: at most kMostStreams -
+// Returns the streams that a value of GlbOptions::Wind requires, in order: at most kMostStreams -
 // kFirstWindStream.
 std::span<WindStream const> wind_streams(GlbOptions::Wind channels);
 
-// Fills those streams of `piece`; leaves them empty where there is no wind.
+// Fills the wind streams of `piece`; leaves them empty if there are no wind data.
 void encode_wind(std::span<mesh::WindVertex const> wind, GlbOptions::Wind channels,
                  EncodedPiece& piece);
 
-// Returns what Attributes says, as the extras of a node.
+// Returns the values of Wind::Attributes as the extras of a node.
 Json wind_extras(mesh::WindVertex const& wind);
 
 } // namespace tractus::exports
