@@ -8,10 +8,10 @@
 
 namespace tractus::lines {
 
-// The sketch of strokes of which it is known what each is, the stem's candidate among them: pieces
-// joined, corrections put in their places, outlines split at the stem, halves of inclination lines
-// brought together. An inclination line with which the sketch cannot be measured is Unsure, with
-// the reason. `lines` are the strokes' without hooks and tremor. The result's cost is not set.
+// Builds the sketch from strokes whose parts are known, with the stem's candidate among them: joins
+// pieces, inserts corrections, splits outlines at the stem, and combines halves of inclination
+// lines. An inclination line that makes the sketch impossible to measure becomes Unsure, with the
+// reason. `lines` are the strokes without hooks and tremor. The cost of the result is not set.
 Explanation assemble_sketch(std::span<Polyline const> lines,
                             std::span<StrokeToExplain const> strokes, StemCandidate const& stem,
                             std::span<Part const> parts);

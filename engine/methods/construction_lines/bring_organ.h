@@ -9,19 +9,19 @@
 
 namespace tractus::lines {
 
-// Brings a leaf from a file to a sketch, as lines that a pen might have drawn and goes on with.
-// Like one that is drawn (DrawOrgan) it is borne by the whole plant if it is the first one, and
-// else by the topmost layer of the stem in hand.
+// Adds a leaf from a file to a sketch, as lines that can be edited like drawn ones. As with
+// DrawOrgan, the first leaf is assigned to the whole plant, later ones to the topmost layer of the
+// current stem.
 struct BringOrgan {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
-    Vec3 at_mm = Vec3::Zero(); // Where on the tablet its base is; z is 0.
-    std::string text {};       // As print_organ() writes it.
-    scene::ItemId id = 0;      // The leaf's; those of its lines follow.
+    Vec3 at_mm = Vec3::Zero(); // Position of its base on the tablet; z is 0.
+    std::string text {};       // Text as written by print_organ().
+    scene::ItemId id = 0;      // Id of the leaf; its lines have the following ids.
 };
 
-// A place on the tablet for the lines of a leaf from a file, beside what is drawn of the sketch:
+// Returns a free position on the tablet, beside the sketch, for the lines of a leaf from a file:
 // for BringOrgan::at_mm.
 Vec3 place_beside(PenSketch const& sketch, SheetPlacement const& sheet, OrganFile const& organ);
 

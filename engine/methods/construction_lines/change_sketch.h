@@ -9,33 +9,33 @@
 
 namespace tractus::lines {
 
-// What edits of sketches have in common.
+// Functions shared by the edits of sketches.
 
-// A plant by its number, and its sketch.
+// Index of a plant, and its sketch.
 struct FoundSketch {
     std::size_t number = 0;
     PenSketch sketch;
 };
 
-// Fails, as the user's fault, for a plant that is not there, or is not drawn with lines.
+// Fails with Fault::User if there is no such plant, or it is not drawn with construction lines.
 Result<FoundSketch> find_sketch(scene::DocumentState const& state, scene::ItemId plant);
 
-// Puts another sketch in the place of a plant's. Where it has another stem the plant stands at that
-// one's foot, and so all of its lines stay where they are.
+// Replaces the sketch of a plant. If the first stem has changed, the plant is moved to its foot, so
+// that all lines stay in place.
 void put_sketch(scene::DocumentState& state, FoundSketch found);
 
-// The line whose layer this is. Fails, as the user's fault, where there is none.
+// Returns the line that owns this layer. Fails with Fault::User if there is none.
 Result<SketchLine*> find_layer(PenSketch& sketch, scene::ItemId line);
 
-// Where the pen came down for a line, on the tablet then.
+// Position of pen-down for a line, on the tablet at that time.
 Vec2 begin_on_tablet(SketchLine const& line);
 
-// Where the foot of the first stem is.
+// Position of the foot of the first stem on the sheet.
 Vec2 foot_on_sheet(PenSketch const& sketch);
 
 void list(scene::Fields& fields, Pattern& pattern);
 
-// Fails, as the user's fault, for numbers out of their range.
+// Fails with Fault::User if a number is out of range.
 Result<void> check_pattern(Pattern const& pattern);
 
 std::string describe(Pattern const& pattern);

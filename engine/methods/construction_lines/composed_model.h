@@ -15,32 +15,34 @@ namespace tractus::lines {
 
 struct ComposedSketch;
 
-// What may stand in the place of a plain leaf: a surface, or the plant of another sketch.
+// A replacement for plain leaves: a surface, or the plant of another sketch.
 struct LineOrgan {
-    OrganSurface surface {}; // Counts where there is no sketch.
+    OrganSurface surface {}; // Used if there is no sketch.
     std::shared_ptr<ComposedSketch const> sketch {};
 };
 
-// A sketch as measured whose layers may bear different organs: leaves, surfaces, and plants of
-// sketches of their own (2008, section 5).
+// A measured sketch whose layers may have different organs: leaves, surfaces, and plants of other
+// sketches (2008, section 5).
 struct ComposedSketch {
-    std::vector<MeasuredStem> stems; // At least one. Their layers name organs by their numbers.
+    std::vector<MeasuredStem> stems; // At least one. Their layers refer to organs by number.
     Pattern pattern {};
     std::vector<LineOrgan> organs {};
-    OrganSurface leaf {}; // What its leaves are; no patches: plain blades.
+    OrganSurface leaf {}; // Surface of its leaves; without patches: plain blades.
 };
 
-constexpr std::size_t kMostSketches = 12;            // In a composed one.
-constexpr std::size_t kMostSurfaces = 11;            // That are organs of layers, in all of them.
-constexpr std::size_t kMostComposedLeaves = 100'000; // Of its plant.
+constexpr std::size_t kMostSketches = 12; // Maximum number of sketches in a composed sketch.
+// Maximum number of surfaces used as organs, in all sketches together.
+constexpr std::size_t kMostSurfaces = 11;
+constexpr std::size_t kMostComposedLeaves = 100'000; // Maximum number of leaves of the plant.
 
-// The plant as a model in cpfg's language, as write_model() has it of the sketch alone, which it is
-// where all layers bear leaves in the plant's pattern. Each sketch is an L-system that the one
-// whose organs are its plants calls: an organ's stem is as long as a leaf would be in its place, so
-// its top is on the boundary. Surfaces are files (.s) that the view names, as long as leaves.
+// Writes the plant as a model in cpfg's language. If all layers have leaves in the plant's pattern,
+// the result is that of write_model() for the sketch alone. Each sketch is an L-system that is
+// called by the one whose organs are its plants: an organ's stem is as long as a leaf would be in
+// its place, so its top is on the boundary. Surfaces are files (.s) named in the view, with the
+// length of leaves.
 //
-// Fails, as the user's fault, for more sketches, surfaces or leaves than there may be, for an organ
-// that is not there, and for a sketch of several stems that bears plants of sketches, or is one.
+// Fails with Fault::User if there are too many sketches, surfaces or leaves, an organ does not
+// exist, or a sketch with several stems has plants of sketches as organs or is such an organ.
 Result<LineModel> write_composed_model(ComposedSketch const& sketch, std::string const& name);
 
 } // namespace tractus::lines

@@ -6,7 +6,7 @@
 
 namespace tractus::lines {
 
-// Takes a line of a sketch away, or one of a leaf of its own.
+// Deletes a line of a sketch, or a line of one of its drawn leaves.
 struct EraseLine {
     static scene::EditKind const kKind;
 
@@ -14,9 +14,9 @@ struct EraseLine {
     scene::ItemId line = 0;
 };
 
-// The sketch without a line. With a stem go its lines, and the stems that stand on it; with the
-// last side of a leaf goes the leaf, in whose place there are plain leaves then. Fails, as the
-// user's fault, for a line that is not there, for the only stem, and if the rest gives no plant.
+// Returns the sketch without a line. A stem is deleted with its lines and the stems attached to it.
+// A leaf is deleted with its last side; plain leaves replace it. Fails with Fault::User if there is
+// no such line, it is the only stem, or the rest gives no plant.
 Result<PenSketch> without_line(PenSketch sketch, scene::ItemId line);
 
 } // namespace tractus::lines

@@ -12,48 +12,50 @@
 
 namespace tractus::lines {
 
-// A stroke of a sketch before it is read.
+// A stroke of a sketch to be interpreted.
 struct StrokeToExplain {
-    std::vector<Vec3> points; // As of LineRecogniser::add().
-    // What a person has said that it is. No value: to be found out.
+    std::vector<Vec3> points; // As for LineRecogniser::add().
+    // The role that the user has assigned. Without a value the role is to be found.
     std::optional<Role> said {};
-    bool is_by_hand = false; // Also where its points are far apart: its tremor is taken out.
-    bool is_clean = false;   // Hooks and tremor have been taken out already.
-    bool turn_round = false; // Of the stem: it begins where it would be taken to end.
+    // Drawn by hand even if its points are far apart: its tremor is removed.
+    bool is_by_hand = false;
+    bool is_clean = false;   // Hooks and tremor have already been removed.
+    bool turn_round = false; // For a stem: it begins where it would be assumed to end.
 };
 
-// What a stroke was read as.
+// Interpretation of a stroke.
 struct ExplainedStroke {
     Role role = Role::Unsure;
-    // The stroke with which it makes one line: of a piece the first that was drawn of the line, of
-    // a line that is drawn again, wholly or in part, the one in whose place it stands.
+    // The stroke with which it forms one line: for a piece, the first drawn stroke of the line; for
+    // a line redrawn wholly or in part, the stroke that it replaces.
     std::optional<std::size_t> of {};
-    bool is_replaced = false;     // Another stroke stands in its place, wholly.
+    bool is_replaced = false;     // Another stroke has replaced it completely.
     bool is_turned_round = false; // The stem was drawn from its top to its foot.
-    std::string reason {};        // Unsure: a sentence that says why, and what to draw instead.
+    std::string reason {}; // For Unsure: one sentence that says why, and what to draw instead.
 };
 
-// A reading of all strokes of a sketch of one stem.
+// An interpretation of all strokes of a sketch with one stem.
 struct Explanation {
-    std::vector<ExplainedStroke> strokes; // One for each.
-    LineSketch sketch {};                 // Of all that count; without numbers of nodes.
-    // For each of the sketch's inclination lines the number of its stroke, or of the first of its
+    std::vector<ExplainedStroke> strokes; // One for each stroke.
+    LineSketch sketch {}; // Consists of the strokes that have an effect; without numbers of nodes.
+    // For each of the sketch's inclination lines the index of its stroke, or of the first of its
     // halves or pieces.
     std::vector<std::size_t> inclination_strokes {};
-    double cost = 0; // Less is better; 0 where every stroke is drawn as it is meant.
+    // Lower is better; 0 if every stroke is drawn exactly as intended for its role.
+    double cost = 0;
 };
 
-// Explains all strokes of a sketch together, whatever their order and direction. Any stroke, and
-// any strokes that go on in each other, may be the stem; given one, each other stroke may be a
-// boundary or both of them, an inclination line or half of one, a piece of such a line, a part of
-// one that is drawn again, or nothing. Each of these has a price by how the stroke lies to the stem
-// and to the others; the readings come the cheapest first. At most two: the second one differs from
-// the first in what some stroke is.
+// Interprets all strokes of a sketch together, whatever their order and direction. Any stroke, or
+// strokes that continue each other, may be the stem. Given a stem, each other stroke may be a
+// boundary or both boundaries, an inclination line or half of one, a piece of such a line, a
+// correction of a part, or nothing. Each alternative has a cost that depends on the stroke's
+// position relative to the stem and the others. Returns one or two interpretations, the cheapest
+// first; the second differs from the first in the role of some stroke.
 //
-// Hooks and tremor of lines that are drawn by hand are taken out (hand_line.h). A stem stands
-// upwards, and so that what inclination lines show leans to its top, whichever way it was drawn.
+// Hooks and tremor of hand-drawn lines are removed (hand_line.h). The stem is oriented upwards, and
+// such that the organs shown by inclination lines lean towards its top, whichever way it was drawn.
 //
-// At least one stroke, each of at least two points.
+// `strokes`: at least one, each with at least two points.
 std::vector<Explanation> explain_sketch(std::span<StrokeToExplain const> strokes);
 
 } // namespace tractus::lines

@@ -7,32 +7,31 @@
 
 namespace tractus::lines {
 
-// A line as a hand draws it ends in hooks where the pen comes down and is lifted, and trembles at 8
-// to 12 Hz, which on the sheet is a wave as long as the pen goes meanwhile. Points below are (u, v,
-// depth) in millimetres, no two neighbours at one place of the sheet; hooks and tremor are looked
-// for on the sheet.
+// Removal of artefacts of hand-drawn lines: hooks at the ends, where the pen comes down and is
+// lifted, and tremor of 8 to 12 Hz, which appears on the sheet as a wave whose length depends on
+// the speed of the pen. Points below are (u, v, depth) in millimetres, with no two neighbours
+// coinciding on the sheet; hooks and tremor are analysed on the sheet.
 
-// Whether the points lie as close together as those of a pen's stroke. What a program or a person
-// has written as a few corners is exact, and neither trimmed nor smoothed.
+// True if the points are as close together as those of a pen's stroke. A line of a few corners,
+// entered by a program or a person, is exact and neither trimmed nor smoothed.
 bool is_drawn_by_hand(std::span<Vec3 const> points);
 
-// The line without the hooks at its ends: what lies at most 4.5 mm (a fifth of a short line) before
-// an end and leaves the course that the line has there. The course comes from a quarter of the
-// line's length, 3 to 20 mm.
+// Removes the hooks at a line's ends: the part at most 4.5 mm (a fifth of a short line) from an end
+// that departs from the line's course there. The course is determined from a quarter of the line's
+// length, 3 to 20 mm.
 std::vector<Vec3> trim_hooks(std::span<Vec3 const> points);
 
-// The direction in which a line leaves its first point, from a share of its length that no hook and
-// no tremor turns; a unit vector on the sheet.
+// Returns the direction of a line at its first point, a unit vector on the sheet, measured over a
+// part of its length that is insensitive to hooks and tremor.
 Vec2 start_direction(std::span<Vec3 const> points);
 
-// The line without the tremor of the hand that drew it: a smoothing spline whose cut-off is set by
-// the wavelength and the amplitude that are measured in this line, so that the tremor which is left
-// turns the line by less than a degree. A line without tremor stays as it is. Corners of 45 degrees
-// and more stay sharp: the line is smoothed from one to the next. Points are half a millimetre
-// apart.
+// Removes hand tremor with a smoothing spline whose cut-off is chosen from the wavelength and
+// amplitude measured in this line, so that the remaining tremor turns the line by less than one
+// degree. A line without tremor is unchanged. Corners of 45 degrees and more stay sharp: the line
+// is smoothed between them. The resulting points are half a millimetre apart.
 std::vector<Vec3> remove_tremor(std::span<Vec3 const> points);
 
-// trim_hooks() and remove_tremor(), for lines that are drawn by hand; others as they are.
+// Applies trim_hooks() and remove_tremor() to hand-drawn lines; returns others unchanged.
 std::vector<Vec3> clean_hand_line(std::span<Vec3 const> points);
 
 } // namespace tractus::lines

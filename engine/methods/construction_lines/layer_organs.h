@@ -9,19 +9,19 @@
 
 namespace tractus::lines {
 
-// What stands at the nodes of a layer, where it differs from what stands on the rest of the plant.
+// The organs at the nodes of a layer, where they differ from those of the rest of the plant.
 struct LayerOrgans {
-    std::optional<Pattern> pattern {}; // No value: the plant's. Its sizes do not count.
-    std::size_t organ = 0; // Its number among the organs of the plant, from 1; 0: leaves.
+    std::optional<Pattern> pattern {}; // Default: the plant's. Its `sizes` are ignored.
+    std::size_t organ = 0;             // Number among the organs of the plant, from 1; 0: leaves.
 
     bool operator==(LayerOrgans const&) const = default;
 };
 
-// Whether organs of the pattern, or of a layer, stand elsewhere than on the stem's left and right.
+// True if organs of the pattern, or of a layer, occur elsewhere than on the stem's left and right.
 bool stands_all_around(Pattern const& pattern, std::span<LayerOrgans const> layers);
 
-// What the layers of a model bear, as tables that its rules read: pattern, roll and organ. Nothing
-// is in them where all layers bear what the plant bears.
+// The organs of a model's layers as tables that its rules read: pattern, roll and organ. Empty if
+// all layers have the plant's organs.
 class LayerTables {
 public:
     explicit LayerTables(Pattern const& of_plant)
@@ -29,12 +29,12 @@ public:
     {
     }
 
-    void add(LayerOrgans const& layer); // The next entry of each table.
+    void add(LayerOrgans const& layer); // Appends an entry to each table.
 
-    // The numbers that the table `pattern` has; the first is the plant's.
+    // The patterns to which the table `pattern` refers by number; the first is the plant's.
     std::vector<Pattern> const& patterns() const { return patterns_; }
 
-    // Empty where all layers have the same.
+    // The table entries; each is empty if all layers have the same value.
     std::vector<double> pattern_numbers() const;
     std::vector<double> rolls_deg() const;
 

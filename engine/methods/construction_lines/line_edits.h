@@ -9,48 +9,51 @@
 
 namespace tractus::lines {
 
-// Adds a line to a sketch, whose plant follows it. What was drawn on the plant's branches stays.
+// Adds a line to a sketch and updates the plant. Items drawn on the plant's branches are kept.
 struct AddLine {
     static scene::EditKind const kKind;
 
     scene::ItemId plant
-        = 0;          // 0: the line is the stem of another plant, which becomes the active one.
+        // Id of the plant; 0: the line is the stem of a new plant, which becomes the active one.
+        = 0;
     Stroke stroke {}; // World frame.
-    // The line is another stem of the plant: beside the others, or where it begins on one, on that.
+    // The line is an additional stem of the plant: attached to another stem if it begins on one,
+    // and separate otherwise.
     bool another_stem = false;
-    // Sessions of before boundaries had a depth do not say it.
+    // Sessions from before boundaries had a depth do not contain this field.
     DepthBy depth_by = DepthBy::StemsHeight;
-    Reading reading = Reading::OneByOne; // Sessions of before lines were read together say nothing.
-    int nodes = 8; // In the layer above the line, if it bounds one; see SketchLine.
-    // Of a plant that begins. Its scale as of sketch::GrowAlongStroke: world millimetres per plant
-    // millimetre, which a document whose scale nobody has set keeps.
+    // Sessions from before lines were interpreted together do not contain this field.
+    Reading reading = Reading::OneByOne;
+    int nodes = 8; // Number of nodes in the layer above the line, if it bounds one; see SketchLine.
+    // For a new plant: its pattern and scale. Scale as in sketch::GrowAlongStroke: world
+    // millimetres per plant millimetre, kept by a document whose scale has not been set.
     Pattern pattern {};
     double scale = 0.1;
     Vec3 stands_at_mm = Vec3::Zero(); // World frame.
-    scene::ItemId id = 0; // Of the line, and of the plant that it begins; 0: it has none yet.
+    scene::ItemId id = 0; // Id of the line, and of the plant that it begins; 0 if not assigned yet.
 };
 
-// Sets how many nodes a layer has.
+// Sets the number of nodes of a layer.
 struct SetLayerNodes {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
-    scene::ItemId line = 0; // The layer's: see Layer.
+    scene::ItemId line = 0; // Line that owns the layer: see Layer.
     int nodes = 8;
 };
 
-// Sets how organs stand around the stem.
+// Sets the arrangement of organs around the stem.
 struct SetLinePattern {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
     Pattern pattern {};
-    // A layer's (see Layer), in which they stand so; 0: in all layers, of which none has a pattern
-    // of its own from then on; another kind of pattern comes with its own rules, too.
+    // Line that owns the layer (see Layer); 0: applies to all layers and removes their own
+    // patterns. Another kind of pattern also replaces the rules.
     scene::ItemId line = 0;
 };
 
-// Says what a line of a sketch is: see with_role().
+// Sets the role of a line of a sketch: see with_role().
 struct SetLineRole {
     static scene::EditKind const kKind;
 
@@ -59,7 +62,7 @@ struct SetLineRole {
     Role role = Role::Unsure;
 };
 
-// Puts another stroke in the place of a line's, which keeps its role and its nodes (bend_lines.h).
+// Replaces the stroke of a line, which keeps its role and nodes (bend_lines.h).
 struct RedrawLine {
     static scene::EditKind const kKind;
 
@@ -68,7 +71,7 @@ struct RedrawLine {
     Stroke stroke {}; // World frame.
 };
 
-// Turns a line round: see with_line_turned().
+// Reverses a line: see with_line_turned().
 struct TurnLine {
     static scene::EditKind const kKind;
 
@@ -82,21 +85,21 @@ struct BendStem {
 
     scene::ItemId plant = 0;
     scene::ItemId line = 0; // The stem.
-    int place = 0;          // Its number among kHeadingPlaces.
+    int place = 0;          // Index in kHeadingPlaces.
     double heading_deg = 0;
 };
 
-// The sketch that a plant is drawn with; null for a plant of another kind.
+// Returns the sketch of a plant; null if the plant is of another kind.
 PenSketch const* pen_sketch(scene::PlantState const& plant);
 
-// The active plant's sketch; null where there is no plant, or it was not drawn so.
+// Returns the active plant's sketch; null if there is no plant, or it has none.
 PenSketch const* active_pen_sketch(scene::DocumentState const& state);
 
-// Where the sheet of such a plant is on the tablet in a document of this scale.
+// Returns the placement of the plant's sheet on the tablet, in a document with this scale.
 SheetPlacement sheet_of(scene::PlantState const& plant, std::optional<double> scale);
 
-// For the person who has drawn a sketch's newest line: what it was taken for, and what is missing
-// still.
+// Returns a message about a sketch's newest line: how it was interpreted, and what is still
+// missing.
 std::string said_of(PenSketch const& sketch);
 
 } // namespace tractus::lines

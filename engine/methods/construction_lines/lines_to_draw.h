@@ -7,12 +7,12 @@
 
 namespace tractus::lines {
 
-// Lines that a sketch lacks, where they might be drawn, millimetres on its sheet, each of at least
-// two points. The plant has what they show where something counts in their place: the other
-// boundary, mirrored; the only inclination line, for all of the stem; organs that stand at 45
-// degrees. Without any boundary they are a proposal: a bow on each side. Inclination lines are
-// asked for when there is a boundary that they could reach. Empty where nothing is missing, and for
-// a sketch that cannot be measured, or whose boundaries are in space.
+// Suggests lines that a sketch lacks, in millimetres on its sheet, each with at least two points.
+// They show the defaults now in use: the mirror image of the other boundary; a single inclination
+// line that applies to the whole stem; organs at 45 degrees. Without any boundary they are a
+// proposal, an arc on each side. Inclination lines are suggested once there is a boundary that they
+// could reach. Empty if nothing is missing, the sketch cannot be measured, or its boundaries are in
+// space.
 std::vector<std::vector<Vec2>> lines_to_draw(LineSketch const& sketch);
 
 } // namespace tractus::lines

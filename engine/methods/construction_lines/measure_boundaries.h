@@ -12,15 +12,16 @@
 
 namespace tractus::lines {
 
-// A line's points without repeated ones. Refuses, as the user's fault, one that has none or only
-// one, saying what to draw, and one that is far away.
+// Returns a line's points without repeated ones. Fails with Fault::User, saying what to draw, if
+// there are fewer than two, or if the line is far away.
 template<typename Point>
 Result<std::vector<Point>> line_points(std::vector<Point> const& points, std::string const& name,
                                        char const* what_to_draw)
 {
     constexpr double kFarthest_mm = 1e5;
     for (auto const& point : points)
-        if (!(point.array().abs() <= kFarthest_mm).all()) // True for NaN.
+        // Negated, so that it is also true for NaN.
+        if (!(point.array().abs() <= kFarthest_mm).all())
             return fail(Fault::User,
                         fmt::format("{} has a point that is farther than {:g} mm away: give "
                                     "its points in millimetres",
@@ -38,7 +39,7 @@ struct AroundLine {
     double azimuth_deg = 0;
 };
 
-// The boundaries of a sketch. On the sheet there is none on a side only where some are in space.
+// The boundaries of a sketch. A side has no boundary on the sheet only if there are some in space.
 struct Boundaries {
     std::optional<DrawnLine> left;
     std::optional<DrawnLine> right;
@@ -50,14 +51,14 @@ struct Boundaries {
     }
 };
 
-// The boundaries that a sketch has, the azimuths of those in space rising; what is missing or
-// stands on its other side is noted. Refuses a sketch without any, and boundaries that go along the
-// stem itself or beside each other.
+// Finds the boundaries of a sketch, those in space in ascending azimuths; missing or misplaced ones
+// are reported in `notes`. Fails if the sketch has none, or if boundaries run along the stem itself
+// or beside each other.
 Result<Boundaries> measure_boundaries(LineSketch const& sketch, DrawnStem const& stem,
                                       std::vector<std::string>& notes);
 
-// What inclination lines meet on a side: the boundary there, or as it is seen the nearest one in
-// space.
+// Returns the boundary that inclination lines meet on a side: the one on the sheet, or the
+// projection of the nearest one in space.
 std::optional<DrawnLine> seen_on_side(Boundaries const& boundaries, Side side);
 
 } // namespace tractus::lines

@@ -15,12 +15,12 @@ namespace tractus::lines {
 enum class Side { Left = 1, Right = -1 };
 
 char const* name_of_side(Side side);
-double azimuth_of_side(Side side); // 0 and 180.
+double azimuth_of_side(Side side); // 0 for the left and 180 for the right.
 
-// The value where the left counts as positive.
+// Returns the value with the sign of the side: positive on the left.
 double signed_on(Side side, double value);
 
-// What stands at a node on one side of the stem, or at an azimuth around it. No size where it
+// A node's organ on one side of the stem, or at an azimuth around it. No size if its direction
 // misses the boundary.
 struct SideNode {
     double x = 0;
@@ -28,25 +28,25 @@ struct SideNode {
     std::optional<double> size {};
 };
 
-// A construction's nodes, from below, as the layers between its inclination lines have them: those
-// along a boundary on the sheet,
+// Measures a construction's nodes, from below, as distributed in the layers between inclination
+// lines: with sizes from a boundary on the sheet.
 std::vector<SideNode> measure_nodes(Construction const& of, DrawnLine const& boundary, Side side);
-// those along one in space, given the nodes' angles,
+// The same with sizes from a boundary in space; the nodes' angles must be known.
 std::vector<SideNode> measure_nodes(Construction const& of, std::span<Vec3 const> boundary,
                                     double azimuth_deg);
-// and with their angles alone.
+// The same with angles only.
 std::vector<OrganNode> nodes_without_sizes(Construction const& of);
 
-// A side's name for people.
+// The name of a side, for messages.
 struct SideName {
-    std::string where;    // "on the left",
-    std::string boundary; // "the left boundary".
+    std::string where;    // Such as "on the left".
+    std::string boundary; // Such as "the left boundary".
 };
 SideName side_named(Side side);
 SideName azimuth_named(double azimuth_deg);
 
-// Makes sizes that are missing linear between those of the nearest nodes that have one, and says so
-// in the notes. Fails, as the user's fault, where none has.
+// Interpolates missing sizes linearly between the nearest nodes that have one, and reports this in
+// the notes. Fails with Fault::User if none has a size.
 Result<void> fill_sizes(std::vector<SideNode>& nodes, SideName const& name,
                         std::vector<std::string>& notes);
 

@@ -12,53 +12,55 @@
 
 namespace tractus::lines {
 
-// What the texts of models with one stem and with several have in common.
+// Text fragments common to models with one stem and with several.
 
-// In six digits. A negative number must not run into the sign before it, where a macro is replaced.
+// Formats a number with six digits; negative ones in parentheses, so that a macro expands correctly
+// after a minus sign.
 std::string number_text(double value);
 
 void replace_all(std::string& text, std::string_view word, std::string_view with);
 
-// "array NAME[2] = {1, 2}".
+// Returns "array NAME[2] = {1, 2}".
 std::string array_text(char const* name, std::vector<double> const& values);
 
-// The longest piece that a stem may be drawn in, by its length.
+// Maximum length of the pieces in which a stem is drawn, as a share of its length.
 double longest_piece(DrawnStem const& stem);
 
-// What the rules read of a stem (line_rules.h), as expressions of cpfg's.
+// The properties of a stem that the rules use (line_rules.h), as expressions in cpfg's language.
 struct StemDefinitions {
     std::string length;
-    char const* of = ""; // Which stem's length that is, for a comment.
+    char const* of = ""; // Which stem's length it is, for a comment.
     std::string width;
     std::string layers;
     double longest_piece = 0;
-    std::string sides {};        // Where sizes follow half-ellipses.
-    bool rolls_by_layer = false; // Then ROLL is not there.
+    std::string sides {};        // If sizes follow half-ellipses.
+    bool rolls_by_layer = false; // If true, ROLL is not defined.
 };
 std::string definitions_text(StemDefinitions const& stem, Pattern const& pattern);
 
-// What a model of the construction needs of its sizes around the stem: none where organs stand only
-// on its left and right, and those of these two where they are to follow half-ellipses.
+// Returns the construction with the sizes around the stem that its model needs: none if organs
+// occur only on the left and right; those of these two sides if sizes are to follow half-ellipses.
 Construction with_sizes_around(Construction construction, Pattern const& pattern);
 
-// 360 degrees behind the first of a construction's azimuths they begin again.
+// The azimuths of a construction, followed by the first one plus 360 degrees.
 std::vector<double> azimuths_of(Construction const& construction);
 
-// How many steps of a derivation make the nodes of a stem: one for each, and one more for each
-// layer that has none.
+// Number of derivation steps that make the nodes of a stem: one per node, and one for each layer
+// without nodes.
 std::size_t count_steps(Construction const& construction);
 
-// A stem's lines, of at[], nodes[] and azimuth[], as the definitions of an L-system.
+// Returns a stem's arrays at[], nodes[] and azimuth[] as definitions of an L-system.
 std::vector<std::string> arrays_of(Construction const& construction);
 
-// The tables of what layers bear, as definitions: none where all bear the same leaves.
+// Returns the tables of the layers' organs as definitions; empty if all layers have the same
+// leaves.
 std::vector<std::string> arrays_of(LayerTables const& layers);
 
-// An organ's shape in a view, a leaf, by its letter.
+// Returns the shape of an organ, a leaf, in the view, for its letter.
 std::string leaf_text(char letter, Pattern const& pattern);
 
-// The model of a text, with its functions by the names of their files, in the order of their
-// numbers, and their texts.
+// Makes the model from its text and its functions: pairs of file name and contents, in the order of
+// their numbers.
 LineModel model_with(std::string text,
                      std::vector<std::pair<std::string, std::string>> const& functions,
                      Pattern const& pattern, std::string const& name);

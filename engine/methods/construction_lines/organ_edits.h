@@ -7,45 +7,45 @@
 
 namespace tractus::lines {
 
-// The sketch with another organ. The first one is borne by the whole plant, and later ones by the
-// topmost layer of the stem in hand. Fails, as the user's fault, for too many, and for one with
-// which the sketch gives no plant.
+// Returns the sketch with an additional organ. The first is assigned to the whole plant, later ones
+// to the topmost layer of the current stem. Fails with Fault::User if there are too many, or the
+// sketch would give no plant.
 Result<PenSketch> with_organ(PenSketch sketch, SketchOrgan organ);
 
-// Draws a line of a leaf. A leaf that begins is borne by the whole plant if it is the first one,
-// and else by the topmost layer of the stem in hand.
+// Draws a line of a leaf. The first leaf is assigned to the whole plant, later ones to the topmost
+// layer of the current stem.
 struct DrawOrgan {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
-    scene::ItemId organ = 0; // 0: the line begins another one, as a side.
+    scene::ItemId organ = 0; // 0: the line begins a new leaf, as its side.
     OrganView view = OrganView::Side;
-    OrganColor color = OrganColor::Leaf; // The leaf has it from now on.
+    OrganColor color = OrganColor::Leaf; // New colour of the leaf.
     Stroke stroke {};                    // World frame.
-    scene::ItemId id = 0;                // The line's, and that of the leaf that it begins.
+    scene::ItemId id = 0;                // Id of the line, and of the leaf that it begins.
 };
 
-// Lets a leaf show a picture: the bytes of a PNG file that lies on it as OrganSurface::picture
-// does.
+// Sets the picture of a leaf: the bytes of a PNG file, placed as described for
+// OrganSurface::picture.
 struct PaintOrgan {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
-    scene::ItemId organ = 0; // 0: the newest leaf that was drawn.
+    scene::ItemId organ = 0; // 0: the leaf drawn last.
     std::string picture {};
 };
 
-// Says what stands in a layer.
+// Sets the organs of a layer.
 struct SetLayerOrgan {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
-    scene::ItemId line = 0;  // The layer's: see Layer. 0: in all layers.
+    scene::ItemId line = 0;  // Line that owns the layer (see Layer); 0: all layers.
     scene::ItemId organ = 0; // 0: plain leaves.
-    // If not 0: the organ is that plant's, as it is now, and 0 is the plant itself. It is taken as
-    // another organ of this one.
+    // If not 0, the organ is one of this plant's, or, if `organ` is 0, the plant itself, in its
+    // present form. A copy is added to the organs of the sketch.
     scene::ItemId of_plant = 0;
-    scene::ItemId id = 0; // An organ's that is taken.
+    scene::ItemId id = 0; // Id of the added organ.
 };
 
 } // namespace tractus::lines

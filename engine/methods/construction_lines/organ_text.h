@@ -13,29 +13,29 @@
 
 namespace tractus::lines {
 
-// Surfaces in the text of a model. A picture of one is a file called as its own is, with .png.
+// Surfaces in the text of a model. The picture of a surface is a file of the same name with .png.
 
-// A file of cpfg's Bezier editor (.s), whose SIZE is the organ's length.
+// Returns a file of cpfg's Bezier editor (.s), whose SIZE is the organ's length.
 std::string surface_text(std::vector<BezierPatch> const& patches);
 
-// Puts a surface in the place of the leaves that the rules call by this letter. The file is called
-// as the model is, with _organ.s, and behind it the letter if it is not l.
+// Replaces the leaves with this letter in the rules by a surface. The file is named after the
+// model, with _organ.s, where the letter follows _organ unless it is l.
 void put_leaf(LineModel& model, OrganSurface const& surface, char letter);
 
-// Adds surfaces as flat as the plain blades that the view names, for cpfg, which knows no blades:
-// where a view names both, tractus draws the blades. The files are called as the model is, with
-// _leaf.s, and behind it the letter if it is not l.
+// Adds flat surfaces of the shape of the plain blades in the view, for cpfg, which does not support
+// blades: if a view has both, tractus draws the blades. The files are named after the model, with
+// _leaf.s, where the letter follows _leaf unless it is l.
 void add_blade_surfaces(LineModel& model);
 
 std::size_t count_surfaces(std::span<LineOrgan const> organs);
 
-// The rules of organs that are surfaces (line_rules.h), of which so many others come before:
-// Q(z, h), where `place` says what stands in place of z.
+// Returns the rules Q(z, h) of organs that are surfaces (line_rules.h); `before`: number of organs
+// that precede them; `place`: text used in place of z.
 std::string surface_rules(std::span<LineOrgan const> organs, std::size_t before,
                           std::string const& place);
 
-// Adds their files, called as the model is, with _organ_1.s and so on, and what the view says of
-// them. Fails, as the user's fault, for more than kMostSurfaces.
+// Adds their files, named after the model with _organ_1.s and so on, and their entries in the view.
+// Fails with Fault::User if there are more than kMostSurfaces.
 Result<void> add_surfaces(LineModel& model, std::span<LineOrgan const> organs, std::size_t before);
 
 } // namespace tractus::lines

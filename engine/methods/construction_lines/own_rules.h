@@ -6,12 +6,12 @@
 
 namespace tractus::lines {
 
-// A sketch's model with rules and a view that somebody has written in place of its own. What the
-// sketch says stays its own: the functions, how many steps there are, the numbers that are defined
-// by #define, and the arrays, each in the place where the written rules have it.
+// Replaces the rules and the view of a sketch's model by user-written ones. What follows from the
+// sketch is still inserted: the functions, the number of steps, the values defined by #define, and
+// the arrays, at the positions where the written rules have them.
 //
-// Fails, as the user's fault, where the written rules lack an array of the sketch's, as after a
-// change for which its own rules read more.
+// Fails with Fault::User if the written rules lack an array of the sketch, for example after a
+// change for which the generated rules use more arrays.
 Result<LineModel> with_own_rules(LineModel model, scene::SourceRules const& rules);
 
 } // namespace tractus::lines

@@ -17,80 +17,80 @@
 
 namespace tractus::lines {
 
-// A plant that is drawn with construction lines: the source that its base plant is built from. It
-// gives a plant at every stage. The stem alone is a bare stem, since nothing says yet how far
-// organs reach; one boundary counts on both sides, one inclination line all along the stem, and
-// without any organs lean by 45 degrees. Lines that nobody knows have no effect.
+// A plant drawn with construction lines: the source of its base plant. It gives a plant at every
+// stage of drawing: the stem alone is bare, since the reach of organs is unknown; a single boundary
+// applies to both sides, and a single inclination line to the whole stem; without any, organs lean
+// by 45 degrees. Lines with an unknown role have no effect.
 //
-// It may have several stems, each with lines of its own; one without a boundary bears what another
-// one does (several_stems.h). What follows speaks of one stem where it says so.
+// It may have several stems, each with lines of its own; a stem without a boundary has the organs
+// of another (several_stems.h). Functions below that concern one stem say so.
 struct PenSketch {
-    // In the order in which they were drawn; one that was drawn again has given its place up. At
-    // least the stem.
+    // In drawing order; a line drawn again takes the place of the earlier one. At least the stem.
     std::vector<SketchLine> lines;
     Pattern pattern {};
-    double scale = 0.1; // World millimetres per plant millimetre, where a line's size is 1.
-    std::vector<SketchOrgan> organs {}; // What layers may bear, in the order in which they came.
-    scene::ItemId organ = 0;            // Which of them the plant bears; 0: plain leaves.
-    // Rules in place of the pattern's, whose numbers stay those of the sketch (own_rules.h).
+    double scale = 0.1; // World millimetres per plant millimetre for lines whose sheet has size 1.
+    // The organs that layers may use, in the order in which they were added.
+    std::vector<SketchOrgan> organs {};
+    scene::ItemId organ = 0; // The organ of the whole plant; 0: plain leaves.
+    // Rules that replace those of the pattern; their numbers still come from the sketch
+    // (own_rules.h).
     std::optional<scene::SourceRules> rules {};
 };
 
 extern scene::SourceKind const kPenSketch;
 
-// The sketch with one more line, whose role is found out from how it lies to the others
-// (LineRecogniser), or, where they are read together, together with theirs (explain_sketch.h). It
-// takes the place of one that it draws again, and that one's number of nodes.
-// It is in space if its depth is to count and the surface has moved, while it was drawn, by more
-// than a twentieth of the length of the stem that was drawn last.
+// Returns the sketch with one more line. Its role is found from its position relative to the other
+// lines (LineRecogniser), or, for Reading::Together, together with theirs (explain_sketch.h). If it
+// redraws a line it replaces that line and takes over its number of nodes. The line is in space if
+// its depth is to be used and the surface has moved while drawing by more than a twentieth of the
+// length of the stem drawn last.
 //
-// Fails, as the user's fault, for a dot, a stem that is too short, too many lines, and for a line
-// with which the sketch gives no plant (measure_sketch()).
+// Fails with Fault::User if the line is a dot, the stem is too short, there are too many lines, or
+// the sketch would give no plant (measure_sketch()).
 Result<PenSketch> with_line(PenSketch sketch, SketchLine line);
 
-// The sketch with another stem: beside the others, or on the one on which it begins.
+// Returns the sketch with another stem: attached to the stem on which it begins, or separate.
 Result<PenSketch> with_stem(PenSketch sketch, SketchLine line);
 
-// The sketch in which a line has the role that somebody says it has. The line of its stem that had
-// it before is unsure from then on, but for inclination lines, of which there are many. Fails, as
-// the user's fault, for a line that is not there, if no stem would be left, and if it gives no
-// plant.
+// Returns the sketch with a user-assigned role for a line. The line of the same stem that had this
+// role becomes Unsure, except for inclination lines, of which there can be many. Fails with
+// Fault::User if there is no such line, no stem would be left, or the sketch would give no plant.
 Result<PenSketch> with_role(PenSketch sketch, scene::ItemId line, Role role);
 
-// The sketch in which a line has another stroke, drawn on the same sheet. Fails, as the user's
-// fault, for a line that is not there, and if it gives no plant.
+// Returns the sketch with another stroke for a line, drawn on the same sheet. Fails with
+// Fault::User if there is no such line, or the sketch would give no plant.
 Result<PenSketch> with_other_stroke(PenSketch sketch, scene::ItemId line, Stroke stroke);
 
-// The sketch in which a line goes the other way: of a stem its top is its foot from then on, and
-// left and right are exchanged. Fails like with_role().
+// Returns the sketch with a line reversed. Reversing a stem exchanges foot and top, and left and
+// right. Fails like with_role().
 Result<PenSketch> with_line_turned(PenSketch sketch, scene::ItemId line);
 
-// The lines that count, of each stem, as measure_stems() takes them with Missing::Guessed. In
-// millimetres of the sheet, or so that their plant is as large in the document as they were drawn.
+// Returns the lines in use, by stem, for measure_stems() with Missing::Guessed: in millimetres of
+// the sheet, or scaled so that the plant has the size in the document at which they were drawn.
 enum class Unit { Sheet, Plant };
 Result<std::vector<StemLines>> stem_sketches(PenSketch const& sketch, Unit unit = Unit::Sheet);
 
-// Whose lines one changes who goes on with the sketch: those by which organs stand on the stem that
-// was drawn last, or to which the newest line belongs.
+// Returns the current stem, whose lines are edited next: the stem drawn last, or that of the newest
+// line; if it takes its organs from another stem, that one.
 Result<std::size_t> stem_in_hand(PenSketch const& sketch);
 
-// The sketch of one of its stems alone.
+// Returns a sketch of one of the stems alone.
 PenSketch stem_alone(PenSketch const& sketch, std::size_t stem);
 
-// The line that is the first stem; the plant stands at its foot.
+// Returns the line that is the first stem; the plant stands at its foot.
 SketchLine const& first_stem(PenSketch const& sketch);
 
-// The lines that count of the stem in hand, as measure_sketch() takes them with Missing::Guessed.
+// Returns the lines of the current stem, for measure_sketch() with Missing::Guessed.
 Result<LineSketch> line_sketch(PenSketch const& sketch);
 
-// Which of the sketch's organs this is, from 1; 0: none of them.
+// Returns the number of an organ in the sketch, from 1; 0 if there is none.
 std::size_t organ_number(PenSketch const& sketch, scene::ItemId organ);
 
-// The sketch as measured, with its organs, in millimetres of the plant. Fails like measure_stems()
-// and surface_of().
+// Returns the measured sketch with its organs, in millimetres of the plant. Fails like
+// measure_stems() and surface_of().
 Result<ComposedSketch> composed(PenSketch const& sketch);
 
-// The sketch's plant as a model in cpfg's language, called "lines".
+// Returns the sketch's plant as a model in cpfg's language, named "lines".
 Result<LineModel> model_of(PenSketch const& sketch);
 
 Result<scene::BuiltSource> build_pen_sketch(PenSketch const& sketch,
@@ -98,23 +98,24 @@ Result<scene::BuiltSource> build_pen_sketch(PenSketch const& sketch,
 
 // A layer of nodes.
 struct Layer {
-    scene::ItemId line = 0; // Whose number of nodes it is: the line below it, or else the stem.
+    // The line that stores the layer's number of nodes: the line below it, or else the stem.
+    scene::ItemId line = 0;
     double from_x = 0;
     double to_x = 1;
     int nodes = 0;
 };
 
-// The layers of the stem in hand, from below; at least one.
+// Returns the layers of the current stem, from below; at least one.
 Result<std::vector<Layer>> layers_of(PenSketch const& sketch);
 
-// The layer beside a place on the sheet, of the nearest stem that has lines of its own: of places
-// below or above all of them the nearest one.
+// Returns the layer beside a point on the sheet, of the nearest stem that has lines of its own;
+// beyond all layers the nearest one.
 Result<Layer> layer_at(PenSketch const& sketch, Vec2 const& place_mm);
 
-// The line nearest to a place on the sheet, if one is within 15 mm of it.
+// Returns the line nearest to a point on the sheet, if one is within 15 mm.
 std::optional<scene::ItemId> line_at(PenSketch const& sketch, Vec2 const& place_mm);
 
-// Null where there is none.
+// Returns null if there is none.
 SketchLine const* find_line(PenSketch const& sketch, scene::ItemId line);
 
 } // namespace tractus::lines

@@ -9,28 +9,29 @@
 
 namespace tractus::lines {
 
-// Whether all strokes of a sketch are read together (Reading::Together).
+// True if all strokes of a sketch are interpreted together (Reading::Together).
 bool is_read_together(PenSketch const& sketch);
 
-// What the lines of a sketch are, stem by stem.
+// Interpretation of the lines of a sketch, by stem.
 struct PenReading {
-    std::vector<StemLines> stems; // With numbers of nodes and organs.
-    // For each stem the numbers, among the sketch's lines, of the strokes of its inclination lines.
+    std::vector<StemLines> stems; // Includes numbers of nodes and organs.
+    // By stem: for each inclination line, the index of its stroke among the sketch's lines.
     std::vector<std::vector<std::size_t>> inclination_strokes;
-    // For each line of the sketch, if they are read together; `of` counts the sketch's lines.
+    // One for each line of the sketch, if interpreted together; `of` is an index of the sketch's
+    // lines.
     std::vector<ExplainedStroke> strokes;
-    // What the newest line's stem would be if the best reading were wrong: for each line of the
-    // sketch its role in the second best one. Empty where there is none.
+    // The second-best interpretation of the newest line's stem: the role of each line of the sketch
+    // in it. Empty if there is none.
     std::vector<Role> second_thought;
 };
 Result<PenReading> read_pen_sketch(PenSketch const& sketch);
 
-// The sketch whose lines have the roles that a reading together gives them; one that is read line
-// by line as it is.
+// Returns the sketch with the roles that joint interpretation gives its lines; unchanged if it is
+// interpreted line by line.
 Result<PenSketch> with_roles_read(PenSketch sketch);
 
-// The sketch without lines in whose place the newest one stands, which inherits their nodes and
-// organs. The same.
+// Returns the sketch without the lines that the newest one replaces; it inherits their nodes and
+// organs. A sketch that is interpreted line by line is returned unchanged.
 Result<PenSketch> without_replaced(PenSketch sketch);
 
 } // namespace tractus::lines

@@ -10,40 +10,40 @@
 
 namespace tractus::lines {
 
-// What a stroke of a sketch of several stems is, and where it belongs.
+// Role of a stroke in a sketch with several stems, and the stem it belongs to.
 struct KnownLine {
-    RecognisedLine line {};               // `replaces`: among all of the sketch's strokes.
-    std::size_t stem = 0;                 // The number of its stem; of a stem, its own.
-    std::optional<std::size_t> parent {}; // Of a stem: see StemLines.
+    RecognisedLine line {};               // `replaces`: index among all strokes of the sketch.
+    std::size_t stem = 0;                 // Number of its stem; for a stem, its own.
+    std::optional<std::size_t> parent {}; // For a stem: see StemLines.
 };
 
-// Tells what strokes of a sketch are that may have several stems. Each stem has a LineRecogniser of
-// its own, and the nearest stem for which a stroke means something gets it: one that was drawn
-// there before, whose line crosses it or begins at it, or else the one that has no such boundary
-// yet.
+// Finds the roles of strokes in a sketch that may have several stems. Each stem has a
+// LineRecogniser, and a stroke belongs to the nearest stem for which it has a meaning: one on which
+// it redraws a line, one that it crosses or begins at, or else one that lacks such a boundary.
 class StemRecogniser {
 public:
-    // What is known of a stroke before it is looked at: nothing, that it is another stem, or that
-    // its depth counts (LineRecogniser).
+    // What is known of a stroke in advance: nothing, that it is another stem, or that its depth is
+    // used (LineRecogniser).
     enum class Says { Nothing, AnotherStem, InSpace };
 
-    // The next stroke, as of LineRecogniser. Only strokes of which that is said begin another stem.
+    // Adds the next stroke, as for LineRecogniser. A stroke begins another stem only with
+    // Says::AnotherStem.
     KnownLine const& add(std::vector<Vec3> const& stroke, Says says = Says::Nothing);
 
-    // A stroke of which it is known; its `replaces` and `reason` have no effect. Stems come in the
-    // order of their numbers, but for one that was drawn again.
+    // Adds a stroke with a known role; `replaces` and `reason` are ignored. Stems come in the order
+    // of their numbers, except for a redrawn one.
     void add_known(std::vector<Vec3> const& stroke, KnownLine line);
 
     std::vector<KnownLine> const& lines() const { return lines_; }
 
-    // Without numbers of nodes. One that has no stroke for a stem has none there.
+    // Returns the stems without numbers of nodes. A stem without strokes has an empty sketch.
     std::vector<StemLines> stems() const;
 
-    // For each inclination line of a stem the number of its stroke: see LineRecogniser.
+    // For each inclination line of a stem, the index of its stroke: see LineRecogniser.
     std::vector<std::size_t> inclination_strokes(std::size_t stem) const;
 
 private:
-    // A stem, and which of the sketch's strokes its own are.
+    // A stem, and the indices of its strokes among those of the sketch.
     struct Stem {
         LineRecogniser lines {};
         std::vector<std::size_t> strokes {};

@@ -9,47 +9,49 @@
 
 namespace tractus::lines {
 
-// How far a value has gone `from` one number `to` another, which may be the smaller: 0 to 1.
+// Linear ramp, clamped: 0 at `from`, 1 at `to`, which may be smaller than `from`.
 double ramp(double value, double from, double to);
 
-// A stem as the axis of a sketch: places along it are shares of its length, 0 at its foot and 1 at
-// its top, and go on straight beyond both.
+// A stem as the axis of a sketch. Positions along it are shares of its length, 0 at its foot and 1
+// at its top; it is extended straight beyond both.
 class StemAxis {
 public:
     explicit StemAxis(std::span<Vec3 const> stem); // As of DrawnStem.
 
     double length_mm() const { return length_mm_; }
 
-    // Where a point is: `along`, and how far beside the axis, left above 0; both in stem lengths.
+    // Position of a point in stem lengths: along the axis, and beside it, positive on the left.
     struct Place {
         double along = 0;
         double beside = 0;
     };
     Place place(Vec2 const& point) const;
 
-    Vec2 tangent(double along) const; // A unit vector.
+    Vec2 tangent(double along) const; // Unit vector.
     Vec2 point(double along) const;
 
 private:
     double length_mm_ = 0;
-    DrawnLine line_; // With both ends prolonged.
+    DrawnLine line_; // With both ends extended.
 };
 
-// How a stroke lies to the axis; lengths in stem lengths.
+// Position of a stroke relative to the axis; lengths in stem lengths.
 struct StrokeLie {
-    std::vector<StemAxis::Place> places; // Evenly along the stroke.
+    std::vector<StemAxis::Place> places; // Evenly spaced along the stroke.
     double length = 0;
-    double lowest = 0; // Along the axis.
+    double lowest = 0; // Range along the axis.
     double highest = 0;
-    double mean_beside = 0; // Of distances, both sides above 0.
+    double mean_beside = 0; // Mean distance from the axis, unsigned.
     double reach_left = 0;
     double reach_right = 0;
-    double left_share = 0;         // Of its points.
-    double run = 0;                // What of its length goes along the axis, 0 to 1.
-    double run_outside = 0;        // The same of what is more than half as far from it as it gets.
-    double climb = 0;              // The way along the axis from its first to its last point.
-    double lean_deg = 0;           // Between its chord and the axis there, 0 to 90.
-    std::vector<double> crossings; // Where on the axis it changes sides, not counting a tremor.
+    double left_share = 0; // Share of its points on the left.
+    double run = 0;        // Share of its length that runs along the axis, 0 to 1.
+    // The same for the part that is more than half as far from the axis as its farthest point.
+    double run_outside = 0;
+    double climb = 0;    // Difference along the axis between its last and its first point.
+    double lean_deg = 0; // Angle between its chord and the axis there, 0 to 90.
+    // Positions on the axis at which it changes sides, ignoring tremor.
+    std::vector<double> crossings;
 
     StemAxis::Place const& first() const { return places.front(); }
     StemAxis::Place const& last() const { return places.back(); }
@@ -57,16 +59,16 @@ struct StrokeLie {
 };
 StrokeLie lie_to_axis(DrawnLine const& stroke, StemAxis const& axis);
 
-// 0 to 1, where a stroke is so short along the axis that by itself it is no boundary.
+// From 0 to 1: how clearly the stroke is too short along the axis to be a boundary by itself.
 double small_piece(StrokeLie const& lie);
 
-// What a stroke can be in the explanation of a whole sketch.
+// The part of a sketch that a stroke can represent.
 enum class Part { Stem, Left, Right, Inclination, Half, Outline, Piece, Nothing };
 constexpr std::size_t kPartCount = 8;
 
-// What it costs to take a stroke for a part of the sketch: 0 for one that is drawn as the part is
-// meant, 1 for one that hardly is. Nothing has a fixed price, and a Piece of an inclination line is
-// priced by what it continues, so that both are not priced here.
+// Cost of interpreting a stroke as each part: 0 if it is drawn exactly as the part is meant, 1 if
+// hardly. Nothing has a fixed cost, and a Piece of an inclination line depends on the line that it
+// continues; these two are not computed here.
 using PartCosts = std::array<double, kPartCount>;
 constexpr double kNothingCost = 1.6;
 constexpr double kImpossible = 50;

@@ -4,10 +4,10 @@
 
 namespace tractus::lines {
 
-// The sketch as another hand would have drawn it: the sheet under all of its lines is bent alike,
-// in long waves, by a twenty-fifth of the stem's length where the spread is 1, and stays where the
-// stem begins. So lines cross as they did, and organs reach as far as their lines. Layers have a
-// tenth of their nodes more or less. The mean of many is the sketch.
+// Varies a sketch as if drawn by another hand: the sheet is deformed in long waves by a
+// twenty-fifth of the stem's length for spread 1, with the stem's base fixed. So lines still cross
+// each other, and organs reach as far as their boundaries. Layers have up to a tenth more or fewer
+// nodes. The mean over many variations is the original sketch.
 PenSketch varied_sketch(PenSketch sketch, scene::SourceVariation const& variation);
 
 } // namespace tractus::lines
