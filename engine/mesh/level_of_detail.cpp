@@ -19,7 +19,7 @@ constexpr std::uint32_t kOrgans = 0x6F72;
 constexpr std::uint32_t kPolygons = 0x706F;
 
 // Detail smaller than this share of the plant's size is considered invisible. It is divided by the
-// share of triangles, since a coarser plant is displayed smaller.
+// square root of the share of triangles, since a coarser plant is displayed smaller.
 constexpr double kUnseen = 0.001;
 // Maximum number of nodes that one straight segment may replace.
 constexpr std::uint32_t kLongestRun = 16;

@@ -44,7 +44,8 @@ TriangleMesh make_prototype(Plant const& plant, OrganShapeId id, MeshOptions con
 {
     auto const& shape = plant.organ_shapes[id];
     auto const& material = plant.materials[shape.material];
-    // Ordinary texture pictures are mapped by patch, the others by bounding box.
+    // A material's own pictures are mapped by patch; an exporter's default pictures are made for
+    // the bounding box.
     auto const lies = material.textures.base_color ? TextureLies::OnPatches : TextureLies::OnBox;
     auto full = organ_mesh(shape, options.subdivision, lies);
     auto const kind = material.kind;
