@@ -6,9 +6,10 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kLeastGap = 0.4f; // Of the usual one.
+constexpr float kLeastGap = 0.4f; // Least gap between buttons, as a share of the usual one.
 constexpr float kRoomyEase
-    = 0.5f; // Least ease of rows that several groups share, if it costs no row.
+    // Rows of several groups must be at least this roomy (ButtonRow::ease) if that adds no row.
+    = 0.5f;
 
 using Buttons = std::span<ButtonWidth const>;
 
@@ -21,7 +22,7 @@ float width_of(Buttons buttons, ButtonGaps const& gaps, float ease)
     return width;
 }
 
-// The end of the group that begins there.
+// The end of the group that begins at `begin`.
 std::size_t end_of_group(Buttons buttons, std::size_t begin)
 {
     auto end = begin + 1;
@@ -30,7 +31,8 @@ std::size_t end_of_group(Buttons buttons, std::size_t begin)
     return end;
 }
 
-// As many groups as fit with at least this ease, or as many buttons of the first one.
+// The end of a row: after as many groups as fit with at least this ease, or as many buttons of the
+// first group if that alone does not fit.
 std::size_t end_of_row(Buttons buttons, std::size_t begin, ButtonGaps const& gaps, float room,
                        float least_ease)
 {

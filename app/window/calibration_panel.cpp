@@ -43,7 +43,7 @@ Vec3f color_of(calibration::PlotTone tone)
     return theme::palette().unselected;
 }
 
-// A plot's frame on the screen.
+// Frame of a plot: maps its values to pixels.
 class Frame {
 public:
     Frame(calibration::Plot const& plot, ImVec2 const& corner, ImVec2 const& size)
@@ -137,7 +137,7 @@ private:
                   fmt::format("{} over {}", plot_.y_label, plot_.x_label));
     }
 
-    // Under or over the frame; what is longer than it, in smaller letters.
+    // Draws text under or over the frame, in a smaller size if it is wider than the frame.
     void draw_line(float y, ImU32 color, std::string const& text)
     {
         float const longer = ImGui::CalcTextSize(text.c_str()).x / (high_.x - low_.x);
@@ -148,8 +148,8 @@ private:
     calibration::Plot const& plot_;
     ImDrawList& draw_;
     float letter_;
-    ImVec2 low_;  // Upper left …
-    ImVec2 high_; // … and lower right corner of the frame.
+    ImVec2 low_;  // Upper left corner of the frame.
+    ImVec2 high_; // Lower right corner of the frame.
 };
 
 char const* word_for(calib::HeightCapture::From from)
@@ -165,7 +165,7 @@ char const* word_for(calib::HeightCapture::From from)
     return "-";
 }
 
-// Puts the next button beside the last one where that leaves it whole, else below.
+// Places the next button beside the last one if it fits, otherwise below.
 void same_line_if_room(float width, float gap)
 {
     float const right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
@@ -247,7 +247,7 @@ void CalibrationPanel::show_reading(calibration::CalibrationView const& view)
 
 void CalibrationPanel::show_controls(calibration::CalibrationModel& model)
 {
-    // A command may change the view under us: what is shown is taken first.
+    // Copied, because a command may replace the view while it is being shown.
     auto const& view = model.view();
     bool const is_moving = view.is_moving;
     bool const may_capture = view.may_capture;
@@ -278,7 +278,7 @@ void CalibrationPanel::show_controls(calibration::CalibrationModel& model)
     ImGui::EndDisabled();
 }
 
-// Typed, or set with the pen.
+// Shows the surface's height, entered with the keyboard or by pen.
 void CalibrationPanel::show_height(calibration::CalibrationModel& model) const
 {
     double height_mm = model.view().proposed_mm;

@@ -10,21 +10,23 @@ namespace {
 
 constexpr float kUsualWidth_px = 170;
 constexpr float kLeastWidth_px = 130;
-constexpr std::size_t kFewColumns = 3; // As narrow windows have, if they can.
+constexpr std::size_t kFewColumns = 3; // The number of columns in narrow windows, if the cards stay
+                                       // wide enough.
 constexpr std::size_t kMostColumns = 8;
 constexpr float kGap_px = 14;
 constexpr float kTitleHeight_px = 44;
 constexpr float kSectionGap_px = 18;
-constexpr float kPictureHeight = 0.69f; // Of a card's width.
+constexpr float kPictureHeight = 0.69f; // As a share of a card's width.
 constexpr float kWordsHeight_px = 74;
 
-// Cards of a group that stand together under a title.
+// A group of cards under a title.
 struct CardSection {
     std::string title;
     std::size_t group = 0;
     std::size_t first = 0;
     std::size_t count = 0;
-    std::size_t column = 0; // Its first; other than 0, it stands beside the one before.
+    std::size_t column = 0; // Its first column; above 0: it shares a row with the section before
+                            // it.
 };
 
 std::size_t column_count(float width, float scale)
@@ -37,8 +39,8 @@ std::size_t column_count(float width, float scale)
                     kMostColumns);
 }
 
-// Groups whose first cards are wanted most have these in what is left of a row, or in one of their
-// own.
+// Splits the groups into sections. Groups whose first cards matter most place those in the rest of
+// a row, or in a row of their own.
 std::vector<CardSection> sections_of(std::span<view::StartCards const> groups, std::size_t columns)
 {
     std::vector<CardSection> sections;
@@ -69,13 +71,14 @@ CardGrid arrange_cards(std::span<view::StartCards const> groups, float width, fl
     auto const columns = column_count(width, scale);
     float const gap = kGap_px * scale;
     CardGrid grid;
-    // Of a column with its gap: cards begin and end at whole pixels, the last one at the edge.
+    // Width of a column with its gap. Cards begin and end at whole pixels, the last one at the
+    // edge.
     float const step_x = (width + gap) / static_cast<float>(columns);
     grid.card_width = std::floor(step_x - gap);
     grid.picture_height = std::floor(kPictureHeight * grid.card_width);
     grid.card_height = grid.picture_height + std::floor(kWordsHeight_px * scale);
     float const step_y = grid.card_height + gap;
-    float top = 0; // Of the section.
+    float top = 0; // Top of the current section.
     for (auto const& section : sections_of(groups, columns)) {
         if (section.column == 0)
             top = grid.places.empty() ? 0 : grid.height + kSectionGap_px * scale;
@@ -103,7 +106,7 @@ std::size_t neighbour(CardGrid const& grid, std::size_t from, Direction directio
         return from == 0 ? 0 : from - 1;
     if (direction == Direction::Right)
         return std::min(from + 1, grid.places.size() - 1);
-    // The nearest row that way, and the nearest card of it.
+    // The nearest row in that direction, and the nearest card in it.
     auto const& here = grid.places[from];
     auto best = from;
     auto const is_farther = [&](CardGrid::Place const& one, CardGrid::Place const& other) {

@@ -15,10 +15,10 @@ constexpr float kCardWidth_px = 148;
 constexpr float kGlyphHeight_px = 104;
 constexpr float kCardName_px = 34;
 constexpr float kAround_px = 14;
-constexpr float kGreatestShare = 0.5f; // Of the height above the bar.
+constexpr float kGreatestShare = 0.5f; // Greatest height, as a share of the height above the bar.
 constexpr float kTyped_px = 220;
 
-// The own card that the hand is, or null.
+// The user's own card that the current tool equals, or null.
 tools::ToolCard const* card_in_hand(view::WindowState const& state)
 {
     auto const card = tools::card_of(state.hand);
@@ -39,7 +39,7 @@ WindowPart CardsPanel::show(view::WindowModel& model, Workbench& bench, Controls
     }
     float const around = kAround_px * scale_;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { around, around });
-    // It reaches over the bar rather than out of the window.
+    // If there is too little room, the panel overlaps the bar rather than leaving the window.
     ImGui::SetNextWindowPos({ bar.left, std::max(bar.top - height_px_, 0.0f) });
     ImGui::Begin("cards", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
@@ -60,7 +60,7 @@ WindowPart CardsPanel::show(view::WindowModel& model, Workbench& bench, Controls
     return { corner.x, corner.y, size.x, size.y };
 }
 
-// What does not fit is reached by dragging.
+// The cards scroll by dragging.
 void CardsPanel::show_cards(view::WindowModel& model, Workbench& bench, float width_px)
 {
     auto const& hand = model.state().hand;
@@ -92,7 +92,7 @@ void CardsPanel::show_cards(view::WindowModel& model, Workbench& bench, float wi
     ImGui::EndChild();
 }
 
-// True if it is pressed.
+// Returns true if the card is pressed.
 bool CardsPanel::show_card(tools::ToolCard const& card, bool is_on) const
 {
     bool const has_glyph = card.tool.kind().glyph != nullptr;
@@ -119,14 +119,14 @@ bool CardsPanel::show_card(tools::ToolCard const& card, bool is_on) const
     return is_pressed;
 }
 
-// What can be done with the own card in the hand.
-// With the pen alone, the name has a panel with keys.
+// Buttons to rename or delete the user's own card that is selected. Without a keyboard the name is
+// entered in the name panel.
 void CardsPanel::show_own(view::WindowModel& model, Workbench& bench, Controls const& controls,
                           tools::ToolCard const& card)
 {
     if (std::exchange(named_, card.name) != card.name)
         typed_ = card.name;
-    auto const name = card.name; // The card goes with what is done.
+    auto const name = card.name; // Copied, because the actions below may delete the card.
     theme::push_button_frame(scale_);
     ImGui::SetNextItemWidth(kTyped_px * scale_);
     bool const is_entered

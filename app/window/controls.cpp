@@ -14,16 +14,18 @@ namespace tractus::window {
 namespace {
 
 constexpr char const* kOpenPicture = "Open...";
-constexpr char const* kLikeDrawn = "Like the plant"; // Takes its numbers into the hand.
+constexpr char const* kLikeDrawn = "Like the plant"; // Copies the numbers of the plant as drawn to
+                                                     // the tool.
 constexpr float kProgressHeight_px = 10;
 constexpr float kBarAir_px = 8;
 constexpr float kGroupGap_px = 28;
-constexpr float kGreatestPart = 0.6f; // Of the window's height, as far as main buttons let it.
+constexpr float kGreatestPart = 0.6f; // Greatest height as a share of the window's, if the main
+                                      // buttons allow it.
 constexpr std::size_t kMostMainRows = 2;
 constexpr float kLowWindow_px = 640;
-constexpr float kLeastAir_px = 7;   // On each side of a button's letters.
-constexpr float kToolWidth_px = 96; // At least,
-constexpr float kLessAir_px = 12;   // and else so much narrower than what a tool means.
+constexpr float kLeastAir_px = 7;   // Space on each side of a button's label.
+constexpr float kToolWidth_px = 96; // Least width of a tool's button.
+constexpr float kLessAir_px = 12; // Space by which the tools' labels have less than other buttons.
 
 using Shown = Workbench::Shown;
 constexpr std::array<std::pair<char const*, Shown>, 5> kViews { { { "All", Shown::All },
@@ -53,7 +55,8 @@ WindowPart Controls::show(view::WindowModel& model, Workbench& bench, float left
     auto main = main_buttons(model, bench, Views::Each);
     auto const rows = rows_of(main).size();
     auto shorter = main_buttons(model, bench, Views::Next);
-    bool const is_low = display.y < kLowWindow_px * scale_; // There a row is worth more.
+    // In a low window saving a row matters more.
+    bool const is_low = display.y < kLowWindow_px * scale_;
     if (rows > kMostMainRows || (is_low && rows_of(shorter).size() < rows))
         main = std::move(shorter);
     if (state.is_live)
@@ -68,8 +71,8 @@ WindowPart Controls::show(view::WindowModel& model, Workbench& bench, float left
     return part;
 }
 
-// Above the main buttons, which are never pushed out of the window: what does not fit is reached by
-// dragging.
+// The tool's variants, above the main buttons. They scroll by dragging if they do not fit, so that
+// the main buttons always stay visible.
 void Controls::show_meanings(std::vector<BarButton> const& buttons, float main_height_px) const
 {
     float const used_px = ImGui::GetCursorPosY() + main_height_px + kBarAir_px * scale_;
@@ -84,7 +87,7 @@ void Controls::show_meanings(std::vector<BarButton> const& buttons, float main_h
     ImGui::EndChild();
 }
 
-// With the space below.
+// Height of these buttons' rows with the space below them.
 float Controls::height_of(std::vector<BarButton> const& buttons) const
 {
     auto const rows = std::max<std::size_t>(rows_of(buttons).size(), 1);
@@ -112,7 +115,8 @@ std::vector<ButtonRow> Controls::rows_of(std::vector<BarButton> const& buttons) 
 
 void Controls::show_rows(std::vector<BarButton> const& buttons) const
 {
-    if (buttons.empty()) // Nothing jumps when a tool is taken in hand.
+    if (buttons.empty()) // Keeps the row's height, so that nothing moves when a tool with buttons
+                         // is selected.
         ImGui::Dummy({ 1, theme::kButtonHeight_px * scale_ });
     auto const widths = widths_of(buttons);
     std::size_t begin = 0;
@@ -127,7 +131,7 @@ void Controls::show_rows(std::vector<BarButton> const& buttons) const
     }
 }
 
-// With its letters whole.
+// Width at which the button's label is not cut off.
 float Controls::least_width_px(BarButton const& button) const
 {
     return std::min(ImGui::CalcTextSize(button.text.c_str(), nullptr, true).x
@@ -139,7 +143,7 @@ bool Controls::button(char const* text, float width, bool is_on) const
 {
     if (is_on)
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-    // Letters stay in the middle of a button that is hardly wider than they are.
+    // Centres the label of a button that is hardly wider than the label.
     auto padding = ImGui::GetStyle().FramePadding;
     padding.x
         = std::min(padding.x, (width * scale_ - ImGui::CalcTextSize(text, nullptr, true).x) / 2);
@@ -168,7 +172,8 @@ void Controls::show_status(view::WindowState const& state) const
         show_recording(state.recording);
 }
 
-// At the right end of the status: what is seen while one draws.
+// The recording indicator, at the right end of the status line, where it stays visible while
+// drawing.
 void Controls::show_recording(view::RecordingView const& recording)
 {
     auto const text = fmt::format("recording {} · {:.1f} MB", recording.file,
@@ -188,14 +193,14 @@ void Controls::show_recording(view::RecordingView const& recording)
     ImGui::TextUnformatted(text.c_str());
 }
 
-// Its number has a button only where there is no glyph.
+// True if a handle of the glyph sets this number: it then needs no button while the glyph is shown.
 static bool is_set_by_glyph(tools::Meaning const& meaning)
 {
     return tools::chosen_numbers(meaning.tool)[*meaning.number].option.offered
         == tools::NumberOption::Offered::WithoutGlyph;
 }
 
-// What the tool in hand may mean.
+// Buttons for the variants and numbers of the current tool.
 std::vector<BarButton> Controls::tool_meanings(view::WindowModel& model, Workbench& bench)
 {
     std::vector<BarButton> buttons;
@@ -298,7 +303,7 @@ std::vector<BarButton> Controls::play_buttons(view::WindowModel& model)
              { "Restart", 150, false, false, [&model] { model.perform(view::Restart {}); } } };
 }
 
-// Beside the last button if there is room.
+// Shows the playback speed beside the last button if there is room.
 void Controls::show_speed(view::WindowModel& model) const
 {
     constexpr float kLeast_px = 240;

@@ -8,7 +8,8 @@ namespace tractus::window {
 
 namespace {
 
-constexpr double kLikeness = 0.05; // Between the picture's size and the area's.
+constexpr double kLikeness = 0.05; // Relative tolerance between a display's size and the tablet's
+                                   // active area.
 
 bool is_as_large(Vec2 const& one_mm, Vec2 const& other_mm)
 {
@@ -23,7 +24,7 @@ std::string small_letters(std::string_view text)
     return small;
 }
 
-// The only one that is accepted.
+// The index of the only display that `accept` accepts; nullopt if none or several.
 template<typename Accept>
 std::optional<std::size_t> only(std::span<Display const> displays, Accept const& accept)
 {

@@ -13,20 +13,20 @@ namespace {
 constexpr float kLeastSide_px = 170;
 constexpr float kGreatestSide_px = 320;
 constexpr float kShareOfPad = 0.4f;
-constexpr float kTitle_px = 44; // Of the view, above it.
+constexpr float kTitle_px = 44; // Height at the top of the view that its title needs.
 constexpr float kButtonWidth_px = 76;
-constexpr float kOpacity = 0.75f; // What is drawn below it is seen.
-constexpr float kSmall = 0.8f;    // Letters,
-constexpr float kSmallest = 0.7f; // and those of labels.
+constexpr float kOpacity = 0.75f; // Lets what is below the panel show through.
+constexpr float kSmall = 0.8f;    // Size of small letters relative to normal ones.
+constexpr float kSmallest = 0.7f; // Size of the letters of labels.
 constexpr float kPanelAir_px = 10;
-constexpr float kHandleRadius_px = 13; // Radius of its picture,
-constexpr float kReach_px = 22;        // and of where a pen takes it;
-constexpr float kSmallRadius_px = 8;   // of one of many.
+constexpr float kHandleRadius_px = 13; // Radius of a handle as drawn.
+constexpr float kReach_px = 22;        // Distance at which a pen grabs it.
+constexpr float kSmallRadius_px = 8;   // Radius of a handle among many.
 constexpr float kSmallReach_px = 14;
 
 using Slider = view::ChangeGrowth::Slider;
 
-// The tool's number that the handle asks for; no value: none.
+// The index of the tool's number that the handle sets; nullopt if it sets none.
 std::optional<std::size_t> number_of(tools::Tool const& tool, tools::Glyph::Handle const& handle)
 {
     auto const numbers = tools::chosen_numbers(tool);
@@ -70,7 +70,7 @@ std::optional<WindowPart> GlyphPanel::show(view::WindowModel& model, Workbench& 
         is_shown = !is_shown;
     if (is_shown) {
         auto const glyph = is_of_drawn ? *state.drawn_glyph : bench.hand(state).glyph();
-        // Curves fill the square; a rule leaves the button's corner free.
+        // A glyph of curves fills the square; one of a rule leaves the corner free for the button.
         auto const corner = is_of_drawn ? ImGui::GetCursorScreenPos() : top;
         show_glyph(model, bench, glyph, { { corner.x + side / 2, corner.y + side / 2 }, side / 2 });
         ImGui::SetCursorScreenPos(corner);
@@ -118,7 +118,7 @@ void GlyphPanel::draw_labels(tools::Glyph const& glyph, GlyphSquare const& squar
     }
 }
 
-// What a pen, or the mouse, does to a handle in this frame.
+// Handles hovering and dragging of a handle by pen or mouse in this frame.
 void GlyphPanel::take_hand(view::WindowModel& model, Workbench& bench,
                            tools::Glyph::Handle const& handle, GlyphSquare const& square)
 {

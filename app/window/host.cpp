@@ -33,7 +33,7 @@ tl::unexpected<Error> no_window(char const* what)
             what, reason ? reason : "no reason given"));
 }
 
-// What a key without a letter is as a KeyPress; 0: nothing.
+// The KeyPress constant of a key without a letter; 0 if it has none.
 char special_key(int key)
 {
     switch (key) {
@@ -57,8 +57,8 @@ char special_key(int key)
     }
 }
 
-// The letter that a key bears on this keyboard, or where that has others than Latin ones, on an
-// American one; 0 if none.
+// The letter on a key: of this keyboard layout, or of the US layout if that is not Latin; 0 if
+// none.
 char letter_of(int key, int scancode)
 {
     auto const* const name = glfwGetKeyName(key, scancode);
@@ -94,7 +94,7 @@ Host::~Host()
 Result<void> Host::open(WindowOptions const& options)
 {
 #ifdef GLFW_PLATFORM
-    // GLFW 3.4 tries Wayland first, whose library says on standard error that it has no folder.
+    // GLFW 3.4 tries Wayland first, whose library prints an error without this variable.
     if (std::getenv("XDG_RUNTIME_DIR") == nullptr)
         glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
@@ -116,12 +116,12 @@ Result<void> Host::open(WindowOptions const& options)
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(options.frames > 0 ? 0 : 1);
     glfwGetWindowContentScale(window_, &scale_, nullptr);
-    watch_mouse(); // Before ImGui, which passes everything on.
+    watch_mouse(); // Installed before ImGui's callbacks, which pass events on to these.
     watch_keyboard();
     watch_window();
 
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr; // Leaves no file behind.
+    ImGui::GetIO().IniFilename = nullptr; // Writes no imgui.ini.
     if (options.scale > 0)
         scale_ = static_cast<float>(options.scale);
     theme::set_light(options.look.is_light);
@@ -142,7 +142,7 @@ Host& Host::stirred(GLFWwindow* window)
 void Host::watch_mouse()
 {
     glfwSetWindowUserPointer(window_, this);
-    // By the events alone, in their order: GLFW itself knows where the mouse is by now.
+    // Uses the positions in the events, in order: glfwGetCursorPos() would return the newest one.
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
         auto& host = stirred(window);
         host.last_mouse_.place_px = { static_cast<float>(x), static_cast<float>(y) };
@@ -166,7 +166,8 @@ void Host::watch_keyboard()
     });
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int letter) {
         auto& host = stirred(window);
-        if (letter == '?') // By which key depends on the keyboard.
+        if (letter == '?') // Handled as a character, because its key depends on the keyboard
+                           // layout.
             host.presses_.push_back({ '?' });
     });
 }
@@ -208,11 +209,11 @@ void Host::take_key(int key, int scancode, bool is_pressed, int modifiers)
         return;
     held_.erase(std::remove(held_.begin(), held_.end(), letter), held_.end());
     if (!is_pressed
-        || (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) // These are the desktop's.
+        || (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) // Reserved for the desktop.
         return;
     bool const has_control = (modifiers & GLFW_MOD_CONTROL) != 0;
     presses_.push_back({ letter, has_control, (modifiers & GLFW_MOD_SHIFT) != 0 });
-    if (has_control) // It asks for something, and moves nothing.
+    if (has_control) // Ctrl with a key is a command and must not also move the surface.
         return;
     held_.push_back(letter);
     lately_held_.push_back(letter);
@@ -266,7 +267,7 @@ render::Image Host::back_buffer() const
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.pixels().data());
     auto picture = render::flipped(upside_down);
     for (auto& pixel : picture.pixels())
-        pixel.alpha = 255; // A window's own alpha says nothing.
+        pixel.alpha = 255; // The alpha of a window's framebuffer is meaningless.
     return picture;
 }
 
@@ -350,7 +351,8 @@ void Host::fill_display(std::optional<std::size_t> display)
                              last_place_.height, GLFW_DONT_CARE);
 }
 
-// Some window managers (Openbox) fill the monitor that the window is on, whichever is asked for.
+// Some window managers (Openbox) always fill the monitor that the window is on, so move it there
+// first.
 void Host::fill_monitor(GLFWmonitor* monitor)
 {
     auto const* const mode = glfwGetVideoMode(monitor);

@@ -2,19 +2,19 @@
 
 namespace tractus::window {
 
-#if IMGUI_VERSION_NUM >= 18700 // Debian 13 has such a one, Debian 12 an older.
+#if IMGUI_VERSION_NUM >= 18700 // As in Debian 13; Debian 12 has an older version.
 
 void put_imgui_mouse(ImVec2 const& place_px, bool is_down)
 {
     auto& io = ImGui::GetIO();
-    io.ClearEventsQueue(); // What the window system's mouse did.
+    io.ClearEventsQueue(); // Drops the events of the window system's mouse.
     io.AddMousePosEvent(place_px.x, place_px.y);
     io.AddMouseButtonEvent(ImGuiMouseButton_Left, is_down);
 }
 
 void show_imgui_press(MouseMoment const&)
 {
-    // It has a queue of its own.
+    // Newer versions of ImGui queue presses themselves.
 }
 
 #else

@@ -15,10 +15,11 @@ namespace tractus::window {
 
 namespace {
 
-constexpr int kSavedWidth_px = 1600; // Of "Save picture".
+constexpr int kSavedWidth_px = 1600; // Size of the file written by "Save picture".
 constexpr int kSavedHeight_px = 1200;
 constexpr float kGaugeWidth_px = 88;
-constexpr float kLeastForAll_px = 460; // Narrower, the menu has the plant alone beside it.
+constexpr float kLeastForAll_px = 460; // In a narrower space than this beside the menu, only the
+                                       // plant is shown.
 constexpr double kAirAroundPad = 1.06;
 
 using Shown = Workbench::Shown;
@@ -41,7 +42,7 @@ WindowPart Layout::above_controls() const
     return part;
 }
 
-// What the menu leaves of that.
+// The part of the window beside the menu.
 WindowPart Layout::beside_menu() const
 {
     auto part = above_controls();
@@ -54,7 +55,7 @@ WindowPart Layout::beside_menu() const
     return part;
 }
 
-// A text field takes all keys, those that would move the surface, too.
+// While a text field is active it receives all keys, including those that would move the surface.
 bool Layout::takes_text() const
 {
     return ImGui::GetIO().WantTextInput || bench_.asked_name;
@@ -117,7 +118,7 @@ void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPoint
     tell_pressing_areas(model);
 }
 
-// The pen draws wherever it is; nothing is seen of that but what grows.
+// Shows only what grows; the pen draws anywhere in the window.
 void Layout::show_stage(view::WindowModel& model, render::Renderer& renderer,
                         HandInput const& input)
 {
@@ -137,7 +138,7 @@ void Layout::show_stage(view::WindowModel& model, render::Renderer& renderer,
     move_surface_as_wished(model, input, draws);
 }
 
-// All of the window is to be pressed.
+// The pen operates controls everywhere in the window.
 void Layout::show_start(view::WindowModel& model)
 {
     auto const whole = whole_window();
@@ -148,7 +149,8 @@ void Layout::show_start(view::WindowModel& model)
     tell_pressing_areas(model);
 }
 
-// All of the window is to be pressed, and the pen's rest elsewhere is the calibration's.
+// The pen operates controls everywhere in the window; the calibration also uses where it rests on
+// the tablet.
 void Layout::show_calibration(view::WindowModel& model, PenPointer const& pen)
 {
     auto const whole = whole_window();
@@ -194,7 +196,7 @@ void Layout::fulfil_view_wishes()
         plant_.zoom(factor);
 }
 
-// With the views as they are at first, and what the page has put in the hand.
+// Resets the views and selects the tool that the page chose.
 void Layout::begin_drawing(view::WindowModel& model)
 {
     start_.leave();
@@ -207,7 +209,7 @@ void Layout::begin_drawing(view::WindowModel& model)
     has_begun_ = false;
 }
 
-// A person with a tablet begins where it draws.
+// Shows the pad in full screen on the tablet's own display, if there is one.
 void Layout::begin_frame(view::WindowModel& model, HandInput const& input)
 {
     auto const& state = model.state();
@@ -270,7 +272,7 @@ void Layout::show_views(view::WindowModel& model, render::Renderer& renderer,
     float const gap = ImGui::GetStyle().ItemSpacing.x;
     float const width = std::max(room.width - 2 * gap, 192.0f);
     WindowPart part { room.left, 0, width * 0.37f, room.height };
-    auto const whole = whole_window(); // What the pen points at unless it draws.
+    auto const whole = whole_window(); // The pen points into the whole window unless it draws.
     pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
     if (bench_.menu_is_open() && room.width < kLeastForAll_px * scale_) {
         mouse_.let_go(model);
@@ -324,7 +326,7 @@ void Layout::show_pad(view::WindowModel& model, render::Renderer& renderer, Wind
     show_title(part, "Drawing pad", state.tool.c_str());
 }
 
-// Within what is seen of the pad.
+// Draws the height gauge within the visible part of the pad.
 void Layout::show_gauge(view::WindowState const& state, WindowPart const& part,
                         PenArea const& area) const
 {
@@ -339,7 +341,8 @@ void Layout::show_gauge(view::WindowState const& state, WindowPart const& part,
                       bench_.is_left_handed ? Side::Right : Side::Left);
 }
 
-// Where it shares the window only the plant need be seen, not all of the tablet.
+// Full screen, the view shows the whole tablet; beside other views it fits the plant, which may be
+// smaller.
 PenArea Layout::skeleton_area(view::WindowState const& state, WindowPart const& part) const
 {
     auto area = fit_pen_area(state.volume_mm, { part.left, part.top }, { part.width, part.height });
@@ -399,7 +402,7 @@ void Layout::show_collection(view::WindowModel& model, render::Renderer& rendere
         bench_.shown = Shown::Plant;
 }
 
-// Where the pen can reach it.
+// The part of the window for the menu, within the pen's reach.
 WindowPart Layout::room_for_menu() const
 {
     auto room = above_controls();
@@ -413,7 +416,7 @@ WindowPart Layout::room_for_menu() const
     return room;
 }
 
-// The tools, and what a person who draws wants as often.
+// The ring's entries: the tools and other frequent actions.
 std::vector<RingEntry> Layout::ring_entries(view::WindowModel& model)
 {
     std::vector<RingEntry> entries;
@@ -440,7 +443,7 @@ void Layout::show_ring(view::WindowModel& model, PenPointer const& pen)
         = !pen.leads() && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && pad_is_pointed_at_;
     if (!ring_.is_open() && (mouse_asks || pen.asks_for_ring())) {
         ring_.open(pen.leads() ? pen.place_px() : ImGui::GetIO().MousePos, scale_);
-        model.perform(view::PressInstead {}); // A long touch is none of the plant's.
+        model.perform(view::PressInstead {}); // A long touch that opened the ring must not draw.
     }
     bool const let_go
         = pen.leads() ? pen.has_let_barrel_go() : ImGui::IsMouseReleased(ImGuiMouseButton_Right);
@@ -452,7 +455,7 @@ void Layout::show_ring(view::WindowModel& model, PenPointer const& pen)
         entries[*chosen].choose();
 }
 
-// Selecting goes by the skeleton as it is shown now.
+// Keeps selection consistent with the skeleton's current viewing direction.
 void Layout::follow_angle(view::WindowModel& model) const
 {
     auto const& state = model.state();

@@ -15,8 +15,8 @@ static std::function<Result<void>()>& lost_display_action()
     return action;
 }
 
-// Called by Xlib in the thread that has found the connection broken, which is the window's: in the
-// middle of what that does with the window, but of nothing that its model does.
+// Called by Xlib in the window's thread, on which it noticed the broken connection: in the middle
+// of a call that concerns the window, but never while the model is working.
 static int end_without_display(::Display* /*display*/)
 {
     if (auto const action = std::exchange(lost_display_action(), nullptr)) {
@@ -25,7 +25,7 @@ static int end_without_display(::Display* /*display*/)
             done ? std::string("error: the display has gone\n")
                  : fmt::format("error: the display has gone; {}\n", done.error().message));
     }
-    std::_Exit(1); // Destructors would ask the display that has gone to take the window away.
+    std::_Exit(1); // Skips destructors, which would use the lost display.
 }
 
 void on_lost_display(std::function<Result<void>()> action)

@@ -20,7 +20,7 @@ constexpr float kLeastBeside_px = 140;
 
 } // namespace
 
-// What is left of a row, for as many beside each other.
+// Width of each of `count` items that share the rest of a row.
 float Menu::item_px(int count) const
 {
     auto const gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x;
@@ -112,7 +112,7 @@ void Menu::show_keeping(view::WindowModel& model, Workbench& bench, Controls con
     }
 }
 
-// What ends with the drawing, or with what was drawn.
+// Buttons that close the drawing or discard what was drawn.
 void Menu::show_leaving(view::WindowModel& model, Controls const& controls) const
 {
     bool const may_begin_anew = model.state().may_begin_anew;
@@ -125,7 +125,7 @@ void Menu::show_leaving(view::WindowModel& model, Controls const& controls) cons
         model.perform(view::OpenStartPage {});
 }
 
-// How the leaves of a .glb are written, and for whom that is.
+// Chooses how a .glb file stores leaves, and says for which programs each way is meant.
 void Menu::show_organs(Controls const& controls)
 {
     struct Choice {
@@ -166,7 +166,8 @@ void Menu::show_devices(view::WindowModel& model, Controls const& controls)
         devices_.show(state.devices);
 }
 
-// The tablet's own display is marked: there the ink lies under the pen's tip.
+// A list of displays. The tablet's own is marked, because there the drawn line appears under the
+// pen's tip.
 void Menu::show_displays(view::WindowState const& state, Workbench& bench,
                          Controls const& controls) const
 {
@@ -248,8 +249,9 @@ void Menu::show_plant(view::WindowModel& model, Controls const& controls)
         model.perform(view::TakeOrphansAway {});
 }
 
-// The slider's left end is no season: leaves as the models have them. It stays where it was let go
-// until the plant is there, for which leaves may have to be grown.
+// A slider for the season. At its left end there is no season: leaves are as the models define
+// them. After a change it keeps its position until the plant is updated, for which leaves may have
+// to be grown.
 void Menu::show_season(view::WindowModel& model)
 {
     scene::Season const none { .month = 0 };
@@ -275,7 +277,7 @@ void Menu::show_season(view::WindowModel& model)
         view::ChangeSeason { season == none ? std::nullopt : std::optional(season), slider });
 }
 
-// True while the slider moves.
+// Returns true while the slider is being dragged.
 bool Menu::show_slider(char const* name, char const* text, float greatest, double& value,
                        bool& is_released) const
 {

@@ -52,7 +52,7 @@ void perform(view::WindowModel& model, AskedName const& asked, std::string const
     }
 }
 
-// Takes the last character away, which may be of several bytes.
+// Removes the last character, of one or more bytes.
 void take_last(std::string& text)
 {
     auto const is_within = [](char byte) { return (byte & 0xc0) == 0x80; };
@@ -62,7 +62,7 @@ void take_last(std::string& text)
         text.pop_back();
 }
 
-// A code point as UTF-8 (RFC 3629, section 3).
+// Appends a code point as UTF-8 (RFC 3629, section 3).
 void append_letter(std::string& text, unsigned int letter)
 {
     constexpr unsigned int kSix = 0x3f;
@@ -81,7 +81,7 @@ void append_letter(std::string& text, unsigned int letter)
     }
 }
 
-// Lays the colour of selected text over that of ImGui's last item, which begins at its left edge.
+// Marks ImGui's last item, text that begins at its left edge, as selected.
 void mark_selected(std::string const& text)
 {
     auto const& padding = ImGui::GetStyle().FramePadding;
@@ -110,7 +110,7 @@ WindowPart NamePanel::show(view::WindowModel& model, Workbench& bench, Controls 
     float const around = kNameMargin_px * scale_;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { around, around });
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, { kKeyGap_px * scale_, kKeyGap_px * scale_ });
-    // It reaches over the bar rather than out of the window.
+    // If there is too little room, the panel overlaps the bar rather than leaving the window.
     ImGui::SetNextWindowPos({ bar.left, std::max(bar.top - height_px_, 0.0f) });
     ImGui::Begin("name", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
@@ -143,7 +143,7 @@ void NamePanel::show_name(view::WindowModel& model, Workbench& bench, Controls c
         perform(model, *asked_, typed_);
 }
 
-// A field of ImGui's would hold the keyboard's letters back from the keys' and the other way round.
+// Reads the keyboard without an ImGui text field, so that on-screen keys and keyboard can be mixed.
 void NamePanel::take_keyboard(std::span<KeyPress const> presses)
 {
     confirms_ = false;
@@ -223,7 +223,7 @@ void NamePanel::show_row(std::string_view keys, Controls const& controls, float 
     }
 }
 
-// A capital begins a word, and small letters go on.
+// Handles an on-screen key; after a space it shows capitals, otherwise small letters.
 void NamePanel::press(char key)
 {
     take_letter(static_cast<unsigned char>(key));

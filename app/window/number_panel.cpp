@@ -18,7 +18,7 @@ constexpr float kValueWidth_px = 400;
 constexpr float kKeyWidth_px = 84;
 constexpr float kAir_px = 14;
 constexpr int kKeysInRow = 3;
-// A back space's key is written out: the typeface has no sign for it.
+// The label for backspace is a word, because the typeface lacks the symbol.
 constexpr std::array<std::pair<char const*, char>, 12> kKeys { {
     { "7", '7' },
     { "8", '8' },
@@ -54,10 +54,10 @@ WindowPart NumberPanel::show(view::WindowModel& model, Workbench& bench, Control
     if (std::exchange(asked_, chosen.option.name) != chosen.option.name) {
         typed_.clear();
         objection_.clear();
-        ImGui::SetNextWindowFocus(); // In front of the bar, which was pressed.
+        ImGui::SetNextWindowFocus(); // Brings the panel in front of the bar, which had the focus.
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { kAir_px * scale_, kAir_px * scale_ });
-    // It reaches over the bar rather than out of the window.
+    // If there is too little room, the panel overlaps the bar rather than leaving the window.
     ImGui::SetNextWindowPos({ bar.left, std::max(bar.top - height_px_, 0.0f) });
     ImGui::Begin("number", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
@@ -83,7 +83,7 @@ WindowPart NumberPanel::show(view::WindowModel& model, Workbench& bench, Control
     return { corner.x, corner.y, size.x, size.y };
 }
 
-// A slider that moves only shows what it would do.
+// While a slider is dragged only a preview is shown; on release the value is set.
 void NumberPanel::adjust(view::WindowModel& model, Workbench& bench,
                          tools::ChosenNumber const& chosen, std::size_t number)
 {
@@ -100,7 +100,7 @@ void NumberPanel::adjust(view::WindowModel& model, Workbench& bench,
         slider);
 }
 
-// The number in words, its range, a slider, and a step less and more.
+// Shows the number in words, its range, a slider, and buttons for a step down and up.
 void NumberPanel::show_value(tools::ChosenNumber const& chosen, Controls const& controls)
 {
     auto const& option = chosen.option;

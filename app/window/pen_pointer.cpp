@@ -22,13 +22,13 @@ void PenPointer::feed(view::WindowState const& state, PenArea const& area, float
     if (!leads_ && !led)
         return;
     place_px_ = area.to_px(pen_.tip_mm.head<2>().cast<double>());
-    // A pen that draws points at nothing of the window.
+    // A pen that is drawing does not point at controls.
     bool const points = leads_ && (!pen_.touching || pen_.pressing);
     put_imgui_mouse(points ? place_px_ : ImVec2(-FLT_MAX, -FLT_MAX),
                     leads_ && pen_.touching && pen_.pressing);
 }
 
-// Up to the next change that ImGui must see for a frame at least.
+// Reads events up to the next change that ImGui must see for at least one frame.
 void PenPointer::take_next()
 {
     while (!path_.empty()) {
@@ -61,7 +61,7 @@ void PenPointer::watch_rest(float step_s)
         return;
     rests_ = false;
     asks_for_ring_ = true;
-    pen_.pressing = true; // As the station will say when it hears of it.
+    pen_.pressing = true; // As the station will report once it has been told.
 }
 
 } // namespace tractus::window

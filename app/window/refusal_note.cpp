@@ -19,7 +19,7 @@ std::string as_sentence(std::string message)
     return message;
 }
 
-// Where the view shows a line.
+// The bounding box of a stroke in the view.
 static ImRect box_of(view::InkLine const& ink, PenArea const& area)
 {
     ImRect box;

@@ -13,10 +13,10 @@ namespace tractus::window {
 namespace {
 
 constexpr double kWheelStep_mm = 10;
-constexpr double kFineWheelStep_mm = 1; // With Shift.
+constexpr double kFineWheelStep_mm = 1; // With Shift pressed.
 constexpr double kKeySpeed_mm_s = 80;
 
-// Closes what is open, or else leaves the stage, or else the full screen, or else closes the
+// Closes an open panel; otherwise leaves the stage; otherwise full screen; otherwise closes the
 // window.
 void take_escape(Workbench& bench, ToolRing& ring)
 {
@@ -56,7 +56,7 @@ void take_tool_key(char key, view::WindowModel& model, Workbench& bench)
             return bench.choose(model, tools::chosen_anew(*kind, bench.remembered(state)));
 }
 
-// "D  C" and "Draw, Select" of those that have one.
+// Returns the keys and names of the tools that have keys: "D C" and "Draw, Select".
 std::pair<std::string, std::string> tool_keys(tools::ToolKinds tools)
 {
     std::string keys;

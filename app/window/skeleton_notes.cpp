@@ -7,7 +7,7 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kLegendSpacing = 1.25f; // In letters' heights.
+constexpr float kLegendSpacing = 1.25f; // Line spacing in heights of a letter.
 
 int legend_pieces(tools::LayerStyle::Pattern pattern)
 {
@@ -29,13 +29,14 @@ void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px)
     auto* const draw = ImGui::GetWindowDrawList();
     float const line = ImGui::GetFontSize() * kLegendSpacing;
     float y = corner_px.y;
-    // A line in so many pieces, as its layer has it.
+    // Draws an entry's sample line in as many dashes as the layer has.
     auto const add = [&](bool is_there, Vec3f const& color, char const* text, int pieces = 1) {
         if (!is_there)
             return;
-        y -= line; // From below.
+        y -= line; // Entries are stacked upwards from the bottom.
         float const middle = y + ImGui::GetFontSize() / 2;
-        float const piece = line / static_cast<float>(2 * pieces - 1); // Gaps are as wide.
+        // Dashes and gaps have equal length.
+        float const piece = line / static_cast<float>(2 * pieces - 1);
         for (int i = 0; i < pieces; ++i) {
             float const x = corner_px.x + 2 * static_cast<float>(i) * piece;
             draw->AddLine({ x, middle }, { x + piece, middle }, theme::packed(color), 5);

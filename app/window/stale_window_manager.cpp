@@ -11,7 +11,8 @@ static int ignore_error(::Display* /*display*/, XErrorEvent* /*error*/)
     return 0;
 }
 
-// The window that a window's property names; no value where either is not there.
+// The window that a property of `window` names; nullopt if the property or the window does not
+// exist.
 static std::optional<::Window> named_window(::Display* display, ::Window window, ::Atom property)
 {
     ::Atom type = None;
@@ -30,11 +31,12 @@ static std::optional<::Window> named_window(::Display* display, ::Window window,
     return named;
 }
 
-// A window manager's own window names itself, by which others see that it is alive. The server is
-// grabbed, so that none begins between the look and the removal.
+// A live window manager's own window has the property, too, and names itself in it. The server is
+// grabbed so that no window manager starts between the test and the removal.
 bool remove_stale_window_manager()
 {
-    // Stays open: a server whose last client leaves starts anew, and takes nobody in meanwhile.
+    // Never closed: when its last client disconnects, an X server resets and refuses connections
+    // meanwhile.
     static auto* const display = XOpenDisplay(nullptr);
     if (display == nullptr)
         return false;

@@ -13,13 +13,13 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kCardAir_px = 10; // Around the words of a card.
-constexpr float kBorder_px = 5;   // Of a card around its picture.
+constexpr float kCardAir_px = 10; // Space around a card's text.
+constexpr float kBorder_px = 5;   // Width of a card's border around its picture.
 constexpr float kDetailSize_px = 16;
-constexpr float kLeastSize_px = 15; // Of letters that are made to fit.
-constexpr float kIconSize = 0.62f;  // Of the picture's height.
+constexpr float kLeastSize_px = 15; // Least text size when text is shrunk to fit.
+constexpr float kIconSize = 0.62f;  // As a share of the picture's height.
 constexpr float kIconLine_px = 3;
-constexpr float kScrollFrom_px = 8; // A touch that goes farther presses nothing.
+constexpr float kScrollFrom_px = 8; // A touch that moves farther scrolls and chooses no card.
 
 std::optional<Direction> direction_of(char key)
 {
@@ -42,7 +42,7 @@ float width_of(std::string const& text, float size_px)
     return ImGui::GetFont()->CalcTextSizeA(size_px, 1e6f, 0, text.c_str()).x;
 }
 
-// In UTF-8.
+// Offset of the last character's first byte in UTF-8 text.
 std::size_t beginning_of_last_letter(std::string const& text)
 {
     auto at = text.size() - 1;
@@ -51,13 +51,13 @@ std::size_t beginning_of_last_letter(std::string const& text)
     return at;
 }
 
-// As many words as fit into a line, and the others.
+// Splits text into as many words as fit on the first line, and the rest.
 std::pair<std::string, std::string> in_two_lines(std::string const& text, float size_px,
                                                  float room_px)
 {
     if (width_of(text, size_px) <= room_px)
         return { text, {} };
-    std::size_t end = 0; // Of the first line.
+    std::size_t end = 0; // End of the first line.
     for (auto space = text.find(' '); space != std::string::npos; space = text.find(' ', space + 1))
         if (width_of(text.substr(0, space), size_px) <= room_px)
             end = space;
@@ -128,7 +128,7 @@ void StartView::show_cards(view::StartPageModel& page)
     float const width = ImGui::GetWindowWidth();
     float const height = ImGui::GetWindowHeight();
     grid_ = arrange_cards(state.groups, width, scale_);
-    if (grid_.height > height) // A bar is beside them.
+    if (grid_.height > height) // Arranged again, narrower, if a scroll bar is needed.
         grid_ = arrange_cards(
             state.groups, width - ImGui::GetStyle().ScrollbarSize - kCardAir_px * scale_, scale_);
     ImGui::PushFont(title_font_);
@@ -159,7 +159,7 @@ void StartView::show_cards(view::StartPageModel& page)
         page.choose(grid_.places[*pressed].group, grid_.places[*pressed].card);
 }
 
-// A touch that moves the page presses nothing.
+// Scrolls the page; a touch that scrolls does not choose a card.
 void StartView::scroll(bool& presses_count)
 {
     bool const drags = ImGui::GetScrollMaxY() > 0
@@ -180,7 +180,7 @@ void StartView::scroll_to_focus() const
     float const air = ImGui::GetStyle().ItemSpacing.y;
     auto const top = grid_.places[*focus_].top;
     auto const bottom = top + grid_.card_height + 2 * air;
-    // With the title of the first row.
+    // Scrolls so that the title above the first row stays visible.
     float const first = top - 48 * scale_;
     if (first < ImGui::GetScrollY())
         ImGui::SetScrollY(std::max(0.0f, first));
@@ -204,7 +204,7 @@ bool StartView::show_card(view::StartCard const& card, ImVec2 const& size_px, bo
     return is_pressed;
 }
 
-// Most of a picture that is higher than the card's: it loses more ground than sky.
+// Crops a picture that is higher than the card, more from the bottom than from the top.
 void StartView::draw_picture(view::StartCard const& card, ImVec2 const& corner)
 {
     auto* const draw = ImGui::GetWindowDrawList();
@@ -246,7 +246,7 @@ float StartView::words_width() const
     return grid_.card_width - 2 * kCardAir_px * scale_;
 }
 
-// With smaller letters where it does not fit otherwise; what does not fit then ends in dots.
+// Draws text in a smaller size if necessary; text that still does not fit ends in an ellipsis.
 void StartView::draw_fitted(std::string const& text, ImVec2 const& place, float size_px,
                             ImU32 color) const
 {
@@ -260,7 +260,7 @@ void StartView::draw_fitted(std::string const& text, ImVec2 const& place, float 
             shown.resize(beginning_of_last_letter(shown));
         shown += "...";
     }
-    // On the line that letters of the usual size would stand on.
+    // On the baseline of text of the usual size.
     ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size,
                                         { place.x, place.y + (size_px - size) * 0.8f }, color,
                                         shown.c_str());

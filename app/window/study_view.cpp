@@ -10,19 +10,20 @@ namespace tractus::window {
 
 namespace {
 
-// The field of pictures is so many units wide and high: the large one is four wide, four details
-// are in a column beside it, and six others in a row below.
+// The pictures' layout in units: the large one is four wide, four details are in a column beside
+// it, and six others in a row below.
 constexpr float kAcross = 5;
 constexpr float kOther = kAcross / 6;
 constexpr float kDown = 4 + kOther;
 constexpr float kMargin_px = 6;
 constexpr float kSliders_px = 290;
-constexpr float kLeastSliders_px = 210; // Beside pictures that need the room,
-constexpr float kLeastUnit_px = 52;     // whose field has units of this at least.
-constexpr float kLeastRow_px = 24;      // Of a slider that has to make room.
+constexpr float kLeastSliders_px = 210; // Least width of the sliders when the pictures need the
+                                        // room.
+constexpr float kLeastUnit_px = 52; // Least size of a unit when sliders are beside the pictures.
+constexpr float kLeastRow_px = 24;  // Least height of a slider.
 constexpr float kCaption_px = 15;
 
-// ImGui takes the text for a format.
+// Escapes text for ImGui, which treats it as a printf format.
 std::string as_format(std::string const& text)
 {
     std::string format;
@@ -35,7 +36,8 @@ std::string as_format(std::string const& text)
 
 void StudyView::show(view::StartPageModel& page, Controls const& controls)
 {
-    auto const study = *page.state().study; // The page may make another one below.
+    auto const study = *page.state().study; // Copied, because a slider may make the page replace
+                                            // it.
     auto const corner = ImGui::GetCursorScreenPos();
     auto const room = ImGui::GetContentRegionAvail();
     float const gap = 2 * kMargin_px * scale_;
@@ -91,13 +93,14 @@ void StudyView::show_picture(view::StartStudy::Picture const& picture, std::size
             to, { 0, 0 }, { 1, 1 }, ImGui::GetColorU32({ 1, 1, 1, 1 }), rounding);
     else
         draw->AddRectFilled(corner, to, theme::packed(theme::palette().pad_background), rounding);
-    if (!picture.title.empty()) // On the picture's paper, which is white in either theme.
+    if (!picture.title.empty()) // Drawn in a dark colour, because the picture's paper is white in
+                                // both themes.
         draw->AddText(ImGui::GetFont(), kCaption_px * scale_,
                       { corner.x + kMargin_px * scale_, corner.y + kMargin_px * scale_ / 2 },
                       IM_COL32(90, 90, 90, 255), picture.title.c_str());
 }
 
-// `height`: so high shall they be together, if they can; 0: as high as buttons.
+// `height`: total height of the sliders, if possible; 0: each as high as a button.
 void StudyView::show_sliders(view::StartPageModel& page, Controls const& controls, float width,
                              float height)
 {
@@ -119,7 +122,7 @@ void StudyView::show_sliders(view::StartPageModel& page, Controls const& control
     ImGui::EndGroup();
 }
 
-// True while it moves.
+// Returns true while the slider is being dragged.
 bool StudyView::slider(std::size_t number, view::StartStudy::Slider& slider, float width,
                        float height) const
 {

@@ -12,13 +12,13 @@ ImFont* add_font(float size_px)
                                          0x21ff, 0x25a0, 0x25ff, 0 };
     auto const file = render::font_file();
     ImFontConfig config;
-    config.FontDataOwnedByAtlas = false; // The program's own bytes; ImGui only reads them.
+    config.FontDataOwnedByAtlas = false; // The data belongs to the program; ImGui only reads it.
     auto* const bytes = const_cast<std::byte*>(file.data());
     return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(bytes, static_cast<int>(file.size()), size_px,
                                                       &config, kRanges);
 }
 
-// Of a dark room: a little blue, and of a bright one: a little warm.
+// Slightly blue greys for dark rooms, slightly warm ones for bright rooms.
 ImVec4 cool(float value)
 {
     return { value, value * 1.04f, value * 1.09f, 1 };

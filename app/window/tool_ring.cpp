@@ -59,13 +59,14 @@ std::optional<std::size_t> ToolRing::under(ImVec2 const& place_px, std::size_t c
     return static_cast<std::size_t>(std::lround(turns)) % count;
 }
 
-// True if the ring is done with.
+// Returns true if the ring should close.
 bool ToolRing::take_pointer(bool button_let_go, std::size_t count,
                             std::optional<std::size_t>& chosen)
 {
     auto const pointed_at = under(ImGui::GetIO().MousePos, count);
     bool const is_touched = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    // A touch that opened the ring must end before another counts; over a choice its end does.
+    // If the ring was opened by a touch, that touch chooses when it ends over an entry; otherwise a
+    // new touch is needed.
     bool const touch_begins = is_touched && !was_touched_;
     bool const first_touch_ends = !is_touched && was_touched_;
     was_touched_ = is_touched;

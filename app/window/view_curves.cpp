@@ -20,8 +20,7 @@ render::Curve line(Vec3f const& from, Vec3f const& to, Vec3f const& color, float
     return curve;
 }
 
-// A distance between grid lines that reads well: 1, 2 or 5 times a power of ten, about a twelfth of
-// the extent.
+// The spacing of grid lines: 1, 2 or 5 times a power of ten, about a twelfth of the extent.
 float grid_step_mm(float extent_mm)
 {
     float const rough = std::max(extent_mm, 1.0f) / 12;
@@ -46,7 +45,7 @@ void add_surface_grid(view::WindowState const& state, std::vector<render::Curve>
             line({ low.x(), y, height }, { high.x(), y, height }, theme::palette().grid, 1));
 }
 
-// The floor's rim and the edges that lead down to it.
+// Adds the outline of the volume's floor and the edges down to it.
 void add_volume(view::WindowState const& state, std::vector<render::Curve>& curves)
 {
     Vec3f const low = state.volume_mm.min_mm.cast<float>();
@@ -65,7 +64,7 @@ void add_volume(view::WindowState const& state, std::vector<render::Curve>& curv
     }
 }
 
-// The eraser leaves nothing behind but that one sees where it was.
+// The eraser's stroke is drawn faintly, only to show where it was.
 Vec3f ink_color(tools::InkStyle::Look look, Vec3f const& color)
 {
     switch (look) {
@@ -95,7 +94,7 @@ void add_ink(std::vector<view::InkLine> const& lines, Vec3f const& color,
     }
 }
 
-// The parts of a line that a pattern leaves: so much drawn, so much left out, by turns.
+// Cuts a line into dashes: `drawn_mm` drawn, then `left_out_mm` left out, and so on.
 std::vector<std::vector<Vec3f>> dashes(std::vector<Vec3f> const& points_mm, float drawn_mm,
                                        float left_out_mm)
 {
@@ -123,7 +122,8 @@ std::vector<std::vector<Vec3f>> dashes(std::vector<Vec3f> const& points_mm, floa
     return parts;
 }
 
-// Faint and dashed: it is there to be seen beside the reason, and is nothing of the plant.
+// Adds a refused stroke, faint and dashed, because it is shown only beside the reason and is not
+// part of the plant.
 void add_refused(view::RefusedStroke const& refused, std::vector<render::Curve>& curves)
 {
     Vec3f const color = 0.5f * theme::palette().ink + 0.5f * theme::palette().pad_background;
@@ -179,7 +179,7 @@ float widest_mm(std::vector<tools::SkeletonLine> const& skeleton)
     return widest;
 }
 
-// Thick for trunks, and never too thin to see or to hit.
+// Thick for trunks, but never too thin to see or select.
 float width_px(tools::SkeletonLine const& line, float widest)
 {
     float const plain = 1.6f + 5.0f * std::sqrt(line.width_mm / widest);
@@ -223,7 +223,7 @@ void add_flat_line(view::WindowState const& state, tools::SkeletonLine const& li
 std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
                                              tools::LayerStyle const& style)
 {
-    constexpr float kMostDashes = 300; // Of a line, however long.
+    constexpr float kMostDashes = 300; // Dashes per line, however long it is.
     float length_mm = 0;
     for (std::size_t i = 1; i < line_mm.size(); ++i)
         length_mm += (line_mm[i] - line_mm[i - 1]).norm();
@@ -243,7 +243,7 @@ std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
     return { line_mm };
 }
 
-// World frame, widths in millimetres.
+// World frame; line widths in millimetres.
 std::vector<render::Curve> layer_curves(view::WindowState const& state)
 {
     std::vector<render::Curve> curves;
@@ -264,7 +264,7 @@ std::vector<render::Curve> layer_curves(view::WindowState const& state)
     return curves;
 }
 
-constexpr float kLayerWidth_px_per_mm = 1.45f; // In the skeleton's view.
+constexpr float kLayerWidth_px_per_mm = 1.45f; // Line width in the skeleton's view.
 
 } // namespace
 

@@ -12,7 +12,8 @@ namespace tractus::window {
 namespace {
 
 constexpr double kPadFieldOfView_rad = 0.75;
-constexpr double kAboveSurface_mm = 0.25; // Ink lies on the surface; half its width would vanish.
+constexpr double kAboveSurface_mm = 0.25; // Looks from slightly above the surface, so that lines on
+                                          // it are not clipped to half their width.
 
 render::Backdrop plain_backdrop()
 {
@@ -22,7 +23,7 @@ render::Backdrop plain_backdrop()
              .has_ground = false };
 }
 
-// Straight down through the surface, whose area is seen as large as `area` has it.
+// A camera that looks straight down through the surface, at the scale of `area`.
 render::Camera pad_camera(view::WindowState const& state, PenArea const& area,
                           render::Canvas const& canvas)
 {
@@ -40,7 +41,7 @@ render::Camera pad_camera(view::WindowState const& state, PenArea const& area,
     return camera;
 }
 
-// As one sees the skeleton from the angle, a tablet's millimetre as large as `area` has it.
+// A camera for the skeleton from a viewing direction, at the scale of `area`.
 render::Camera skeleton_camera(view::WindowState const& state, scene::SelectionAngle const& angle,
                                PenArea const& area, render::Canvas const& canvas)
 {
@@ -50,7 +51,7 @@ render::Camera skeleton_camera(view::WindowState const& state, scene::SelectionA
                    state.skeleton_box_mm.empty()
                        ? 1.0
                        : (state.skeleton_box_mm.max_mm - state.skeleton_box_mm.min_mm).norm());
-    Vec2 const middle_mm = -view.origin_mm / view.scale; // Of the tablet, in the view's plane.
+    Vec2 const middle_mm = -view.origin_mm / view.scale; // The tablet's middle in the view's plane.
     render::Camera camera;
     camera.projection = render::Camera::Projection::Orthographic;
     camera.target_mm = middle_mm.x() * view.right + middle_mm.y() * view.up;
@@ -62,7 +63,7 @@ render::Camera skeleton_camera(view::WindowState const& state, scene::SelectionA
     return camera;
 }
 
-// On the surface.
+// Places a picture on the surface.
 render::StagedPicture staged(view::ShownPicture const& shown, render::GpuPicture const& picture,
                              double surface_mm)
 {
@@ -79,8 +80,8 @@ render::StagedPicture staged(view::ShownPicture const& shown, render::GpuPicture
              .strength = static_cast<float>(place.strength) };
 }
 
-// Adds the middle of the sheet of paper that stands in the drawing volume, and what grows: a
-// picture of these keeps still while something grows in it.
+// Extends the box by the middle of the paper sheet in the drawing volume and by what grows, so that
+// the frame keeps still while something grows.
 void add_drawing_room(view::WindowState const& state, Bounds& plant_mm)
 {
     auto const& box_mm = state.volume_mm;
@@ -118,7 +119,7 @@ render::Canvas& ViewCanvas::sized(ImVec2 const& size_px, bool& changed)
 
 void ViewCanvas::show() const
 {
-    // OpenGL's rows go up, ImGui's down.
+    // OpenGL's rows go upwards, ImGui's downwards.
     auto* const texture = reinterpret_cast<void*>(static_cast<std::uintptr_t>(canvas_->texture()));
     ImVec2 const size(static_cast<float>(canvas_->width()), static_cast<float>(canvas_->height()));
     ImGui::Image(texture, size, ImVec2(0, 1), ImVec2(1, 0));
@@ -128,7 +129,7 @@ void PadView::show(view::WindowState const& state, render::Renderer& renderer, P
                    ImVec2 const& size_px)
 {
     bool changed = std::exchange(px_per_mm_, area.px_per_mm) != area.px_per_mm;
-    // A sheet of paper moves with the surface, and what is drawn on it.
+    // A sheet of paper, and the drawing on it, moves with the surface.
     auto const T_pad_world = pad_of_world(state);
     turns_ += T_pad_world.matrix() != T_pad_world_.matrix();
     T_pad_world_ = T_pad_world;
@@ -207,7 +208,7 @@ void SkeletonView::show(view::WindowState const& state, render::Renderer& render
     canvas_.show();
 }
 
-// Whether it is another one, or seen otherwise.
+// Returns true if the plant or the view of it has changed.
 bool PlantView::follow_plant(view::WindowState const& state)
 {
     bool changed = std::exchange(turned_, false);
@@ -259,7 +260,7 @@ void PlantView::show_on_stage(view::WindowState const& state, render::Renderer& 
     }
     if (!state.preview.empty())
         grows_on_ = state.plant_revision;
-    // What has grown is seen until it is the plant's, or was refused.
+    // What has grown is shown until it becomes part of the plant or is refused.
     bool const waits = state.preview.empty() && grows_on_ == state.plant_revision && !state.refused;
     if (!waits)
         changed |= growing_.follow(state.preview_revision, [&] { return growing_curves(state); });

@@ -21,14 +21,15 @@ namespace tractus::window {
 
 namespace {
 
-constexpr int kFramesPerSecond = 60; // Where time goes by frames.
+constexpr int kFramesPerSecond = 60; // Frame rate in model time, when time advances by frames.
 constexpr Duration kFrameStep { 1'000'000'000 / kFramesPerSecond };
-constexpr int kSettlingFrames = 3; // ImGui and the views answer an event within so many frames.
-constexpr double kIdleWait_s = 1;  // Longest sleep, should an event have come with the last one.
-constexpr double kLiveWait_s = 1.0 / 120; // The same while devices may send.
-constexpr double kLongestStep_s = 0.25;   // After a pause of the whole machine, time does not jump.
+constexpr int kSettlingFrames = 3; // Number of frames that ImGui and the views need to show the
+                                   // effect of an event.
+constexpr double kIdleWait_s = 1;  // Longest sleep, in case an event arrived during the last frame.
+constexpr double kLiveWait_s = 1.0 / 120; // Longest sleep while devices may send.
+constexpr double kLongestStep_s = 0.25;   // Limits the step after the whole machine was suspended.
 
-// Whether the model's time goes by frames, and not by the clock.
+// True if the model's time advances by frames rather than by the clock.
 bool counts_frames(WindowOptions const& options)
 {
     return options.frames > 0 || !options.film.empty();
@@ -42,7 +43,7 @@ Duration step_since(double& last_s, WindowOptions const& options)
     return counts_frames(options) ? kFrameStep : from_seconds(step_s);
 }
 
-// Whether the window closes by itself before a frame.
+// True if the window should close before this frame.
 bool is_over(int frame, view::WindowModel const& model, WindowOptions const& options)
 {
     if (options.frames > 0)
@@ -56,7 +57,7 @@ Result<void> write_picture(Host const& host, std::filesystem::path const& path)
     return write_file(path, [&](std::ostream& out) { return render::write_png(out, picture); });
 }
 
-// The file of the picture that a film has of a frame, if it has one.
+// The film's picture file for a frame; nullopt if the film has none.
 std::optional<std::filesystem::path> picture_of_film(std::int64_t frame,
                                                      WindowOptions const& options)
 {
@@ -72,11 +73,11 @@ bool mouse_is_used()
     return delta.x != 0 || delta.y != 0 || ImGui::IsAnyMouseDown();
 }
 
-// Lets events come in. While nothing plays only they, and devices that are read, change the window,
-// so it sleeps until the next one.
+// Processes events. When nothing is being played, only events and connected devices change the
+// window, so it sleeps until the next one.
 class Events {
 public:
-    // True if the window may look different now, whatever its model says.
+    // Returns true if the window may look different now, even if its model has not changed.
     bool take(Host& host, view::WindowModel const& model, WindowOptions const& options)
     {
         bool const stirs = counts_frames(options) || model.state().playing || mouse_is_used();
@@ -91,10 +92,10 @@ public:
     }
 
 private:
-    int still_frames_ = 0; // Since something happened.
+    int still_frames_ = 0; // Number of frames since the last event.
 };
 
-// Whether the model shows something else than at the last call.
+// Detects whether the model shows something else than at the last call.
 class Changes {
 public:
     bool any(view::WindowModel& model)
@@ -111,7 +112,8 @@ public:
         bool const same_status = std::exchange(status_, state.status) == state.status;
         bool const same_trouble = std::exchange(trouble_, state.trouble) == state.trouble;
         auto const recorded = state.recording.is_on ? 1 + state.recording.bytes / 100'000 : 0;
-        bool const same_recording = std::exchange(recorded_, recorded) == recorded; // As shown.
+        // Compared as displayed, in steps of 100 kB.
+        bool const same_recording = std::exchange(recorded_, recorded) == recorded;
         bool const same_unkept = std::exchange(unkept_, state.unkept_steps) == state.unkept_steps;
         return !same_revisions || !same_status || !same_trouble || !same_recording || !same_unkept;
     }
@@ -124,7 +126,8 @@ private:
     std::size_t unkept_ = 0;
 };
 
-// What `which` names; without a name the tablet's own display, else the one that the window is on.
+// The display with this name; without a name the tablet's own, otherwise the one that the window is
+// on.
 Result<std::size_t> wished_display(Host const& host, view::WindowState const& state,
                                    std::string const& which)
 {
@@ -143,7 +146,7 @@ Result<void> fill_at_first(Host& host, view::WindowState const& state, WindowOpt
     return {};
 }
 
-// As the person wishes since the last frame; tells the bench what became of it.
+// Fulfils a request to enter or leave full screen and updates the workbench.
 void fill_as_wished(Host& host, view::WindowState const& state, Workbench& bench)
 {
     if (auto const wish = std::exchange(bench.full_screen_wished, std::nullopt)) {
@@ -162,7 +165,7 @@ WindowLook look_of(Layout& layout)
 
 } // namespace
 
-// Shows the model until the window closes, and writes the pictures that were asked for.
+// Shows the model until the window closes, and writes the requested pictures.
 static Result<void> show_window(Host& host, view::WindowModel& model, WindowOptions const& options)
 {
     TRY(host.open(options));
@@ -209,7 +212,7 @@ static Result<void> show_window(Host& host, view::WindowModel& model, WindowOpti
     }
     if (options.screenshot.empty())
         return {};
-    draw_frame(); // Once more, since what a swap leaves behind is not defined.
+    draw_frame(); // Rendered again, because the back buffer is undefined after a swap.
     return write_picture(host, options.screenshot);
 }
 
@@ -228,7 +231,7 @@ Result<void> run_window(view::WindowModel& model, WindowOptions const& options)
     }
     on_lost_display(nullptr);
     auto closed = model.close();
-    return shown ? closed : shown; // Where both fail, the first is the cause.
+    return shown ? closed : shown; // If both fail, the first is the cause.
 }
 
 } // namespace tractus::window
