@@ -46,7 +46,8 @@ void CalibrationPanelController::advance()
     }
     bool const waits = calibration::takes_captures(controller_.procedure()) && !was_capturing_;
     if (controller_.take_pen_rest() && waits)
-        capture(controller_.pen()->time, view_.proposed_mm); // However late we notice it.
+        // With the time of the rest, not the time at which it was noticed.
+        capture(controller_.pen()->time, view_.proposed_mm);
     show_reading();
 }
 
@@ -127,7 +128,7 @@ bool CalibrationPanelController::command(Timestamp time, std::string const& word
     return done.has_value();
 }
 
-// Fits the captures so far; too few are no reason to complain yet.
+// Fits the captures so far. Too few captures are not reported as an error.
 void CalibrationPanelController::fit()
 {
     constexpr std::size_t kFewCaptures = 3;
@@ -154,7 +155,7 @@ void CalibrationPanelController::fit()
     }
 }
 
-// Proposes what to do next.
+// Proposes the next height.
 void CalibrationPanelController::propose()
 {
     auto const heights = options_.heights_mm.empty()

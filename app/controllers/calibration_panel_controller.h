@@ -16,32 +16,32 @@ namespace tractus::controllers {
 
 struct CalibrationPanelControllerOptions {
     calibration::CalibrationController::Options controller {};
-    std::vector<double> heights_mm {}; // To propose, in this order; empty: those of the procedure.
-    std::string date {};               // Today's.
+    std::vector<double> heights_mm {}; // Heights to propose, in this order; empty: those of the
+                                       // procedure.
+    std::string date {};               // Date for the calibration's file.
     std::function<Timestamp()> now {};
 
-    // Writes what was found out; what it did, or why it could not.
+    // Writes the outcome; returns what was written, for the user, or the error.
     std::function<Result<std::string>(calibration::CalibrationOutcome const&)> keep {};
 };
 
-// Contents of the window while a person calibrates devices: the reading, the captures and, from the
-// second one on, the fit and its plots. A pen that rests on the tablet captures the proposed
-// height. What one procedure found out is what the next begins with; nothing is written before the
-// person asks for it.
+// The calibration page: live reading, captures and, from the second capture on, the fit and its
+// plots. Resting the pen on the tablet captures the proposed height. A procedure starts from the
+// results of the previous ones; nothing is written until the user asks for it.
 class CalibrationPanelController final : public calibration::CalibrationModel {
 public:
-    // Fails as CalibrationController::create does.
+    // Fails like CalibrationController::create().
     static Result<CalibrationPanelController> create(std::vector<drivers::DeviceInfo> devices,
                                                      CalibrationPanelControllerOptions options);
 
-    // Takes what a device has sent; advance() draws conclusions from all that has come.
+    // push() takes a device's report; advance() evaluates those that have arrived.
     void push(devices::LiveReport const& report);
     void advance();
 
     calibration::CalibrationView const& view() const override { return view_; }
     void perform(calibration::CalibrationCommand const& command) override;
 
-    // The rig that was kept since the last call.
+    // The rig that was saved since the last call.
     std::optional<calib::Rig> take_kept_rig() { return std::exchange(kept_, std::nullopt); }
 
 private:
@@ -63,7 +63,7 @@ private:
 
     void capture(Timestamp time, double ruler_mm);
     bool command(Timestamp time,
-                 std::string const& words); // False if it was refused; the view says why.
+                 std::string const& words); // False if refused; the view gives the reason.
     void fit();
     void propose();
     void show_reading();
@@ -72,7 +72,7 @@ private:
     std::vector<drivers::DeviceInfo> devices_;
     CalibrationPanelControllerOptions options_;
     calibration::CalibrationController controller_;
-    std::optional<calibration::CalibrationOutcome> outcome_; // Outcome of everything so far.
+    std::optional<calibration::CalibrationOutcome> outcome_; // Outcome of all captures so far.
     std::optional<calib::Rig> kept_;
     bool was_capturing_ = false;
     bool is_moving_ = false;

@@ -9,10 +9,10 @@
 
 namespace tractus::controllers {
 
-// A window that is there to calibrate, and for nothing else.
+// A window for calibration only.
 class CalibrationWindow final : public view::WindowModel {
 public:
-    // Fails as CalibrationPanelController::create does.
+    // Fails like CalibrationPanelController::create().
     static Result<CalibrationWindow> create(devices::LiveDevices devices,
                                             CalibrationPanelControllerOptions options);
 
@@ -26,8 +26,8 @@ private:
 
     devices::LiveDevices devices_;
     CalibrationPanelController panel_;
-    std::vector<devices::LiveReport> reports_; // Kept for its memory.
-    view::WindowState state_;                  // Nothing but the calibration is shown.
+    std::vector<devices::LiveReport> reports_; // A member only to reuse its memory.
+    view::WindowState state_;                  // Empty apart from the calibration.
 };
 
 } // namespace tractus::controllers

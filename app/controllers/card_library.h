@@ -10,26 +10,27 @@
 
 namespace tractus::controllers {
 
-// A person's own cards: text files NAME.card in a folder, one for each.
+// The user's own cards (presets of tools): text files NAME.card in a folder.
 class CardLibrary {
 public:
-    static constexpr std::size_t kMostCards = 500; // More than a person looks through.
+    static constexpr std::size_t kMostCards = 500; // Most cards of a kind that are shown.
 
-    // The folder need not be there. Empty: nothing can be kept.
+    // The folder may not exist yet. Empty: no cards can be saved.
     explicit CardLibrary(std::filesystem::path folder = {})
         : folder_(std::move(folder))
     {
     }
 
-    // The cards of a kind by their names, at most kMostCards. Files that are no cards are left out.
+    // The cards of a kind, sorted by name, at most kMostCards. Files that are not cards are
+    // skipped.
     std::vector<tools::ToolCard> cards_of(tools::ToolKinds kinds,
                                           tools::ToolKind const& kind) const;
 
-    // Keeps the card of a hand under a name that no other has: "Rule 3". Returns it. Fails, as the
-    // user's fault, where it cannot be written.
+    // Saves the current tool as a card under an unused name such as "Rule 3", and returns the name.
+    // Fails, as the user's fault, if it cannot be written.
     Result<std::string> keep(tools::Tool const& hand) const;
 
-    // Fails, as the user's fault, for a name that no file can have, or another one has.
+    // Fails, as the user's fault, if the new name is not a valid file name or is taken.
     Result<void> rename(std::string const& from, std::string const& to) const;
 
     Result<void> remove(std::string const& name) const;

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What is looked at in passing: a file, and all that it takes to build its plants.
+// Limits for a thumbnail: the file's size, and the time to build its plants.
 constexpr std::uintmax_t kLargestFile_bytes = 32'000'000;
 constexpr double kLongest_s = 5;
 
@@ -39,7 +39,7 @@ std::optional<render::Image> read_image(fs::path const& file, std::size_t most_b
     return image ? std::optional(*std::move(image)) : std::nullopt;
 }
 
-// As large as a card shows it.
+// Reads a picture, scaled to the size on a card.
 std::optional<render::Image> small_picture(fs::path const& file)
 {
     auto const image = read_image(file, scene::kMostPictureBytes);
@@ -51,7 +51,7 @@ std::optional<render::Image> small_picture(fs::path const& file)
     return render::resized(*image, side(image->width()), side(image->height()));
 }
 
-// On white, in the middle.
+// Renders a leaf grammar's leaf in the middle of a white card.
 std::optional<render::Image> card_of_grammar(fs::path const& file)
 {
     constexpr render::Color kPaper { 250, 250, 248, 255 };
@@ -68,7 +68,7 @@ bool is_grammar(fs::path const& file)
     return file.extension() == ".leaf";
 }
 
-// Names of the pictures that were ever kept for a file begin alike; the rest says of which state.
+// File name of a cached picture: `beginning` identifies the source file, the rest its state.
 struct KeptName {
     std::string beginning;
     std::string whole;
@@ -85,7 +85,7 @@ KeptName kept_name(fs::path const& file)
                          fs::file_size(file, ignored)) };
 }
 
-// In place of those of earlier states. A folder that takes none is no reason to say anything.
+// Caches a picture and deletes those of earlier states of its file. Errors are ignored.
 void keep(render::Image const& picture, fs::path const& folder, KeptName const& name)
 {
     std::error_code error;

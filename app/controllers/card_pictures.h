@@ -17,35 +17,34 @@ class PictureThread;
 
 namespace tractus::controllers {
 
-// Small pictures of models, sessions and pictures, for the cards of a page: the one that lies
-// beside a model (MODEL.png), else one that was made before and is kept in a folder, else a new
-// one, which is kept there. They are read and made in the background, one after another. Belongs to
-// one thread.
+// Thumbnails of models, sessions and pictures for the cards of a page: the picture beside a model
+// (MODEL.png), otherwise a cached one, otherwise one that is rendered and cached. They are loaded
+// and rendered in the background, one after another. Use from one thread.
 class CardPictures {
 public:
     static constexpr int kWidth_px = 360;
     static constexpr int kHeight_px = 250;
 
-    // Empty: none is kept.
+    // `kept_in` is the cache folder; empty: no caching.
     CardPictures(scene::EditKinds kinds, std::filesystem::path kept_in);
     CardPictures(CardPictures const&) = delete;
     CardPictures& operator=(CardPictures const&) = delete;
     ~CardPictures();
 
-    // Of these files in this order, and of no others that were wanted before.
+    // Requests pictures of these files in this order; replaces earlier requests.
     void want(std::deque<std::filesystem::path> files);
 
-    // The next that is there since the last call. Its picture is null where there is none: the file
-    // cannot be read, nothing is drawn in it, or it is too much to be looked at in passing.
+    // take() returns the next finished picture. It is null if the file cannot be read, has nothing
+    // drawn in it, or is too costly for a thumbnail.
     struct Made {
         std::filesystem::path file;
-        std::shared_ptr<render::Image const> picture; // Shared with nobody.
+        std::shared_ptr<render::Image const> picture; // The only reference.
     };
     std::optional<Made> take();
 
     bool is_busy() const { return is_making_ || !waiting_.empty(); }
 
-    // Waits for the one that is being made, which take() gives next.
+    // Waits for the picture in progress, which take() then returns.
     void settle() { job_.settle(); }
 
 private:
@@ -59,9 +58,10 @@ private:
     std::deque<std::filesystem::path> waiting_;
     bool is_making_ = false;
     std::unique_ptr<batch::PictureThread>
-        drawing_;                                // The job's; null until a picture has to be drawn.
-    bool cannot_draw_ = false;                   // Likewise.
-    NewestJob<std::filesystem::path, Made> job_; // Last: it uses the others.
+        drawing_;              // Used by the job only; null until a picture must be rendered.
+    bool cannot_draw_ = false; // Used by the job only.
+    NewestJob<std::filesystem::path, Made> job_; // Declared last, because it uses the members
+                                                 // above.
 };
 
 } // namespace tractus::controllers

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostOfFolder = 60;
 
-// "home/Pictures": as a person names it.
+// A folder's display name, such as "home/Pictures".
 std::string name_of(fs::path const& folder)
 {
     auto const parent = folder.parent_path().filename().string();
@@ -54,7 +54,7 @@ Choices picture_choices(std::vector<fs::path> const& folders)
     return choices;
 }
 
-// A name for each: its number where there are several.
+// Adds a choice for each drawn leaf, numbered if there are several.
 static void add_drawn(Choices::Group& group, std::vector<LeavesInDocument::Drawn> const& drawn,
                       char const* one, char const* of_many)
 {
@@ -84,7 +84,8 @@ Choices leaf_choices(fs::path const& folder, LeavesInDocument const& document)
             own.choices.push_back(
                 { file.stem().string(), is_in_views ? "In three views" : "", file });
     }
-    std::ranges::sort(own.choices, {}, &Choices::Choice::file); // None comes first.
+    // The choice without a file sorts first.
+    std::ranges::sort(own.choices, {}, &Choices::Choice::file);
     if (document.takes_views) {
         auto& in_views = choices.groups.emplace_back();
         in_views.title = "In three views, for the pen to go on with";
@@ -166,7 +167,7 @@ void ChoicePage::choose(std::size_t group, std::size_t card)
 void ChoicePage::leave()
 {
     is_open_ = false;
-    pictures_.want({}); // Who draws needs the machine.
+    pictures_.want({}); // Stops making thumbnails, to leave the processor to the drawing.
     ++state_.revision;
 }
 

@@ -11,55 +11,55 @@
 
 namespace tractus::controllers {
 
-// What a page beside the drawing offers: files, and what stands for none.
+// The contents of a page on which a file is chosen, or no file.
 struct Choices {
     struct Choice {
         std::string title {};
         std::string detail {};
-        std::filesystem::path file {}; // Empty: none.
+        std::filesystem::path file {}; // Empty: the choice "none".
     };
     struct Group {
         std::string title {};
         std::vector<Choice> choices {};
     };
-    std::string question {};      // "Which ...?"
-    std::vector<Group> groups {}; // Groups without choices are left out.
-    std::string if_none {};       // What is said in place of the question where there is no choice.
+    std::string question {};      // Heading, such as "Which ...?".
+    std::vector<Group> groups {}; // Groups without choices are not shown.
+    std::string if_none {};       // Heading if there are no choices at all.
 };
 
-// The pictures of folders, to be laid behind what is drawn: the newest of each.
+// Pictures to lay behind the drawing: the newest in each of these folders.
 Choices picture_choices(std::vector<std::filesystem::path> const& folders);
 
-// Leaves that a plant may have: its own, those of our species, those of the grammars in the user's
-// folder, those that are drawn in the document, and what it wears that is none of them, by their
-// files. Where it can bear leaves in three views: those of ours, of the user's and of the document,
-// too.
+// The leaves that can be chosen for a plant: its own, those of the built-in species, those of
+// grammars in the user's folder, those drawn in the document, and its current foliage if that is
+// none of these. For plants that accept leaves drawn in three views, also built-in ones, the user's
+// and the document's.
 struct LeavesInDocument {
     struct Drawn {
         std::filesystem::path file {};
-        std::string on_choice {}; // What choosing it does.
+        std::string on_choice {}; // What choosing it does, for its card.
     };
     std::vector<Drawn> drawn {};
-    std::vector<Drawn> in_views {}; // Those that are drawn in three views.
-    std::filesystem::path kept {};  // Empty: nothing else is worn.
+    std::vector<Drawn> in_views {}; // Leaves drawn in three views.
+    std::filesystem::path kept {};  // File of the current foliage; empty if it is among the others.
     bool takes_views = false;
 };
 Choices leaf_choices(std::filesystem::path const& folder, LeavesInDocument const& document = {});
 
-// A page on which one of them is chosen, with their pictures. Belongs to one thread.
+// A page of cards with pictures, on which a file is chosen. Use from one thread.
 class ChoicePage final : public view::StartPageModel {
 public:
-    // `small_pictures` is the folder where pictures for the cards are kept; empty: nowhere.
+    // `small_pictures` is the cache folder for the cards' thumbnails; empty: no caching.
     explicit ChoicePage(std::filesystem::path const& small_pictures);
 
     void open(Choices choices);
     bool is_open() const { return is_open_; }
 
-    // Takes what was made in the background.
+    // Takes finished pictures from the background thread.
     void advance();
     void settle();
 
-    // The file of what was chosen: the page is closed then.
+    // Returns the chosen file, after which the page is closed.
     std::optional<std::filesystem::path> take_chosen()
     {
         return std::exchange(chosen_, std::nullopt);
@@ -74,7 +74,8 @@ private:
 
     bool is_open_ = false;
     view::StartPageState state_;
-    std::vector<std::vector<std::filesystem::path>> files_ {}; // As the state's cards are.
+    // Files of the state's cards, with the same indices.
+    std::vector<std::vector<std::filesystem::path>> files_ {};
     std::optional<std::filesystem::path> chosen_ {};
     CardPictures pictures_;
 };

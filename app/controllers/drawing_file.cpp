@@ -14,7 +14,7 @@ namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
-// What a new session begins with.
+// The edits of a new session's beginning.
 static Result<std::vector<scene::Edit>> edits_of_plant(fs::path const& plant,
                                                        scene::EditKinds kinds)
 {
@@ -57,7 +57,7 @@ Result<session::Session> open_or_begin(WantedDrawing const& wanted, scene::EditK
     return session;
 }
 
-// In a new session named after the plant; in memory, where that has no place.
+// Begins a new session named after the plant; in memory, if its file cannot be created.
 static Result<OpenedDrawing> begin_unnamed(WantedDrawing wanted, scene::EditKinds kinds)
 {
     OpenedDrawing opened;
@@ -74,7 +74,7 @@ static Result<OpenedDrawing> begin_unnamed(WantedDrawing wanted, scene::EditKind
         opened.unnamed = wanted.session;
         return opened;
     }
-    // Fails where it is the plant that is to blame.
+    // If the plant itself was the cause, this fails.
     opened.scene = TRY(scene_of_plant(wanted.plant, kinds));
     opened.trouble = "what is drawn is not kept: " + session.error().message;
     return opened;

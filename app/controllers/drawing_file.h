@@ -11,35 +11,37 @@
 
 namespace tractus::controllers {
 
-// What a person wants to draw on, and where it is kept.
+// What to open for drawing, and where to save it.
 struct WantedDrawing {
     // A model, a skeleton, a measured plant or a session; empty: an empty sheet.
     std::filesystem::path plant {};
-    // The session that keeps it: one that is gone on with, or a new one of the plant. Empty: a new
-    // one that nobody has named (unnamed_session.h).
+    // The session to save to: an existing one to continue, or a new one with the plant. Empty: a
+    // new one with a generated name (unnamed_session.h).
     std::filesystem::path session {};
 };
 
-// A drawing to go on with.
+// An opened drawing.
 struct OpenedDrawing {
-    std::string name {};   // Of its file, for people.
-    scene::Scene scene {}; // Where nothing keeps it, which `trouble` explains.
+    std::string name {};   // Display name, from its file's name.
+    scene::Scene scene {}; // Used only without a session; `trouble` says why there is none.
     std::optional<session::Session> session {};
-    std::filesystem::path
-        unnamed {};                 // The session's file, if it is a new one that nobody has named.
-    std::filesystem::path model {}; // The file of its model in cpfg's language; empty: it has none.
-    std::string trouble {};         // What a person should know: a sentence, without its stop.
+    std::filesystem::path unnamed {}; // The session's file if it is new and has a generated name.
+    std::filesystem::path model {};   // File of its model in cpfg's language; empty if it has none.
+    std::string trouble {};           // A warning for the user: a sentence without its full stop.
 };
 
-// Opens a drawing. Where a new session that nobody has named has no place, it is opened all the
-// same. Fails, as the user's fault, like load_plant_edit(), Session::open() and Session::create().
+// Opens a drawing. If a new session with a generated name cannot be created, the drawing opens
+// without one. Fails, as the user's fault, like load_plant_edit(), Session::open() and
+// Session::create().
 Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, scene::EditKinds kinds);
 
-// The session in the file, or a new one of the plant. `trouble` becomes what of it is unknown.
+// Opens an existing session, or creates one with the plant. Sets `trouble` if the session has
+// unknown edits.
 Result<session::Session> open_or_begin(WantedDrawing const& wanted, scene::EditKinds kinds,
                                        std::string& trouble);
 
-// The scene of a plant as it would begin. Fails like load_plant_edit() and load_session_scene().
+// The scene with which a drawing of this plant begins. Fails like load_plant_edit() and
+// load_session_scene().
 Result<scene::Scene> scene_of_plant(std::filesystem::path const& plant, scene::EditKinds kinds,
                                     document::ModelCost const& cost = {});
 

@@ -9,8 +9,8 @@ namespace tractus::controllers {
 
 namespace {
 
-// Takes "-" and a number off the end; false if they are not there, or the number has not so many
-// digits.
+// Removes "-" and a number from the end; returns false if they are not there, or if the number does
+// not have exactly `digits` digits.
 bool take_number(std::string_view& name, std::optional<std::size_t> digits = std::nullopt)
 {
     auto const last = name.find_last_not_of("0123456789");
@@ -23,7 +23,7 @@ bool take_number(std::string_view& name, std::optional<std::size_t> digits = std
     return true;
 }
 
-// Without the time that unnamed_session_path() puts behind it, and the number behind that.
+// Removes the time that unnamed_session_path() appends, and the number after it.
 std::string plant_of(std::string const& stem)
 {
     for (bool const numbered : { false, true }) {

@@ -8,18 +8,18 @@
 
 namespace tractus::controllers {
 
-// A file's stem as a name for people: "lombardy_poplar" is "Lombardy poplar".
+// Makes a display name of a file's stem: "lombardy_poplar" becomes "Lombardy poplar".
 std::string name_in_words(std::string stem);
 
-// What a drawing is called: as a person has named its session (Session::name()); else after the
-// plant, where the file is named so (unnamed_session.h), or after the file.
+// The display name of a drawing: the session's own name (Session::name()); if none, the plant's for
+// generated file names (unnamed_session.h), otherwise the file's.
 std::string name_of_drawing(std::filesystem::path const& session, std::string const& given);
 
-// A name as a person has typed it, without blanks around it. Fails, as the user's fault, if it is
-// empty, longer than 60 bytes, or has characters that are no text.
+// Trims spaces around a typed name. Fails, as the user's fault, if it is empty, longer than 60
+// bytes, or has characters that are not printable text.
 Result<std::string> name_as_typed(std::string_view typed);
 
-// A name as a part of a file's name.
+// Converts a name to part of a file name.
 std::string file_name_of(std::string name);
 
 } // namespace tractus::controllers

@@ -12,7 +12,7 @@ namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
-// A folder of its own for each text: small pictures are kept by the file's path.
+// Each text gets its own folder, because thumbnails are cached by path.
 Result<fs::path> write_shown_leaf(std::string const& name, std::string const& text,
                                   fs::path const& folder)
 {

@@ -9,11 +9,10 @@
 
 namespace tractus::controllers {
 
-// Writes the grammars of the leaves that are drawn in a document below a folder, for pages that
-// show files: one for each leaf, in the order of the plants. One that cannot be written is left
-// out.
+// Writes the grammars of leaves drawn in a document into a folder, one file per leaf in the order
+// of the plants, for pages that show files. A leaf that cannot be written is skipped.
 struct DrawnLeafFile {
-    scene::ItemId leaf = 0; // The plant that is the leaf.
+    scene::ItemId leaf = 0; // The plant that consists of the leaf.
     std::filesystem::path file {};
 
     bool operator==(DrawnLeafFile const&) const = default;
@@ -21,21 +20,22 @@ struct DrawnLeafFile {
 std::vector<DrawnLeafFile> write_drawn_leaves(scene::DocumentState const& state,
                                               std::filesystem::path const& folder);
 
-// Writes the leaves that are drawn in three views for plants of a document there likewise.
+// The same for leaves drawn in three views.
 struct DrawnOrganFile {
-    scene::ItemId plant = 0; // Which bears it.
+    scene::ItemId plant = 0; // The plant that has the leaves.
     std::filesystem::path file {};
 };
 std::vector<DrawnOrganFile> write_drawn_organs(scene::DocumentState const& state,
                                                std::filesystem::path const& folder);
 
-// Writes the text of a leaf of this file name there likewise, such as a grammar that only the
-// document has.
+// Writes a leaf's text, such as a grammar that only the document has, into the folder under this
+// file name.
 Result<std::filesystem::path> write_shown_leaf(std::string const& name, std::string const& text,
                                                std::filesystem::path const& folder);
 
-// Keeps a leaf's file among a person's own, in a folder that is made if it is not there. Returns
-// its file: one that has this text already, else a new one, called like it or with a number behind.
+// Saves a leaf's file in the user's own folder, which is created if necessary. Returns the saved
+// file: an existing one with the same text, otherwise a new one of the same name, with a number
+// appended if that is taken.
 Result<std::filesystem::path> keep_leaf(std::filesystem::path const& leaf,
                                         std::filesystem::path const& folder);
 

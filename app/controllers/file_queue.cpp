@@ -26,7 +26,7 @@ void FileQueue::add(WantedFile file)
     collect();
 }
 
-// Makes room for the next file where one has been written.
+// Takes the outcome of a finished file, so that the next one can begin.
 void FileQueue::collect()
 {
     if (auto written = job_.take()) {

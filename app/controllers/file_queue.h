@@ -11,15 +11,15 @@
 
 namespace tractus::controllers {
 
-// A file that somebody wants to have.
+// A file to write.
 struct WantedFile {
     std::filesystem::path path;
-    // Is called on another thread, with that path. Gives what else there is to say; empty: nothing.
+    // Called on another thread with `path`. Returns an additional message for the user, or "".
     std::function<Result<std::string>(std::filesystem::path const& path)> write;
 };
 
-// Writes files in the background, one after another, for a window that goes on meanwhile. All that
-// were asked for are written, though the window may close before. Belongs to one thread.
+// Writes files in the background, one after another. All requested files are written, even if the
+// window closes before. Use from one thread.
 class FileQueue {
 public:
     FileQueue();
@@ -29,17 +29,17 @@ public:
 
     void add(WantedFile file);
 
-    // Some are not written yet, or their outcome was not taken.
+    // True if files are not written yet, or outcomes have not been taken.
     bool is_busy() const { return is_writing_ || !done_.empty(); }
 
-    // One that has been written since the last call, or why it could not be.
+    // A finished file, or the error that occurred.
     struct Written {
         std::filesystem::path path;
         std::string note;
     };
     std::optional<Result<Written>> take();
 
-    // Waits until the outcome of all is there to be taken.
+    // Waits until all files are finished; their outcomes can then be taken.
     void settle();
 
 private:

@@ -11,7 +11,7 @@ namespace {
 
 constexpr render::Color kPaper { 250, 250, 248, 255 };
 constexpr double kLastMonth = 12.99;
-constexpr double kSeasonSpread = 0.08; // Of ages, as plants have it in a season.
+constexpr double kSeasonSpread = 0.08; // Spread of leaf ages, as for plants in a season.
 
 struct Number {
     char const* text;
@@ -26,13 +26,14 @@ constexpr std::array<Number, 5> kNumbers {
       { "larvae {:.1f}", &lsystem::LeafDamage::larvae, 8, 0.5 },
       { "withered {:.0f} %", &lsystem::LeafDamage::withered, 1, 0.01 } }
 };
-constexpr std::size_t kAge = 0; // Sliders; those of the numbers follow.
+constexpr std::size_t kAge = 0; // Index of the age's slider. Those of the grammar's numbers come
+                                // after kSeason.
 constexpr std::size_t kSeason = 1;
 constexpr std::size_t kFirstNumber = 2;
 
 double in_steps(double value, double step)
 {
-    // Such that it is written with few digits.
+    // Rounded so that it prints with few digits.
     return std::round(std::round(value / step) * step * 100) / 100;
 }
 
@@ -48,7 +49,7 @@ std::string said_of_age(double age, std::optional<scene::Season> const& season)
     return fmt::format("age {:.2f}, by season", age);
 }
 
-// What has fallen lies below the plant as old leaves do.
+// Age of a leaf in a season; fallen leaves are shown as old ones.
 double age_of(double own, std::optional<scene::Season> const& season)
 {
     return season ? scene::age_in_season(OrganCalendar {}, season->month).value_or(1) : own;
@@ -92,7 +93,7 @@ leaf::LeafLook LeafPage::look() const
 void LeafPage::slide(std::size_t slider, double value)
 {
     if (slider == kAge) {
-        season_.reset(); // Who chooses an age wants to see it.
+        season_.reset(); // The season would override the chosen age.
         wanted_.age = in_steps(value, 0.01);
     } else if (slider == kSeason) {
         set_season(value);
@@ -104,7 +105,7 @@ void LeafPage::slide(std::size_t slider, double value)
     job_.want({ subject_, look() });
 }
 
-// Below the first month there is no season.
+// A month below 1 means no season.
 void LeafPage::set_season(double month)
 {
     if (month < 1)

@@ -13,15 +13,15 @@
 
 namespace tractus::controllers {
 
-// A page that shows the leaves of one grammar at any age and with any damage before a plant has
-// them. They are painted in the background while sliders move. Belongs to one thread.
+// A page that previews the leaves of one grammar at any age and with any damage before they are put
+// on a plant. They are painted in the background while sliders move. Use from one thread.
 class LeafPage final : public view::StartPageModel {
 public:
     struct Subject {
-        std::string title {}; // "Oak".
+        std::string title {}; // For example "Oak".
         methods::GrammarOfLeaves grammar {};
-        methods::Dressing wanted {};            // As the page shows it at first.
-        std::optional<scene::Season> season {}; // Of the document.
+        methods::Dressing wanted {};            // The initial settings of the page.
+        std::optional<scene::Season> season {}; // The document's season.
     };
 
     LeafPage();
@@ -29,17 +29,17 @@ public:
     void open(Subject subject);
     bool is_open() const { return is_open_; }
 
-    // Takes what was painted in the background.
+    // Takes finished pictures from the background thread.
     void advance();
     void settle();
 
-    // The leaves as they were accepted: the page is closed then.
+    // The accepted foliage; the page is then closed.
     std::optional<view::DressActivePlant> take_accepted()
     {
         return std::exchange(accepted_, std::nullopt);
     }
 
-    // Whether it was left without that since the last call.
+    // True if the page was left without accepting since the last call.
     bool take_left() { return std::exchange(is_left_, false); }
 
     view::StartPageState const& state() const override { return state_; }
@@ -50,7 +50,7 @@ public:
 
 private:
     struct Wanted {
-        std::shared_ptr<Subject const> subject; // Shared with the page; nobody changes it.
+        std::shared_ptr<Subject const> subject; // Shared with the page; immutable.
         leaf::LeafLook look;
     };
 
@@ -62,7 +62,7 @@ private:
     bool is_open_ = false;
     bool is_left_ = false;
     view::StartPageState state_;
-    std::shared_ptr<Subject const> subject_ {}; // As it was opened.
+    std::shared_ptr<Subject const> subject_ {}; // As given when the page was opened.
     methods::Dressing wanted_ {};
     std::optional<scene::Season> season_ {};
     std::optional<view::DressActivePlant> accepted_ {};

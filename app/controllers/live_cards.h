@@ -7,8 +7,8 @@
 
 namespace tractus::controllers {
 
-// A person's own cards as a window shows them, and what is done with them there. States say in the
-// status what was done, or why not.
+// The user's own cards as the window shows them, and the commands on them. The result of a command,
+// or the error, appears in the state's status.
 class LiveCards {
 public:
     explicit LiveCards(std::filesystem::path const& folder)
@@ -17,9 +17,9 @@ public:
     {
     }
 
-    // Shows the cards of the kind in hand, as the folder has them when that is taken in hand.
+    // Shows the cards for the current tool's kind; reads the folder when the kind changes.
     void show(view::WindowState& state);
-    void show_again(view::WindowState& state); // Reads the folder anew.
+    void show_again(view::WindowState& state); // Reads the folder again.
 
     void perform(view::KeepCard const&, view::WindowState& state);
     void perform(view::RenameCard const& command, view::WindowState& state);

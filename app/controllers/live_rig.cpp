@@ -17,7 +17,7 @@ static bool has_pen(devices::LiveDevices const& devices)
     });
 }
 
-// Traits that the first tablet tells.
+// Traits of the first tablet that reports its size.
 static std::optional<drivers::PenTraits> first_tablet(devices::LiveDevices const& devices)
 {
     for (auto const& info : devices.infos())
@@ -35,7 +35,8 @@ bool has_height_sensor(devices::LiveDevices const& devices)
 
 MouseParts add_mouse(devices::LiveDevices& devices, LiveWindowOptions const& options)
 {
-    constexpr double kFirstSurface_mm = 100; // Some of the plant is below it, and to be seen.
+    constexpr double kFirstSurface_mm = 100; // So that part of the plant, below the surface, is
+                                             // visible.
     if (!options.mouse)
         return MouseParts {};
     MouseParts const parts { .pen = !has_pen(devices), .height = !has_height_sensor(devices) };

@@ -10,30 +10,31 @@
 
 namespace tractus::controllers {
 
-// What a window that is drawn in makes of its devices: which of them the mouse stands in for, and
-// what they mean in millimetres.
+// Helpers for live drawing: which devices the mouse replaces, and the rig, which converts reports
+// to millimetres.
 
 bool has_height_sensor(devices::LiveDevices const& devices);
 
-// Devices that the mouse stands in for.
+// Devices that the mouse replaces.
 struct MouseParts {
     bool pen = false;
     bool height = false;
 };
 
-// Adds the mouse, if the options have one, for what the devices lack.
+// Adds the mouse, if the options include one, for missing devices.
 MouseParts add_mouse(devices::LiveDevices& devices, LiveWindowOptions const& options);
 
-// The rig's height sensor has never been calibrated: its readings mean nothing yet.
+// True if the rig's height sensor was never calibrated, so that its readings have no meaning yet.
 bool lacks_calibration(devices::LiveDevices const& devices, LiveWindowOptions const& options);
 
-// The rig of the options, else of a log among the devices, else one of the first tablet's size;
-// with the mouse's height sensor where it stands in for that. Fails, as the user's fault, for a rig
-// that cannot be read, and where there is a height sensor whose calibration could not be kept.
+// Returns the rig of the options; otherwise that of a log among the devices; otherwise a default
+// rig with the first tablet's size. Includes the mouse's height sensor if it is used. Fails, as the
+// user's fault, if a rig cannot be read, or if a height sensor is uncalibrated and its calibration
+// could not be saved.
 Result<calib::Rig> choose_rig(devices::LiveDevices const& devices, LiveWindowOptions const& options,
                               MouseParts const& mouse);
 
-// Says what to do about a tablet whose sides nobody knows: drawings may be squashed.
+// A message for a tablet of unknown size, whose drawings may be distorted, with the remedy.
 std::optional<std::string> size_note(devices::LiveDevices const& devices, calib::Rig const& rig);
 
 } // namespace tractus::controllers

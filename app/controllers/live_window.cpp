@@ -15,7 +15,8 @@ namespace tractus::controllers {
 
 namespace {
 
-constexpr double kMousePressure = 0.5; // Pressure of a hand that draws without effort.
+constexpr double kMousePressure = 0.5; // Pen pressure, 0 to 1, for the mouse: that of relaxed
+                                       // drawing.
 
 } // namespace
 
@@ -57,7 +58,7 @@ Result<LiveWindow> LiveWindow::create(devices::LiveDevices devices, LiveWindowOp
     if (!window.options_.socket.empty())
         window.stream_ = TRY(stream::StreamOutput::open_socket(
             window.options_.socket, window.station_.volume_mm(), stream::StreamOutput::What::All));
-    if (!window.options_.picture.empty()) // A step of the recording, too.
+    if (!window.options_.picture.empty()) // Laid with a command, so that it is recorded, too.
         window.perform(view::LayPictureFile { window.options_.picture });
     return window;
 }
@@ -78,7 +79,8 @@ LiveWindow::LiveWindow(devices::LiveDevices devices, LiveWindowOptions options,
     view().state().may_begin_anew = options_.start_page != nullptr;
     if (!options_.model.empty())
         follow(options_.model);
-    if (view().state().status.empty()) // Else it says what of the session is unknown.
+    if (view().state().status.empty()) // A status that is set already is about unknown edits of the
+                                       // session.
         view().state().status = "Draw: the station reads the pen";
 }
 
@@ -87,7 +89,7 @@ LiveWindow::~LiveWindow()
     static_cast<void>(close());
 }
 
-// The stroke under the pen ends with what it has sent.
+// Ends the current stroke with the reports received so far.
 Result<void> LiveWindow::finish()
 {
     take_reports();
@@ -101,7 +103,7 @@ Result<void> LiveWindow::finish()
 
 Result<void> LiveWindow::close()
 {
-    if (!options_.now) // Moved from.
+    if (!options_.now) // This object was moved from.
         return {};
     auto const kept = finish();
     auto const recorded = recorder_ ? stop_recording() : Result<void>();
@@ -111,7 +113,7 @@ Result<void> LiveWindow::close()
         stream_->serve(options_.now());
         stream_.reset();
     }
-    if (!kept) // The drawing is worth most.
+    if (!kept) // Saving the drawing has priority over the other errors.
         return kept;
     return recorded ? written : recorded;
 }
@@ -169,7 +171,7 @@ void LiveWindow::follow_model()
         controller_->take_model(*std::move(changed), station_);
 }
 
-// A simulated hand waits for a drawing.
+// A simulated hand waits until a drawing is open.
 void LiveWindow::take_reports()
 {
     if (!drawings_are_open())
@@ -184,7 +186,8 @@ void LiveWindow::take_reports()
     for (auto const& report : reports_) {
         choose_tools_until(report.report.received);
         station_.push(report.device, report.report.received, report.report.bytes());
-        record_tool_changes(); // Before the report: what it began belongs to the tool.
+        record_tool_changes(); // Before the report, so that the stroke it begins belongs to the new
+                               // tool.
         if (recorder_)
             recorder_->write(report);
         if (diagnosis_)
@@ -207,14 +210,15 @@ void LiveWindow::choose_for_hand(drivers::LogTool const& line)
     record_tool_changes();
 }
 
-// Before the document takes the strokes. A socket waits for nobody, so that nothing can fail.
+// Streams pen moments to other programs, before the document takes the strokes. A slow client is
+// never waited for, so nothing can fail.
 void LiveWindow::tell_programs()
 {
     auto const moments = station_.take_moments();
     moments_.insert(moments_.end(), moments.begin(), moments.end());
     if (!stream_)
         return;
-    stream_->serve(options_.now()); // Who has come since is told, too.
+    stream_->serve(options_.now()); // Accepts new clients, so that they receive this, too.
     static_cast<void>(stream_->tell(moments, station_, scene()));
     stream_->serve(options_.now());
 }
@@ -228,8 +232,8 @@ void LiveWindow::record_tool_changes()
     }
 }
 
-// Records each step with the number of strokes that came before it in the recording: when it is
-// known that it was done, strokes after it may have begun.
+// Records each step with the number of the recording's strokes before it, because later strokes may
+// have begun before the step's completion is known.
 void LiveWindow::record_steps()
 {
     for (auto const& step : controller_->take_done()) {
@@ -251,7 +255,7 @@ void LiveWindow::tell_device_changes()
         case devices::LiveDevices::State::Connected:
             view().state().status = fmt::format("{} is back", name);
             break;
-        case devices::LiveDevices::State::Away: // See tell_who_is_away().
+        case devices::LiveDevices::State::Away: // Reported by tell_who_is_away().
             break;
         case devices::LiveDevices::State::Ended:
             view().state().status = fmt::format("{} is over", name);
@@ -260,7 +264,7 @@ void LiveWindow::tell_device_changes()
     }
 }
 
-// Tells which devices are away, more urgent than what else may be wrong.
+// Shows which devices are disconnected; this takes precedence over other messages.
 void LiveWindow::tell_who_is_away()
 {
     for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -293,11 +297,12 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
                                               .rig_text = calib::print_rig(station_options_.rig),
                                               .start = now }));
     (void)controller_->finish(station_, now);
-    (void)controller_->take_done(); // Steps from before are not of the recording.
+    (void)controller_->take_done(); // Earlier steps do not belong to the recording.
     recorded_from_stroke_ = controller_->document().stroke_count();
     recorder_->write_tool(now, tools::kLeastExtentsLine,
                           tools::print_least_extents(station_.least_extents()));
-    // After the line above an older program needs the first tool, too.
+    // The station's tools, to continue with the same. The first is included as well as in the line
+    // above, for older programs.
     for (auto const& tool : station_.tools_to_go_on_with()) {
         auto const words = tools::words_for(tool);
         recorder_->write_tool(now, words.name, words.arguments);
@@ -339,7 +344,7 @@ void LiveWindow::perform_kind(view::SetRecording const& command)
         status = begun ? fmt::format("Recording into {}", path.string()) : begun.error().message;
         return;
     }
-    // Steps that were asked for are part of it.
+    // Pending steps belong to the recording.
     (void)controller_->finish(station_, options_.now());
     record_steps();
     auto const stopped = stop_recording();
@@ -358,7 +363,7 @@ void LiveWindow::perform_kind(view::Restart const&)
     controller_->begin_again(station_, "The plant is as its model gives it");
 }
 
-// Takes the present station's place, with what is in the hand.
+// Replaces the station, keeping the selected tool.
 void LiveWindow::go_on_with(station::Station station)
 {
     auto const tools = station_.tools_to_go_on_with();
@@ -436,7 +441,7 @@ void LiveWindow::perform_kind(view::WatchDevices const& command)
     next_look_ = options_.now();
 }
 
-// Shows them as often as a person can read it.
+// Updates the devices page no more often than it can be read.
 void LiveWindow::show_devices()
 {
     constexpr Duration kLookEvery = std::chrono::milliseconds(100);
@@ -459,7 +464,7 @@ void LiveWindow::perform_kind(view::OpenCalibration const&)
           .date = calibration::today(),
           .now = options_.now,
           .keep = [file = options_.rig_file](calibration::CalibrationOutcome const& outcome) {
-              std::error_code ignored; // Saving fails, and says why.
+              std::error_code ignored; // An error is ignored here: saving will report it.
               std::filesystem::create_directories(file.parent_path(), ignored);
               return calibration::save_calibration(outcome, file);
           } });
@@ -472,7 +477,7 @@ void LiveWindow::perform_kind(view::OpenCalibration const&)
 void LiveWindow::perform_kind(view::CloseCalibration const&)
 {
     calibration_.reset();
-    ++view().state().live_revision; // The views are seen again.
+    ++view().state().live_revision; // Redraws the views, which are visible again.
 }
 
 void LiveWindow::calibrate()
@@ -484,7 +489,7 @@ void LiveWindow::calibrate()
         use_rig(*rig);
 }
 
-// The pen draws by it from now on.
+// Uses this rig for drawing from now on.
 void LiveWindow::use_rig(calib::Rig const& rig)
 {
     auto options = station_options_;
@@ -498,12 +503,13 @@ void LiveWindow::use_rig(calib::Rig const& rig)
     station_.finish();
     tell_programs();
     record_tool_changes();
-    auto const kept = controller_->finish(station_, options_.now()); // Else it is tried again.
+    // Unsaved steps are retried later.
+    auto const kept = controller_->finish(station_, options_.now());
     station_options_ = std::move(options);
     go_on_with(*std::move(station));
     controller_->show_again(station_,
                             kept ? "The pen draws by the new calibration" : kept.error().message);
-    if (recorder_) // Its header has the old one.
+    if (recorder_) // The log's header contains the old rig, so the recording ends.
         perform_kind(view::SetRecording { false });
 }
 

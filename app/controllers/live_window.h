@@ -31,61 +31,59 @@
 namespace tractus::controllers {
 
 struct LiveWindowOptions {
-    tools::Methods methods {}; // Methods that can be used.
-    // No value: that of a log among the devices, else see create().
+    tools::Methods methods {}; // Methods that are available.
+    // nullopt: chosen by choose_rig().
     std::optional<calib::Rig> rig {};
-    // Where calibrating keeps the rig; empty: nowhere, and there is no calibrating.
+    // File for the rig after calibration; empty: calibration is not available.
     std::filesystem::path rig_file {};
-    // How far strokes have to get, by the tools' words, where a person wants it otherwise than as
-    // usual (tools::usual_least_extents()).
+    // Minimum extents of strokes by tool name, where they differ from tools::usual_least_extents().
     tools::LeastExtents least_extents {};
-    // The surface's height in place of a height sensor, above the controller.
+    // Fixed height of the surface above the controller, replacing a height sensor.
     std::optional<double> height_mm {};
-    scene::Scene scene {}; // The scene that the pen works on; its base plant is loaded.
-    // The folder in which saved pictures, exports, and recordings that nobody named appear.
+    scene::Scene scene {}; // The scene to draw on; its base plant must be loaded.
+    // Folder for saved pictures, exports, and recordings with generated names.
     std::filesystem::path folder = ".";
-    std::filesystem::path recording {}; // The new log of all that comes; empty: none at first.
-    // Keeps what is drawn; the pen works on its scene in place of the one above. LiveWindow::create
-    // takes it over.
+    std::filesystem::path recording {}; // File for a new log of all input; empty: not recording at
+                                        // first.
+    // Stores the drawing; its scene replaces the one above. LiveWindow::create() takes it over.
     std::optional<session::Session> session {};
     std::function<Timestamp()> now {}; // The clock of the reports.
-    // The time that `now` tells, where it goes on by each advance()'s step and by nothing else.
+    // The time that `now` returns, if it advances only by the steps of advance(); otherwise null.
     std::shared_ptr<Timestamp> counted_time {};
-    // Stands in for the pen, the height sensor, or both, where the devices lack them; `height_mm`
-    // is where its surface is at first.
+    // Replaces missing pen or height sensor by the mouse; the surface begins at `height_mm`.
     std::optional<MouseRig> mouse {};
-    // What the window shows before there is a drawing, and between two: at first, if it is open.
-    // Null: nothing; then it ends with its drawing.
+    // The start page, shown before and between drawings; if it is open, also at first. Null: none,
+    // and the window ends with its drawing.
     std::unique_ptr<StartPageController> start_page {};
-    // The session's file that goes away if nothing was drawn in it; may be null. Shared with who
-    // takes that of the last drawing away when the window is closed: this one does so before it
-    // opens the next.
+    // The session's file, to be deleted if nothing was drawn in it; may be null. Shared with the
+    // caller, who deletes it for the last drawing when the window is closed; the window itself does
+    // so before it opens the next one.
     std::shared_ptr<std::filesystem::path> unnamed {};
-    // Folders of pictures that may be laid behind what is drawn; and where small ones of them are
-    // kept; empty: nowhere.
+    // Folders of pictures to lay behind the drawing, and the cache folder for their thumbnails;
+    // empty: no caching.
     std::vector<std::filesystem::path> picture_folders {};
     std::filesystem::path cache {};
-    std::filesystem::path picture {}; // One to be laid there at first; empty: none.
-    std::filesystem::path leaves {};  // The folder of a person's own leaf grammars.
-    std::filesystem::path cards {};   // The folder of a person's own cards; empty: none are kept.
-    // The model whose plant is drawn on: when it is saved, the plant follows. Empty: none.
+    std::filesystem::path picture {}; // Picture to lay there at first; empty: none.
+    std::filesystem::path leaves {};  // Folder of the user's own leaf grammars.
+    std::filesystem::path cards {};   // Folder of the user's own cards; empty: none.
+    // File of the drawn plant's model; when it is saved, the plant is updated. Empty: none.
     std::filesystem::path model {};
-    // The name of a socket at which other programs are told what is drawn; empty: none.
+    // Path of a socket on which other programs receive the drawing live; empty: none.
     std::filesystem::path socket {};
 };
 
-// Contents of the station's window while somebody draws: devices are read on threads of their own,
-// and each advance() takes what they have sent. Devices may go away and come back meanwhile.
+// The station's window for live drawing: devices are read on their own threads, and advance() takes
+// their reports. Devices may be unplugged and plugged in again.
 class LiveWindow final : public view::WindowModel {
 public:
-    // Fails like Station::create, LiveRecorder::create and LineServer::listen. Without a height
-    // sensor and a height the surface lies on the controller; so it does where there is a height
-    // sensor and nothing is known of what its readings mean, and the window opens with calibrating
-    // it. Where that cannot be kept, it fails, as the user's fault.
+    // Fails like Station::create(), LiveRecorder::create() and LineServer::listen(). Without a
+    // height sensor or a fixed height, the surface is taken to lie on the controller. The same
+    // applies to an uncalibrated height sensor; then the window opens with its calibration, and
+    // creation fails, as the user's fault, if a calibration could not be saved.
     static Result<LiveWindow> create(devices::LiveDevices devices, LiveWindowOptions options);
     LiveWindow(LiveWindow&&) = default;
     LiveWindow& operator=(LiveWindow&&) = delete;
-    ~LiveWindow() override; // Closes, if that was not done.
+    ~LiveWindow() override; // Closes the window if close() has not been called.
 
     void advance(Duration real_step) override;
     void settle() override;
@@ -110,8 +108,8 @@ private:
     LiveWindow(devices::LiveDevices devices, LiveWindowOptions options,
                station::StationOptions station_options, station::Station station);
 
-    void perform_kind(view::SetPlaying const&) { } // A hand has no pause,
-    void perform_kind(view::SetSpeed const&) { }   // nor another speed.
+    void perform_kind(view::SetPlaying const&) { } // Live drawing cannot be paused
+    void perform_kind(view::SetSpeed const&) { }   // or change its speed.
     void perform_kind(view::Restart const&);
     void perform_kind(view::ChooseTool const& command);
     void perform_kind(view::AdjustTool const& command);
@@ -170,29 +168,29 @@ private:
 
     devices::LiveDevices devices_;
     LiveWindowOptions options_;
-    station::StationOptions station_options_; // To begin again.
+    station::StationOptions station_options_; // Kept for starting a new drawing.
     station::Station station_;
-    std::optional<StationController> controller_; // Of the drawing at hand; never without.
+    std::optional<StationController> controller_; // Of the current drawing; always has a value.
     LiveCards cards_;
-    std::unique_ptr<ChoicePage> choices_;         // Null before it is opened,
-    ChoiceOf choice_of_ = ChoiceOf::Picture;      // and of what it is.
-    std::vector<DrawnLeafFile> drawn_leaves_ {};  // The document's, among the choices,
-    std::vector<DrawnOrganFile> drawn_organs_ {}; // as those in three views,
-    std::filesystem::path kept_leaf_ {};          // and this one that it wears; may be empty.
-    std::unique_ptr<LeafPage> leaf_page_;         // Null before it is opened.
-    std::optional<io::FollowedModel> model_;      // Its file, where somebody may write it.
+    std::unique_ptr<ChoicePage> choices_;         // Null until it is opened.
+    ChoiceOf choice_of_ = ChoiceOf::Picture;      // What choices_ is for.
+    std::vector<DrawnLeafFile> drawn_leaves_ {};  // Leaves of the document among the choices.
+    std::vector<DrawnOrganFile> drawn_organs_ {}; // Leaves drawn in three views among the choices.
+    std::filesystem::path kept_leaf_ {};     // File of the plant's current foliage; may be empty.
+    std::unique_ptr<LeafPage> leaf_page_;    // Null until it is opened.
+    std::optional<io::FollowedModel> model_; // The model's file, watched for changes.
     std::optional<devices::LiveRecorder> recorder_;
-    std::optional<stream::StreamOutput> stream_; // No value: nobody wants to be told.
-    std::vector<station::PenMoment> moments_;    // What the pen did and is not shown yet.
-    // Number of the recording's first stroke in the document.
+    std::optional<stream::StreamOutput> stream_; // nullopt if the drawing is not streamed.
+    std::vector<station::PenMoment> moments_;    // Pen input that has not been shown yet.
+    // Index in the document of the recording's first stroke.
     std::size_t recorded_from_stroke_ = 0;
-    std::optional<devices::LiveDiagnosis> diagnosis_; // While the devices are watched.
-    Timestamp next_look_ {};                          // Time of the next look at what it found.
-    std::optional<CalibrationPanelController> calibration_; // While a person calibrates.
+    std::optional<devices::LiveDiagnosis> diagnosis_;       // Set while the devices are watched.
+    Timestamp next_look_ {};                                // When its findings are read next.
+    std::optional<CalibrationPanelController> calibration_; // Set during calibration.
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
-    std::vector<devices::LiveReport> reports_;        // Kept for its memory.
-    std::vector<devices::LiveDevices::State> states_; // States that the person was told.
-    std::uint64_t lost_reports_ = 0;                  // Likewise.
+    std::vector<devices::LiveReport> reports_;        // A member only to reuse its memory.
+    std::vector<devices::LiveDevices::State> states_; // States that have been reported to the user.
+    std::uint64_t lost_reports_ = 0;                  // Count that has been reported to the user.
 };
 
 } // namespace tractus::controllers

@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-// The pages that the window shows in place of the drawing, and what is chosen there.
+// The pages that replace the drawing in the window, and the commands for choosing on them.
 namespace tractus::controllers {
 
 view::StartPageModel* LiveWindow::start_page()
@@ -36,7 +36,7 @@ void LiveWindow::perform_kind(view::OpenStartPage const&)
     options_.start_page->open(std::move(left));
 }
 
-// What becomes of it, for the person. It is finished, and kept as far as it can be.
+// Finishes the drawing, saves as much as possible, and returns a message about the result.
 std::string LiveWindow::leave_drawing()
 {
     if (recorder_)
@@ -46,7 +46,7 @@ std::string LiveWindow::leave_drawing()
     auto const file = session.is_in_file() ? session.path() : std::filesystem::path();
     bool const is_drawn = session.last_step() > 0;
     auto const unnamed = options_.unnamed ? std::exchange(*options_.unnamed, {}) : file;
-    go_on_with(OpenedDrawing {}); // The file is closed.
+    go_on_with(OpenedDrawing {}); // Opening an empty drawing closes the file.
     view().state().title = "tractus";
     if (!written)
         return fmt::format("A file was not written: {}", written.error().message);
@@ -60,7 +60,8 @@ std::string LiveWindow::leave_drawing()
     return fmt::format("The drawing is kept as {}", (is_listed ? file.filename() : file).string());
 }
 
-// In place of the one at hand; what the window knows of the devices stays.
+// Opens another drawing instead of the current one; the window's information about the devices is
+// kept.
 void LiveWindow::go_on_with(OpenedDrawing drawing)
 {
     auto const before = state();
@@ -72,7 +73,8 @@ void LiveWindow::go_on_with(OpenedDrawing drawing)
     if (!drawing.model.empty())
         follow(drawing.model);
     auto& state = view().state();
-    state.live_revision += before.live_revision + 1; // What was shown before is shown no more.
+    state.live_revision += before.live_revision + 1; // So that nothing shown before is taken for
+                                                     // current.
     state.strokes_revision += before.strokes_revision + 1;
     state.skeleton_revision += before.skeleton_revision + 1;
     state.plant_revision += before.plant_revision + 1;
@@ -112,7 +114,7 @@ void LiveWindow::follow_start_page()
         take_tool_for_drawing();
 }
 
-// The one that goes with the drawing at hand, unless it is in the hand already.
+// Selects the tool for this drawing, unless it is selected already.
 void LiveWindow::take_tool_for_drawing()
 {
     auto const tool
@@ -138,7 +140,7 @@ static bool is_drawn_leaf(scene::Scene const& scene, scene::ItemId plant)
         [&](methods::DrawnLeafGrammar const& leaf) { return leaf.plant == plant; });
 }
 
-// Their files, for the page.
+// The document's leaves as files, for the page.
 LeavesInDocument LiveWindow::leaves_in_document()
 {
     std::error_code error;
@@ -166,8 +168,8 @@ LeavesInDocument LiveWindow::leaves_in_document()
     return leaves;
 }
 
-// Whether choosing a leaf in three views brings it to the active plant: not one of its own, nor
-// where that can bear none.
+// True if choosing a leaf drawn in three views should put it on the active plant: the leaf is not
+// that plant's own, and the plant accepts such leaves.
 bool LiveWindow::brings_leaf(std::filesystem::path const& file)
 {
     auto const& state = scene().state;
@@ -177,7 +179,7 @@ bool LiveWindow::brings_leaf(std::filesystem::path const& file)
            });
 }
 
-// Among the person's own, while no plant is chosen that could have it.
+// Saves a drawn leaf among the user's own when no plant is active that could have it.
 void LiveWindow::keep_drawn_leaf(std::filesystem::path const& file)
 {
     Result<std::filesystem::path> kept = fail(Fault::User, "There is no folder for leaves");
@@ -190,7 +192,8 @@ void LiveWindow::keep_drawn_leaf(std::filesystem::path const& file)
         : kept.error().message;
 }
 
-// With what the plant wears, if that is of the grammar; else with grown-up leaves without damage.
+// Starts with the plant's current foliage if it uses this grammar, otherwise with full-grown,
+// undamaged leaves.
 void LiveWindow::open_leaf_page(std::filesystem::path const& file)
 {
     auto const& state = scene().state;
@@ -260,7 +263,7 @@ void LiveWindow::follow_choices()
         open_leaf_page(*file);
 }
 
-// The pen places it next.
+// Lays the picture; the next stroke of the pen places it.
 void LiveWindow::perform_kind(view::LayPictureFile const& command)
 {
     controller_->perform(command, station_);

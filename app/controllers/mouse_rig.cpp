@@ -15,30 +15,32 @@ namespace tractus::controllers {
 namespace {
 
 constexpr double kCountsPerSurfaceMm = 200;
-constexpr std::int32_t kSurfaceLow = 1000; // Away from the ends, where a reading means a fault.
+constexpr std::int32_t kSurfaceLow = 1000; // Away from the ends of the sensor's range, where a
+                                           // reading means a fault.
 constexpr std::int32_t kSurfaceHigh = 61000;
 constexpr std::int32_t kSurfaceFullScale = 62000;
 static_assert((kSurfaceHigh - kSurfaceLow) / kCountsPerSurfaceMm == MouseRig::kTop_mm);
-// At both ends of a stall heights are as dense as ever: the pen's places lie there, and a surface
-// that moved comes to rest.
+// Within this time of both ends of a stall, heights are sent at the usual rate: pen positions fall
+// into it, and a moving surface comes to rest.
 constexpr Duration kDenseAroundStall = std::chrono::milliseconds(250);
-constexpr Duration::rep kMostOfStall = 10'000; // Reports between them, after hours.
+constexpr Duration::rep kMostOfStall = 10'000; // Most reports for the middle of a stall, even after
+                                               // hours.
 
 } // namespace
 
 struct MouseRig::Shared {
     std::function<Timestamp()> now;
-    double wanted_mm = 0;  // Height wanted of the surface.
-    double surface_mm = 0; // Where it is.
+    double wanted_mm = 0;  // The surface's target height.
+    double surface_mm = 0; // The surface's current height.
 
-    bool has_tablet = false;                // The mouse is the pen.
-    std::deque<drivers::RawReport> reports; // Reports of the pen that are not read yet.
-    Timestamp last_move {};                 // The newest of its reports.
-    Timestamp last_reading {};              // When the surface was last read to its end.
-    Timestamp heights_until {};             // No height after this has been sent.
+    bool has_tablet = false;                // The mouse replaces the tablet.
+    std::deque<drivers::RawReport> reports; // Reports of the pen that have not been read yet.
+    Timestamp last_move {};                 // Time of the pen's newest report.
+    Timestamp last_reading {};              // When all heights were last read.
+    Timestamp heights_until {};             // Heights up to this time have been sent.
 
-    // Until when the surface may be told. The pen's next places are put into the time since its
-    // last one, or since the last frame, and no height of that time may come before them.
+    // Time up to which heights may be sent. The pen's next positions get times after its last
+    // report or the last frame, and reports must be in time order.
     Timestamp telling_end() const { return has_tablet ? std::max(last_move, last_reading) : now(); }
 };
 
@@ -71,7 +73,7 @@ private:
     drivers::DeviceInfo info_;
 };
 
-// Sends the present height again and again, with a little noise, as a sensor does.
+// Sends the current height repeatedly, with a little noise, like a sensor.
 class MouseSurface final : public drivers::ReportSource {
 public:
     explicit MouseSurface(std::shared_ptr<MouseRig::Shared> shared)
@@ -103,7 +105,7 @@ public:
     }
 
 private:
-    // The time from a report to the next one of those until `end`.
+    // Time from a report to the next, in a series that lasts until `end`.
     Duration period(Timestamp time, Timestamp end) const
     {
         auto const sparse
@@ -113,7 +115,8 @@ private:
         return is_dense ? Duration(MouseRig::kHeightPeriod) : sparse;
     }
 
-    // One count up and down, inwards: a sensor that rests without any noise is taken for torn.
+    // Alternates by one count, towards the middle of the range: a sensor without any noise would be
+    // taken for a broken cable.
     std::int32_t with_noise(std::int32_t counts)
     {
         flickers_ = !flickers_;
@@ -121,7 +124,7 @@ private:
         return counts + (flickers_ ? inwards : 0);
     }
 
-    // The surface at `now`: the nearer, the slower.
+    // The surface's height at `now`; it slows down near its target.
     double glide_to(Timestamp now)
     {
         constexpr double kGlide_s = 0.04;
@@ -140,8 +143,8 @@ private:
     std::shared_ptr<MouseRig::Shared> shared_;
     drivers::DeviceInfo info_;
     std::optional<Timestamp> next_; // When the next height is due.
-    Timestamp begin_ {};            // The first that was due in this reading.
-    std::optional<Timestamp> last_; // When the height was last sent.
+    Timestamp begin_ {};            // Time of the first height due in this reading.
+    std::optional<Timestamp> last_; // When a height was last sent.
     bool flickers_ = false;
 };
 
@@ -190,7 +193,7 @@ void MouseRig::move_pen(std::span<sim::TabletPen const> pens)
     if (!shared_->has_tablet)
         return;
     auto const now = shared_->now();
-    // After a rest it has only just begun to move.
+    // After a pause the movement has only just begun.
     constexpr Duration kLongestFrame = std::chrono::milliseconds(100);
     auto const begin
         = std::max({ shared_->last_move, shared_->heights_until, now - kLongestFrame });

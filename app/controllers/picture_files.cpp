@@ -26,7 +26,8 @@ bool is_picture_file(fs::path const& file)
 std::vector<fs::path> pictures_in(fs::path const& folder, std::size_t most)
 {
     constexpr int kDeepest = 2;
-    constexpr std::size_t kMostLookedAt = 20'000; // A folder may be a whole archive.
+    constexpr std::size_t kMostLookedAt = 20'000; // Files looked at per folder, which may be a
+                                                  // whole archive.
     std::vector<std::pair<std::chrono::sys_seconds, fs::path>> found;
     std::error_code error;
     std::size_t looked_at = 0;
@@ -54,7 +55,7 @@ std::vector<fs::path> pictures_in(fs::path const& folder, std::size_t most)
 
 Result<scene::LayPicture> load_back_picture(fs::path const& file, Vec2 const& tablet_mm)
 {
-    constexpr double kShare = 0.9; // Share of the tablet.
+    constexpr double kShare = 0.9; // Part of the tablet's size that the picture fills.
     auto bytes = TRY(read_file(file, scene::kMostPictureBytes));
     auto const image = render::read_picture(bytes);
     if (!image)

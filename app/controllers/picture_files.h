@@ -10,17 +10,17 @@
 
 namespace tractus::controllers {
 
-// By its name.
+// Decides by the file name's extension.
 bool is_picture_file(std::filesystem::path const& file);
 
-// The pictures in a folder and in its folders, the newest first, at most so many. Hidden ones are
-// left out. None where it is no folder.
+// The pictures in a folder and its subfolders, newest first, at most `most`. Skips hidden files;
+// empty if it is not a folder.
 std::vector<std::filesystem::path> pictures_in(std::filesystem::path const& folder,
                                                std::size_t most);
 
-// Reads a picture to be laid behind what is drawn, as large as fits on a tablet of that size with
-// some air around it. Fails, as the user's fault, with the file's name, for one that cannot be read
-// or shown, or that is larger than a drawing keeps.
+// Reads a picture to lay behind the drawing, scaled to fit a tablet of this size with some margin.
+// Fails, as the user's fault and with the file's name, if it cannot be read or decoded, or is
+// larger than a drawing may store.
 Result<scene::LayPicture> load_back_picture(std::filesystem::path const& file,
                                             Vec2 const& tablet_mm);
 

@@ -8,22 +8,23 @@
 
 namespace tractus::controllers {
 
-// A session that somebody has drawn in.
+// A session in the list of recent ones.
 struct RecentDrawing {
     std::filesystem::path file {};
     std::string name {}; // See name_of_drawing().
-    std::string time {}; // When it was last drawn in: see time_in_words().
+    std::string time {}; // When it was last changed, from time_in_words().
 };
 
-// The sessions of a folder, the one that was drawn in last first, at most so many. None where there
-// is no such folder.
+// The sessions in a folder, most recently changed first, at most `most`; empty if there is no such
+// folder.
 std::vector<RecentDrawing> recent_drawings(std::filesystem::path const& folder, std::size_t most,
                                            std::chrono::sys_seconds now);
 
-// When a file was written last; of a session with what is not moved into it yet.
+// When a file was last written; for a session, including its write-ahead log.
 std::chrono::sys_seconds written_last(std::filesystem::path const& file);
 
-// "Today, 14:03", "Yesterday, 9:12", "24 November, 18:40", "3 March 2025": in local time.
+// A time relative to now, in local time: "Today, 14:03", "Yesterday, 9:12", "24 November, 18:40",
+// "3 March 2025".
 std::string time_in_words(std::chrono::sys_seconds time, std::chrono::sys_seconds now);
 
 } // namespace tractus::controllers

@@ -23,7 +23,8 @@ ReplayWindow::ReplayWindow(drivers::Log const& log, station::ReplayOptions optio
     , now_(replay_.begin())
     , controller_(std::move(controller))
 {
-    if (view().state().status.empty()) // Else it says what of the session is unknown.
+    if (view().state().status.empty()) // A status that is set already is about unknown edits of the
+                                       // session.
         view().state().status
             = replay_.left_out().empty() ? "The hand begins" : replay_.left_out().front();
 }
@@ -33,7 +34,7 @@ ReplayWindow::~ReplayWindow()
     static_cast<void>(close());
 }
 
-// A stroke of which the hand has drawn only a part is whole in the recording: it is left out.
+// A stroke that the replay has drawn only in part is dropped.
 Result<void> ReplayWindow::finish()
 {
     return controller_.finish(replay_.station(), now_);
@@ -104,7 +105,7 @@ void ReplayWindow::perform_kind(view::Restart const&)
     state.playing = true;
     state.progress = 0;
     view().begin_again(replay_.station(), controller_.document());
-    // The growth stays as a person has set it; but a session is as it began.
+    // Growth stays as the user has set it, but a session returns to its beginning.
     controller_.begin_again(replay_.station(), "The hand begins again",
                             document::Document::Growth::AsItIs);
 }

@@ -11,20 +11,20 @@
 
 namespace tractus::controllers {
 
-// Contents of the station's window while a log is replayed at the pace of the hand that drew it:
-// the hand, its strokes, what is selected, and the plant, which is grown anew after each stroke.
+// The station's window during the replay of a log at its original pace: pen, strokes, selection,
+// and the plant, updated after each stroke.
 class ReplayWindow final : public view::WindowModel {
 public:
-    // The log must outlive the window. `pictures` is the folder in which saved pictures appear. A
-    // session keeps what is drawn, on its scene in place of `scene`. Fails like
-    // LogReplay::create.
+    // The log must outlive the window. `pictures` is the folder for saved pictures. With a session,
+    // the replay draws on its scene instead of `scene` and is saved in it. Fails like
+    // LogReplay::create().
     static Result<ReplayWindow> create(drivers::Log const& log, station::ReplayOptions options,
                                        scene::Scene scene, std::filesystem::path pictures,
                                        std::optional<session::Session> session = {});
 
     ReplayWindow(ReplayWindow&&) = default;
     ReplayWindow& operator=(ReplayWindow&&) = delete;
-    ~ReplayWindow() override; // Closes, if that was not done.
+    ~ReplayWindow() override; // Closes the window if close() has not been called.
 
     void advance(Duration real_step) override;
     void settle() override { controller_.settle(replay_.station(), now_); }
@@ -41,7 +41,7 @@ private:
     void perform_kind(view::SetPlaying const& command);
     void perform_kind(view::SetSpeed const& command);
     void perform_kind(view::Restart const&);
-    void perform_kind(view::ChooseTool const&) { } // The recording chooses.
+    void perform_kind(view::ChooseTool const&) { } // Tools change as recorded.
     void perform_kind(view::AdjustTool const&) { }
     void perform_kind(view::TakeLikeDrawn const&) { }
     void perform_kind(view::KeepCard const&) { }
@@ -53,16 +53,17 @@ private:
     void perform_kind(view::OpenLeaves const&) { }
     void perform_kind(view::DressActivePlant const&) { }
     void perform_kind(view::BringLeaf const&) { }
-    void perform_kind(view::NameDrawing const&) { } // It is a recording's.
+    void perform_kind(view::NameDrawing const&) { } // A recording has no name to change.
     void perform_kind(view::SaveCopy const&) { }
     void perform_kind(view::WriteRules const&) { }
-    void perform_kind(view::SetPressingAreas const&) { } // The hand was elsewhere.
+    // The window's controls were elsewhere when the log was recorded.
+    void perform_kind(view::SetPressingAreas const&) { }
     void perform_kind(view::PressInstead const&) { }
     void perform_kind(view::MoveMousePen const&) { }
     void perform_kind(view::MoveSurface const&) { }
-    void perform_kind(view::SetRecording const&) { }  // It is recorded.
-    void perform_kind(view::WatchDevices const&) { }  // None is read.
-    void perform_kind(view::OpenStartPage const&) { } // It has an end of its own.
+    void perform_kind(view::SetRecording const&) { }  // It is already a recording.
+    void perform_kind(view::WatchDevices const&) { }  // No devices are connected.
+    void perform_kind(view::OpenStartPage const&) { } // A replay ends by itself.
     void perform_kind(view::OpenCalibration const&) { }
     void perform_kind(view::CloseCalibration const&) { }
     template<typename Command> void perform_kind(Command const& command)
@@ -73,9 +74,9 @@ private:
     view::StationView& view() { return controller_.view(); }
 
     drivers::Log const* log_;        // Not owned.
-    station::ReplayOptions options_; // To begin again.
+    station::ReplayOptions options_; // Kept for a restart.
     station::LogReplay replay_;
-    Timestamp now_; // Time of the log.
+    Timestamp now_; // Current time in the log.
     StationController controller_;
 };
 

@@ -11,20 +11,20 @@
 
 namespace tractus::controllers {
 
-// Models that somebody writes while their plants are drawn on.
+// Models that the user edits while drawing on their plants.
 
-// Writes the model of a plant whose rules somebody may write into a new folder, and gives the file
-// of the rules. Fails, as the user's fault, for a plant that has none, and where no file can be
-// written.
+// Writes the model of a plant with editable rules into a new folder and returns the file with the
+// rules. Fails, as the user's fault, if the plant has no rules or no file can be written.
 Result<std::filesystem::path> write_rules(scene::PlantState const& plant,
                                           std::filesystem::path const& folder);
 
-// What follows where a model has been saved: the active plant, if it is the model's, is that of its
-// new text, with what was drawn on it. Fails, as the user's fault, if it is another one.
+// The change after a model's file was saved: the active plant is derived again from the new text,
+// keeping what was drawn on it. Fails, as the user's fault, if the active plant is not this
+// model's.
 Result<document::WantedStep::Change> take_rules(scene::LoadModel const& model,
                                                 scene::Scene const& scene);
 
-// The model of the active plant as it is in its files; no value where that has none.
+// The active plant's model as its files contain it; nullopt if it has no files.
 std::optional<scene::LoadModel> model_drawn_on(scene::DocumentState const& state);
 
 } // namespace tractus::controllers

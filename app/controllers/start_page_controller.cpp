@@ -32,8 +32,8 @@ std::vector<fs::path> models_in(fs::path const& folder)
     return models;
 }
 
-// What a model says of itself, up to the first stop: "/* A weeping birch: a slender …" is "A
-// weeping birch". Empty if it does not begin with such a comment.
+// A model's description, from its first comment up to the full stop: "/* A weeping birch: a slender
+// …" gives "A weeping birch". Empty if the model does not begin with a comment.
 std::string said_of_model(fs::path const& model)
 {
     constexpr std::size_t kMost_bytes = 1'000'000;
@@ -78,7 +78,7 @@ StartPageController::~StartPageController()
     if (!opened || !*opened || (*opened)->unnamed.empty())
         return;
     auto const file = (*opened)->unnamed;
-    opened.reset(); // Closes it.
+    opened.reset(); // Closes the session.
     remove_if_nothing_was_drawn(file);
 }
 
@@ -106,7 +106,7 @@ void StartPageController::open(std::string note)
     pictures_.want(std::move(files));
 }
 
-// Pictures that the page has shown already, but for those of sessions, which were drawn in since.
+// Pictures shown before that can be reused: all but those of sessions, which may have changed.
 std::map<fs::path, std::shared_ptr<render::Image const>>
 StartPageController::pictures_of_models() const
 {
@@ -127,7 +127,7 @@ void StartPageController::add_group(view::StartCards cards, std::vector<Meaning>
     meanings_.push_back(std::move(meanings));
 }
 
-// The first tool of each method makes a plant.
+// Offers an empty sheet for each method, with its first tool, which makes a plant.
 void StartPageController::list_sheets()
 {
     view::StartCards cards { .title = "An empty sheet" };
@@ -208,7 +208,7 @@ std::optional<StartPageController::Chosen> StartPageController::take_opened()
         return std::nullopt;
     }
     is_open_ = false;
-    pictures_.want({}); // Who draws needs the machine.
+    pictures_.want({}); // Stops making thumbnails, to leave the processor to the drawing.
     return Chosen { **std::move(opened), std::exchange(chosen_tool_, std::nullopt) };
 }
 

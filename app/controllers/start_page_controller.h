@@ -20,42 +20,43 @@ namespace tractus::controllers {
 
 struct StartPageOptions {
     scene::EditKinds kinds {}; // Kinds of edits that sessions may have.
-    tools::ToolKinds tools {}; // The first of each method that makes plants begins an empty sheet.
-    // Folders of models, ours and a person's own; those that are not there have none.
+    tools::ToolKinds tools {}; // For each method that makes plants, its first tool is selected on
+                               // an empty sheet.
+    // Folders of models, built-in and the user's; missing folders are ignored.
     std::vector<std::filesystem::path> models {};
-    std::filesystem::path sessions {};                // Whose newest are offered.
-    std::filesystem::path pictures {};                // Where pictures are kept; empty: nowhere.
-    std::function<std::chrono::sys_seconds()> now {}; // The clock on the wall.
+    std::filesystem::path sessions {}; // Folder whose newest sessions are offered.
+    std::filesystem::path pictures {}; // Cache folder for thumbnails; empty: no caching.
+    std::function<std::chrono::sys_seconds()> now {}; // Wall clock.
 };
 
-// This program's models, and the folders of the person who runs it (user_folder.h): models in
-// "models" among the sessions, pictures among what can be made again.
+// Options with the built-in models and the user's own folders (user_folder.h): models in "models"
+// beside the sessions, thumbnails in the cache.
 StartPageOptions start_page_of_user(tools::Methods const& methods);
 
-// Contents of the start page: empty sheets, models and the newest sessions. What is chosen is
-// opened in the background, as pictures are made. Belongs to one thread.
+// The start page: empty sheets, models and recent sessions. Pictures are made, and the choice is
+// opened, in the background. Use from one thread.
 class StartPageController final : public view::StartPageModel {
 public:
     static constexpr std::size_t kMostRecent = 12;
 
     explicit StartPageController(StartPageOptions options);
-    ~StartPageController() override; // Leaves no file of what was chosen and not taken.
+    ~StartPageController() override; // Deletes a new file if its drawing was chosen but not taken.
 
-    // Shows it, with what there is now. `note`: see StartPageState.
+    // Shows the page with current contents. `note`: see StartPageState.
     void open(std::string note);
     bool is_open() const { return is_open_; }
 
-    // Takes what was made in the background.
+    // Takes finished work from the background threads.
     void advance();
 
-    // What was chosen, when it is open: the page is closed then.
+    // The chosen drawing, once it has been opened; the page is then closed.
     struct Chosen {
         OpenedDrawing drawing;
-        std::optional<tools::Tool> tool {}; // To be in hand.
+        std::optional<tools::Tool> tool {}; // The tool to select.
     };
     std::optional<Chosen> take_opened();
 
-    // Waits until pictures and what was chosen are there to be taken.
+    // Waits for pictures and the chosen drawing; they can then be taken.
     void settle();
 
     view::StartPageState const& state() const override { return state_; }
@@ -78,7 +79,8 @@ private:
     StartPageOptions options_;
     bool is_open_ = false;
     view::StartPageState state_;
-    std::vector<std::vector<Meaning>> meanings_; // As the state's cards are.
+    std::vector<std::vector<Meaning>> meanings_; // Meanings of the state's cards, with the same
+                                                 // indices.
     std::optional<tools::Tool> chosen_tool_;
     CardPictures pictures_;
     NewestJob<WantedDrawing, Result<OpenedDrawing>> opening_;

@@ -57,7 +57,7 @@ void StationController::take_strokes(station::Station& station)
     tell_of_dab(station);
 }
 
-// Once for each kind of tool: a hand that slips often need not be told each time.
+// Explains, once per kind of tool, why a dab (a touch too short for a stroke) did nothing.
 void StationController::tell_of_dab(station::Station const& station)
 {
     auto const* const kind = station.last_dab();
@@ -68,7 +68,7 @@ void StationController::tell_of_dab(station::Station const& station)
         = tools::describe_dab(*kind, tools::least_extent_mm(station.least_extents(), *kind));
 }
 
-// What goes on following what was drawn with it; no value: nothing else.
+// The tool to select when the plant's tool changed with the scene; nullopt if it did not.
 static std::optional<tools::Tool> hand_after(tools::Tool const& hand, scene::Scene const& before,
                                              scene::Scene const& after)
 {
@@ -123,7 +123,7 @@ void StationController::show_files()
 
 Result<void> StationController::finish(station::Station& station, Timestamp now)
 {
-    if (!document_) // Moved from.
+    if (!document_) // This object was moved from.
         return {};
     take_strokes(station);
     document_->try_again();
@@ -151,7 +151,7 @@ bool StationController::may_close(Result<void> const& finished)
 Result<void> StationController::finish_files()
 {
     Result<void> done;
-    if (!files_) // Moved from.
+    if (!files_) // This object was moved from.
         return done;
     files_->settle();
     while (auto const written = files_->take())
@@ -207,7 +207,8 @@ void StationController::perform(view::TakeOrphansAway const&, station::Station& 
     show_document(station, now_);
 }
 
-// Read where the document is changed: a large picture takes its time.
+// The picture is read when the step is done, on the document's thread, because a large one takes
+// time.
 void StationController::perform(view::LayPictureFile const& command, station::Station& station)
 {
     auto const change = [file = command.file, tablet_mm = view_.state().surface_size_mm()](
@@ -241,7 +242,7 @@ void StationController::perform(view::DragDrawnGlyph const& command, station::St
     show_document(station, now_);
 }
 
-// What a person calls the leaves that they have chosen.
+// Describes the chosen foliage to the user.
 static std::string leaves_in_words(methods::Dressing const& wanted)
 {
     if (wanted.drawn != 0)
@@ -262,7 +263,7 @@ void StationController::perform(view::DressActivePlant const& command, station::
         if (!scene::active_plant(scene.state))
             return fail(Fault::User, "There is no plant yet: draw one first");
         auto edits = TRY(methods::dressing_edits(scene, scene.state.active, wanted));
-        // In a season they have its age.
+        // In a season the leaves' ages follow the season.
         if (auto const then = season.value_or(scene.state.season); then || season) {
             auto const dressed = TRY(scene::apply_edits(scene, edits));
             for (auto& edit : TRY(batch::season_edits(dressed, then)))
@@ -399,7 +400,7 @@ void StationController::perform(view::PickVariation const& command, station::Sta
     set_growth(pick, station);
 }
 
-// `change` is asked when what was wanted before is done.
+// `change` is called after all earlier steps.
 void StationController::set_growth(
     std::function<Result<document::WantedStep::Change>(scene::SetGrowth growth)> const& change,
     station::Station& station)
@@ -444,7 +445,7 @@ void StationController::perform(view::ExportPlant const& command, station::Stati
          });
 }
 
-// What the drawing is called: as a person says, else as its file.
+// Shows the drawing's name: the session's own, otherwise one made of the file's name.
 void StationController::show_name()
 {
     auto const& session = document_->session();
@@ -466,7 +467,7 @@ void StationController::perform(view::NameDrawing const& command, station::Stati
         state.title = fmt::format("tractus: {}", *state.drawing_name);
 }
 
-// The copy is of all that was drawn until now.
+// The copy includes everything drawn before the command.
 void StationController::perform(view::SaveCopy const& command, station::Station& station)
 {
     auto const begin = [&]() -> Result<void> {
@@ -492,7 +493,7 @@ void StationController::perform(view::SaveCopy const& command, station::Station&
         view_.state().status = begin.error().message;
 }
 
-// The rules are followed from then on.
+// Changes of the rules file update the plant from then on.
 void StationController::perform(view::WriteRules const&, station::Station& station)
 {
     auto const written = [&]() -> Result<std::filesystem::path> {

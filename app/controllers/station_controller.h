@@ -17,12 +17,12 @@
 
 namespace tractus::controllers {
 
-// Applies what a person does to a drawing, wherever its station's reports come from: finished
-// strokes go to the document, and what is drawn and done is shown and can be undone.
+// Applies a user's strokes and commands to a drawing, wherever the station's reports come from:
+// passes finished strokes to the document, shows the results, and supports undo.
 class StationController {
 public:
-    // Strokes work on the session's scene if there is one, else on `scene`. `folder` is where saved
-    // pictures and exports appear.
+    // Strokes are applied to the session's scene, or to `scene` if there is no session. `folder` is
+    // where saved pictures and exports go.
     StationController(station::Station const& station, std::optional<session::Session> session,
                       scene::Scene scene, std::filesystem::path folder);
 
@@ -31,33 +31,31 @@ public:
     document::Document& document() { return *document_; }
     document::Document const& document() const { return *document_; }
 
-    // Hands the station's finished strokes to the document, shows what has become of earlier ones,
-    // and what has been done in the background meanwhile.
+    // Passes the station's finished strokes to the document, and shows the results of earlier
+    // strokes and of background work.
     void show(station::Station& station, Timestamp now);
 
-    // Does as show() when all that is under way is done, or cannot be done for now.
+    // Like show(), after all pending work is done or cannot be done for now.
     void settle(station::Station& station, Timestamp now);
 
-    // Waits until what was drawn, and what was done beside drawing, is kept. Fails, as the user's
-    // fault, if something cannot be.
+    // Waits until all strokes and steps are saved. Fails, as the user's fault, if some cannot be.
     Result<void> finish(station::Station& station, Timestamp now);
 
-    // Whether a person who wants to leave may do so, given what finish() says: else the status
-    // tells why not, and the next time they may all the same.
+    // True if the user may leave, given the result of finish(). On an error, returns false once and
+    // shows the reason in the status; a second request is granted.
     bool may_close(Result<void> const& finished);
 
-    // Waits until the files that a person has asked for are written. Fails with the first that
-    // could not be.
+    // Waits until all requested files are written. Fails with the first error.
     Result<void> finish_files();
 
-    // The steps beside drawing that were done since the last call, for a recording.
+    // Steps without a stroke that were done since the last call, to be recorded.
     std::vector<document::DoneStep> take_done() { return std::exchange(done_, {}); }
 
-    // What the hand holds since undo or redo, where it held what the plant was drawn with before
-    // (ToolKind::like_drawn). No value: the same as before, or it was given out already.
+    // The tool to select after undo or redo, if the plant's tool had been selected
+    // (ToolKind::like_drawn); nullopt: no change, or already taken.
     std::optional<tools::Tool> take_hand() { return std::exchange(hand_, std::nullopt); }
 
-    // A new file's name in the folder.
+    // An unused file name in the folder.
     std::filesystem::path new_file(std::string_view ending) const;
 
     void perform(view::NextVariation const&, station::Station& station);
@@ -78,23 +76,24 @@ public:
     void perform(view::DressActivePlant const& command, station::Station& station);
     void perform(view::BringLeaf const& command, station::Station& station);
 
-    // What has been drawn with a tool follows other numbers (ToolKind::follow): is only shown so,
-    // or does as a step, if anything does.
+    // After a tool's numbers changed, what was drawn with it follows (ToolKind::follow): the first
+    // only previews this, the second makes it a step. Nothing happens if nothing follows.
     void preview_following(tools::Tool const& before, tools::Tool const& after);
     void let_follow(tools::Tool const& before, tools::Tool const& after, station::Station& station);
 
-    // The model of the active plant has been saved: the plant is that of its new text, with what
-    // was drawn on it. Where it is none any more, the plant stays and `status` says why.
+    // Updates the active plant after its model's file was saved, keeping what was drawn on it. If
+    // the model is invalid, the plant stays and `status` gives the reason.
     void take_model(Result<scene::LoadModel> model, station::Station& station);
 
-    // The file of rules that was written since the last call, if one was.
+    // The rules file written since the last call, if any.
     std::optional<std::filesystem::path> take_rules_file();
 
-    // The document is as it began; where it is in no file `status` says so.
+    // Returns the document to its beginning; `status` mentions if the drawing is not saved in a
+    // file.
     void begin_again(station::Station& station, std::string const& status,
                      document::Document::Growth growth = document::Document::Growth::AsItBegan);
 
-    // Shows another station, and what led to it.
+    // Shows another station, with this status.
     void show_again(station::Station const& station, std::string const& status);
 
 private:
@@ -109,17 +108,20 @@ private:
         std::function<Result<document::WantedStep::Change>(scene::SetGrowth growth)> const& change,
         station::Station& station);
 
-    std::unique_ptr<document::Document> document_; // On the heap, as this moves.
+    std::unique_ptr<document::Document> document_; // On the heap, because this object is movable.
     view::StationView view_;
-    std::vector<document::DoneStep> done_; // Steps that are not taken yet.
-    std::optional<tools::Tool> hand_;      // Likewise.
-    std::size_t told_dabs_ = 0;            // Of the station's, those that have been looked at.
-    std::set<tools::ToolKind const*> told_dabs_of_ {}; // Kinds of which a dab has been told.
-    Timestamp now_ {};                                 // Time of the last show().
-    bool knows_what_is_lost_ = false;                  // A person who has asked to leave.
+    std::vector<document::DoneStep> done_; // Steps not taken yet.
+    std::optional<tools::Tool> hand_;      // Tool not taken yet.
+    std::size_t told_dabs_ = 0; // Number of the station's dabs (touches too short for a stroke)
+                                // handled so far.
+    // Kinds of tools for which the message about dabs was shown.
+    std::set<tools::ToolKind const*> told_dabs_of_ {};
+    Timestamp now_ {};                // Time of the last show().
+    bool knows_what_is_lost_ = false; // The user has already been warned once about losing unsaved
+                                      // work.
     std::filesystem::path folder_;
     std::optional<std::filesystem::path> rules_file_ {};
-    // On the heap, as this moves.
+    // On the heap, because this object is movable.
     std::unique_ptr<FileQueue> files_ = std::make_unique<FileQueue>();
 };
 

@@ -209,7 +209,7 @@ void Layout::begin_drawing(view::WindowModel& model)
     has_begun_ = false;
 }
 
-// Shows the pad in full screen on the tablet's own display, if there is one.
+// Prepares a frame and handles its input. With a tablet, the window first shows the pad alone.
 void Layout::begin_frame(view::WindowModel& model, HandInput const& input)
 {
     auto const& state = model.state();

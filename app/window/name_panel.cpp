@@ -223,7 +223,7 @@ void NamePanel::show_row(std::string_view keys, Controls const& controls, float 
     }
 }
 
-// Handles an on-screen key; after a space it shows capitals, otherwise small letters.
+// Enters an on-screen key's letter; the next letters are small.
 void NamePanel::press(char key)
 {
     take_letter(static_cast<unsigned char>(key));
