@@ -17,7 +17,7 @@ static bool has_pen(devices::LiveDevices const& devices)
     });
 }
 
-// Traits of the first tablet that reports its size.
+// Traits of the first tablet among the devices; nullopt if there is none.
 static std::optional<drivers::PenTraits> first_tablet(devices::LiveDevices const& devices)
 {
     for (auto const& info : devices.infos())

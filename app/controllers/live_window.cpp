@@ -186,8 +186,8 @@ void LiveWindow::take_reports()
     for (auto const& report : reports_) {
         choose_tools_until(report.report.received);
         station_.push(report.device, report.report.received, report.report.bytes());
-        record_tool_changes(); // Before the report, so that the stroke it begins belongs to the new
-                               // tool.
+        record_tool_changes(); // Written to the recording before the report, so that the stroke it
+                               // begins belongs to the new tool.
         if (recorder_)
             recorder_->write(report);
         if (diagnosis_)
