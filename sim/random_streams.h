@@ -12,5 +12,7 @@ constexpr std::uint32_t kHeightTimingStream = 0x73'69'6d'03;
 constexpr std::uint32_t kHeightNoiseStream = 0x73'69'6d'04;
 constexpr std::uint32_t kTiltNoiseStream = 0x73'69'6d'06;
 constexpr std::uint32_t kRulerStream = 0x73'69'6d'05;
+constexpr std::uint32_t kUnkindnessStream = 0x73'69'6d'07;
+constexpr std::uint32_t kHookStream = 0x73'69'6d'08;
 
 } // namespace tractus::sim
