@@ -11,7 +11,7 @@
 
 namespace tractus::controllers {
 
-// What to open for drawing, and where to save it.
+// A drawing to open: the file that it begins from, and the session that saves it.
 struct WantedDrawing {
     // A model, a skeleton, a measured plant or a session; empty: an empty sheet.
     std::filesystem::path plant {};

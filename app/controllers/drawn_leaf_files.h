@@ -20,7 +20,7 @@ struct DrawnLeafFile {
 std::vector<DrawnLeafFile> write_drawn_leaves(scene::DocumentState const& state,
                                               std::filesystem::path const& folder);
 
-// The same for leaves drawn in three views.
+// A file of leaves that were drawn in three views, and the plant that has them.
 struct DrawnOrganFile {
     scene::ItemId plant = 0; // The plant that has the leaves.
     std::filesystem::path file {};

@@ -13,7 +13,7 @@ namespace tractus::files {
 std::filesystem::path dated_path(std::filesystem::path const& folder, std::string_view plant,
                                  std::string_view ending, std::chrono::sys_seconds now);
 
-// The same with the current time.
+// Returns dated_path() for the current time.
 std::filesystem::path dated_path(std::filesystem::path const& folder, std::string_view plant,
                                  std::string_view ending);
 

@@ -31,7 +31,8 @@ struct GlbColumn {
 // Reserves space at the end of the binary chunk.
 GlbColumn open_column(GlbStream& stream, NumberFormat const& format, std::size_t count);
 
-// The same for elements compressed by the codec of their format to `compressed_bytes`.
+// Reserves `compressed_bytes` at the end of the binary chunk, for elements that the codec of their
+// format has compressed to that size.
 GlbColumn open_compressed_column(GlbStream& stream, GltfJson& json, NumberFormat const& format,
                                  std::size_t count, std::size_t compressed_bytes);
 

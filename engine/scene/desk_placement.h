@@ -70,7 +70,8 @@ struct SelectionView {
     }
 };
 
-// The same view as a projection, for picking: u and v are tablet-centred millimetres.
+// Converts a selection view to a projection for picking branches; its u and v are millimetres from
+// the tablet's centre.
 variation::SkeletonProjection skeleton_projection(SelectionView const& view);
 
 SelectionView fit_selection_view(Plant const& plant, SelectionAngle const& angle = {});

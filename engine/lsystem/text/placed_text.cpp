@@ -125,7 +125,7 @@ PlacedText without_comments(std::string_view source, std::uint32_t file,
     return result;
 }
 
-// Whether the text behind a // reads on as modules and not as words.
+// True if the text behind a // looks like modules rather than like a comment in words.
 static bool reads_as_modules(std::string_view before, std::string_view behind)
 {
     while (!behind.empty() && (is_blank(behind.back()) || behind.back() == '\n'))
@@ -133,7 +133,7 @@ static bool reads_as_modules(std::string_view before, std::string_view behind)
     if (behind.find_first_of(" \t") != std::string_view::npos)
         return false;
     bool const is_rule_off = behind.find_first_not_of('/') == std::string_view::npos;
-    if (is_rule_off) // Slashes alone: at once behind a module they roll.
+    if (is_rule_off) // Slashes right behind a module are meant as rolls.
         return !is_blank(before.back());
     return behind.find_first_of("[]'+-&^/!$|\\(") != std::string_view::npos
         || (!is_blank(before.back()) && std::isupper(static_cast<unsigned char>(behind.front())));

@@ -31,10 +31,11 @@ struct SideNode {
 // Measures a construction's nodes, from below, as distributed in the layers between inclination
 // lines: with sizes from a boundary on the sheet.
 std::vector<SideNode> measure_nodes(Construction const& of, DrawnLine const& boundary, Side side);
-// The same with sizes from a boundary in space; the nodes' angles must be known.
+// Measures a construction's nodes with sizes from a boundary in space at `azimuth_deg` around the
+// stem; the nodes' angles must be known.
 std::vector<SideNode> measure_nodes(Construction const& of, std::span<Vec3 const> boundary,
                                     double azimuth_deg);
-// The same with angles only.
+// Returns a construction's nodes with their angles only, without sizes.
 std::vector<OrganNode> nodes_without_sizes(Construction const& of);
 
 // The name of a side, for messages.

@@ -16,7 +16,8 @@ enum class Role {
     Left,  // Boundary on the left.
     Right, // Boundary on the right.
     Inclination,
-    // From the stem to one side: applies to both sides until its other half is drawn.
+    // Half an inclination line, from the stem to one side; valid for both sides until the other
+    // half is drawn.
     HalfInclination,
     Unsure,  // Not recognised: no effect until the user assigns a role.
     Around,  // Boundary in space, at its azimuth around the stem.

@@ -105,7 +105,7 @@ public:
     // The start darts of a face's edges, counter-clockwise, beginning with d's edge.
     std::vector<Dart> cycle(Dart d) const;
 
-    // From the start of a free edge to the start of the next one along the border.
+    // Walks along the border: takes the start dart of a free edge, returns that of the next one.
     Dart next_on_border(Dart d) const;
     std::vector<Dart> border(Dart d) const;
 

@@ -20,24 +20,26 @@ bool is_bent(scene::PlantState const& plant)
     return !plant.strokes.empty() || !plant.indicators.empty();
 }
 
-// Its parts are those of its source alone.
+// True if nothing was grafted onto the plant and no branch of it is hidden.
 bool is_whole(scene::PlantState const& plant)
 {
     return plant.grafts.empty() && plant.hidden_branches.empty();
 }
 
-// The plant as a document has it, and where strokes have bent its nodes to.
-struct Stood {
+// A plant built as the only one of a document, and its nodes as strokes have bent them, in plant
+// millimetres.
+struct BentPlant {
     scene::Scene scene;
     std::vector<Vec3> nodes_mm;
 };
-Result<Stood> stood(Beginning const& beginning, scene::LoadOptions const& options)
+Result<BentPlant> build_bent_plant(Beginning const& beginning, scene::LoadOptions const& options)
 {
     scene::DocumentState state;
     state.plants = { beginning.plant };
     state.active = beginning.plant->id;
     state.scale = beginning.scale;
-    Stood result { TRY(scene::SceneBuilder([&] { return options; }).build(std::move(state))), {} };
+    BentPlant result { TRY(scene::SceneBuilder([&] { return options; }).build(std::move(state))),
+                       {} };
     auto const& plant = *result.scene.plants[0];
     scene::SceneShaper shaper;
     TRY(shaper.set_plant(plant));
@@ -73,7 +75,7 @@ Result<GrowingTree> wood_of(Beginning const& beginning, Habit const& habit, std:
         auto tree = TRY(grow_tree(*grown, options));
         if (is_bent(drawn)) {
             auto const as_plant = plant_of(tree, grown->habit, grown->seed);
-            bend_tree(tree, as_plant, TRY(stood(beginning, options)).nodes_mm, habit);
+            bend_tree(tree, as_plant, TRY(build_bent_plant(beginning, options)).nodes_mm, habit);
         }
         return tree;
     }
@@ -82,7 +84,7 @@ Result<GrowingTree> wood_of(Beginning const& beginning, Habit const& habit, std:
         auto const plant = TRY(with_branches(built.plant, drawn.name));
         return tree_of_wood({ .plant = plant, .keys = built.axis_keys }, habit, seed);
     }
-    auto const shown = TRY(stood(beginning, options));
+    auto const shown = TRY(build_bent_plant(beginning, options));
     auto plant = TRY(with_branches(*shown.scene.plants[0]->base, drawn.name));
     plant.node_position_mm = shown.nodes_mm;
     auto const keys = is_whole(drawn) ? TRY(drawn.source.build(options)).axis_keys : AxisKeys {};

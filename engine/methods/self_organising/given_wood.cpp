@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kBudDistance = 0.7; // Least distance of budded nodes, in internodes.
 
-// A name for an axis that has none: of what bears it and its number there.
+// A key for an axis without one, from its parent axis' key and its number in the plant.
 std::uint64_t name_of_given(std::uint64_t parent, std::uint64_t number)
 {
     auto mixed = parent * 0x9E3779B97F4A7C15U + number + 0x6769766E;
@@ -102,7 +102,7 @@ private:
         return below;
     }
 
-    // `width_mm`: of the internode below; no value: there is none, it is a stem's foot.
+    // `width_mm` is the diameter of the internode below; without a value the node is a stem's foot.
     std::uint32_t add_node(std::uint32_t below, NodeLinks& links, Vec3 const& at,
                            std::optional<double> width_mm)
     {
@@ -130,10 +130,10 @@ private:
         return number;
     }
 
-    // By the internodes above: a node is so many years old as a trunk takes to grow them.
+    // Estimates a node's age: the years in which a trunk grows the longest path above the node.
     void set_ages()
     {
-        constexpr double kUsualShoot = 0.6; // Of the longest.
+        constexpr double kUsualShoot = 0.6; // As a share of the habit's longest shoot in a year.
         constexpr double kOldest = 150;
         double const a_year = std::max(1.0, kUsualShoot * habit_.most_internodes) * internode_mm_;
         std::vector<double> above_mm(tree_.size());

@@ -33,7 +33,7 @@ struct GrownTree {
     Habit habit {};
     std::uint64_t seed = 1;
     std::vector<LifePart> life {};
-    SharedBeginning start {}; // What it grew from; null: a seed.
+    SharedBeginning start {}; // The plant that it grew from; null for a tree grown from a seed.
 };
 
 // Adds a tree that begins to grow: where the stroke begins or, by itself, at the world's origin. It
@@ -58,8 +58,8 @@ struct GrowOn {
     LifePart next {};
 };
 
-// A plant of any kind grows on from how it stands, with what strokes and parts have made of it: its
-// axes become living wood, and its strokes, which are in the wood, go.
+// Lets a plant of any method grow on as a tree of a habit. Its axes become living wood in the shape
+// that strokes and grafts have given them; the plant then has no strokes, indicators or grafts.
 struct GrowFrom {
     static scene::EditKind const kKind;
 

@@ -56,7 +56,7 @@ struct BranchCurve {
     double outside = 0; // Greatest distance by which it leaves the outline.
 };
 
-// Where a branch ends, and its direction there.
+// The end of a branch: its position and the branch's direction there.
 struct BranchEnd {
     Vec2 end = Vec2::Zero();
     Vec2 tangent = Vec2::UnitY(); // Unit vector.

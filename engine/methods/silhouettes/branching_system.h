@@ -16,7 +16,7 @@ struct InferenceOptions {
     FillOptions fill {};
     BranchingAngles angles {};
     double unbranched = 0; // Share of the trunk, from its base, on which no branch is inferred.
-    // Where drawn branches may start: on the part of the trunk inside the outline, or anywhere.
+    // Drawn branches may start only on the part of the trunk inside the outline, or anywhere on it.
     enum class DrawnBases { InOutline, Anywhere } drawn_bases = DrawnBases::InOutline;
 };
 

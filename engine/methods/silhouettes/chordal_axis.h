@@ -55,7 +55,7 @@ public:
     Vec2 const& last_of(Chord const& chord) const { return outline_[beyond(chord).last]; }
     double length_of(Chord const& chord) const { return (last_of(chord) - first_of(chord)).norm(); }
 
-    // The same chord seen from the neighbouring triangle.
+    // Returns the chord as an edge of the triangle on its other side.
     Chord reversed(Chord const& chord) const;
 
     // The other chords of the neighbouring triangle.

@@ -66,7 +66,7 @@ std::vector<std::optional<std::size_t>> match_branches(BranchingSystem const& ea
                 if (share >= kLeast)
                     pairs.emplace_back(-share, j, i);
             }
-    // The same stroke means the same branch, wherever its parent has moved.
+    // Branches drawn by one and the same stroke always match, even where their parents have moved.
     for (std::size_t j = 0; j < after.size(); ++j)
         for (std::size_t i = 0; i < before.size(); ++i)
             if (earlier.branches[i].is_stroke() && later.branches[j].is_stroke()
