@@ -1,0 +1,53 @@
+# Shared by tests/alone and tests/tidy, which look at what has changed; source it from the root of the repository.
+
+# The commit to compare with; nothing if there is none but HEAD, or if all is asked for.
+#   base_commit RECORD [COMMIT | --all]
+# RECORD is the file that names a commit at which everything has been looked at. It counts where it is later than
+# the commit at which HEAD left origin/main.
+base_commit() {
+    local record=$1 left looked_at
+    shift
+    if [ "${1-}" = --all ]; then
+        return
+    elif [ $# -gt 0 ]; then
+        git merge-base HEAD "$1"
+        return
+    fi
+    left=$(git merge-base HEAD origin/main 2>/dev/null) || left=
+    if [ "$left" = "$(git rev-parse HEAD)" ]; then left=; fi
+    looked_at=$(cat "$record" 2>/dev/null) || looked_at=
+    if [ -n "$looked_at" ] && git merge-base --is-ancestor "$looked_at" HEAD 2>/dev/null \
+        && { [ -z "$left" ] || git merge-base --is-ancestor "$left" "$looked_at"; }; then
+        echo "$looked_at"
+    else
+        echo "$left"
+    fi
+}
+
+# Prints a source without comments and blanks.
+code_of() { g++ -fpreprocessed -dD -E -P -x c++ - 2>/dev/null | tr -d '[:space:]'; }
+
+# The files that differ from a commit, committed or not, but for sources in which only comments do.
+changed_since() {
+    local name
+    git diff --name-only "$1" | while read -r name; do
+        case $name in
+        *.h | *.cpp)
+            if [ -e "$name" ] && git cat-file -e "$1:$name" 2>/dev/null \
+                && cmp -s <(git show "$1:$name" | code_of) <(code_of <"$name"); then
+                continue
+            fi
+            ;;
+        esac
+        echo "$name"
+    done
+    git ls-files --others --exclude-standard
+}
+
+# Notes that everything has been looked at in HEAD, unless something is not committed.
+#   record_all RECORD
+record_all() {
+    if [ -z "$(git status --porcelain -- . ":!$1")" ]; then
+        git rev-parse HEAD >"$1"
+    fi
+}
