@@ -7,12 +7,12 @@
 
 namespace tractus::methods {
 
-// The edits that a step brings with it, in their order: trees that take the nearest one's style
-// follow that (engine/methods/silhouettes/nearest_style.h), and what wears a drawn leaf follows its
-// drawing, as leaves_that_follow() says (all_leaves.h).
+// Edits that must follow a step, in this order: trees whose style is "nearest" take the new nearest
+// style (engine/methods/silhouettes/nearest_style.h), and plants that wear a drawn leaf get its
+// changed drawing (leaves_that_follow() in all_leaves.h).
 struct Following {
     std::vector<scene::Edit> edits {};
-    bool has_leaves = false; // Leaves are among them.
+    bool has_leaves = false; // True if some of the edits change leaves.
 };
 Following edits_that_follow(scene::Scene const& scene, std::vector<scene::Edit> const& step);
 

@@ -9,12 +9,12 @@
 
 namespace tractus::methods {
 
-// The habits of trees that come with the program, by their English names, in alphabetical order.
+// English names of the built-in tree habits (growth presets of species), in alphabetical order.
 std::vector<std::string> habit_names();
 
-// The edit that brings a tree which has grown by itself so many years. `habit` is one of ours by
-// its English or Latin name, or a .habit file. Fails, as the user's fault, for a habit that there
-// is not.
+// Returns the edit that adds a tree grown without strokes for `years` years. `habit` is the English
+// or Latin name of a built-in habit, or the path of a .habit file. Fails with a user error if there
+// is no such habit.
 Result<scene::Edit> tree_of_habit(std::string const& habit, int years, std::uint64_t seed);
 
 } // namespace tractus::methods

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A word without what separates the parts of a sheet's name.
+// Replaces the characters that separate the parts of a leaf sheet's name.
 std::string word_of(std::string name)
 {
     for (auto& letter : name)
@@ -31,14 +31,15 @@ std::string word_of(std::string name)
     return name;
 }
 
-// A leaf that is drawn has one grammar, whatever becomes of its drawing: what wears it finds it by
-// this name.
+// Name of a drawn leaf's grammar. It stays the same when the drawing changes, so that plants that
+// wear the leaf can find it.
 std::string drawn_name(scene::ItemId leaf)
 {
     return fmt::format("drawn-{:x}.leaf", leaf);
 }
 
-// The drawn leaf whose grammar has that name; no value: the name is none of these.
+// The drawn leaf whose grammar has this name, or no value if the name is not one made by
+// drawn_name().
 std::optional<scene::ItemId> drawn_leaf_of(std::string_view grammar)
 {
     constexpr std::string_view kBegin = "drawn-";
@@ -52,7 +53,8 @@ std::optional<scene::ItemId> drawn_leaf_of(std::string_view grammar)
     return leaf;
 }
 
-// The leaf's grammar from its drawing. Fails where that is none, or no leaf.
+// Makes the leaf's grammar from its drawing. Fails if there is no such plant or its lines make no
+// leaf.
 Result<std::string> text_of_drawn(scene::DocumentState const& state, scene::ItemId leaf)
 {
     auto const& plant = *state.plants[TRY(scene::plant_number(state, leaf))];
@@ -69,8 +71,8 @@ Result<std::string> sheet_of(std::string const& grammar_text, lsystem::LeafOrder
     return lsystem::print_leaf_sheet(TRY(leaf::grow_leaf_sheet(grammar, order)));
 }
 
-// The edits that keep a grammar and those of its leaves that have these names, as far as the
-// document lacks them.
+// Edits that store in the document a grammar and its leaf sheets with these names, if they are not
+// there yet.
 Result<std::vector<scene::Edit>> keeping_edits(scene::DocumentState const& state,
                                                std::string const& grammar, std::string const& text,
                                                std::set<std::string> const& names)
@@ -87,7 +89,7 @@ Result<std::vector<scene::Edit>> keeping_edits(scene::DocumentState const& state
     return edits;
 }
 
-// The orders of leaves that plants wear which are drawn, by the drawn leaf.
+// Names of the leaf sheets that plants wear and that come from drawn leaves, by drawn leaf.
 std::map<scene::ItemId, std::set<std::string>> drawn_and_worn(scene::DocumentState const& state)
 {
     std::map<scene::ItemId, std::set<std::string>> worn;
@@ -149,11 +151,13 @@ Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Dressing c
     if (auto const kept = state.leaf_grammars.find(leaves); kept != state.leaf_grammars.end())
         return GrammarOfLeaves { leaves, *kept->second };
     if (fs::path(leaves).extension() != ".leaf") {
-        auto const file = TRY(leaf::own_leaf_path(leaves)); // Lists ours, where it is none.
+        // Its error message lists the built-in grammars.
+        auto const file = TRY(leaf::own_leaf_path(leaves));
         return GrammarOfLeaves { leaves, TRY(leaf::read_leaf_text(file)) };
     }
     auto text = TRY(leaf::read_leaf_text(leaves));
-    TRY(leaf::parse_grammar(text, leaves)); // With its line in the file, where it is wrong.
+    // Checked here, so that an error names the line in the file.
+    TRY(leaf::parse_grammar(text, leaves));
     auto name
         = fmt::format("{}-{:08x}.leaf", word_of(leaf::short_leaf_name(leaves)), fnv1a_32(text));
     return GrammarOfLeaves { std::move(name), std::move(text) };
@@ -211,16 +215,16 @@ std::vector<scene::Edit> leaves_that_follow(scene::Scene const& scene,
     scene::SceneBuilder builder(scene, {});
     auto const after = scene::apply_edits(scene.state, step, builder);
     if (!after)
-        return edits; // Whoever makes the step says why.
+        return edits; // The code that applies the step reports the error.
     for (auto const& [leaf, names] : drawn_and_worn(*after)) {
         auto const before = scene::find_plant(scene.state, leaf);
         auto const now = *scene::find_plant(*after, leaf);
         if (before && scene.state.plants[*before] == after->plants[now])
-            continue; // Nothing was drawn.
+            continue; // The drawing is unchanged.
         auto const text = text_of_drawn(*after, leaf);
         if (!text)
             continue;
-        // Fails where nothing of it can be worn.
+        // A grammar that gives no leaf is skipped: plants keep the leaves they have.
         if (auto const kept = keeping_edits(*after, drawn_name(leaf), *text, names))
             edits.insert(edits.end(), kept->begin(), kept->end());
     }

@@ -14,80 +14,80 @@
 
 namespace tractus::methods {
 
-// Leaves that plants can wear, from grammars: those that come with the program, by the names of
-// their species, and the user's own, by their files (.leaf).
+// A leaf grammar whose leaves plants can wear: a built-in one, named after its species, or the
+// user's own .leaf file.
 
 struct LeafKind {
-    std::string name;              // "tulip-tree".
-    std::filesystem::path grammar; // Its file.
+    std::string name;              // For example "tulip-tree".
+    std::filesystem::path grammar; // Path of the grammar file.
 };
-std::vector<LeafKind> leaf_kinds(); // Ours, in alphabetical order.
+std::vector<LeafKind> leaf_kinds(); // The built-in kinds, in alphabetical order.
 
-// What a grammar is called as leaves to wear: by its species' name if it is one of ours.
+// Name by which plants refer to the leaves of a grammar file: the species' name for a built-in
+// grammar, otherwise the path.
 std::string leaves_of_grammar(std::filesystem::path const& grammar);
 
-// The leaves that are drawn in a document, each a plant of it, and their grammars. One whose lines
-// are no leaf yet is none.
+// A leaf drawn in the document (each is a plant of its own) and the text of its grammar. Plants
+// whose lines do not make a leaf yet are not listed.
 struct DrawnLeafGrammar {
     scene::ItemId plant = 0;
     std::string text;
 };
 std::vector<DrawnLeafGrammar> drawn_leaves(scene::DocumentState const& state);
 
-// The text of a grammar's file. Fails, as the user's fault, for one that is too long.
+// Reads the text of a grammar file. Fails with a user error if the file is too long.
 Result<std::string> read_leaf_grammar(std::filesystem::path const& path);
 
-// Which leaves a plant is to have.
+// The leaves that a plant should wear.
 struct Dressing {
-    // One of our species by its name alone, the grammar in a .leaf file, or one that the document
-    // keeps, by its name there; empty: the plant's own.
+    // A built-in species' name, a path of a .leaf file, or the name of a grammar stored in the
+    // document. Empty: the plant's own leaves.
     std::string leaves {};
-    scene::ItemId drawn
-        = 0;          // In place of them: those of a drawn leaf, which they follow from then on.
-    double age = 0.5; // As of LeafOrder.
+    // If not 0: the drawn leaf to wear instead of `leaves`; later changes of its drawing apply.
+    scene::ItemId drawn = 0;
+    double age = 0.5; // Age as in LeafOrder: 0 is a bud, 1 a withered leaf.
     lsystem::LeafDamage damage {};
 };
 
-// As people write it: "oak", "oak+spots=0.3" (leaf_word.h), "mine.leaf".
+// Parses leaves as users write them: "oak", "oak+spots=0.3" (leaf_word.h), "mine.leaf".
 Dressing dressing_of_word(std::string const& word);
 
-// The grammar of these leaves, and what it is called in the names of their sheets. Fails, as the
-// user's fault, where there is none, and for the plant's own.
+// The grammar of the chosen leaves, and the name that it has within leaf sheets' names. Fails with
+// a user error if there is none, and if `dressing` asks for the plant's own leaves.
 struct GrammarOfLeaves {
     std::string name {};
     std::string text {};
 };
 Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Dressing const& dressing);
 
-// The edits that give a plant of the scene such leaves, which are grown here. Fails, as the user's
-// fault, for a grammar that there is not or that gives no leaf, and for a plant that is a drawn
-// leaf itself: so no leaf can come to wear itself.
+// Grows the leaves and returns the edits that put them on a plant of the scene. Fails with a user
+// error if the grammar does not exist or gives no leaf, and if the plant is itself a drawn leaf:
+// this prevents a leaf from wearing itself.
 Result<std::vector<scene::Edit>> dressing_edits(scene::Scene const& scene, scene::ItemId plant,
                                                 Dressing const& dressing);
 
-// What a plant wears, as it was asked for; no value: its own leaves, or some that nothing is known
-// of. Those of a leaf that was drawn in the document are `drawn` as long as that is there, and
-// after that they are among what the document keeps.
+// What the user chose for the plant to wear, or no value if the plant has its own leaves or leaves
+// of unknown origin. `drawn` is set only while the drawn leaf is in the document; after that its
+// grammar is among those stored in the document.
 std::optional<Dressing> worn_leaves(scene::DocumentState const& state, scene::ItemId plant);
 
-// The edits that a step brings with it where it changes the drawing of a leaf that plants wear: its
-// grammar under its own name, and the leaves of it that are worn, as they would be were they put on
-// again. None where the lines are no leaf any more, or the leaf is gone: the plants keep what they
-// have.
+// Edits that must follow a step that changes the drawing of a leaf that plants wear: they store its
+// new grammar under the same name and regrow the leaves that are worn. Empty if the lines no longer
+// make a leaf or the leaf was removed: then plants keep the leaves they have.
 std::vector<scene::Edit> leaves_that_follow(scene::Scene const& scene,
                                             std::vector<scene::Edit> const& step);
 
-// The text of the sheet of that name: from a grammar that the document keeps, else as make_input()
-// has it. Fails, as the user's fault, where the name orders none.
+// Text of the leaf sheet with this name, from a grammar stored in the document if there is one,
+// otherwise from make_input(). Fails with a user error if the name does not order leaves.
 Result<std::string> sheet_for(scene::Scene const& scene, std::string const& name);
 
-// A leaf of a grammar's text on paper, with its maps and others of its kind: see study_leaf().
-// Fails, as the user's fault, for a text that is none or gives no leaf.
+// Renders a leaf of a grammar on paper, with its maps and more leaves of its kind; see
+// study_leaf(). Fails with a user error if the text is not a grammar or gives no leaf.
 Result<leaf::LeafStudy> study_of_grammar(std::string const& text, std::string const& name,
                                          leaf::LeafLook const& look, render::Color const& paper);
 
-// A grown-up leaf of the grammar in a file, on paper, in a square of that side. Fails, as the
-// user's fault, for a file that is none or gives no leaf.
+// Renders an adult leaf of a grammar file on paper, in a square image of `side` pixels. Fails with
+// a user error if the file is not a grammar or gives no leaf.
 Result<render::Image> picture_of_grammar(std::filesystem::path const& grammar, int side,
                                          render::Color const& paper);
 

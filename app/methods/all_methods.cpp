@@ -57,7 +57,7 @@ namespace tractus::methods {
 
 namespace {
 
-// In the order of their buttons; the first is in hand at first.
+// All tools in the order of their buttons; the first is selected at the start.
 constexpr std::array kTools {
     &tools::DrawInOrderTool::kKind,
     &tools::DrawTool::kKind,

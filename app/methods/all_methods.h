@@ -4,8 +4,7 @@
 
 namespace tractus::methods {
 
-// The one list of what this program can do. Whoever adds a tool or a kind of edit adds its row
-// here.
+// The one list of everything this program can do. To add a tool or a kind of edit, add a row here.
 tools::Methods all_methods();
 
 } // namespace tractus::methods

@@ -82,13 +82,13 @@ Result<Plant> plant_of_organ(fs::path const& file)
         TRY(lsystem::put_texture(plant.materials.back(), *surface.picture));
     plant.organ_shapes.push_back(
         { .kind = OrganShape::Kind::Surface, .length_mm = kLength_mm, .patches = surface.patches });
-    double lowest_mm = 0; // Sides may begin behind the base.
+    double lowest_mm = 0; // Edges of the blade may extend behind its base.
     for (auto const& patch : surface.patches)
         for (auto const& point : patch.control)
             lowest_mm = std::min(lowest_mm, point.y());
-    plant.organs.push_back(
-        { .position_mm = { 0, 0, -lowest_mm },
-          .orientation = Quat(Eigen::AngleAxisd(kPi / 2, Vec3::UnitX())) }); // Its length upwards.
+    plant.organs.push_back({ .position_mm = { 0, 0, -lowest_mm },
+                             // The organ's length points upwards.
+                             .orientation = Quat(Eigen::AngleAxisd(kPi / 2, Vec3::UnitX())) });
     return plant;
 }
 

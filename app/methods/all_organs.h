@@ -11,38 +11,38 @@
 
 namespace tractus::methods {
 
-// Leaves in three views, which plants of construction lines bear: those that come with the program,
-// those that are drawn in the document, and the user's own, by their files (.organ).
+// A leaf drawn in three views (top, side, section), for plants made of construction lines. It is
+// built in or the user's own .organ file; leaves drawn in the document are DrawnOrgan.
 
 struct OrganKind {
-    std::string name; // "heart".
+    std::string name; // For example "heart".
     std::filesystem::path file;
 };
-std::vector<OrganKind> organ_kinds(); // Ours, in alphabetical order.
+std::vector<OrganKind> organ_kinds(); // The built-in kinds, in alphabetical order.
 
 bool is_organ_file(std::filesystem::path const& file);
 
-// The leaves that are drawn for plants of a document, and the texts of their files. One whose lines
-// are no leaf is none.
+// A leaf drawn in three views in the document, and the text of its .organ file. Plants whose lines
+// do not make a leaf yet are not listed.
 struct DrawnOrgan {
     scene::ItemId plant = 0;
     std::string text;
 };
 std::vector<DrawnOrgan> drawn_organs(scene::DocumentState const& state);
 
-// Whether the plant that takes what is drawn can bear one.
+// True if the active plant can bear leaves drawn in three views.
 bool takes_organs(scene::DocumentState const& state);
 
-// The edits that bring one to that plant. Fails, as the user's fault, where it cannot bear one, and
-// for a file that is none.
+// Returns the edits that add such a leaf to the active plant. Fails with a user error if that plant
+// cannot bear one or the file is invalid.
 Result<std::vector<scene::Edit>> organ_edits(scene::Scene const& scene,
                                              std::filesystem::path const& file);
 
-// What to say after that.
+// Message for the user after the edits were applied.
 std::string said_of_organ(scene::DocumentState const& after);
 
-// One alone, upright on the ground, its upper side towards who looks from the front. Fails, as the
-// user's fault, for a file that is none.
+// A plant that consists of one such leaf, upright on the ground, with its upper side towards a
+// viewer in front. Fails with a user error if the file is invalid.
 Result<Plant> plant_of_organ(std::filesystem::path const& file);
 
 } // namespace tractus::methods

@@ -7,8 +7,8 @@
 
 namespace tractus::methods {
 
-// What methods say of a model that is checked: whether they can make something of it. Lines, each
-// part with an empty one before it; the options are for what has to be grown to find out.
+// Describes which methods can use a checked model. Returns lines of text; an empty line precedes
+// each part. `options` apply where a model has to be grown to find out.
 std::string describe_uses(std::filesystem::path const& model, scene::LoadOptions const& options);
 
 } // namespace tractus::methods

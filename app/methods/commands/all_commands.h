@@ -4,8 +4,8 @@
 
 namespace tractus::methods {
 
-// The methods with all commands that they bring: what all_methods() is for editing, this is for the
-// command line. It stands apart, so that code that only edits need not be linked with them.
+// Adds the methods' subcommands for the command line to `methods`. Kept apart from all_methods(),
+// so that code that only edits need not be linked with the commands.
 tools::Methods with_commands(tools::Methods methods);
 
 } // namespace tractus::methods

@@ -24,13 +24,14 @@ static Report print_functions(Construction const& construction)
     return functions;
 }
 
-// The sizes at a boundary's azimuth at the places of print_functions().
+// Organ sizes along the boundary at each azimuth, at the positions used by print_functions().
 static Report print_boundaries(Construction const& construction)
 {
     constexpr int kPlaces = 21;
     Report list = Report::array();
     for (auto const& side : construction.around) {
-        auto along = construction; // With these sizes as those of the left.
+        // This copy has the boundary's sizes in place of those of the left side.
+        auto along = construction;
         for (std::size_t i = 0; i < along.nodes.size(); ++i)
             along.nodes[i].left_size = side.sizes[i];
         Report sizes;
@@ -41,7 +42,7 @@ static Report print_boundaries(Construction const& construction)
     return list;
 }
 
-// A stem's numbers.
+// Numbers of one stem.
 static Report print_stem(Construction const& construction)
 {
     Report lines = Report::array();

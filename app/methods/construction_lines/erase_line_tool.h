@@ -4,8 +4,8 @@
 
 namespace tractus::lines {
 
-// Takes construction lines of the active plant away that the stroke runs over, and lines of its
-// leaves.
+// Removes the construction lines of the active plant, and the lines of its leaves, that the stroke
+// crosses.
 struct EraseLineTool {
     static tools::ToolKind const kKind;
 

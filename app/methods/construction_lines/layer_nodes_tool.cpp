@@ -11,7 +11,7 @@ namespace tractus::lines {
 
 namespace {
 
-// In the order of What.
+// Names in the order of `What`.
 constexpr std::array<tools::OptionWord, 3> kWords { {
     { "touched", "Nodes of a layer" },
     { "more", "One node more", nullptr, true },

@@ -4,14 +4,15 @@
 
 namespace tractus::lines {
 
-// Sets how many nodes a layer of the active plant's sketch has.
+// Sets how many nodes a layer of the active plant's sketch has. A layer is the part of the stem
+// between two inclination lines.
 struct LayerNodesTool {
     static tools::ToolKind const kKind;
 
     enum class What {
-        Touched, // The layer beside which the stroke ends gets so many.
-        More,    // The topmost layer gets one more,
-        Fewer,   // or one fewer.
+        Touched, // Gives `nodes` nodes to the layer beside which the stroke ends.
+        More,    // Adds a node to the topmost layer.
+        Fewer,   // Removes a node from the topmost layer.
     };
     What what = What::Touched;
     double nodes = 8;

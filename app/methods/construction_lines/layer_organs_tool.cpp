@@ -13,7 +13,7 @@ namespace tractus::lines {
 
 namespace {
 
-// In the order of What.
+// Names in the order of `What`.
 constexpr std::array<tools::OptionWord, 4> kLayerWords { {
     { "layer_organ", "Layer's organ" },
     { "layer_pattern", "Layer's pattern" },
@@ -26,9 +26,9 @@ void visit(tools::OptionVisitor& visitor, LayerOrgansTool& tool)
     visitor.choice({ kLayerWords, tools::WordOption::Offered::InHand }, tool.what);
 }
 
-// The line whose layer was touched, and what it bears.
+// The inclination line that bounds the touched layer, and what the layer bears.
 struct TouchedLayer {
-    scene::ItemId line = 0; // 0: all layers, where there is only one, which no line bounds yet.
+    scene::ItemId line = 0; // 0: all layers, if no line bounds the only one yet.
     lines::Pattern pattern {};
     scene::ItemId organ = 0;
 };
@@ -43,7 +43,7 @@ Result<TouchedLayer> touched_layer(ActiveSketch const& active, Stroke const& str
                           line.organ.value_or(sketch.organ) };
 }
 
-// The next kind of organ behind this one; plain leaves come first.
+// The kind of organ after this one, in a ring that starts with plain leaves.
 Result<scene::ItemId> next_organ(lines::PenSketch const& sketch, scene::ItemId organ)
 {
     if (sketch.organs.empty())
@@ -54,7 +54,7 @@ Result<scene::ItemId> next_organ(lines::PenSketch const& sketch, scene::ItemId o
     return next < sketch.organs.size() ? sketch.organs[next].id : 0;
 }
 
-// The leaf of a sketch on one of whose lines a place on the sheet is; 0: there is none.
+// The leaf of the sketch that has a line at this place on the sheet, or 0 if there is none.
 scene::ItemId leaf_at(lines::PenSketch const& sketch, Vec2 const& place_mm)
 {
     for (auto const& organ : sketch.organs) {
@@ -67,7 +67,7 @@ scene::ItemId leaf_at(lines::PenSketch const& sketch, Vec2 const& place_mm)
     return 0;
 }
 
-// What the stroke begins on: a leaf, or a plant by its construction lines.
+// What the stroke begins on: a drawn leaf, or a plant touched at its construction lines.
 struct Dragged {
     scene::ItemId plant = 0;
     scene::ItemId organ = 0;

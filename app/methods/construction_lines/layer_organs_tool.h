@@ -4,16 +4,16 @@
 
 namespace tractus::lines {
 
-// Changes what the layer of a sketch bears beside which the stroke ends, so that leaves and flowers
-// may be on one stem.
+// Changes the organs of the layer beside which the stroke ends, so that one stem can bear both
+// leaves and flowers.
 struct LayerOrgansTool {
     static tools::ToolKind const kKind;
 
     enum class What {
-        Organ,   // What its organs are: the next of the plant's, or plain leaves.
-        Pattern, // How they stand: the next pattern.
-        Face,    // How they are turned.
-        Plant,   // The leaf, or plants like the one, on whose lines the stroke begins.
+        Organ,   // Switches to the plant's next kind of organ, or to plain leaves.
+        Pattern, // Switches to the next arrangement (phyllotaxis) of the organs.
+        Face,    // Changes how the organs are turned about their length.
+        Plant,   // Uses the leaf on whose lines the stroke begins, or copies of the plant there.
     };
     What what = What::Organ;
 };

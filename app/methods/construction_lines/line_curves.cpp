@@ -14,16 +14,17 @@ namespace {
 using lines::Construction;
 using lines::StemSide;
 
-constexpr double kLow = -0.9; // Height of the stem's base in the frame,
-constexpr double kHigh = 0.9; // and of its top.
+constexpr double kLow = -0.9; // Height of the stem's base in the gizmo's frame.
+constexpr double kHigh = 0.9; // Height of the stem's tip in the gizmo's frame.
 constexpr int kSamples = 60;
-constexpr double kLeastRange = 0.6; // Of sizes.
+constexpr double kLeastRange = 0.6; // Smallest range that a column of sizes spans.
 
-// Columns of the frame on the right side; on the left they are mirrored. Values go outwards.
+// A column of the gizmo's frame on its right side; the left side mirrors it. Values increase
+// outwards.
 struct Column {
     double from = 0;
     double to = 1;
-    double range = 1; // Greatest value; the least is 0.
+    double range = 1; // Greatest value of the column; the least is 0.
 
     double place(double value) const { return from + (to - from) * value / range; }
     double value(double place) const
@@ -32,8 +33,9 @@ struct Column {
     }
 };
 
-constexpr double kHeadingHalf = 0.13;    // StemSide as wide as the middle column,
-constexpr double kHeadingRange_deg = 90; // and what that stands for.
+// Half the width of the middle column, which shows the heading.
+constexpr double kHeadingHalf = 0.13;
+constexpr double kHeadingRange_deg = 90; // Heading shown at the edge of the middle column.
 constexpr Column kAngles { 0.56, 0.98, 150 };
 constexpr double kSizesFrom = 0.18;
 constexpr double kSizesTo = 0.52;
@@ -41,11 +43,12 @@ constexpr double kSizesTo = 0.52;
 enum class What { Angle, Size, Fewer, More, Heading, Internode };
 constexpr std::size_t kWhats = 6;
 
-// A handle's number says what it is.
+// A handle's meaning, encoded in its number.
 struct HandleName {
     What what = What::Angle;
     StemSide side = StemSide::Left;
-    std::size_t number = 0; // Of the line, the place, or the layer.
+    // Index of the line, the sampling place, or the layer, depending on `what`.
+    std::size_t number = 0;
 
     std::size_t id() const
     {
@@ -79,12 +82,12 @@ double size_of(lines::FunctionValues const& values, StemSide side)
     return side == StemSide::Left ? values.left_size : values.right_size;
 }
 
-// A sketch as the curves show it.
+// The active sketch, prepared for the curves.
 struct Shown {
     ActiveSketch active;
     Construction construction;
-    bool has_sizes = false;  // There is a boundary.
-    bool has_angles = false; // There are inclination lines.
+    bool has_sizes = false;  // True if the sketch has a boundary.
+    bool has_angles = false; // True if the sketch has inclination lines.
     Column sizes;
 
     double size_seen(double x, StemSide side) const
@@ -93,7 +96,8 @@ struct Shown {
     }
 };
 
-// In steps, so that the scale does not move under the pen that drags a size.
+// Range of the size column. It grows in steps, so that the scale stays still under the pen that
+// drags a size.
 double range_for(double largest)
 {
     double range = kLeastRange;
@@ -139,7 +143,7 @@ double heading_at(Shown const& shown, double x)
     return lines::values_at(shown.construction, x).heading_deg;
 }
 
-// Greater ones stay at the edge of the column.
+// Horizontal place of a heading; greater headings stay at the edge of the column.
 double place_of_heading(double heading_deg)
 {
     return std::clamp(-kHeadingHalf * heading_deg / kHeadingRange_deg, -kHeadingHalf, kHeadingHalf);
@@ -210,7 +214,7 @@ void add_handles(tools::Glyph& glyph, Shown const& shown, StemSide side)
     }
 }
 
-// Fewer on the left, more on the right.
+// Adds a layer's two buttons: fewer nodes on the left, more nodes on the right.
 void add_layer(tools::Glyph& glyph, lines::Layer const& layer, std::size_t number)
 {
     constexpr double kBeside = 0.09;
@@ -225,7 +229,7 @@ void add_layer(tools::Glyph& glyph, lines::Layer const& layer, std::size_t numbe
               .is_small = true });
 }
 
-// At the layer's second node, as far above its first as each is above the one below.
+// Adds the handle that sets a layer's internode length. It sits at the layer's second node.
 void add_internode(tools::Glyph& glyph, lines::Layer const& layer, std::size_t number)
 {
     constexpr double kBeside = 0.15;
@@ -287,7 +291,7 @@ Result<std::vector<scene::Edit>> with_other_count(ActiveSketch const& active, st
     return std::vector<scene::Edit> { lines::SetLayerNodes { active.plant, layer.line, nodes } };
 }
 
-// As many nodes as fit with the second one there.
+// Changes the layer's number of nodes to as many as fit if the second node is at `x`.
 Result<std::vector<scene::Edit>> with_internode(ActiveSketch const& active, std::size_t number,
                                                 double x)
 {
@@ -315,7 +319,7 @@ Result<std::vector<scene::Edit>> with_other_heading(Shown const& shown, std::siz
         std::clamp(heading_deg, -lines::kGreatestHeading_deg, lines::kGreatestHeading_deg) } };
 }
 
-// Whole degrees, and whole hundredths of the stem.
+// Dragged values are rounded to whole degrees and to hundredths of the stem's length.
 Result<std::vector<scene::Edit>> drag(scene::Scene const& scene, std::size_t handle, Vec2 const& to)
 {
     auto const shown = TRY(shown_of(scene));

@@ -4,11 +4,12 @@
 
 namespace tractus::lines {
 
-// The positional functions of the active plant's sketch as curves, the stem from below to above:
-// from left to right the inclination and the size of what grows on the left, the stem's direction,
-// the size and the inclination on the right, each outwards; in the middle the nodes. A handle on an
-// inclination is at each inclination line, one on a size there and half way between; the lines
-// follow them (bend_lines.h). Minus and plus beside a layer change how many nodes it has.
+// Gizmo that shows the positional functions of the active plant's sketch as curves along the stem,
+// its base at the bottom. Its columns are, from left to right: inclination and size of the left
+// organs, the stem's heading, size and inclination of the right organs; values increase outwards.
+// The nodes are in the middle. Inclinations have a handle at each inclination line; sizes have one
+// there and half-way between. The lines follow the handles (bend_lines.h). The minus and plus
+// beside a layer change its number of nodes.
 extern tools::DrawnGlyphKind const kLineCurves;
 
 } // namespace tractus::lines

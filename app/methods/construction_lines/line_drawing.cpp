@@ -17,7 +17,8 @@ namespace tractus::lines {
 
 namespace {
 
-// A line as a pen's stroke. One without two points is left for the sketch to be refused.
+// Smooths a line like a pen's stroke. A line with fewer than two distinct points stays as it is;
+// reading the sketch then refuses it.
 std::vector<Vec3> captured(std::vector<Vec3> const& tips)
 {
     auto const points = distinct_points(tips);
@@ -47,7 +48,7 @@ LineSketch captured(LineSketch sketch)
     return sketch;
 }
 
-// Another stem, on the one on which it begins, if it does.
+// Adds another stem; its parent is the stem on which it begins, if any.
 void add_stem(std::vector<StemLines>& stems, LineSketch sketch)
 {
     auto const parent
@@ -55,7 +56,7 @@ void add_stem(std::vector<StemLines>& stems, LineSketch sketch)
     stems.push_back({ .sketch = std::move(sketch), .parent = parent });
 }
 
-// Reads the strokes of a file.
+// Reads the strokes of a file and sorts them into stems and their lines.
 class StrokeReader {
 public:
     StrokeReader(LineSketchFile const& file, Smoothing smoothing)
@@ -83,10 +84,11 @@ public:
     }
 
 private:
-    // To which stem each stroke belongs, and which of them are in space.
+    // Finds the stem that each stroke belongs to, and which strokes have depth.
     Result<void> find_stems()
     {
-        std::vector<Vec3> stem_before; // With whose length the next strokes' depths are compared.
+        // The depths of the next strokes are compared with its length.
+        std::vector<Vec3> stem_before;
         nodes_of_stems_ = { file_.sketch.nodes_per_layer };
         for (std::size_t i = 0; i < file_.strokes.size(); ++i) {
             auto points = without_repeats(file_.strokes[i]);
@@ -121,7 +123,7 @@ private:
         drawing_.notes.push_back(fmt::format("stroke {} is left out: {}", stroke + 1, reason));
     }
 
-    // All strokes of a stem together.
+    // Interprets all strokes of a stem together.
     void explain(std::size_t stem)
     {
         std::vector<StrokeToExplain> strokes;
@@ -164,10 +166,11 @@ private:
                                              number + 1, first + 1, name_of(stroke.role)));
     }
 
-    // One for each layer: who draws strokes cannot know how many layers they make.
+    // Number of nodes for each layer. A sketch of strokes need not give one per layer, as its
+    // author cannot know how many layers they make.
     std::vector<int> nodes_for(LineSketch const& sketch, std::size_t stem)
     {
-        constexpr int kNodes = 8; // As a pen draws them.
+        constexpr int kNodes = 8; // Default of the line tool.
         auto const& given = nodes_of_stems_[stem];
         auto const layers = std::max<std::size_t>(2, sketch.inclinations.size()) - 1;
         if (given.empty())
@@ -200,7 +203,7 @@ private:
 
 namespace fs = std::filesystem;
 
-// Reads sketches that are organs of others.
+// Reads sketches that serve as organs of other sketches.
 class Composer {
 public:
     Composer(Smoothing smoothing, std::vector<std::string>& notes)
@@ -217,7 +220,8 @@ private:
 
     Smoothing smoothing_;
     std::vector<std::string>& notes_;
-    std::vector<fs::path> chain_ {}; // From the first sketch to the one that is read.
+    // Files being read, from the outermost sketch to the current one.
+    std::vector<fs::path> chain_ {};
 };
 
 Result<OrganSurface> surface_of(OrganSource const& organ, fs::path const& folder)

@@ -13,32 +13,34 @@
 
 namespace tractus::lines {
 
-// Whether lines are taken as they are, or as a pen's strokes (capture_line()).
+// Whether lines are taken as they are or smoothed like a pen's strokes (capture_line()).
 enum class Smoothing { None, Hand };
 
 // A sketch whose lines are ready to be measured.
 struct LineDrawing {
     std::vector<StemLines> stems;
-    std::vector<std::string> roles; // Of strokes that did not say what they are, in their order,
-    std::vector<std::size_t> stems_of_strokes; // and the number of the stem of each.
-    // Of each the first stroke of the line that both make, or in whose place it stands; no value:
-    // it makes a line by itself.
+    // Recognised roles of strokes that did not state one, in the strokes' order.
+    std::vector<std::string> roles;
+    // Number of each stroke's stem, in the strokes' order.
+    std::vector<std::size_t> stems_of_strokes;
+    // For each stroke the first stroke of the line that it continues or replaces; no value if it
+    // makes a line by itself.
     std::vector<std::optional<std::size_t>> lines_of_strokes;
-    // Strokes that are no line of the sketch, in order.
+    // Numbers of strokes that are no line of the sketch, ascending.
     std::vector<std::size_t> unplaced;
-    std::vector<std::string> notes; // Strokes that do not count, and why; a sentence each.
+    // One sentence for each stroke that is ignored, with the reason.
+    std::vector<std::string> notes;
 };
 
-// Strokes are explained together (explain_sketch.h), those of several stems stem by stem. Fails, as
-// the user's fault, where all strokes are only dots.
+// Prepares a file's sketch for measuring. Strokes are interpreted together (explain_sketch.h),
+// separately for each stem. Fails with a user error if all strokes are only dots.
 Result<LineDrawing> prepare_drawing(LineSketchFile const& file, Smoothing smoothing);
 
-// The sketch of a file with those that its organs are, whose files are read, too. `stems` are the
-// ones measured in it. What had to be guessed in the others is added to `notes`.
-//
-// Fails, as the user's fault, like load_line_sketch() and measure_stems(), and says of which file;
-// and for a sketch of several stems that has such organs, or is one, and where a sketch is an organ
-// of itself.
+// Combines a sketch with the sketches that serve as its organs, whose files are read as well.
+// `stems` are the measured stems of the first sketch. Guesses made in the other sketches are added
+// to `notes`. Fails with a user error like load_line_sketch() and measure_stems(), naming the file;
+// also if a sketch of several stems has such organs or serves as one, and if a sketch contains
+// itself.
 Result<ComposedSketch> load_composed(std::filesystem::path const& path, LineSketchFile const& file,
                                      std::vector<MeasuredStem> const& stems, Smoothing smoothing,
                                      std::vector<std::string>& notes);

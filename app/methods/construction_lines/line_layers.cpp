@@ -11,11 +11,11 @@ namespace {
 using Lines = std::vector<std::vector<Vec3f>>;
 using enum lines::Role;
 
-// Where a line is drawn again it is shown where it is now: the paper lies where the plant stands.
+// Places a line on the paper where the plant stands now, which may differ from where it was drawn.
 std::vector<Vec3f> shown(lines::SketchLine const& line, lines::SheetPlacement const& sheet,
                          scene::Paper const& paper)
 {
-    constexpr float kApart_mm = 0.5f; // Points that are nearer show nothing.
+    constexpr float kApart_mm = 0.5f; // Closer points add nothing visible.
     std::vector<Vec3f> points;
     auto const tips = line.stroke.tips.in_memory();
     if (!tips)
@@ -46,7 +46,7 @@ Lines to_be_drawn(scene::BuiltPlant const& plant)
     return result;
 }
 
-// Each line that `list` adds for the sketch of a plant on paper, where it is.
+// Lines of the sketch of a plant on paper. `list` calls its second argument for each line to show.
 template<typename List> Lines lines_on_paper(scene::BuiltPlant const& plant, List const& list)
 {
     Lines result;
@@ -72,7 +72,7 @@ Lines lines_where(scene::BuiltPlant const& plant, Condition const& is_shown)
     });
 }
 
-// Stems that follow each other are told apart by colour.
+// Two alternating colours tell consecutive stems apart.
 enum class Turn { First, Second };
 
 template<Turn turn, lines::Role... roles> Lines lines_of(scene::BuiltPlant const& plant)
@@ -87,7 +87,7 @@ Lines unsure_lines(scene::BuiltPlant const& plant)
     return lines_where(plant, [](lines::SketchLine const& line) { return line.role == Unsure; });
 }
 
-// The lines of leaves where they were drawn.
+// The lines of leaves, where they were drawn.
 Lines organ_lines(scene::BuiltPlant const& plant)
 {
     return lines_on_paper(plant, [](lines::PenSketch const& sketch, auto const& add) {

@@ -4,20 +4,21 @@
 
 namespace tractus::lines {
 
-// The construction lines of the active plant, where they stand before it: its stem,
+// Layers show the construction lines of the active plant where they stand in front of it. This one
+// shows the stem.
 extern tools::Layer const kStemLayer;
-// its boundaries,
+// Layer of the boundaries (the outlines that organs reach).
 extern tools::Layer const kBoundaryLayer;
-// its inclination lines, and halves of them,
+// Layer of the inclination lines and half inclination lines.
 extern tools::Layer const kInclinationLayer;
-// as much of every other stem, the second, the fourth and so on,
+// Layers of every second stem, in another colour: its stem line, boundaries and inclination lines.
 extern tools::Layer const kOtherStemLayer;
 extern tools::Layer const kOtherBoundaryLayer;
 extern tools::Layer const kOtherInclinationLayer;
-// those of which nobody knows what they are, and leaves that were drawn in three views,
+// Layer of the lines whose role is not known.
 extern tools::Layer const kUnsureLayer;
-extern tools::Layer const kOrganLayer; // Of leaves that were drawn in three views.
-// and where lines that it lacks might be (lines_to_draw.h).
+extern tools::Layer const kOrganLayer; // Layer of leaves drawn in three views.
+// Layer that suggests where missing lines could be drawn (lines_to_draw.h).
 extern tools::Layer const kLinesToDrawLayer;
 
 } // namespace tractus::lines

@@ -16,7 +16,7 @@ namespace tractus::lines {
 
 namespace {
 
-// In the order of What.
+// Names in the order of `What`.
 constexpr std::array<tools::OptionWord, 4> kOrganWords { {
     { "edge", "Leaf's edge" },
     { "midrib", "Its midrib" },
@@ -24,7 +24,7 @@ constexpr std::array<tools::OptionWord, 4> kOrganWords { {
     { "another_leaf", "Another leaf" },
 } };
 
-// In the order of lines::OrganColor.
+// Names in the order of lines::OrganColor.
 constexpr std::array<tools::OptionWord, 8> kColorWords { {
     { "green", "green" },
     { "white", "white" },
@@ -44,7 +44,7 @@ void visit(tools::OptionVisitor& visitor, LineOrganTool& tool)
         tool.color);
 }
 
-// The leaf with which one goes on: the newest. 0: there is none.
+// The leaf that new lines belong to: the newest one. 0 if there is none.
 scene::ItemId leaf_in_hand(lines::PenSketch const& sketch)
 {
     auto const found = std::find_if(sketch.organs.rbegin(), sketch.organs.rend(),
@@ -67,8 +67,8 @@ lines::OrganView organ_view(LineOrganTool::What what)
     return lines::OrganView::Side;
 }
 
-// The picture of a leaf with the line, from what lies behind it; the leaf's own where nothing does.
-// No value where it has one that stays as it is.
+// The picture (texture) of a leaf after the line was added, cut from the image behind it; the
+// leaf's own picture if no image lies there. No value if the picture does not change.
 Result<std::optional<std::string>> picture_with(SketchOrgan organ, SketchOrgan::Line line,
                                                 scene::Scene const& scene)
 {

@@ -5,15 +5,15 @@
 
 namespace tractus::lines {
 
-// A stroke is a line of a leaf of the active plant, which is drawn in three views (2008, section
-// 6): from above, from the side and from the front.
+// A stroke is a line of one of the active plant's leaves, which is drawn in three views: from
+// above, from the side and from the front (Anastacio, Prusinkiewicz, Sousa 2008, section 6).
 struct LineOrganTool {
     static tools::ToolKind const kKind;
 
     enum class What {
-        Edge,    // From above, from its base to its tip; the first begins a leaf.
-        Midrib,  // From the side.
-        Section, // From the front.
+        Edge,    // Half of the outline from above, from base to tip. The first edge begins a leaf.
+        Midrib,  // The midrib, seen from the side.
+        Section, // The cross section, seen from the front.
         Another, // An edge that begins another leaf.
     };
     What what = What::Edge;

@@ -7,25 +7,25 @@
 
 namespace tractus::lines {
 
-// Changes how the active plant's organs stand around its stem.
+// Changes how the active plant's organs are arranged around its stem.
 struct LinePatternTool {
     static tools::ToolKind const kKind;
 
     enum class What {
-        Next,  // They have the next pattern.
-        Sizes, // Sizes follow half-ellipses, or are linear again.
-        Face,  // They are turned about their length.
-        Rules, // The rules are the pattern's again, where somebody has written others.
+        Next,  // Switches to the next pattern (phyllotaxis).
+        Sizes, // Toggles how sizes change around the stem: along half-ellipses or linearly.
+        Face,  // Changes how organs are turned about their length.
+        Rules, // Restores the pattern's own L-system rules if they were edited.
     };
     What what = What::Next;
 };
 
-// Patterns that bear organs follow each other in a ring, and so do the ways to turn them: flat,
-// upper side up, and down.
+// The next choice in a ring: of the patterns that bear organs, and of the organs' orientations
+// (flat, upper side up, upper side down).
 Pattern next_pattern(Pattern pattern);
 Pattern next_face(Pattern pattern);
 
-// What the face of organs is, for people: "lie flat", "turn their upper side up".
+// Describes the orientation of organs for the user: "lie flat", "turn their upper side up".
 std::string said_of_face(Pattern const& pattern);
 
 } // namespace tractus::lines

@@ -12,7 +12,7 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr int kMostNodesShown = 60; // In a layer.
+constexpr int kMostNodesShown = 60; // In each layer.
 
 tools::SkeletonLine line_through(std::vector<Vec3> const& points_mm, double width_mm,
                                  scene::DeskPlacement const& from, scene::DeskPlacement const& to)
@@ -25,8 +25,8 @@ tools::SkeletonLine line_through(std::vector<Vec3> const& points_mm, double widt
     return line;
 }
 
-// What of an organ is shown, in its frame: the sides and the midrib of a drawn leaf, of others the
-// way from foot to tip.
+// Lines that represent an organ, in its own frame: both edges and the midrib of a drawn leaf; for
+// other organs a line from base to tip.
 std::vector<std::vector<Vec3>> lines_of(OrganShape const& shape)
 {
     if (shape.patches.size() != static_cast<std::size_t>(kAlong * kAcross))
@@ -73,7 +73,7 @@ std::vector<tools::SkeletonLine> skeleton_of(Plant const& plant, scene::DeskPlac
     return lines;
 }
 
-// Lines have none, and it takes time to look into one.
+// A preview has no pictures, and looking one up takes time.
 tools::Tool without_picture(tools::Tool const& tool)
 {
     auto const* const organ = tool.get<LineOrganTool>();

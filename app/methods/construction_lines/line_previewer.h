@@ -6,9 +6,9 @@
 
 namespace tractus::lines {
 
-// The plant that follows the line under way, of itself or of its leaves: its stem as a skeleton,
-// drawn leaves by their sides and midribs, and other organs as lines from their feet to their tips.
-// Of layers with more nodes than can be told apart some are left out.
+// Previews the plant as it will be after the line being drawn, whether that is a construction line
+// or a line of a leaf. It shows stems as a skeleton, drawn leaves by their edges and midribs, and
+// other organs as lines from base to tip. Of layers with very many nodes only some nodes are shown.
 std::unique_ptr<tools::StrokePreviewer> line_previewer();
 
 } // namespace tractus::lines

@@ -5,12 +5,12 @@
 
 namespace tractus::lines {
 
-// Says what the line under the stroke's end is.
+// Sets the role of the line at which the stroke ends.
 struct LineRoleTool {
     static tools::ToolKind const kKind;
 
     lines::Role role = lines::Role::Inclination;
-    bool turn_round = false; // Instead of a role the line gets the other direction.
+    bool turn_round = false; // True: the line is reversed and keeps its role.
 };
 
 } // namespace tractus::lines

@@ -24,9 +24,10 @@ constexpr std::array kStemKeys { "stem",       "left",         "right",
                                  "boundaries", "inclinations", "nodes_per_layer" };
 constexpr std::array kOtherKeys { "pattern", "divergence", "face",    "sizes",
                                   "organs",  "organ",      "strokes", "stems" };
-constexpr std::size_t kMostStrokes = 100; // And stems.
+constexpr std::size_t kMostStrokes = 100; // Also the limit for stems.
 
-// After the stem: one whose depth is another one than the stem's is in space.
+// Reads a boundary; the stem has to be read before. A boundary whose depth differs from the stem's
+// counts as a line in space.
 Result<std::vector<Vec2>> read_side(json const& file, char const* key, LineSketch& sketch)
 {
     if (!has_value(file, key))
@@ -93,7 +94,7 @@ Result<std::vector<int>> read_nodes(json const& numbers, std::string const& name
     return nodes;
 }
 
-// A stroke that begins another stem.
+// Reads a stroke that begins another stem.
 Result<void> read_stem_stroke(json const& stroke, LineSketchFile& result)
 {
     auto const name = fmt::format("stroke {}", result.strokes.size() + 1);
@@ -110,7 +111,7 @@ Result<void> read_stem_stroke(json const& stroke, LineSketchFile& result)
     return {};
 }
 
-// After the numbers of nodes.
+// Reads the strokes; the numbers of nodes have to be read before.
 Result<void> read_strokes(json const& file, LineSketchFile& result)
 {
     if (!has_value(file, "strokes"))
@@ -139,7 +140,7 @@ Result<void> read_strokes(json const& file, LineSketchFile& result)
     return {};
 }
 
-// After those of the first one, whose numbers of nodes are there where it says none.
+// Reads the further stems. Their numbers of nodes default to those of the first stem.
 Result<void> read_stems(json const& file, LineSketchFile& result)
 {
     if (!has_value(file, "stems"))
@@ -173,7 +174,7 @@ Result<void> read_stems(json const& file, LineSketchFile& result)
 Result<void> read_first_nodes(json const& file, LineSketch& sketch)
 {
     if (!has_value(file, "nodes_per_layer") && has_value(file, "strokes"))
-        return {}; // As many as a pen's lines have.
+        return {}; // Left empty: layers then get the line tool's default.
     if (!has_value(file, "nodes_per_layer"))
         return fail(Fault::User,
                     "nodes_per_layer is missing: give the number of nodes of each layer "
@@ -219,7 +220,7 @@ Result<LineSketchFile> read_sketch(json const& file, PictureReader const& pictur
                             .pattern = TRY(read_pattern(file)),
                             .unknown_keys = unknown_keys(file) };
     TRY(read_lines(file, result.sketch));
-    auto nodes = read_first_nodes(file, result.sketch); // What is wrong with strokes comes first.
+    auto nodes = read_first_nodes(file, result.sketch); // Errors in strokes are reported first.
     TRY(read_strokes(file, result));
     TRY(std::move(nodes));
     TRY(read_stems(file, result));
@@ -230,7 +231,7 @@ Result<LineSketchFile> read_sketch(json const& file, PictureReader const& pictur
     return result;
 }
 
-// "LINE:COLUMN" of a byte, both from 1.
+// Place of a byte as "LINE:COLUMN", both counted from 1.
 std::string place_of(std::string_view text, std::size_t byte)
 {
     auto const before = text.substr(0, byte > 0 ? byte - 1 : 0);
@@ -256,7 +257,7 @@ Result<json> parse_json(std::string_view text, std::string const& name)
     }
 }
 
-// A file's sketch with what is given besides it.
+// Combines a file's sketch with the values that were given besides it.
 Result<LineSketchFile> read_file_sketch(Result<json> file, std::string const& name,
                                         GivenBesides const& given)
 {

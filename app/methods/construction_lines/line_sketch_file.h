@@ -16,59 +16,56 @@
 
 namespace tractus::lines {
 
-// A sketch of construction lines, and the pattern in which organs stand.
+// A sketch of construction lines, and the arrangement of its organs.
 struct LineSketchFile {
     LineSketch sketch;
-    std::vector<LineSketch> more_stems {}; // Of the same plant, each with its own lines.
-    // In place of all of their lines: strokes in the order in which they were drawn
-    // (StemRecogniser).
+    // Further stems of the same plant, each with its own lines.
+    std::vector<LineSketch> more_stems {};
+    // Unsorted strokes in drawing order (StemRecogniser), in place of all the lines above.
     std::vector<std::vector<Vec3>> strokes;
-    // Which of the strokes begin another stem, by their numbers, and how many nodes the layers of
-    // that one have.
+    // Strokes that begin another stem, by index, and the numbers of nodes of that stem's layers.
     std::map<std::size_t, std::vector<int>> stem_strokes {};
     Pattern pattern;
-    std::vector<LayerOrgans> layers {};    // Of all stems: LineSketch::organs_per_layer.
-    std::vector<OrganSource> organs {};    // In the order of their numbers.
-    OrganSource organ {};                  // What its leaves look like; no patches: plain blades.
-    std::vector<std::string> unknown_keys; // What else the file says.
+    // Organs of the layers of all stems; see LineSketch::organs_per_layer.
+    std::vector<LayerOrgans> layers {};
+    std::vector<OrganSource> organs {}; // Kinds of organs; LayerOrgans refer to them by index.
+    OrganSource organ {}; // Shape of the leaves; without patches they are plain blades.
+    std::vector<std::string> unknown_keys; // Keys of the file that were not understood.
 };
 
-// Reads such a sketch from JSON, millimetres and degrees:
+// Reads such a sketch from JSON; lengths are in millimetres, angles in degrees:
 //
 //   pattern          "distichous", "decussate", "spiral", "alternate", or "whorled(N)", N 2 to 24
-//   divergence       of "spiral" and "alternate"; without it 137.5 and 180
+//   divergence       angle of "spiral" and "alternate"; default 137.5 and 180
 //   stem             [[u, v], …] or [[u, v, w], …]: right, up, and towards the viewer; base first
-//   sizes            how they change around the stem: "linear" or "half-ellipses"; without it
-//                    linear
-//   left, right      [[u, v], …]: the boundaries; one of them may be missing. With [u, v, w] of
-//                    which some w is by over a twentieth of the stem's length not that of the
-//                    stem's base, one of
+//   sizes            how sizes change around the stem: "linear" (default) or "half-ellipses"
+//   left, right      [[u, v], …]: the boundaries; one of them may be missing. A line [[u, v, w], …]
+//                    some w of which differs from that of the stem's base by more than a
+//                    twentieth of the stem's length counts as one of "boundaries"
 //   boundaries       [[[u, v, w], …], …]: more of them, each in space at its azimuth around the
 //                    stem
-//   inclinations     [[[u, v], …], …]; may be missing
+//   inclinations     [[[u, v], …], …]; optional
 //   strokes          [[[u, v], …], …]: all of these lines, the stem first, without saying which is
-//                    which. One that begins another stem is an object {"stem": [[u, v], …]}
+//                    which. A stroke that begins another stem is an object {"stem": [[u, v], …]}
 //   nodes_per_layer  [N, …]: one number for each layer between neighbouring inclination lines
-//   stems            [{…}, …]: more stems of the plant, each an object of stem, left, right,
-//                    boundaries, inclinations and nodes_per_layer, of which only the stem has to be
-//                    there
-//   face             how organs are turned about their length: "flat", "up" or "down"; without it
-//                    distichous ones are flat and others up
-//   organs           ["leaf.json", null, {…}, …] or "leaf.json": what the organs of each layer are,
-//                    from below: plants of another sketch, the file's name from where this one is,
-//                    leaves, or what "organ" may be; or an object of "pattern", "divergence",
-//                    "face" and "organ", each of which may be missing. What is said last counts for
-//                    all layers above, too
+//   stems            [{…}, …]: more stems of the plant, each an object with the keys stem, left,
+//                    right, boundaries, inclinations and nodes_per_layer; only stem is required
+//   face             how organs are turned about their length: "flat", "up" or "down"; by default
+//                    distichous organs are flat and others up
+//   organs           ["leaf.json", null, {…}, …] or "leaf.json": the organs of each layer, from
+//                    below. Each is the file of another sketch, relative to this one, whose plant
+//                    is the organ; a leaf, given as in "organ"; or an object with the optional keys
+//                    "pattern", "divergence", "face" and "organ". The last entry also applies to
+//                    all layers above
 //   organ            {"left": [[u, v], …], "right": …, "midrib": …, "section": …, "color": …,
-//                    "texture": …}: the shape of the leaves in three views (organ_surface.h), of
-//                    which one side, the midrib and the section may be missing, their colour,
-//                    "#rrggbb", and in its place a picture, "petal.png", a PNG file from where
-//                    this one is; or "heart.organ", the name of a file that says the same
-//                    (organ_file.h), from where this one is; or "heart", one of ours
+//                    "texture": …}: the shape of the leaves in three views (organ_surface.h). One
+//                    side, the midrib and the section may be missing. "color" is "#rrggbb";
+//                    "texture" is a PNG file, relative to this one, and replaces it. Or
+//                    "heart.organ": a file with the same content (organ_file.h), relative to this
+//                    one. Or "heart": a built-in leaf
 //
-// What is given besides a file counts in place of what the file says.
-//
-// Fails, as the user's fault, with file, place and what to write.
+// Values in `given` override those in the file. Fails with a user error that names the file, the
+// place and what to write.
 struct GivenBesides {
     std::string pattern;
     std::string sizes {};
@@ -78,7 +75,8 @@ struct GivenBesides {
 Result<LineSketchFile> parse_line_sketch(std::string_view text, std::string const& name,
                                          GivenBesides const& given = {});
 
-// The same from a file of at most 2 MiB, which may also be an SVG drawing (.svg; svg_sketch.h).
+// Reads a sketch from a file of at most 2 MiB: JSON as for parse_line_sketch(), or an SVG drawing
+// (.svg; svg_sketch.h).
 Result<LineSketchFile> load_line_sketch(std::filesystem::path const& path,
                                         GivenBesides const& given = {});
 

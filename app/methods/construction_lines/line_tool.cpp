@@ -13,13 +13,13 @@ namespace tractus::lines {
 
 namespace {
 
-// In the order of LineTool::Plant.
+// Names in the order of LineTool::Plant.
 constexpr std::array<tools::OptionWord, 3> kPlantWords { {
     { "go_on", "Line" },
     { "another_stem", "Another stem" },
     { "new_stem", "Another plant" },
 } };
-// In the order of Pattern::Kind.
+// Names in the order of Pattern::Kind.
 constexpr std::array<tools::OptionWord, 5> kPatternWords { {
     { "distichous", "Two rows" },
     { "decussate", "Crossed pairs" },
@@ -28,14 +28,15 @@ constexpr std::array<tools::OptionWord, 5> kPatternWords { {
     { "whorled", "Whorls" },
 } };
 
-// In the order of lines::DepthBy. Logs of before boundaries had a depth do not say it.
+// Names in the order of lines::DepthBy. Logs from before boundaries had depth lack this option.
 constexpr std::array<tools::OptionWord, 3> kDepthWords { {
     { "stems_height", "height, stem" },
     { "height", "height" },
     { "pressure", "pressure, stem" },
 } };
 
-// In the order of lines::Reading. Logs of before lines were read together do not say it.
+// Names in the order of lines::Reading. Logs from before lines were interpreted together lack this
+// option.
 constexpr std::array<tools::OptionWord, 2> kReadingWords { {
     { "one_by_one", "one by one" },
     { "together", "together" },

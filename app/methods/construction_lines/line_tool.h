@@ -5,30 +5,32 @@
 
 namespace tractus::lines {
 
-// A stroke is a line of a sketch: the stem first, then what lies to it as boundaries and
-// inclination lines do (Anastacio, Prusinkiewicz, Sousa 2008). The plant follows each of them.
+// A stroke is a line of a sketch: first the stem, then boundaries and inclination lines, recognised
+// by how they lie relative to the stem (Anastacio, Prusinkiewicz, Sousa 2008). The plant follows
+// each line.
 struct LineTool {
     static tools::ToolKind const kKind;
 
     enum class Plant {
-        GoOn,        // With the active plant if that is a sketch, else with another one.
-        AnotherStem, // Likewise; it is another stem of that plant.
-        NewStem,     // Always with another one.
+        GoOn, // Continues the active plant if that is a sketch, otherwise begins a new plant.
+        // Adds another stem to the active plant if that is a sketch, otherwise begins a new plant.
+        AnotherStem,
+        NewStem, // Always begins a new plant.
     };
     Plant plant = Plant::GoOn;
     lines::DepthBy depth_by = lines::DepthBy::Height;
     lines::Reading reading = lines::Reading::Together;
-    double nodes = 8; // In the layer above the line.
-    // Of a plant that begins.
+    double nodes = 8; // Nodes in the layer above the line.
+    // Phyllotaxis of a new plant.
     lines::Pattern::Kind pattern = lines::Pattern::Kind::Distichous;
-    double divergence_deg = 137.5; // Of a spiral.
-    double organs = 3;             // Of a whorl.
+    double divergence_deg = 137.5; // Divergence angle of a spiral.
+    double organs = 3;             // Organs of each whorl.
 };
 
-// What a stroke with the tool means: the tips drawn so far, in a document as it is built.
+// Interprets an unfinished or finished stroke of the tool as an edit.
 lines::AddLine line_drawn(LineTool const& tool, Stroke const& stroke, scene::Scene const& scene);
 
-// For the person who has drawn with the tool; empty where the active plant is no sketch.
+// Message for the user after a stroke of the tool; empty if the active plant is not a sketch.
 std::string said_of_sketch(tools::Tool const& tool, scene::Scene const& after);
 
 } // namespace tractus::lines

@@ -9,23 +9,23 @@
 
 namespace tractus::lines {
 
-// How files of leaves in three views end.
+// File extension of leaves in three views.
 constexpr char const* kOrganEnding = ".organ";
 
-// Leaves in three views that come with the program, in alphabetical order.
+// Names of the built-in leaves in three views, in alphabetical order.
 std::vector<std::string> organ_names();
 
-// The file of one of ours. Fails, as the user's fault, listing them.
+// The file of a built-in leaf. Fails with a user error that lists the built-in leaves.
 Result<std::filesystem::path> own_organ_path(std::string const& name);
 
-// Fails, as the user's fault, for a file beyond 1 MiB, and like parse_organ().
+// Loads a leaf's file. Fails with a user error if the file exceeds 1 MiB, and like parse_organ().
 Result<OrganFile> load_organ(std::filesystem::path const& path);
 
-// Whether a name in a sketch's file is that of a leaf: of a file from where that one is, or of one
-// of ours where there is no such file. Others are sketches.
+// True if a name in a sketch's file refers to a leaf: to a .organ file relative to the sketch, or
+// to a built-in leaf if no such file exists. Any other name refers to another sketch.
 bool names_organ(std::string const& name, std::filesystem::path const& folder_of_sketch);
 
-// That leaf. Fails like the others.
+// Loads the leaf that such a name refers to. Fails like own_organ_path() and load_organ().
 Result<OrganFile> load_named_organ(std::string const& name,
                                    std::filesystem::path const& folder_of_sketch);
 

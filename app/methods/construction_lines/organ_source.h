@@ -6,10 +6,10 @@
 
 namespace tractus::lines {
 
-// What stands in the leaves' place, as a sketch's file says it: another file, or a surface.
+// What a sketch uses as its leaves, as its file states it: another file, or a surface.
 struct OrganSource {
-    // The name of a file, from where the sketch's is: another sketch's, or that of a leaf in three
-    // views (.organ); or the name of one of our leaves. Empty: a surface.
+    // Another sketch or a leaf in three views (.organ), as a path relative to the sketch, or the
+    // name of a built-in leaf. Empty: use `surface`.
     std::string file {};
     OrganSurface surface {};
 };

@@ -25,7 +25,7 @@ namespace {
 constexpr std::array kViewKeys { "left", "right", "midrib", "section" };
 constexpr std::array kLayerKeys { "pattern", "divergence", "face", "organ" };
 
-// "whorled(N)" or "whorled", of three.
+// Parses "whorled(N)"; "whorled" alone means three.
 std::optional<int> whorl_of(std::string_view word)
 {
     constexpr std::string_view kWhorled = "whorled";
@@ -49,7 +49,7 @@ Result<Pattern> read_pattern_word(json const& file)
     constexpr std::string_view kWhatToGive = "give \"distichous\", \"decussate\", \"spiral\", "
                                              "\"alternate\", or \"whorled(N)\" with N from 2 to 24";
     if (!has_value(file, "pattern") && has_value(file, "strokes"))
-        return Pattern { .kind = Pattern::Kind::Distichous }; // As a pen's lines begin.
+        return Pattern { .kind = Pattern::Kind::Distichous }; // The line tool's default.
     if (!has_value(file, "pattern") || !file["pattern"].is_string())
         return fail(Fault::User, fmt::format("pattern is missing: {}", kWhatToGive));
     auto const& word = file["pattern"].get_ref<std::string const&>();
@@ -89,7 +89,8 @@ Result<Pattern::Face> read_face(json const& face)
     return static_cast<Pattern::Face>(1 + (found - kFaces.begin()));
 }
 
-// After its kind. Those that have no divergence pass over it.
+// Reads the angles of a pattern, whose kind has been read already. Kinds without a divergence
+// ignore it.
 Result<void> read_turns(json const& object, Pattern& pattern)
 {
     if (has_value(object, "face"))
@@ -124,7 +125,8 @@ Result<void> check_keys(json const& object, Keys const& known, std::string_view 
     return {};
 }
 
-// A file that lies beside the sketch, checked: a model that has it is read without it, too.
+// Reads and checks an image file beside the sketch. Its content is kept, so that the model does not
+// depend on the file.
 Result<std::shared_ptr<std::string const>> read_texture(json const& value,
                                                         PictureReader const& pictures)
 {
@@ -167,7 +169,7 @@ Result<OrganSurface> read_surface(json const& organ, PictureReader const& pictur
     return surface;
 }
 
-// An organ of a layer: null, a file, or views.
+// Reads an organ of a layer: null, a file, or views.
 Result<void> read_layer_organ(json const& organ, LayerOrgans& layer,
                               std::vector<OrganSource>& organs, PictureReader const& pictures)
 {

@@ -12,27 +12,27 @@
 
 namespace tractus::lines {
 
-// What a sketch's file, an object, says of its organs by the keys of line_sketch_file.h: how they
-// stand and what they are. Each fails, as the user's fault, with the key and what to write.
+// Readers of the organ-related keys of a sketch's JSON object (line_sketch_file.h): arrangement and
+// shape. Each fails with a user error that contains the key and what to write.
 
-// From "pattern", "divergence", "face" and "sizes", of which the first has to be there.
+// Reads "pattern" (required), "divergence", "face" and "sizes".
 Result<Pattern> read_pattern(nlohmann::json const& file);
 
-// What layers bear.
+// Organs of all layers.
 struct LayersRead {
-    std::vector<LayerOrgans> layers {}; // As LineSketch::organs_per_layer has them.
-    std::vector<OrganSource> organs {}; // In the order of their numbers.
+    std::vector<LayerOrgans> layers {}; // One entry per layer; see LineSketch::organs_per_layer.
+    std::vector<OrganSource> organs {}; // Kinds of organs; LayerOrgans refer to them by index.
 };
 
-// Gives the file of a picture by the name that the sketch says, "texture" of views.
+// Loads an image file by the name that "texture" gives.
 using PictureReader = std::function<Result<std::string>(std::string const& name)>;
 
-// From "organs", of a sketch with this pattern; nothing if it says nothing.
+// Reads "organs" of a sketch with this pattern; empty if the key is missing.
 Result<LayersRead> read_organs(nlohmann::json const& file, Pattern const& pattern,
                                PictureReader const& pictures);
 
-// From "organ"; neither file nor patches if it says nothing. Fails for views that give no surface,
-// too, and for what is no picture.
+// Reads "organ"; has neither file nor patches if the key is missing. Also fails if the views give
+// no surface or the texture is not an image.
 Result<OrganSource> read_organ(nlohmann::json const& file, PictureReader const& pictures);
 
 } // namespace tractus::lines

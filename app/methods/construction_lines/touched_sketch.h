@@ -10,13 +10,13 @@ namespace tractus::lines {
 struct ActiveSketch {
     scene::ItemId plant = 0;
     lines::PenSketch sketch;
-    lines::SheetPlacement sheet; // Where its sheet is on the tablet.
+    lines::SheetPlacement sheet; // Placement of its sheet on the tablet.
 };
 
-// Fails, as the user's fault, where the active plant is not drawn with construction lines.
+// Fails with a user error if the active plant is not drawn with construction lines.
 Result<ActiveSketch> active_sketch(scene::Scene const& scene);
 
-// Where a stroke has ended on the sheet.
+// Place on the sheet where a stroke ended.
 Vec2 touched_mm(ActiveSketch const& active, Stroke const& stroke);
 
 } // namespace tractus::lines

@@ -16,9 +16,9 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr int kNarrowest = 32; // Pixels.
+constexpr int kNarrowest = 32; // Width in pixels.
 
-// Where on the tablet the points of a leaf are, seen from above.
+// Maps the surface of a leaf, seen from above, to the tablet.
 class LeafOnTablet {
 public:
     static Result<LeafOnTablet> create(SketchOrgan const& organ, SheetPlacement const& sheet)
@@ -32,7 +32,8 @@ public:
         return leaf;
     }
 
-    // s from base to tip, t from left to right, both from 0 to 1.
+    // Place of a surface point: `s` runs from base to tip, `t` from left to right, both from 0 to
+    // 1.
     Vec2 at(double s, double t) const
     {
         auto const piece = [](double share, int count) {
@@ -46,7 +47,7 @@ public:
         return sheet_.on_tablet(base_ + place.x() * right + place.y() * along_);
     }
 
-    // The greatest breadth by the length.
+    // Greatest width divided by the length.
     double slenderness() const
     {
         double breadth = 0;
@@ -69,7 +70,7 @@ private:
     Vec2 along_ = Vec2::UnitY();
 };
 
-// The picture as it lies on the tablet.
+// The image as it lies on the tablet.
 class LaidImage {
 public:
     LaidImage(render::Image image, scene::PicturePlace const& place)
@@ -79,7 +80,7 @@ public:
     {
     }
 
-    // In pixels, from the upper left corner.
+    // Position in pixels from the upper left corner.
     Vec2 pixel_of(Vec2 const& tablet_mm) const
     {
         double const turn_rad = radians(place_.turn_deg);
@@ -110,7 +111,7 @@ private:
     double pixels_per_mm_;
 };
 
-// The mean of colours, each by how much it is there.
+// Mean of colours, weighted by their alpha.
 class ColorMean {
 public:
     void add(render::Color const& color)
@@ -136,10 +137,10 @@ private:
     int count_ = 0;
 };
 
-// How many samples a side a pixel of the leaf needs so that little of the picture is passed over.
+// Samples per pixel of the leaf, along each side, needed to skip little of the image.
 int samples_a_side(LeafOnTablet const& leaf, LaidImage const& image)
 {
-    constexpr double kMost = 4; // A fine picture is taken as even between them.
+    constexpr double kMost = 4; // Limit; a finer image is assumed to be even between the samples.
     Vec2 const way = image.pixel_of(leaf.at(1, 0.5)) - image.pixel_of(leaf.at(0, 0.5));
     return static_cast<int>(std::clamp(std::ceil(way.norm() / kLeafPictureLength), 1.0, kMost));
 }

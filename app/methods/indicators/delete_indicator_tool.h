@@ -4,7 +4,7 @@
 
 namespace tractus::indicators {
 
-// The indicator where the stroke begins goes.
+// Deletes the motion indicator on which the stroke begins.
 struct DeleteIndicatorTool {
     static tools::ToolKind const kKind;
 };

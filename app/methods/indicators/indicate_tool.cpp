@@ -10,14 +10,14 @@ namespace tractus::indicators {
 
 namespace {
 
-// Words in the order of Reach.
+// Names in the order of Reach.
 constexpr std::array<tools::OptionWord, 3> kReachWords { {
     { "everywhere", "Everywhere" },
     { "below", "Selected and above" },
     { "near", "Near it" },
 } };
 
-// Words in the order of MotionIndicator::Kind.
+// Names in the order of MotionIndicator::Kind.
 constexpr std::array<tools::OptionWord, 2> kIndicatorWords { {
     { "push", "Wind" },
     { "light", "Light" },
@@ -29,7 +29,7 @@ void visit(tools::OptionVisitor& visitor, IndicateTool& tool)
     visitor.choice({ kIndicatorWords }, tool.indicator);
 }
 
-// An indicator that falls off reaches as far as it is long, and a little more if it is short.
+// Reach of an indicator whose effect falls off: its length, but at least kLeast_mm.
 double reach_of_mm(variation::MotionIndicator const& indicator)
 {
     constexpr double kLeast_mm = 20;

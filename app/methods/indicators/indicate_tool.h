@@ -5,14 +5,14 @@
 
 namespace tractus::indicators {
 
-// The stroke's two ends are a motion indicator.
+// Makes a motion indicator (an arrow that bends branches) from the stroke's start to its end.
 struct IndicateTool {
     static tools::ToolKind const kKind;
 
     enum class Reach {
         Everywhere,
-        Below, // The selected branches and what they bear.
-        Near,  // Falling off around the stroke.
+        Below, // Affects the selected branches and everything they bear.
+        Near,  // Affects branches near the stroke, falling off with distance.
     };
     Reach reach = Reach::Everywhere;
     variation::MotionIndicator::Kind indicator = variation::MotionIndicator::Kind::Push;

@@ -12,7 +12,7 @@ static Result<std::vector<scene::Edit>> move_indicator(tools::Tool const&, Strok
     auto const touched = TRY(touched_indicator(stroke, scene));
     auto const& [id, indicator, at] = scene.indicators[touched.number];
     auto moved = indicator;
-    moved.below.clear(); // It stays where it is.
+    moved.below.clear(); // A moved indicator no longer follows the selected branches.
     moved.start_mm += touched.way.end_mm - touched.way.start_mm;
     moved.end_mm += touched.way.end_mm - touched.way.start_mm;
     return std::vector<scene::Edit> { scene::ChangeIndicator { .which = id, .indicator = moved } };

@@ -4,7 +4,7 @@
 
 namespace tractus::indicators {
 
-// The indicator where the stroke begins goes along with it.
+// Moves the motion indicator on which the stroke begins along with the stroke.
 struct MoveIndicatorTool {
     static tools::ToolKind const kKind;
 };

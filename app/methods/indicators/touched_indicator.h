@@ -9,13 +9,13 @@
 
 namespace tractus::indicators {
 
-// The indicator that passes near the place where a stroke begins.
+// The motion indicator that passes near the start of a stroke.
 struct TouchedIndicator {
-    std::size_t number = 0;         // Number of the scene's indicator.
-    variation::MotionIndicator way; // Way from where the stroke begins to where it ends.
+    std::size_t number = 0;         // Index in the scene's indicators.
+    variation::MotionIndicator way; // From the start of the stroke to its end.
 };
 
-// Fails, as the user's fault, if there is none.
+// Fails with a user error if no indicator is near.
 Result<TouchedIndicator> touched_indicator(Stroke const& stroke, scene::Scene const& scene);
 
 } // namespace tractus::indicators

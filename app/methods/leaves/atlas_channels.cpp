@@ -33,14 +33,15 @@ std::vector<AtlasChannels> const& table()
             kUnderColorMap,
             kUnderNormalMap },
           true },
-        // One picture for what a foliage material multiplies: occlusion, roughness, subsurface.
+        // Unreal: one map holds the factors of a foliage material: occlusion, roughness,
+        // subsurface.
         { "unreal",
           { kColorMap,
             kNormalDownMap,
             { "ort", PageKind::Plain, { Occlusion, Roughness, Translucency } },
             kUnderColorMap,
             kUnderNormalDownMap } },
-        // A mask map: metal, occlusion, detail, smoothness; and a thickness map.
+        // Unity: a mask map (metallic, occlusion, detail, smoothness) and a thickness map.
         { "unity",
           { kColorMap,
             kNormalMap,

@@ -11,26 +11,26 @@
 
 namespace tractus::leaf {
 
-// Contents of one channel of a map, 0 to 1 unless it says otherwise.
+// Content of one channel of a map, 0 to 1 unless noted otherwise.
 enum class AtlasChannel : std::uint8_t {
     Zero,
-    Red, // sRGB.
+    Red, // Red, green and blue are sRGB.
     Green,
     Blue,
     Alpha,
-    NormalX, // -1 to 1.
+    NormalX, // Normals are in -1 to 1.
     NormalUp,
-    NormalDown, // NormalUp turned round, as DirectX takes it.
+    NormalDown, // -NormalUp, as DirectX expects it.
     NormalZ,
-    Occlusion, // 1: nothing keeps light away.
+    Occlusion, // 1: fully lit, nothing occludes.
     Roughness,
     Smoothness, // 1 - roughness.
     Translucency,
     Thickness, // 1 - translucency.
-    BackRed,   // Colour times translucency: light from behind.
+    BackRed,   // Colour times translucency: light that comes through from behind.
     BackGreen,
     BackBlue,
-    UnderRed, // Red of the underside.
+    UnderRed, // Channels named Under… belong to the underside.
     UnderGreen,
     UnderBlue,
     UnderX,
@@ -40,23 +40,24 @@ enum class AtlasChannel : std::uint8_t {
 };
 
 struct AtlasMap {
-    std::string name; // NAME in the file's: page-0-NAME.png.
+    std::string name; // Becomes part of the file name: page-0-NAME.png.
     leaf::PageKind kind = leaf::PageKind::Plain;
     std::vector<AtlasChannel> channels {};
 };
 
-// Maps that an engine takes, and what it wants in which channel.
+// The maps that a game engine expects, and the content of their channels.
 struct AtlasChannels {
     std::string engine;
     std::vector<AtlasMap> maps;
-    // Whether color, normal and orm are what glTF's materials take, so that a .glb may have them.
+    // True if the maps color, normal and orm suit glTF's materials, so that a .glb may contain
+    // them.
     bool is_gltf = false;
 };
 
-// glTF's first: gltf, unreal, unity, godot.
+// The supported engines: gltf, unreal, unity, godot, in this order.
 std::span<AtlasChannels const> atlas_channels();
 
-// Puts a leaf's picture into a cell of a page that has the map's channels.
+// Draws a leaf's picture into a cell of a page, with the map's channels.
 void place_in_cell(AtlasMap const& map, leaf::LeafPicture const& picture, leaf::CellPage& page,
                    std::size_t cell);
 

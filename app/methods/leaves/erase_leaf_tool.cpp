@@ -25,7 +25,8 @@ leaf::FlatLine flat(std::vector<Vec3> const& line)
     return made;
 }
 
-// All of them but one: the leaf itself goes with RemovePlant.
+// Erases the lines under the eraser. The leaf's last line cannot be erased; RemovePlant removes the
+// whole leaf.
 Result<std::vector<scene::Edit>> erase(tools::Tool const&, Stroke const& stroke,
                                        scene::Scene const& scene)
 {

@@ -4,7 +4,7 @@
 
 namespace tractus::leaf {
 
-// Takes lines of the active leaf's drawing away that the stroke runs over.
+// Removes the lines of the active leaf's drawing that the stroke crosses.
 struct EraseLeafTool {
     static tools::ToolKind const kKind;
 

@@ -23,11 +23,11 @@ struct AtlasLeaf {
     std::string name;
     std::uint64_t seed = 0;
     double age = 0;
-    double pixel_mm = 0; // How long a pixel is.
+    double pixel_mm = 0; // Length of a pixel on the leaf.
     leaf::Cutout cutout;
 };
 
-// A page's maps, by the channels' list.
+// The maps of a page, in the order of the channels' list.
 using PageMaps = std::vector<leaf::CellPage>;
 
 double gutter(int cell)
@@ -35,7 +35,7 @@ double gutter(int cell)
     return std::max(8.0, cell / 32.0);
 }
 
-// Evenly spread however many there are: parts of the golden section.
+// Age of a leaf. Multiples of the golden ratio, modulo 1, spread any number of leaves evenly.
 double age_of(AtlasOptions const& options, std::size_t number)
 {
     constexpr double kGolden = 0.6180339887498949;
@@ -108,7 +108,7 @@ private:
         return maps;
     }
 
-    // A leaf of a page into its cell.
+    // Paints a leaf of a page into its cell.
     Result<AtlasLeaf> paint_into(PageMaps& maps, std::size_t cell, std::size_t number,
                                  leaf::LeafPainter& painter) const
     {
@@ -134,7 +134,7 @@ private:
                            .cutout = leaf::cut_out(picture.alpha, paint.side) };
     }
 
-    // Pages are painted by as many painters as there are threads, and one more.
+    // Paints a page on all threads, with one painter more than there are threads.
     Result<std::vector<AtlasLeaf>> paint_page(PageMaps& maps, std::size_t first,
                                               std::size_t count) const
     {
@@ -195,7 +195,7 @@ private:
                       { "cells", cells_json(leaves) } };
     }
 
-    // Fills pixels that no leaf lies on like their neighbours, without alpha.
+    // Fills the unused cells of each map with the value of its first pixel, where there is no leaf.
     void fill_unused(PageMaps& maps, std::size_t count) const
     {
         auto const columns = static_cast<std::size_t>(options_.page / options_.cell);
@@ -215,7 +215,7 @@ private:
         }
     }
 
-    // The .png files of each map, the whole one first.
+    // Encodes the .png files of each map, the full-size one first.
     std::vector<std::vector<std::string>> pack(PageMaps& maps) const
     {
         std::vector<std::vector<std::string>> files(maps.size());
@@ -228,7 +228,7 @@ private:
 
     std::vector<std::string> pack_map(leaf::CellPage page, leaf::PageKind kind) const
     {
-        constexpr int kLeastCell = 4; // Pixels: in less there is no leaf.
+        constexpr int kLeastCell = 4; // Pixels; below that no leaf is visible.
         bool const has_alpha = kind == leaf::PageKind::Color && page.channels == 4;
         std::vector<double> wanted;
         if (has_alpha && options_.mips == AtlasOptions::Mips::Files)
@@ -258,7 +258,7 @@ private:
         auto const columns = static_cast<std::size_t>(options_.page / options_.cell);
         return double(options_.cell) * Vec2(double(cell % columns), double(cell / columns));
     }
-    // Place of the stalk's end, in a cell.
+    // Position of the petiole's end within a cell.
     Vec2 stem() const { return { 0.5 * options_.cell, options_.cell - gutter(options_.cell) }; }
 
     Json cells_json(std::vector<AtlasLeaf> const& leaves) const
@@ -281,8 +281,8 @@ private:
         return cells;
     }
 
-    // Places in metres from the stalk's end, x to the right, y towards the tip; texture coordinates
-    // as glTF has them, from the page's upper left.
+    // The mesh of a leaf as JSON. Positions are in metres from the petiole's end, x to the right, y
+    // towards the tip; texture coordinates follow glTF (origin at the page's upper left corner).
     Json mesh_json(AtlasLeaf const& leaf, Vec2 const& at) const
     {
         Json positions = Json::array();
@@ -340,7 +340,8 @@ private:
         return material;
     }
 
-    // Side by side, as on the page, so that a program that opens the file shows them all.
+    // Writes the leaves side by side, as on the page, so that any viewer of the file shows them
+    // all.
     Result<void> write_glb_file(std::vector<AtlasLeaf> const& leaves,
                                 std::vector<std::vector<std::string>> const& files,
                                 std::size_t number, fs::path const& path) const

@@ -12,8 +12,8 @@
 
 namespace tractus::leaf {
 
-// Damage to each leaf of an atlas, as tractus leaves paint has it: numbers of larvae and mines,
-// shares of 0 to 1 for the rest.
+// Damage of each leaf of an atlas, as in `tractus leaves paint`: counts for larvae and mines,
+// shares from 0 to 1 for the rest.
 struct AtlasDamage {
     int larvae = 0;
     double spots = 0;
@@ -24,11 +24,13 @@ struct AtlasDamage {
 };
 
 struct AtlasOptions {
-    std::vector<std::string> leaves {}; // Grammars, as load_leaf_grammar() takes them.
-    int count = 16;                     // Number of each.
-    int cell = 512;                     // A leaf's square in pixels, and a page's: powers of two.
+    std::vector<std::string> leaves {}; // Grammars, as load_leaf_grammar() accepts them.
+    int count = 16;                     // Leaves of each kind.
+    // Side of a leaf's square cell in pixels; a power of two, as is the side of a page.
+    int cell = 512;
     int page = 2048;
-    // Ages, 0 to 1, lie evenly between the two; a leaf's does not depend on how many there are.
+    // Ages, 0 to 1, spread evenly between the two. A leaf's age does not depend on how many leaves
+    // there are.
     double age_from = 0.5;
     double age_to = 0.5;
     std::uint64_t seed = 1;
@@ -36,7 +38,7 @@ struct AtlasOptions {
     std::optional<int> steps {};
     AtlasDamage damage {};
     AtlasChannels channels {}; // One of atlas_channels().
-    // Whether smaller pictures of each map are written, too, each half as wide.
+    // Whether mipmap levels of each map are written as well, each half as wide as the one before.
     enum class Mips { None, Files } mips = Mips::None;
 };
 
@@ -45,11 +47,11 @@ struct AtlasSummary {
     std::size_t pages = 0;
 };
 
-// Writes pages of leaves for game engines into a folder, which is made: page-0-color.png and so on,
-// page-0.glb with a flat shape round each leaf, and leaves.json, which says what lies where. The
-// stalk's end is below, in the middle of each cell; at least max(8, cell / 32) pixels round each
-// leaf are empty. Pages are made one after another; any number of threads writes the same bytes.
-// Fails, as the user's fault, where a grammar cannot be read or a leaf has no extent, and like
+// Writes pages of leaves for game engines into `folder`, which is created: page-0-color.png and so
+// on, page-0.glb with a flat mesh around each leaf, and leaves.json with the position of each leaf.
+// The petiole's end is at the bottom centre of each cell; at least max(8, cell / 32) pixels around
+// each leaf are empty. Pages are made one after another; the output does not depend on the number
+// of threads. Fails with a user error if a grammar cannot be read or a leaf has no extent, and like
 // write_file().
 Result<AtlasSummary> write_atlas(AtlasOptions const& options, std::filesystem::path const& folder);
 

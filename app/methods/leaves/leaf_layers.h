@@ -4,11 +4,12 @@
 
 namespace tractus::leaf {
 
-// The lines of the active leaf's drawing, where they stand around it: its outline,
+// Layers show the lines of the active leaf's drawing where they stand around it. This one shows the
+// outline.
 extern tools::Layer const kLeafOutlineLayer;
-// its midrib, veins and stalk,
+// Layer of the midrib, the veins and the petiole.
 extern tools::Layer const kLeafVeinLayer;
-// and those that are left out, or no leaf yet.
+// Layer of the lines that are ignored or do not make a leaf yet.
 extern tools::Layer const kLeafOtherLayer;
 
 } // namespace tractus::leaf

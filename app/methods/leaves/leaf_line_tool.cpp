@@ -13,7 +13,7 @@ namespace tractus::leaf {
 
 namespace {
 
-// In the order of LeafLineTool::Plant.
+// Names in the order of LeafLineTool::Plant.
 constexpr std::array<tools::OptionWord, 2> kPlantWords { {
     { "go_on", "Line" },
     { "new_leaf", "Another leaf" },
@@ -42,7 +42,7 @@ leaf::LeafForm form_of(LeafLineTool const& tool)
              .variation = tool.variation };
 }
 
-// Takes over what differs between the two others.
+// Applies the change from `before` to `after`, if there is one.
 template<typename T> void follow_number(T& value, T const& before, T const& after)
 {
     if (before != after)
@@ -92,7 +92,7 @@ std::optional<tools::Tool> like_drawn(tools::Tool const& tool, scene::Scene cons
     return tools::Tool(options);
 }
 
-// Stands where it was drawn: its lowest place on the desk.
+// Place of a new leaf: the lowest point of its stroke on the desk.
 Vec3 stands_at(Stroke const& stroke, scene::DocumentState const& state)
 {
     Vec3 lowest_mm = stroke.tips.front().position_mm;

@@ -5,17 +5,17 @@
 
 namespace tractus::leaf {
 
-// A stroke is a line of a leaf, on paper: its outline, midrib or a vein, which are told apart by
-// how they lie. The leaf follows each of them. Numbers change the leaf that takes what is drawn.
+// A stroke is a line of a leaf on paper: its outline, midrib or a vein, told apart by how they lie.
+// The leaf follows each line. The tool's numbers change the active leaf.
 struct LeafLineTool {
     static tools::ToolKind const kKind;
 
     enum class Plant {
-        GoOn,    // With the active plant if that is a leaf, else with another one.
-        NewLeaf, // Always with another one.
+        GoOn,    // Continues the active plant if that is a leaf, otherwise begins a new leaf.
+        NewLeaf, // Always begins a new leaf.
     };
     Plant plant = Plant::GoOn;
-    // As of leaf::LeafForm.
+    // Parameters with the meaning and units of leaf::LeafForm.
     double bend_deg = 0;
     double rise_deg = 0;
     double vein_curve_deg = 0;

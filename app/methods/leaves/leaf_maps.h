@@ -12,7 +12,7 @@
 
 namespace tractus::leaf {
 
-// A map's pixels as bytes, channels side by side.
+// A map's pixels as bytes, with interleaved channels.
 template<std::size_t N>
 std::span<std::uint8_t const> bytes_of(std::vector<std::array<std::uint8_t, N>> const& pixels)
 {
@@ -20,7 +20,7 @@ std::span<std::uint8_t const> bytes_of(std::vector<std::array<std::uint8_t, N>> 
     return { pixels.empty() ? nullptr : pixels.front().data(), N * pixels.size() };
 }
 
-// A square map as a PNG file, packed fast.
+// Encodes a square map as a PNG file with fast compression.
 template<std::size_t N>
 std::string packed_map(std::vector<std::array<std::uint8_t, N>> const& pixels)
 {

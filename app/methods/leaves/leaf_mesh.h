@@ -7,15 +7,15 @@
 
 namespace tractus::leaf {
 
-// A leaf as exporters and pictures take it: upright, its origin on the ground, its upper side
-// towards -y, veins and limb of one material each. `size_mm` is the longer side of the flat leaf,
-// which fills the unit square of texture coordinates from v = 0 on, halfway between the sides.
-// Normals do not break between veins and limb. Fails, as the user's fault, if the leaf has no
+// A leaf as a mesh for exporters and renderers: upright, origin on the ground, upper side towards
+// -y, with one material for veins and one for the blade. `size_mm` is the longer side of the flat
+// leaf; texture coordinates fit it into the unit square, from v = 0 on and centred between the
+// sides. Normals are smooth across veins and blade. Fails with a user error if the leaf has no
 // extent.
 Result<mesh::Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm);
 
-// Returns that mesh with pictures on it, as one material that is cut out along the pictures' alpha.
-// Fails like leaf_mesh().
+// The same mesh with pictures as one material, cut out by the pictures' alpha. Fails like
+// leaf_mesh().
 Result<mesh::Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf,
                                      leaf::LeafPicture const& picture, double size_mm);
 

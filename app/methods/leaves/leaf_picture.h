@@ -7,11 +7,11 @@
 
 namespace tractus::leaf {
 
-// A painted leaf as it lies on paper of that colour, in light from the upper left.
+// Renders a painted leaf lying on paper of a colour, lit from the upper left.
 render::Image on_paper(leaf::LeafPicture const& picture, render::Color const& paper);
 
-// A grown-up leaf of the grammar so, in a square of that side. Fails like grow_leaf(), and, as the
-// user's fault, where the leaf has no extent.
+// Renders an adult leaf of the grammar on paper, in a square image of `side` pixels. Fails like
+// grow_leaf(), and with a user error if the leaf has no extent.
 Result<render::Image> picture_of_leaf(leaf::Grammar const& grammar, int side,
                                       render::Color const& paper);
 

@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    // The sketch that takes the line, with it.
+    // The leaf's sketch after the unfinished stroke was added.
     static Result<leaf::LeafSketch> sketch_with(tools::UnfinishedStroke const& stroke)
     {
         auto const edits = stroke.tool.mean(

@@ -6,8 +6,8 @@
 
 namespace tractus::leaf {
 
-// For the tool that draws a leaf: the edge and the veins of the leaf as they would be if the line
-// ended now; of an outline that comes back, as if the pen had got there.
+// Previews the leaf while a line is drawn: its edge and veins as if the line ended now. An outline
+// on its way back is treated as complete.
 std::unique_ptr<tools::StrokePreviewer> leaf_previewer();
 
 } // namespace tractus::leaf

@@ -64,7 +64,7 @@ Result<leaf::LeafDrawing> read_leaf_svg(std::string_view text)
     return drawing;
 }
 
-// A sentence about the file becomes one that names it.
+// Prefixes an error message with the file's name.
 Result<leaf::LeafDrawing> in_file(Result<leaf::LeafDrawing> result, std::string const& name)
 {
     if (!result)

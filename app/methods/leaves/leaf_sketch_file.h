@@ -9,16 +9,16 @@
 
 namespace tractus::leaf {
 
-// Reads a drawn leaf from JSON, millimetres:
+// Reads a drawn leaf from JSON, in millimetres:
 //
-//   strokes  [[[x, y], …], …] or [[[x, y, z], …], …]: in the order in which they were drawn, z up
-//            or towards the viewer; what each one is, is recognised
+//   strokes  [[[x, y], …], …] or [[[x, y, z], …], …]: in drawing order, z up or towards the viewer;
+//            the role of each stroke is recognised
 //
-// Other keys are for other readers. Fails, as the user's fault, with file, place and what to write.
+// Other keys are ignored. Fails with a user error that names the file, the place and what to write.
 Result<leaf::LeafDrawing> parse_leaf_sketch(std::string_view text, std::string const& name);
 
-// Reads such a file of at most 8 MiB, which may also be an SVG drawing (.svg): its lines are the
-// strokes.
+// Reads a drawn leaf from a file of at most 8 MiB: JSON as for parse_leaf_sketch(), or an SVG
+// drawing (.svg), whose lines are the strokes.
 Result<leaf::LeafDrawing> load_leaf_sketch(std::filesystem::path const& path);
 
 } // namespace tractus::leaf

@@ -9,24 +9,25 @@
 
 namespace tractus::leaf {
 
-// How leaves are looked at.
+// Age and damage of the leaves in a study.
 struct LeafLook {
-    double age = 0.5;  // As of LeafLife,
-    double spread = 0; // and how far leaves differ in it (LeafOrder).
+    double age = 0.5;  // Mean age, as in LeafLife.
+    double spread = 0; // Spread of the leaves' ages (LeafOrder).
     lsystem::LeafDamage damage {};
 };
 
-// A leaf on paper with its maps, and the first ones of those that a plant would have.
+// A leaf on paper, its maps, and the first leaves that a plant would wear.
 struct LeafStudy {
     render::Image leaf;
-    render::Image relief;       // Its normals, as glTF has them,
-    render::Image roughness;    // brighter: rougher,
-    render::Image translucency; // brighter: more light comes through,
-    render::Image below;        // and its other side.
+    render::Image relief;       // The leaf's normals, encoded as in glTF.
+    render::Image roughness;    // Brighter: rougher.
+    render::Image translucency; // Brighter: lets more light through.
+    render::Image below;        // The leaf's underside.
     std::vector<render::Image> others;
 };
 
-// Paints it. Fails like grow_leaf(), and, as the user's fault, where the leaf has no extent.
+// Grows and paints the leaves of a study. Fails like grow_leaf(), and with a user error if the leaf
+// has no extent.
 Result<LeafStudy> study_leaf(leaf::Grammar const& grammar, LeafLook const& look,
                              render::Color const& paper);
 

@@ -19,11 +19,12 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr int kCell = 256; // Pixels.
-constexpr int kGutter = 8; // Likewise.
+constexpr int kCell = 256; // Side of a cell in pixels.
+constexpr int kGutter = 8; // Empty border of a cell in pixels.
 constexpr int kMostBends = 3;
 
-// Columns of a page with that many leaves: a power of two, as engines like their pages.
+// Columns of a page for that many leaves. It is a power of two, as game engines prefer pages of
+// such sizes.
 int columns_for(int variants)
 {
     int columns = 1;
@@ -32,8 +33,8 @@ int columns_for(int variants)
     return columns;
 }
 
-// Corners with others where the outline crosses the line x = 0, which it begins at the lowest of
-// them. Empty unless it crosses twice.
+// The outline with corners added where it crosses the line x = 0; it starts at the lowest crossing.
+// Empty unless there are exactly two crossings.
 std::vector<Vec2> cut_at_midrib(std::vector<Vec2> const& outline)
 {
     std::vector<Vec2> cut;
@@ -53,14 +54,15 @@ std::vector<Vec2> cut_at_midrib(std::vector<Vec2> const& outline)
     return cut;
 }
 
-// Corners a step aside of the midrib go to it: they would make slivers.
+// Position relative to the petiole's end. Corners within a pixel of the midrib snap to it, as they
+// would make slivers.
 Vec2 from_stem(Vec2 const& pixel, Vec2 const& stem)
 {
     Vec2 const at(pixel.x() - stem.x(), stem.y() - pixel.y());
     return { std::abs(at.x()) < 1 ? 0 : at.x(), at.y() };
 }
 
-// The triangles of one half; `numbers` says which corners of the leaf it has.
+// Adds the triangles of one half of the leaf; `numbers` are the indices of its corners.
 void add_half(CutLeaf& leaf, std::vector<std::uint32_t> const& numbers)
 {
     std::vector<Vec2> half;
@@ -70,8 +72,8 @@ void add_half(CutLeaf& leaf, std::vector<std::uint32_t> const& numbers)
         leaf.triangles.push_back({ numbers[a], numbers[b], numbers[c] });
 }
 
-// The simplest cut-out that a plant can afford, which hugs the leaf as far as it does: fewer bays
-// until there are few triangles enough, at last a hull, which the midrib crosses twice.
+// The cut-out mesh of a leaf. It hugs the outline as closely as the triangle limit allows: the
+// number of bays decreases until the limit is met; the last resort is a convex hull.
 CutLeaf cut_leaf(leaf::LeafPicture const& picture, Vec2 const& stem, double blade_px)
 {
     for (int bays = 6; bays >= 0; --bays) {
@@ -111,7 +113,7 @@ std::string png_of(leaf::CellPage const& page)
                                 .packing = exports::PngPicture::Packing::Fast });
 }
 
-// In light, where leaves are.
+// Mean colour of the leaves on a page, as linear light.
 Vec3f color_of_leaves(leaf::CellPage const& page)
 {
     Vec3 sum = Vec3::Zero();
@@ -128,8 +130,8 @@ Vec3f color_of_leaves(leaf::CellPage const& page)
         .cast<float>();
 }
 
-// The sheets that were grown last. Models are read again and again while people work on them, and a
-// sheet takes some tenths of a second.
+// Cache of recently grown leaf sheets. Models are reloaded often while they are edited, and growing
+// a sheet takes some tenths of a second.
 class GrownSheets {
 public:
     std::optional<std::string> find(std::string const& key)
@@ -151,7 +153,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMost = 8; // Of some 2 MB.
+    static constexpr std::size_t kMost = 8; // Sheets, of about 2 MB each.
 
     struct Sheet {
         std::string key;
@@ -159,7 +161,7 @@ private:
     };
 
     std::mutex mutex_;
-    std::list<Sheet> sheets_; // The one that was asked for last is the first.
+    std::list<Sheet> sheets_; // Most recently used first.
 };
 
 } // namespace
@@ -200,7 +202,7 @@ CutLeaf cut_along_midrib(leaf::Cutout const& cutout, Vec2 const& stem, double bl
 Result<lsystem::LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar,
                                            lsystem::LeafOrder const& order)
 {
-    auto const& maps = atlas_channels().front().maps; // glTF's: color, normal.
+    auto const& maps = atlas_channels().front().maps; // The first entry is glTF's: color, normal.
     int const columns = columns_for(order.variants);
     auto color = empty_page(maps[0], columns);
     auto normal = empty_page(maps[1], columns);

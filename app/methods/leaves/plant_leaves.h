@@ -11,24 +11,24 @@
 
 namespace tractus::leaf {
 
-// Leaves for plants have at most that many triangles.
+// Most triangles of a leaf that a plant wears.
 constexpr std::size_t kMostLeafTriangles = 24;
 
 // Grows the leaves of an order, no two alike, and paints them on one page of square cells of 256
-// pixels. The stalk's end is below, in the middle of each. Any number of threads gives the same
-// bytes. Fails, as the user's fault, where the grammar gives no leaf.
+// pixels. The petiole's end is at the bottom centre of each cell. The output does not depend on the
+// number of threads. Fails with a user error if the grammar gives no leaf.
 Result<lsystem::LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar,
                                            lsystem::LeafOrder const& order);
 
-// The text of the sheet that a name orders (leaf_sheet.h), from a grammar in `folder` if the order
-// names a .leaf, and else from one of ours. No value where the name orders none. Fails, as the
-// user's fault, like grow_leaf_sheet() and load_leaf_grammar().
+// Text of the leaf sheet that a name orders (leaf_sheet.h), from a grammar in `folder` if the name
+// contains a .leaf file, otherwise from a built-in grammar. No value if the name does not order
+// leaves. Fails with a user error like grow_leaf_sheet() and load_leaf_grammar().
 Result<std::optional<std::string>> make_ordered_leaves(std::filesystem::path const& folder,
                                                        std::string const& name);
 
-// A cut-out in pixels as a leaf whose blade is `blade_px` long, cut along the line that goes up
-// from the stalk's end at `stem`, and `bends` times across that line where it can bend. Its place
-// in the picture is left open. Empty where the line leaves the cut-out in between.
+// Cuts a cut-out (in pixels) along the vertical line through the petiole's end at `stem`, and
+// `bends` times across that line so that it can bend. The blade is `blade_px` long. The leaf's
+// place in the picture is not set. Empty if the vertical line leaves the cut-out part of the way.
 CutLeaf cut_along_midrib(leaf::Cutout const& cutout, Vec2 const& stem, double blade_px, int bends);
 
 } // namespace tractus::leaf

@@ -16,7 +16,7 @@ namespace {
 
 using Does = PictureTool::Does;
 
-// In the order of Does.
+// Names in the order of `Does`.
 constexpr std::array<tools::OptionWord, 6> kDoesWords { {
     { "move", "Move", "Move the picture" },
     { "size", "Size", "Size the picture" },
@@ -52,7 +52,7 @@ Result<scene::PicturePlace> place_of(scene::Scene const& scene)
     return scene.state.picture->place;
 }
 
-// Sizing and turning are about the picture's middle.
+// Scales and rotates about the picture's centre.
 Result<scene::PicturePlace> dragged(scene::PicturePlace place, Does does, Vec2 const& from_mm,
                                     Vec2 const& to_mm)
 {
@@ -79,7 +79,7 @@ Result<scene::PicturePlace> dragged(scene::PicturePlace place, Does does, Vec2 c
     return place;
 }
 
-// A level line is the horizon, an upright one something of known height.
+// A horizontal stroke is the horizon; a vertical one marks something of known height.
 Result<scene::PictureGround> ground_drawn(scene::BackPicture const& picture, Stroke const& stroke,
                                           double height_m)
 {
@@ -149,7 +149,7 @@ std::string said(tools::Tool const& tool, scene::Scene const& after)
         : "The picture can be moved";
 }
 
-// Strength is the picture's own, locked or not.
+// Sets the picture's opacity, even if it is locked.
 std::vector<scene::Edit> follow(tools::Tool const&, tools::Tool const& after,
                                 scene::Scene const& scene)
 {

@@ -4,15 +4,15 @@
 
 namespace tractus::pictures {
 
-// Moves, sizes and turns the picture behind what is drawn along with the stroke, locks it where it
-// lies, and takes it away (back_picture.h); or a level stroke says where the picture's horizon is,
-// an upright one where something of a known height stands (picture_ground.h).
+// Moves, scales or rotates the picture behind the drawing along with the stroke, locks it, or
+// removes it (back_picture.h). To place the ground, a horizontal stroke marks the picture's horizon
+// and a vertical one something of known height (picture_ground.h).
 struct PictureTool {
     static tools::ToolKind const kKind;
 
     enum class Does { Move, Size, Turn, Ground, Lock, Remove } does = Does::Move;
     double strength_percent = 50;
-    double height_m = 1.8; // The known one.
+    double height_m = 1.8; // Height of the marked object.
 
     bool operator==(PictureTool const&) const = default;
 };

@@ -4,7 +4,7 @@
 
 namespace tractus::plants {
 
-// Makes the plant that the pen touches take what is drawn from here on.
+// Makes the plant that the pen touches the active one.
 struct ChoosePlantTool {
     static tools::ToolKind const kKind;
 };

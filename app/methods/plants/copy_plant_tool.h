@@ -4,7 +4,7 @@
 
 namespace tractus::plants {
 
-// Adds a plant like the active one, beside all others.
+// Adds a copy of the active plant, to the right of all others.
 struct CopyPlantTool {
     static tools::ToolKind const kKind;
 };

@@ -9,7 +9,7 @@ namespace tractus::plants {
 
 namespace {
 
-// In the order of Grafting.
+// Names in the order of Grafting.
 constexpr std::array<tools::OptionWord, 2> kGraftWords { {
     { "beside", "Put on" },
     { "instead", "Put in place", "Put a plant in the place of a branch" },

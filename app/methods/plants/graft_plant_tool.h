@@ -5,7 +5,8 @@
 
 namespace tractus::plants {
 
-// Puts the plant where the stroke begins on the branch of another where it ends.
+// Grafts the plant on which the stroke begins onto the branch of another plant, where the stroke
+// ends.
 struct GraftPlantTool {
     static tools::ToolKind const kKind;
 

@@ -12,7 +12,7 @@ namespace tractus::plants {
 
 namespace {
 
-// Words in the order of What.
+// Names in the order of `What`.
 constexpr std::array<tools::OptionWord, 2> kBranchWords { {
     { "selected", "Hide branch", nullptr, true },
     { "none", "Show branches", nullptr, true },
@@ -23,7 +23,8 @@ void visit(tools::OptionVisitor& visitor, HideBranchTool& tool)
     visitor.choice({ kBranchWords }, tool.what);
 }
 
-// Of each path the part on its last axis: what leads to a branch stays.
+// First segments of the selected branches. Only the part of a path on its last axis counts, so that
+// the axes leading to the branch stay visible.
 std::set<SegmentId> chosen_branches(scene::BuiltPlant const& plant)
 {
     std::set<SegmentId> firsts;

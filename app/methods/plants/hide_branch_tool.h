@@ -4,7 +4,7 @@
 
 namespace tractus::plants {
 
-// Hides the branches that are selected, or shows all that are hidden on the active plant.
+// Hides the selected branches, or shows all hidden branches of the active plant.
 struct HideBranchTool {
     static tools::ToolKind const kKind;
 

@@ -10,7 +10,7 @@ namespace tractus::plants {
 
 namespace {
 
-// Words in the order of What.
+// Names in the order of `What`.
 constexpr std::array<tools::OptionWord, 2> kWords { {
     { "active", "Hide", nullptr, true },
     { "none", "Show all", nullptr, true },

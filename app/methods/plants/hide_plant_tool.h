@@ -4,7 +4,7 @@
 
 namespace tractus::plants {
 
-// Hides the active plant, or shows all that are hidden.
+// Hides the active plant, or shows all hidden plants.
 struct HidePlantTool {
     static tools::ToolKind const kKind;
 

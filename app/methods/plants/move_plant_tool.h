@@ -4,7 +4,7 @@
 
 namespace tractus::plants {
 
-// The plant where the stroke begins goes along with it, over the ground.
+// Moves the plant on which the stroke begins along with the stroke, over the ground.
 struct MovePlantTool {
     static tools::ToolKind const kKind;
 };

@@ -4,7 +4,7 @@
 
 namespace tractus::plants {
 
-// Takes the active plant away with all that was drawn on it.
+// Removes the active plant and everything that was drawn on it.
 struct RemovePlantTool {
     static tools::ToolKind const kKind;
 };

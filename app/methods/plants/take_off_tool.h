@@ -4,7 +4,7 @@
 
 namespace tractus::plants {
 
-// Makes a part that was put on a plant a plant of its own again.
+// Detaches a plant that was grafted onto another, making it independent again.
 struct TakeOffTool {
     static tools::ToolKind const kKind;
 };

@@ -8,12 +8,12 @@
 
 namespace tractus::plants {
 
-// The plant, hidden ones apart, of which a node is nearest to a place on the pad, seen from above.
-// Fails, as the user's fault, where none is near.
+// The visible plant with the node nearest to a place on the tablet, seen from above. Fails with a
+// user error if none is near.
 Result<std::shared_ptr<scene::BuiltPlant const>> plant_under(TipSample const& tip,
                                                              scene::Scene const& scene);
 
-// The active plant. Fails, as the user's fault, where there is none.
+// The active plant. Fails with a user error if there is none.
 Result<scene::ItemId> active_plant_of(scene::Scene const& scene);
 
 } // namespace tractus::plants

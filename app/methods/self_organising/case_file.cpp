@@ -19,7 +19,7 @@ using nlohmann::json;
 constexpr std::size_t kMostBytes = std::size_t { 1 } << 28;
 constexpr double kMostSteps = 1000;
 
-// Reads the values of one JSON object, and knows how to name them.
+// Reads the values of one JSON object, and names them in errors.
 class ObjectReader {
 public:
     ObjectReader(json const& object, std::string name)

@@ -11,8 +11,8 @@
 
 namespace tractus::self_organising {
 
-// An example of the laws alone: a seed, markers, and a number of steps. Lengths are in the case's
-// own unit, z is up.
+// A test case for the growth laws alone: a seedling, markers of free space, and a number of steps.
+// Lengths are in the case's own unit; z is up.
 struct Case {
     Laws laws {};
     std::vector<Vec3> markers {};
@@ -24,24 +24,24 @@ struct Case {
 // Reads a case from JSON:
 //   {"steps": 9, "markers": [[x, y, z], …], "base": [0, 0, 0], "direction": [0, 0, 1],
 //    "parameters": {"environment": "space", "internode": 1, "apical_control": 0.46, …}}
-// Parameters have the names of Laws without units; angles are in degrees. What is missing is as in
-// Laws. "name" and "expected" are for other readers. Fails, as the user's fault, for what is no
-// case and for laws out of range, naming the file and the place.
+// Parameters have the names of the members of Laws without units; angles are in degrees. Missing
+// values default to those of Laws. The keys "name" and "expected" are ignored. Fails with a user
+// error that names the file and the place, if the text is no case or a law is out of range.
 Result<Case> parse_case(std::string_view text, std::string const& name);
 Result<Case> load_case(std::filesystem::path const& path);
 
-// What has become of a case.
+// A case after growth.
 struct GrownCase {
     GrowingTree tree {};
     std::vector<StepCount> steps {};
 };
 
-// Fails like grow_step().
+// Grows a case. Fails like grow_step().
 Result<GrownCase> grow_case(Case example);
 
 // A grown case as one line of JSON: {"steps": [{"buds", "lit", "grown", "nodes", "markers"}, …],
 // "nodes": [{"parent", "at", "order", "step", "diameter"}, …], "total_length", "base_diameter",
-// "strahler"}; lengths to nine decimals.
+// "strahler"}; lengths have nine decimals.
 std::string print_case_report(GrownCase const& grown, Laws const& laws);
 
 } // namespace tractus::self_organising

@@ -22,7 +22,7 @@ public:
                                : brushed_life(tool, ink, *stroke.scene);
         if (is_at_once || !life)
             return {};
-        // The tree is another one only when a year is over.
+        // The preview changes only when another year is complete.
         if (shown_scene_ == stroke.scene && shown_years_ == life->part.years
             && began_ == ink.tips.front().time)
             return shown_lines_;
@@ -51,7 +51,8 @@ private:
         life.part.scale = scale;
         life.part.stands_at_mm = stands_at_mm;
         tree.life.push_back(std::move(life.part));
-        tree.habit.leaf_years = 0; // The skeleton at once; leaves come when the pen is lifted.
+        // The preview shows only the skeleton; leaves appear when the pen is lifted.
+        tree.habit.leaf_years = 0;
         auto const grown = grow_tree(tree);
         if (!grown)
             return {};
@@ -76,8 +77,9 @@ private:
         return line;
     }
 
-    // What was shown last, and of which moment.
-    std::shared_ptr<scene::Scene const> shown_scene_; // Shared with the document, which may go on.
+    // Cached preview, and the state it belongs to.
+    // Shared with the document, which may have moved on.
+    std::shared_ptr<scene::Scene const> shown_scene_;
     int shown_years_ = 0;
     Timestamp began_ {};
     std::vector<tools::SkeletonLine> shown_lines_;

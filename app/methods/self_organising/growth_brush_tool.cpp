@@ -19,7 +19,7 @@ namespace {
 
 using What = GrowthBrushTool::What;
 
-// In the order of Species. The words are the habits' names.
+// Names of habits, in the order of Species.
 constexpr std::array<tools::OptionWord, 16> kHabitWords { {
     { "oak", "Oak" },
     { "beech", "Beech" },
@@ -39,7 +39,7 @@ constexpr std::array<tools::OptionWord, 16> kHabitWords { {
     { "larch", "Larch" },
 } };
 
-// In the order of What.
+// Names in the order of `What`.
 constexpr std::array<tools::OptionWord, 6> kWhatWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },
@@ -71,10 +71,10 @@ Result<GrownTree const*> active_tree(scene::Scene const& scene)
     return tree;
 }
 
-// Whether a stroke begins so near to the active plant's wood that it is meant for that.
+// True if a stroke begins close enough to the active plant's wood to continue that plant.
 bool begins_on_plant(Stroke const& stroke, double radius_mm, scene::Scene const& scene)
 {
-    constexpr double kNear = 1.5; // In radii of the brush.
+    constexpr double kNear = 1.5; // As a multiple of the brush's radius.
     Vec3 const at_mm = scene.placement.plant_of_world(stroke.tips.front().position_mm);
     double const near_mm = kNear * radius_mm / scene.placement.scale;
     auto const& nodes = scene.base->node_position_mm;
@@ -117,7 +117,7 @@ Result<std::vector<scene::Edit>> mean(tools::Tool const& tool, Stroke const& str
         return std::vector<scene::Edit> { GrowOn { life.plant, std::move(life.part) } };
     return std::vector<scene::Edit> { PlantTree {
         .habit = habit_of(options.species),
-        .seed = 1 + scene.plants.size(), // No two trees of a drawing are alike.
+        .seed = 1 + scene.plants.size(), // A different seed for each tree of a drawing.
         .first = std::move(life.part) } };
 }
 

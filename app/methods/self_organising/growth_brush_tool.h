@@ -7,12 +7,12 @@
 
 namespace tractus::self_organising {
 
-// A tree grows into the volume that the pen sweeps as a ball (after TreeSketch, Longay et al.
-// 2012).
+// Grows a tree into the volume that the pen sweeps with a spherical brush (after TreeSketch, Longay
+// et al. 2012).
 struct GrowthBrushTool {
     static tools::ToolKind const kKind;
 
-    // A species: one of the habits that come with the program, in the order of kHabitWords.
+    // Species with a built-in habit, in the order of kHabitWords.
     enum class Species {
         Oak,
         Beech,
@@ -32,16 +32,17 @@ struct GrowthBrushTool {
         Larch,
     } species
         = Species::Oak;
-    double years_per_s = 4;     // Years that the tree grows in a second of the pen.
-    double least_radius_mm = 6; // Of the ball, on the desk, at no pressure,
-    double most_radius_mm = 30; // and at full pressure.
+    double years_per_s = 4;     // Years of growth per second of pen movement.
+    double least_radius_mm = 6; // Radius of the brush on the desk at no pressure.
+    double most_radius_mm = 30; // Radius of the brush on the desk at full pressure.
     enum class What {
-        GoOn,     // The active tree grows where the stroke begins on it, else a new one.
-        New,      // It is a new tree.
-        Year,     // At once: the active tree grows by itself, a year
-        TenYears, // or ten; without one a seedling does.
-        Habit,    // At once: the active tree lives its life with the tool's habit,
-        Reseed,   // or by another chance.
+        GoOn, // Continues the active tree if the stroke begins on it, otherwise begins a new tree.
+        New,  // Always begins a new tree.
+        Year, // Needs no stroke: the active tree, or a new seedling, grows by itself for a year.
+        // Needs no stroke: the active tree, or a new seedling, grows by itself for ten years.
+        TenYears,
+        Habit,  // Needs no stroke: regrows the active tree with the tool's habit.
+        Reseed, // Needs no stroke: regrows the active tree with another random seed.
     } what
         = What::GoOn;
 };

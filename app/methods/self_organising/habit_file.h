@@ -8,11 +8,12 @@
 
 namespace tractus::self_organising {
 
-// A habit that the user named: a file, or one of ours by its English or Latin name ("oak", "Quercus
-// robur"). Fails, as the user's fault, listing ours, and like parse_habit() (habit_text.h).
+// Loads the habit that the user named: a file, or a built-in habit by its English or Latin name
+// ("oak", "Quercus robur"). Fails with a user error that lists the built-in habits, and like
+// parse_habit() (habit_text.h).
 Result<Habit> load_habit(std::string const& name);
 
-// The English names of ours, in alphabetical order; none where they are not installed.
+// English names of the built-in habits, in alphabetical order; empty if they are not installed.
 std::vector<std::string> habit_names();
 
 } // namespace tractus::self_organising

@@ -9,7 +9,7 @@ namespace tractus::self_organising {
 
 namespace {
 
-// Which number a missing one follows.
+// A number whose default is the value of another number.
 struct Follows {
     double Habit::*value;
     double Habit::*other;

@@ -9,13 +9,13 @@
 
 namespace tractus::self_organising {
 
-// Reads a habit from TOML: `latin` and `leaves` are texts, all else are the numbers of Habit by
-// their names (habit_numbers()); what is missing is as in Habit, but that a number for old trees is
-// as for young ones, and one for laterals as for the trunk. Fails, as the user's fault, naming
-// file, line and key.
+// Reads a habit from TOML: `latin` and `leaves` are strings, all other keys are the numbers of
+// Habit by name (habit_numbers()). Missing numbers default to those of Habit, except that a number
+// for old trees defaults to the one for young trees, and one for laterals to the one for the trunk.
+// Fails with a user error that names the file, line and key.
 Result<Habit> parse_habit(std::string_view text, std::string const& name);
 
-// The habits that come with the program, in the program itself, so that a tool needs no file.
+// Name and text of a built-in habit. They are compiled in, so that tools need no files.
 struct HabitText {
     char const* name;
     char const* text;

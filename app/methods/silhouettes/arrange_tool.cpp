@@ -10,7 +10,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-// In the order of To: the next one, then those of Pattern::Kind.
+// Names in the order of To: "next", then the patterns in the order of Pattern::Kind.
 constexpr std::array<tools::OptionWord, 7> kTo { {
     { "next", "Next", nullptr, true },
     { "even", "Even", nullptr, true },
@@ -22,7 +22,7 @@ constexpr std::array<tools::OptionWord, 7> kTo { {
 } };
 constexpr int kPatterns = static_cast<int>(kTo.size()) - 1;
 
-// In the order of Around.
+// Names in the order of Around.
 constexpr std::array<tools::OptionWord, 2> kAround { {
     { "trunk", "Around the trunk" },
     { "branches", "Around branches" },

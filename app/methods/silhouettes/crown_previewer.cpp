@@ -9,7 +9,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Shows the branches of the trunk as they would stand in space.
+// Previews the trunk's branches in space.
 class CrownPreviewer final : public tools::StrokePreviewer {
 public:
     std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
@@ -29,7 +29,8 @@ public:
             return {};
         tree->ground_mm = edit->plant == 0 ? edit->ground_mm : tree->ground_mm;
         tree->form.levels = 1;
-        tree->inferred.reset(); // No version of the tree follows from what is only shown.
+        // The cached skeleton belongs to the document's version of the tree.
+        tree->inferred.reset();
         auto const built = silhouette::build_tree(*tree);
         if (!built)
             return {};

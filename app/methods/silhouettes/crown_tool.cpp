@@ -18,7 +18,7 @@ using silhouette::CrownLine;
 using silhouette::DrawTree;
 using silhouette::OutlinedTree;
 
-// In the order of What.
+// Names in the order of `What`.
 constexpr std::array<tools::OptionWord, 2> kCrownWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },
@@ -32,8 +32,8 @@ void visit_crown(tools::OptionVisitor& visitor, CrownTool& tool)
     visit_nodes(visitor, tool.nodes);
 }
 
-// The tree whose crown a line on its sheet is: the trunk stands where the line goes around. Null:
-// none's.
+// The active tree if the line goes around its trunk, and thus belongs to its crown; null otherwise.
+// The line lies on the tree's sheet.
 Result<OutlinedTree const*> tree_inside(CrownLine const& line, scene::Scene const& scene)
 {
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
@@ -64,7 +64,7 @@ std::string counted_lines(std::size_t count, char const* one, char const* many)
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-// What says the crown's surface now.
+// Tells the user which lines define the crown's surface now.
 std::string said_of_crown(tools::Tool const&, scene::Scene const& after)
 {
     auto const* const tree = silhouette::outlined_tree(*after.drawn);
@@ -120,7 +120,7 @@ Result<DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke, scene:
         return edit;
     }
     edit.form.has_whole_nodes = tool.nodes == NodesOption::Whole;
-    // The new tree's sheet stands in the middle of the line, and is as large as the tablet.
+    // The new tree's sheet is centred on the line and as large as the tablet.
     paper = { paper.sheet_of_world(Vec3(paper.stands_mm.x(), 0, 0)),
               Vec3(paper.stands_mm.x(), paper.stands_mm.y(), 0) };
     edit.stroke = on_sheet(stroke, paper);

@@ -9,26 +9,28 @@
 
 namespace tractus::silhouette {
 
-// Draws a tree's crown in space: rings around its trunk at several heights, one line that winds
-// around it as it climbs, or outlines in upright planes (drawn_surface.h, Wither, Boudon, Cani,
-// Godin 2009 for what follows from that).
+// Draws a tree's crown in space by one of three kinds of lines: rings around its trunk at several
+// heights, one line that winds around it while climbing, or outlines in vertical planes
+// (drawn_surface.h). Branches are inferred from the crown after Wither, Boudon, Cani, Godin 2009.
 struct CrownTool {
     static tools::ToolKind const kKind;
 
     enum class What {
-        GoOn, // It is the active tree's crown if that has a trunk in it, else a new tree's.
-        New,  // It is a new tree's.
+        // Adds to the active tree's crown if its trunk is inside the line, otherwise begins a new
+        // tree.
+        GoOn,
+        New, // Always begins a new tree.
     } what
         = What::GoOn;
 
     NodesOption nodes = NodesOption::Whole;
 };
 
-// What a stroke with the tool draws. Fails, as the user's fault, like kind_of() (crown_line.h).
+// Interprets a stroke of the tool. Fails with a user error like kind_of() (crown_line.h).
 Result<silhouette::DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke,
                                          scene::Scene const& scene);
 
-// A stroke in space with x and y on a sheet, and z how far behind it each place is.
+// Converts a stroke in space to sheet coordinates: x and y on the sheet, z the distance behind it.
 Stroke on_sheet(Stroke stroke, scene::Paper const& paper);
 
 std::unique_ptr<tools::StrokePreviewer> crown_previewer();

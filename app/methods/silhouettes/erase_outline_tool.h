@@ -4,7 +4,7 @@
 
 namespace tractus::silhouette {
 
-// Takes away what was drawn of the active tree where the stroke runs over it on paper.
+// Erases the lines of the active tree's drawing that the stroke crosses on paper.
 struct EraseOutlineTool {
     static tools::ToolKind const kKind;
     static constexpr double kRadius_mm = 4;

@@ -6,12 +6,13 @@ namespace tractus::silhouette {
 
 void visit_nodes(tools::OptionVisitor& visitor, NodesOption& nodes)
 {
-    // In the order of NodesOption.
+    // Names in the order of NodesOption.
     static constexpr std::array<tools::OptionWord, 2> kWords { {
         { "nodes_as_at_first", "as at first" },
         { "whole_nodes", "whole" },
     } };
-    // None of the kinds has a glyph beside which there would be a button.
+    // This place hides the option: none of these tools has a gizmo beside which a button would
+    // appear.
     visitor.choice(
         { .words = kWords, .offered = tools::WordOption::Offered::BesideGlyph, .label = "Nodes" },
         nodes);

@@ -4,12 +4,12 @@
 
 namespace tractus::silhouette {
 
-// How the branches of a node stand in trees that tools begin, or give a form. A person begins with
-// whole nodes; logs from before there were any have trees without them
-// (TreeForm::has_whole_nodes).
+// Whether branches of one node stay together (TreeForm::has_whole_nodes) in trees that a tool
+// begins or reshapes. New trees use Whole; logs from before this option existed lack it and get
+// AsAtFirst.
 enum class NodesOption { AsAtFirst, Whole };
 
-// It is for logs: it has no button.
+// Lists the option for logs; it has no button.
 void visit_nodes(tools::OptionVisitor& visitor, NodesOption& nodes);
 
 } // namespace tractus::silhouette

@@ -14,12 +14,12 @@ namespace {
 
 using Lines = std::vector<std::vector<Vec3f>>;
 
-enum class Lies { OnSheet, InSpace }; // Where z is how far behind the sheet it is.
+enum class Lies { OnSheet, InSpace }; // InSpace: z is the distance behind the sheet.
 
 void add(Stroke const& stroke, scene::BuiltPlant const& plant, Lines& lines,
          Lies lies = Lies::OnSheet)
 {
-    constexpr float kApart_mm = 0.5f; // Points that are nearer show nothing.
+    constexpr float kApart_mm = 0.5f; // Closer points add nothing visible.
     auto const tips = stroke.tips.in_memory();
     if (!tips || tips->size() < 2 || !plant.drawn->paper_mm)
         return;
@@ -52,7 +52,7 @@ Lines outline_of(scene::BuiltPlant const& plant)
     return lines;
 }
 
-// A cross where a bump is split, a bar where two are joined.
+// Marks a touch: a cross where a bump is split, a bar where two bumps are joined.
 void add_mark(silhouette::DrawnTouch const& touch, scene::BuiltPlant const& plant, Lines& lines)
 {
     constexpr double kArm_mm = 2;
@@ -87,7 +87,7 @@ Lines trunk_of(scene::BuiltPlant const& plant)
     return lines;
 }
 
-// Of the trunk's branches alone, which is quick.
+// The trunk's branches only, which are quick to compute.
 std::optional<silhouette::BranchingSystem> system_of(scene::BuiltPlant const& plant)
 {
     auto const* const tree = silhouette::outlined_tree(*plant.drawn);
@@ -115,7 +115,8 @@ void add_closed(std::vector<Vec2> const& line, scene::BuiltPlant const& plant, L
 Lines seen_of(scene::BuiltPlant const& plant)
 {
     constexpr int kSteps = 16;
-    constexpr double kSize = 0.012; // Of a bump's middle, as a share of the outline's diagonal.
+    // Radius of the mark at a bump's centre, as a share of the outline's diagonal.
+    constexpr double kSize = 0.012;
     Lines lines;
     auto const system = system_of(plant);
     if (!system)

@@ -4,14 +4,15 @@
 
 namespace tractus::silhouette {
 
-// What was drawn of the active tree, where it stands: its crown's outline,
+// Layers show the drawing of the active tree where it stands. This one shows its outlines.
 extern tools::Layer const kOutlineLayer;
-// and its trunk and branches.
+// Layer of the drawn trunk and branches.
 extern tools::Layer const kTrunkLayer;
-// What was seen in the crown's outline: each bump's chord and middle, and the parts of the crown
-// that branches have. It fades after each change, unless the tool in hand says otherwise.
+// Layer of what was recognised in the crown's outline: each bump's chord and centre, and the parts
+// of the crown that belong to branches. It fades after each change, unless the selected tool keeps
+// it.
 extern tools::Layer const kSeenLayer;
-// The triangles that the bumps are found by, when the tool in hand asks for them.
+// Layer of the triangulation by which bumps are found; shown only if the selected tool asks for it.
 extern tools::Layer const kTrianglesLayer;
 
 } // namespace tractus::silhouette

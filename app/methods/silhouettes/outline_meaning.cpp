@@ -32,7 +32,7 @@ bool has_any_inside(std::vector<Vec2> const& outline, std::vector<Vec2> const& p
                        [&](Vec2 const& point) { return is_inside(outline, point); });
 }
 
-// Whether an outline is another one of a tree's crown: they lie on each other.
+// True if an outline belongs to the crown of this tree because they overlap.
 bool is_around(std::vector<Vec2> const& points, Drawing const& tree, OutlineTool::Reads reads)
 {
     if (tree.outline.empty())
@@ -42,7 +42,7 @@ bool is_around(std::vector<Vec2> const& points, Drawing const& tree, OutlineTool
     return is_inside(crown, box_of(points).middle()) || is_inside(points, box_of(crown).middle());
 }
 
-// Whether a line from below is the trunk of a crown that has none.
+// True if a line that comes from below is the trunk of a crown that has none.
 bool is_trunk_of_crown(Drawing const& tree, std::vector<Vec2> const& points)
 {
     if (!tree.trunk.empty() || tree.outline.empty())
@@ -53,10 +53,10 @@ bool is_trunk_of_crown(Drawing const& tree, std::vector<Vec2> const& points)
     return begins_below && (is_inside(crown, points.back()) || reach_into_crown(points, crown));
 }
 
-// What a line that does not come back is to a tree; no value: nothing.
+// The role of an open line in a tree's drawing, or no value if it does not belong to the tree.
 std::optional<Part> part_on(Drawing const& tree, Vec2 const& foot, std::vector<Vec2> const& points)
 {
-    constexpr double kNear = 0.08; // Of the drawing's diagonal.
+    constexpr double kNear = 0.08; // Reach as a share of the drawing's diagonal.
     auto all = tree.trunk;
     if (!tree.outline.empty())
         all.insert(all.end(), tree.outline[0].begin(), tree.outline[0].end());
@@ -72,7 +72,7 @@ std::optional<Part> part_on(Drawing const& tree, Vec2 const& foot, std::vector<V
     return std::nullopt;
 }
 
-// A stroke that is no line: the pen touched the paper.
+// True if a stroke is only a touch of the pen on the paper.
 bool is_touch(std::vector<Vec2> const& points)
 {
     constexpr double kLongest_mm = 4;
@@ -106,8 +106,8 @@ Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const&
     return is_around(points, drawing, tool.reads) ? std::optional(Part::Outline) : std::nullopt;
 }
 
-// How far the tree's trunk goes on into its crown when this is drawn. A crown that is drawn anew
-// out of its reach leaves it as it was.
+// How far the trunk continues into the crown after this part is drawn. A new crown that the trunk
+// does not reach leaves the value unchanged.
 Result<double> trunk_reach(OutlinedTree tree, Part part, std::vector<Vec2> const& points)
 {
     if (part != Part::Trunk && part != Part::Outline)
@@ -123,7 +123,7 @@ Result<double> trunk_reach(OutlinedTree tree, Part part, std::vector<Vec2> const
         : reach_into_crown(drawing.trunk, points).value_or(before_mm);
 }
 
-// Null: it is the crown's, or there is none.
+// The branch's outline with this id; null for the crown's outline and for an unknown id.
 DrawnOnBranch const* outline_of(OutlinedTree const& tree, scene::ItemId id)
 {
     auto const found
@@ -132,7 +132,8 @@ DrawnOnBranch const* outline_of(OutlinedTree const& tree, scene::ItemId id)
     return found == tree.own_outlines.end() ? nullptr : &*found;
 }
 
-// An outline that nobody drew goes with its leaf.
+// Undoes the declaration of a leaf. An outline taken from a bump, not drawn by hand, is erased with
+// it.
 scene::Edit no_leaf_any_more(scene::ItemId plant, DrawnOnBranch const& leaf)
 {
     if (leaf.of_bump)
@@ -140,7 +141,7 @@ scene::Edit no_leaf_any_more(scene::ItemId plant, DrawnOnBranch const& leaf)
     return DeclareLeaf { plant, leaf.id, false };
 }
 
-// The outline drawn by the touch.
+// A stroke along the outline, with the touch's other pen data.
 Stroke stroke_around(std::vector<Vec2> const& outline, Stroke const& touch)
 {
     constexpr auto kStep = Duration(5'000'000);
@@ -154,7 +155,7 @@ Stroke stroke_around(std::vector<Vec2> const& outline, Stroke const& touch)
     return { std::move(tips) };
 }
 
-// What a touch on a bump declares of the branch there.
+// The edit for a touch on a bump: the branch in the bump becomes a leaf, or stops being one.
 Result<scene::Edit> declared_on(BumpLeaf const& bump, OutlineTool const& tool, Stroke const& touch,
                                 scene::Scene const& scene)
 {
@@ -179,10 +180,11 @@ Result<scene::Edit> declared_on(BumpLeaf const& bump, OutlineTool const& tool, S
                       .plant = plant };
 }
 
-// As large as it is in truth, and where it stands among the others, all in the scale of the first.
+// Gives a new tree its true size and its place on the picture's ground, in the scale of the
+// document's first plant.
 void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Scene const& scene)
 {
-    constexpr double kMetre_mm = 1000; // Of a plant's millimetres.
+    constexpr double kMetre_mm = 1000; // Millimetres of a plant per metre.
     edit.scale = 1 / (kMetre_mm * place.m_per_mm);
     double const scale = scene.plants.empty() ? edit.scale : scene.placement.scale;
     edit.enlarged = scale / edit.scale;
@@ -190,7 +192,8 @@ void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Sce
     edit.stands_at_mm.x() += scene.state.picture->place.x_mm;
 }
 
-// A new tree for which nobody has chosen a form or numbers has the nearest one's style.
+// Makes a new tree take the style of the nearest tree, unless the user has chosen a form or
+// numbers.
 void take_nearest_style(DrawTree& edit, OutlineTool const& tool, scene::Scene const& scene)
 {
     if (tool.reads != OutlineTool::Reads::Closely || !is_usual(edit.form))

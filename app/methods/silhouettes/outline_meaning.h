@@ -8,30 +8,28 @@
 
 namespace tractus::silhouette {
 
-// The tree that takes what is drawn. Fails, as the user's fault, where the plant that does is none
-// that was drawn by its outline.
+// The active tree. Fails with a user error if the active plant was not drawn by its outline.
 Result<OutlinedTree const*> active_tree(scene::Scene const& scene);
 
-// What a stroke with the tool means: the tips drawn so far, in a document as it is built. Over a
-// picture a touch means the outline of the crown that it lies in (touched_crown.h). One that
-// comes back to its beginning is an outline, of the crown or of the branch that it lies around
-// (own_outline.h), any other a trunk or a branch, of the trunk or of the branch that it begins on
-// (own_branch.h).
+// Interprets a stroke of the tool, finished or not. Over a picture, a touch selects the outline of
+// the crown under it (touched_crown.h). A closed stroke is an outline, of the crown or of the
+// branch around which it lies (own_outline.h). Any other stroke is the trunk, or a branch of the
+// trunk or of the branch on which it begins (own_branch.h).
 Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
                             scene::Scene const& scene);
 
-// What a stroke with the tool does to a leaf where it does not come back. On a bump in which a
-// branch ends (bump_leaf.h) it declares that branch's part of the crown a leaf, and elsewhere the
-// smallest outline of the active tree around the stroke's middle; or takes such a leaf back. No
-// value: the stroke is an outline. Fails, as the user's fault, where it lies in no outline.
+// Interprets an open stroke of the leaf option: it declares a part of the crown to be a leaf, or
+// revokes that. On a bump in which a branch ends (bump_leaf.h) that branch's part of the crown is
+// meant, elsewhere the smallest outline of the active tree around the stroke's midpoint. No value
+// if the stroke is closed and thus an outline. Fails with a user error if it lies in no outline.
 Result<std::optional<scene::Edit>> declared_leaf(OutlineTool const& tool, Stroke const& stroke,
                                                  scene::Scene const& scene);
 
-// The styles that a stroke with the tool carries, in the active tree (carried_by(),
-// chosen_style.h). Fails, as the user's fault, where there is no such tree, and like that.
+// The styles that a stroke of the tool copies between branches of the active tree (carried_by() in
+// chosen_style.h). Fails with a user error if there is no such tree, and like carried_by().
 Result<ChooseStyles> carried_styles(Stroke const& stroke, scene::Scene const& scene);
 
-// The tree that the edit would make, with all its lines.
+// The tree after the edit, with all its lines.
 Result<OutlinedTree> tree_with(DrawTree const& edit, scene::Scene const& scene);
 
 } // namespace tractus::silhouette

@@ -16,7 +16,7 @@ namespace {
 
 using silhouette::DrawTree;
 
-// The stroke drawn back to its beginning, so that a half-drawn crown is one.
+// The stroke with a line back to its start, so that an unfinished crown counts as closed.
 Stroke closed(std::span<TipSample const> ink)
 {
     std::vector tips(ink.begin(), ink.end());
@@ -34,7 +34,7 @@ public:
         auto const what = stroke.tool.get<OutlineTool>()->what;
         if (what == OutlineTool::What::Carry)
             return carried(stroke.ink, scene);
-        // A line that does not come back declares an outline a leaf, at its end.
+        // An open line declares a leaf only when it ends, so there is nothing to preview.
         if (what == OutlineTool::What::Leaf && !tools::is_coming_back(stroke.ink))
             return {};
         bool const is_touch = what == OutlineTool::What::Split || what == OutlineTool::What::Join;
@@ -53,8 +53,8 @@ public:
         auto const skeleton = silhouette::skeleton_of(*tree);
         if (!skeleton)
             return {};
-        // Branches with outlines of their own have those in them, too. What the pen has not drawn
-        // is shown: the outline of a crown in the picture.
+        // Branches with outlines of their own show the branches in these as well. An outline taken
+        // from the picture, which the pen has not drawn, is also shown.
         std::vector<tools::SkeletonLine> lines { line_of(skeleton->systems[0].whole_trunk(),
                                                          scene) };
         for (auto const& system : skeleton->systems)
@@ -77,7 +77,7 @@ private:
         return points;
     }
 
-    // Branches that the line carries a style between.
+    // Branches whose style the line copies, and those that receive it.
     static std::vector<tools::SkeletonLine> carried(std::span<TipSample const> ink,
                                                     scene::Scene const& scene)
     {
@@ -101,8 +101,8 @@ private:
         return lines;
     }
 
-    // An outline that is small so far, over a crown that is there: the outline of a branch begins
-    // so, and the crown's, too.
+    // True for an outline that is still small and lies over an existing crown: it may become a
+    // branch's outline or a new crown.
     static bool may_become_a_branchs(DrawTree const& edit, scene::Scene const& scene)
     {
         auto const* const tree = silhouette::outlined_tree(*scene.drawn);

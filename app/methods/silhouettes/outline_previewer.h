@@ -6,7 +6,7 @@
 
 namespace tractus::silhouette {
 
-// Shows the branches that would follow from an outline if it were closed where the pen is.
+// Previews the branches that an outline would give if it were closed where the pen is.
 std::unique_ptr<tools::StrokePreviewer> outline_previewer();
 
 } // namespace tractus::silhouette

@@ -16,7 +16,7 @@ namespace {
 
 using What = OutlineTool::What;
 
-// In the order of What.
+// Names in the order of `What`.
 constexpr std::array<tools::OptionWord, 8> kWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },
@@ -28,7 +28,7 @@ constexpr std::array<tools::OptionWord, 8> kWords { {
     { "reseed", "Another one", nullptr, true },
 } };
 
-// In the order of OutlineTool::Form: the usual one, then the ready ones.
+// Names in the order of OutlineTool::Form: the usual form, then the presets.
 constexpr std::array<tools::OptionWord, 8> kFormWords { {
     { "usual", "Usual" },
     { "oak", "Oak" },
@@ -40,27 +40,27 @@ constexpr std::array<tools::OptionWord, 8> kFormWords { {
     { "fern", "Fern" },
 } };
 
-// In the order of OutlineTool::Branches.
+// Names in the order of OutlineTool::Branches.
 constexpr std::array<tools::OptionWord, 3> kBranchesWords { {
     { "of_trunk", "of the trunk" },
     { "of_nearest", "of its branches" },
     { "of_any", "of what they begin on" },
 } };
 
-// In the order of StyleTo.
+// Names in the order of StyleTo.
 constexpr std::array<tools::OptionWord, 3> kStyleWords { {
     { "none", "of one branch" },
     { "siblings", "to its siblings" },
     { "deeper", "to siblings and below" },
 } };
 
-// In the order of OutlineTool::Reads.
+// Names in the order of OutlineTool::Reads.
 constexpr std::array<tools::OptionWord, 2> kReadsWords { {
     { "as_at_first", "as at first" },
     { "closely", "closely" },
 } };
 
-// In the order of OutlineTool::SeenFor.
+// Names in the order of OutlineTool::SeenFor.
 constexpr std::array<tools::OptionWord, 3> kSeenWords { {
     { "seen_fades", "fades" },
     { "seen_stays", "stays" },
@@ -101,7 +101,7 @@ void visit(tools::OptionVisitor& visitor, OutlineTool& tool)
     visitor.choice(
         { .words = kStyleWords, .offered = tools::WordOption::Offered::InTurn, .label = "Style" },
         tool.style);
-    // It is for logs: the kind has no glyph beside which there would be a button.
+    // This option is for logs only: the tool has no gizmo beside which its button would appear.
     visitor.choice({ .words = kReadsWords,
                      .offered = tools::WordOption::Offered::BesideGlyph,
                      .label = "Reads" },

@@ -10,50 +10,52 @@ namespace tractus::silhouette {
 struct OutlineTool {
     static tools::ToolKind const kKind;
 
-    // Of trees that are begun, or of the active one when they are given to it. A ready form
-    // (ready_form.h) says how branches stand and what leaves are like; a person who chooses one
-    // chooses its numbers, too. The usual one leaves that of a tree as it is.
+    // Form preset of new trees, or of the active tree if What::Form applies it. A preset
+    // (ready_form.h) defines the arrangement of branches and the kind of leaves; choosing one also
+    // sets the numbers below. Usual keeps a tree's arrangement and leaves as they are.
     enum class Form { Usual, Oak, Pine, Willow, Eucalyptus, Fir, Poplar, Fern } form = Form::Usual;
     double levels = 2;
     double density = 1;
     double leaves = 24;
 
     enum class What {
-        GoOn,   // What is drawn is the active tree's where it lies on that, else a new tree's.
-        New,    // It is a new tree's.
-        Carry,  // A line carries the style of a branch of the active tree to others.
-        Split,  // A touch on a bump of the active tree's outlines splits it,
-        Join,   // or one between two joins them.
-        Leaf,   // An outline is a leaf, and a touch on a bump of one or else inside of one
-                // declares that a leaf, or none.
-        Form,   // At once: the active tree gets the numbers.
-        Reseed, // At once: what the active tree's drawing leaves open is decided anew.
+        GoOn,  // Adds to the active tree if the stroke lies on it, otherwise begins a new tree.
+        New,   // Always begins a new tree.
+        Carry, // Copies the style of one branch of the active tree to those the line crosses.
+        Split, // Splits the touched bump of the active tree's outlines.
+        Join,  // Joins the two bumps between which the pen touches.
+        // A closed line draws a leaf's outline; a touch on a bump, or else inside an outline,
+        // toggles whether that is a leaf.
+        Leaf,
+        Form,   // Needs no stroke: applies the tool's form and numbers to the active tree.
+        Reseed, // Needs no stroke: redoes the active tree's random decisions with another seed.
     } what
         = What::GoOn;
 
-    // What a line is that begins on a branch, of the trunk's branches or of any, and whom the style
-    // of a branch goes to that is drawn on from now on. A person begins with these; without their
-    // words, as logs from before there were any, lines are the trunk's, and no style goes anywhere.
+    // Branches on which a line may begin: the trunk's only, or any, and which other branches get
+    // the style of a branch that is drawn on. New sessions use these defaults. Logs from before
+    // these options lack them; there, lines belong to the trunk, and no style is passed on.
     enum class Branches { OfTrunk, OfNearest, OfAny } branches = Branches::OfAny;
     silhouette::StyleTo style = silhouette::StyleTo::Siblings;
 
-    // How what is drawn is read. A person begins with what is known now; logs from before are read
-    // as they were then.
+    // Version of the rules that interpret strokes. New strokes use the latest; logs keep the
+    // version they were recorded with.
     enum class Reads {
-        AsAtFirst, // A trunk is a crown's that has a point inside it.
-        Closely,   // A trunk that a hand has stopped just below a crown is the crown's, too
-                   // (trunk_reach.h), as is one that is drawn into a crown without any; a touch
-                   // that declares a leaf is on a bump where there is one (bump_leaf.h).
+        AsAtFirst, // A trunk belongs to a crown only if it has a point inside.
+        // A trunk that stops just below a crown also belongs to it (trunk_reach.h), as does one
+        // that is drawn into a crown without a trunk; a touch that declares a leaf applies to a
+        // bump if there is one (bump_leaf.h).
+        Closely,
     } reads
         = Reads::Closely;
 
     NodesOption nodes = NodesOption::Whole;
 
-    // How long what was seen in the outline is shown (kSeenLayer, outline_layer.h).
+    // How long the features recognised in the outline are shown (kSeenLayer, outline_layer.h).
     enum class SeenFor { AWhile, Always, WithTriangles } seen = SeenFor::AWhile;
 };
 
-// The form with the tool's numbers, and with the rest of its ready form if it has one.
+// The given form with the tool's numbers and, if a preset is chosen, with the rest of that preset.
 TreeForm form_of(OutlineTool const& tool, TreeForm form);
 
 } // namespace tractus::silhouette

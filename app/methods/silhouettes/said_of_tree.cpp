@@ -25,7 +25,7 @@ DrawnOnBranch const* drawn_by(std::vector<DrawnOnBranch> const& drawn, std::uint
     return found == drawn.end() ? nullptr : &*found;
 }
 
-// How many branches the branch of this path bears; no value: there is none.
+// Number of branches on the branch with this path, or no value if there is no such branch.
 std::optional<std::size_t> count_on(OutlinedTree on_trunk, std::string const& path)
 {
     on_trunk.form.levels = 1;
@@ -36,7 +36,7 @@ std::optional<std::size_t> count_on(OutlinedTree on_trunk, std::string const& pa
     return parent ? std::optional(skeleton->branches_on(*parent)) : std::nullopt;
 }
 
-// What is said of the branch that was drawn on last; empty: another line was drawn.
+// Sentence about the branch that the last edit drew on; empty if the last line was of another kind.
 std::string said_of_branch(OutlinedTree const& tree, std::uint64_t last_edit)
 {
     auto const* const own = drawn_by(tree.own_outlines, last_edit);
@@ -60,7 +60,7 @@ std::string said_of_branch(OutlinedTree const& tree, std::uint64_t last_edit)
                  : std::string();
 }
 
-// What was drawn on branches that the tree has lost.
+// Sentence about lines that were drawn on branches which the tree no longer has.
 std::string said_of_waiting(OutlinedTree const& tree)
 {
     auto const waiting = count_waiting(tree);
@@ -71,7 +71,7 @@ std::string said_of_waiting(OutlinedTree const& tree)
         : fmt::format("; {} lines that were drawn on branches wait for them", *waiting);
 }
 
-// How many branches have a style that somebody chose.
+// Sentence about how many branches have a style that the user chose.
 std::string said_of_styles(OutlinedTree const& tree)
 {
     return tree.styles.empty()

@@ -6,8 +6,8 @@
 
 namespace tractus::silhouette {
 
-// What the tree that takes what is drawn has after a stroke with the tool that draws it, and what
-// it still wants; empty: it was not drawn by its outline.
+// Message for the user after a stroke of the outline tool: the active tree's parts, and what is
+// still missing. Empty if that plant was not drawn by its outline.
 std::string said_of_tree(tools::Tool const& tool, scene::Scene const& after);
 
 } // namespace tractus::silhouette

@@ -19,7 +19,8 @@ using nlohmann::json;
 constexpr std::string_view kExample = "write [[x, y], [x, y], …] in millimetres";
 constexpr std::string_view kExampleInSpace = "write [[x, y, z], [x, y, z], …] in millimetres";
 
-// Those that say nothing of the drawing are for other readers.
+// True for keys that the reader uses or that are meant for other programs; any other key is
+// unknown.
 bool is_known(std::string const& key)
 {
     constexpr std::array kKeys { "outline", "trunk",  "branches", "parts",     "leaves", "splits",
@@ -61,7 +62,7 @@ Result<CrownLine> read_line_in_space(json const& list, std::string const& name)
     return line;
 }
 
-// Whether a list holds strokes and not points.
+// True if a list holds strokes rather than points.
 bool holds_strokes(json const& list)
 {
     return list.is_array() && !list.empty() && list[0].is_array() && !list[0].empty()
@@ -70,7 +71,7 @@ bool holds_strokes(json const& list)
 
 constexpr std::size_t kMostStrokes = 100;
 
-// The strokes of a list, if the file has it.
+// Reads the list of strokes under a key; empty if the key is missing.
 Result<std::vector<std::vector<Vec2>>> read_strokes(json const& file, char const* key,
                                                     char const* one)
 {
@@ -86,7 +87,7 @@ Result<std::vector<std::vector<Vec2>>> read_strokes(json const& file, char const
     return strokes;
 }
 
-// The places of touches, if the file has some.
+// Reads the places of touches under a key, if it exists.
 Result<void> read_touches(json const& file, char const* key, BumpTouch::Kind kind,
                           SilhouetteFile& result)
 {
@@ -101,7 +102,7 @@ Result<void> read_touches(json const& file, char const* key, BumpTouch::Kind kin
     return {};
 }
 
-// Something with a number and a line, as {"height": 20, "ring": [[x, z], …]}.
+// A line with a number, such as {"height": 20, "ring": [[x, z], …]}.
 struct NumberedLine {
     double number = 0;
     std::vector<Vec2> line;
@@ -128,7 +129,7 @@ Result<std::vector<NumberedLine>> read_numbered(json const& file, char const* ke
     return result;
 }
 
-// Lines in space; the drawing has its trunk already.
+// Reads the lines in space. The trunk must have been read before.
 Result<void> read_crown_lines(json const& file, SilhouetteFile& result)
 {
     for (auto const& [height, ring] : TRY(read_numbered(file, "rings", "height", "ring"))) {
@@ -157,7 +158,7 @@ Result<void> read_crown_lines(json const& file, SilhouetteFile& result)
     return {};
 }
 
-// Without an outline the first leaf is the crown.
+// If there is no outline, the first leaf's outline serves as the crown.
 void settle_crown(SilhouetteFile& file)
 {
     if (!file.drawing.outline.empty() || file.leaves.empty())
@@ -211,7 +212,7 @@ Result<SilhouetteFile> read_drawing(json const& file)
     return result;
 }
 
-// A sentence about the file becomes one that names it.
+// Prefixes an error message with the file's name.
 Result<SilhouetteFile> named(Result<SilhouetteFile> result, std::string const& name)
 {
     if (!result)
@@ -219,7 +220,7 @@ Result<SilhouetteFile> named(Result<SilhouetteFile> result, std::string const& n
     return result;
 }
 
-// How far apart a line's ends are, as a share of its length.
+// Distance between a line's ends as a share of its length.
 double straightness(std::vector<Vec2> const& line)
 {
     double const length = length_of(line);

@@ -21,7 +21,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-// How far the trunk goes on into its crown, as a pen's does that was stopped just below it.
+// How far the trunk continues into the crown; more than 0 if it was drawn to just below the crown.
 double trunk_reach(SilhouetteFile const& file)
 {
     auto const& drawing = file.drawing;
@@ -30,7 +30,8 @@ double trunk_reach(SilhouetteFile const& file)
     return reach_into_crown(drawing.trunk, drawing.outline).value_or(0);
 }
 
-// Touches on bumps of the crown come before the file's parts, those inside of parts after them.
+// Touches on the crown's bumps are applied before the file's parts, touches inside parts after
+// them.
 enum class TouchesOn { Crown, Parts };
 
 std::vector<BumpTouch> touches_of(SilhouetteFile const& file, TouchesOn which)
@@ -51,7 +52,7 @@ tl::unexpected<Error> about_line(char const* what, std::size_t number, Error con
     return fail(error.fault, fmt::format("{} {}: {}", what, number + 1, error.message));
 }
 
-// Gives branches the style that a line of the file carries to them.
+// Copies the style of a branch to the other branches that a line of the file crosses.
 Result<void> carry_style(SilhouetteFile& file, std::vector<Vec2> const& line,
                          SkeletonOptions const& options)
 {
@@ -60,7 +61,8 @@ Result<void> carry_style(SilhouetteFile& file, std::vector<Vec2> const& line,
     return choose_styles(file.drawing.styles, carried, skeleton);
 }
 
-// Splits and joins bumps; branches keep their names, as by a pen that has made so many edits.
+// Splits and joins bumps. Branches keep their names; new names are those that the same number of
+// edits with a pen would give.
 Result<void> touch_bumps(SilhouetteFile& file, TouchesOn which, SkeletonOptions& options,
                          std::size_t edits)
 {
@@ -79,7 +81,7 @@ Result<void> touch_bumps(SilhouetteFile& file, TouchesOn which, SkeletonOptions&
     return {};
 }
 
-// A leaf's outline: as it is in the file, or of the bump that a point of it touches.
+// A leaf's outline: the line itself, or the outline of the bump that its only point touches.
 Result<std::vector<Vec2>> leaf_outline(std::vector<Vec2> const& leaf, Drawing const& drawing,
                                        SkeletonOptions const& options)
 {
@@ -140,7 +142,7 @@ Stroke stroke_along(std::vector<Vec2> const& points)
     return stroke_in_space(line);
 }
 
-// Edits that draw, each with the id of the step that it is.
+// Makes the edits that draw the lines, numbered like the steps of a session.
 class Drawer {
 public:
     explicit Drawer(DrawTree first)
@@ -185,11 +187,11 @@ public:
                  { one.place });
     }
 
-    DrawTree& edit() { return edit_; } // The next one.
+    DrawTree& edit() { return edit_; } // The edit to be added next.
     std::vector<scene::Edit>& edits() { return edits_; }
 
 private:
-    // In the tree as it is drawn so far.
+    // The outline of the bump at a point, in the tree drawn so far.
     Result<std::vector<Vec2>> outline_of_bump(std::vector<Vec2> const& leaf) const
     {
         auto const scene = TRY(scene::apply_edits({}, edits_));

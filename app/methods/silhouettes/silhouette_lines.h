@@ -9,14 +9,14 @@
 
 namespace tractus::silhouette {
 
-// What follows from a file's lines, one after the other as by a pen: the crown, its surface and its
-// branches, touches on the crown's bumps, parts, leaves, touches inside of parts, styles. Says in
-// the drawing of which branches they are. `style_to`: of branches with parts or leaves. Fails, as
-// the user's fault, with which line it is.
+// Infers a skeleton from a file's lines as if a pen drew them in this order: the crown, its surface
+// and branches, touches on the crown's bumps, parts, leaves, touches inside parts, styles. Sets in
+// `file` which branches the lines belong to. `style_to` says which branches take the style of a
+// branch with parts or leaves. Fails with a user error that names the line.
 Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, StyleTo style_to);
 
-// The edits of a pen that draws the lines. `first` has what all have: the tree's form and scale.
-// Fails, as the user's fault, for an outline of several strokes, and like infer_lines().
+// The edits of a pen that draws the file's lines. `first` holds the tree's form and scale. Fails
+// with a user error for an outline of several strokes, and like infer_lines().
 Result<std::vector<scene::Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree const& first,
                                                 StyleTo style_to);
 

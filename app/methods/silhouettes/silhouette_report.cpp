@@ -41,7 +41,7 @@ static Report bump_json(Bump const& bump)
     return report;
 }
 
-// What a branch bears that somebody drew on, or that has the style of one.
+// Statistics of the branches on a branch that was drawn on, or that has the style of such a branch.
 static Report bearing_json(Branch const& parent, BranchingSystem const& system)
 {
     auto const style = parent_style(parent, system);
@@ -101,7 +101,7 @@ static Report branch_json(Skeleton const& skeleton, std::size_t i)
     return report;
 }
 
-// Branches of branches that somebody drew on, at any level.
+// Branches on branches that were drawn on, at any level.
 static Report refined_json(Skeleton const& skeleton)
 {
     Report refined = Report::array();

@@ -6,9 +6,9 @@
 
 namespace tractus::silhouette {
 
-// The outline of the crown that a touch lies in, in the picture behind what is drawn
-// (picture_crown.h), as if the pen had drawn it on the sheet. Fails, as the user's fault, like
-// crown_in_picture(), and for a picture that cannot be read.
+// Traces the crown under a touch in the picture behind the drawing (picture_crown.h) and returns
+// its outline as if the pen had drawn it on the sheet. Fails with a user error like
+// crown_in_picture(), and if the picture cannot be decoded.
 Result<Stroke> outline_touched(scene::BackPicture const& picture, Stroke const& touch);
 
 } // namespace tractus::silhouette

@@ -13,7 +13,7 @@ namespace tractus::sketch {
 
 namespace {
 
-// A stroke that bows a little.
+// A slightly curved stroke.
 Stroke short_stroke()
 {
     constexpr int kTips = 60;
@@ -29,12 +29,12 @@ Stroke short_stroke()
     return stroke;
 }
 
-// From the front, in the glyph's frame.
+// Front view, in the gizmo's frame.
 class FrontView {
 public:
     explicit FrontView(Plant const& plant)
     {
-        constexpr double kFits = 1.8; // Of the frame's two.
+        constexpr double kFits = 1.8; // Largest extent of the plant in the frame, which is 2 wide.
         auto const box = bounds(plant);
         Vec3 const size_mm = box.max_mm - box.min_mm;
         scale_ = kFits / std::max({ size_mm.x(), size_mm.z(), 1.0 });
@@ -67,7 +67,7 @@ tools::Glyph draw_model(sketch::ModelRule const& model)
     FrontView const view(plant);
     auto order = axes_in_drawing_order(plant);
     order.resize(std::min(order.size(), kMostLines));
-    std::reverse(order.begin(), order.end()); // The trunk over all others.
+    std::reverse(order.begin(), order.end()); // The trunk is drawn last, above all others.
     for (auto const id : order) {
         tools::Glyph::Line line;
         for (auto const& node_mm : plant.positions(plant.axes[id]))

@@ -5,8 +5,8 @@
 
 namespace tractus::sketch {
 
-// A model that grows along a stroke as a card shows it: the plant of a short stroke, its axis dark.
-// It has no handles. Grown once, and kept.
+// Picture of a model for its preset's button: the plant that grows along a short stroke, its axis
+// dark. It has no handles. Results are cached.
 tools::Glyph show_model(sketch::ModelRule const& model);
 
 } // namespace tractus::sketch

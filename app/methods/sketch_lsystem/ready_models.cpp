@@ -7,7 +7,7 @@
 
 namespace tractus::sketch {
 
-// A view without its statements of grown leaves.
+// The view without its statements that order grown leaves.
 static std::string without_grown_leaves(std::string_view view)
 {
     std::string result;

@@ -7,16 +7,16 @@
 
 namespace tractus::sketch {
 
-// One of our models that can be grown along a stroke, as its files were when the program was built.
+// A built-in model that can be grown along a stroke; its files were compiled into the program.
 struct ModelTexts {
-    std::string_view name; // "birch"
+    std::string_view name; // For example "birch".
     std::string_view rules;
     std::string_view view;
 };
 std::span<ModelTexts const> model_texts();
 
-// One of them by its name, which must be one. Its leaves are plain blades, not grown ones, which
-// would be in each edit.
+// The built-in model with this name, which must exist. Its leaves are plain blades: grown leaves
+// would be stored in every edit.
 sketch::ModelRule ready_model(std::string_view name);
 
 } // namespace tractus::sketch

@@ -9,24 +9,23 @@
 
 namespace tractus::sketch {
 
-// A rule from a small TOML file. Each number of sketch::Rule has the letter that stands beside it
-// there: k, l, r, q, w, s, v, a, T, t, l_min, n_max and limit; a key that is missing keeps its
-// default. Without w the first internode is 0.15 l thick, without T or t the rings turn by 180/k
-// degrees.
+// A rule from a small TOML file. Each number of sketch::Rule has the letter given in its comment
+// there: k, l, r, q, w, s, v, a, T, t, l_min, n_max and limit. Missing keys keep their defaults,
+// but w defaults to 0.15 l, and T and t to 180/k degrees.
 //
 //     k = 3       # laterals at a node
 //     l = 30      # mm
 //     a = 52      # degrees
 //
-// Tables [[laterals]] give laterals rules of their own, first those of the drawn axis's, with the
-// letters of sketch::LateralRule and the same defaults:
+// Tables [[laterals]] give laterals rules of their own, the laterals of the drawn axis first. They
+// have the letters of sketch::LateralRule and the same defaults:
 //
 //     [[laterals]]
 //     k = 2
 //     r = 0.9
 //
-// Fails, as the user's fault, with file and line: text that is no TOML, a key that does not exist,
-// a value out of its range.
+// Fails with a user error that names the file and line: invalid TOML, an unknown key, or a value
+// out of its range.
 Result<Rule> parse_rule(std::string_view text, std::string const& name);
 
 // Reads a rule from a file of at most 64 KiB. Fails like read_text_file() and parse_rule().

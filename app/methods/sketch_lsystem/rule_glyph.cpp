@@ -15,12 +15,15 @@ namespace {
 
 using Color = tools::LayerStyle::Color;
 
-constexpr double kParent = 0.86; // A parent's length in the glyph's frame, of which most is seen.
-constexpr double kWidth = 0.13;  // Its width.
-constexpr double kDial = 0.24;   // Radius on which handles of twists lie around what they turn.
-constexpr double kAside = 0.3;   // How far beside its part the handle of a width of 1 lies.
-constexpr double kTilt = 0.35;   // What is nearer lies lower by so much of its distance.
-constexpr double kRing = 0.5;    // Of its length in the plant, a lateral of the next ring.
+// Length of the parent in the gizmo's frame; part of it lies outside.
+constexpr double kParent = 0.86;
+constexpr double kWidth = 0.13; // Width of the parent.
+constexpr double kDial = 0.24;  // Radius at which handles of twists lie around the parts they turn.
+constexpr double kAside = 0.3;  // Distance of a width's handle from its part at width 1.
+// Tilt of the view: closer points are drawn lower by this share of their distance.
+constexpr double kTilt = 0.35;
+// Length of the next ring's laterals, as a share of their true length.
+constexpr double kRing = 0.5;
 constexpr double kSpreadWidth = 0.018;
 Vec2 const kBase { 0, -0.95 };
 Vec2 const kNode { 0, -0.25 };
@@ -36,14 +39,15 @@ enum HandleId : std::size_t {
     More
 };
 
-// A point beside the upright parent, whose laterals turn around it: the first lies in the plane of
-// the picture, and what is nearer is seen from above.
+// Projects a point beside the vertical parent, around which the laterals turn. The first lateral
+// lies in the picture's plane; closer points are seen from above.
 Vec2 seen(Vec3 const& point)
 {
     return { point.x(), point.y() - kTilt * point.z() };
 }
 
-// A direction `angle` away from `ahead`, turned around it from `aside`, which is at a right angle.
+// A direction at `angle` to `ahead`, rotated about `ahead` by `around` starting at `aside`, which
+// is perpendicular to it.
 Vec3 turned(Vec3 const& ahead, Vec3 const& aside, double angle, double around)
 {
     Vec3 const out = std::cos(around) * aside + std::sin(around) * aside.cross(ahead);
@@ -55,7 +59,7 @@ Vec2 from_up(double angle)
     return { std::sin(angle), std::cos(angle) };
 }
 
-// Where handles lie, as the rule has them.
+// Positions of the handles for a rule.
 struct Places {
     explicit Places(sketch::Rule const& rule)
         : angle(radians(rule.angle_deg))
@@ -69,7 +73,8 @@ struct Places {
     Vec2 lateral_end;
 };
 
-// The ring of laterals at the end of a part that goes `ahead`, in the length of the part.
+// Adds the ring of laterals at the end of a part with direction `ahead`; `length` is that part's
+// length.
 void add_ring(tools::Glyph& glyph, sketch::Rule const& rule, Vec2 const& end, Vec3 const& ahead,
               Vec3 const& aside, double length, double twist_deg)
 {
@@ -102,7 +107,7 @@ void add_parts(tools::Glyph& glyph, sketch::Rule const& rule)
     }
 }
 
-// An arc around a point, from so far before an angle to so far behind it.
+// An arc around a point that spans `angle` ± `half`.
 tools::Glyph::Line arc(Vec2 const& middle, double radius, double angle, double half)
 {
     constexpr int kSteps = 8;
@@ -112,14 +117,14 @@ tools::Glyph::Line arc(Vec2 const& middle, double radius, double angle, double h
     return line;
 }
 
-// How far the plants of a collection may differ: the sector in which the lateral stays, as long as
-// it may get, and outside of both ends' letters how far the twists go.
+// Shows how much the plants of a collection vary: the sector in which a lateral stays, with its
+// greatest length, and arcs for the twists outside the letters at both ends.
 void add_spread(tools::Glyph& glyph, sketch::Rule const& rule)
 {
     if (rule.laterals == 0)
         return;
     Places const at(rule);
-    constexpr double kOutside = 1.75; // Of a dial's radius.
+    constexpr double kOutside = 1.75; // Radius of the arc as a multiple of the dial's.
     auto const most = [](double deviation) { return sketch::kMostDeviations * deviation; };
     double const reach = (1 + most(sketch::kRuleSpread.share)) * (at.lateral_end - kNode).norm();
     auto edge = arc(kNode, reach, at.angle, radians(most(sketch::kRuleSpread.angle_deg)));
@@ -172,7 +177,8 @@ tools::Glyph show_rule(void const* options)
     auto const rule = rule_of(tool);
     tools::Glyph glyph;
     add_parts(glyph, rule);
-    if (tool.card == SketchTool::Card::Plant) // It stands for any, and is nobody's to change here.
+    // This preset stands for any plant; its rule cannot be edited here.
+    if (tool.card == SketchTool::Card::Plant)
         for (auto& line : glyph.lines)
             line.color = Color::Grey;
     if (tool.card == SketchTool::Card::Plant)
@@ -182,15 +188,17 @@ tools::Glyph show_rule(void const* options)
     return glyph;
 }
 
-// The nearest multiple of `coarse`, a fifth of which is `fine`, if it is that near, else of `fine`;
-// and within the range.
+// Rounds to the nearest multiple of `coarse` if that is close, otherwise to a multiple of `fine` (a
+// fifth of `coarse`), and clamps to the range.
 double snapped(double value, double coarse, double fine, double least, double greatest)
 {
-    constexpr double kReach = 0.8; // Of a fine step: what lies on the next one stays there.
+    // As a share of a fine step, so that a value on the neighbouring fine step stays there.
+    constexpr double kReach = 0.8;
     double const near = std::round(value / coarse) * coarse;
     double const taken
         = std::abs(near - value) <= kReach * fine ? near : std::round(value / fine) * fine;
-    double const in_one = std::round(1 / fine); // So that 0.7 is written so.
+    // Dividing by a whole number gives exactly 0.7 instead of 0.7000000000000001.
+    double const in_one = std::round(1 / fine);
     return std::clamp(std::round(taken * in_one) / in_one, least, greatest);
 }
 
@@ -204,7 +212,7 @@ double snapped_deg(double angle, double least_deg, double greatest_deg)
     return snapped(angle / radians(1), 5, 1, least_deg, greatest_deg);
 }
 
-// The angle from up to a direction, to the right.
+// Angle between up and a direction, positive to the right.
 double angle_from_up(Vec2 const& way)
 {
     return std::atan2(way.x(), way.y());
@@ -238,7 +246,7 @@ void drag_rule(void* options, std::size_t handle, Vec2 const& to)
     case TopWidth:
         rule.width_ratio = snapped_share((kNode.x() - to.x()) / kAside, 0.3, 1);
         break;
-    default: { // The twists are those that the rule has for such a ring.
+    default: { // Twists of the new ring come from the rule for that number of laterals.
         double const more = handle == More ? 1 : -1;
         tool.laterals = std::clamp(std::round(tool.laterals) + more, 0.0, 8.0);
         return;

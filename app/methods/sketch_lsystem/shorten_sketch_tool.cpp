@@ -13,7 +13,7 @@ namespace tractus::sketch {
 
 namespace {
 
-// Where the pad, or the paper on it, shows a point.
+// Position at which the tablet, or the paper on it, shows a point.
 Vec2 seen_at(Vec3 const& point_mm, StrokeSurface surface, scene::Scene const& scene)
 {
     return surface == StrokeSurface::Paper ? scene::paper_of(scene.state).sheet_of_world(point_mm)
@@ -26,7 +26,7 @@ double distance_mm(Vec2 const& point_mm, Vec2 const& from_mm, Vec2 const& to_mm)
     return (from_mm + share * (to_mm - from_mm) - point_mm).norm();
 }
 
-// The segments of the drawn axis, in the plant as it is built. The branch may go on beyond them.
+// The segments of the drawn axis in the built plant. The branch may continue beyond them.
 Result<std::vector<SegmentId>> drawn_axis(scene::Scene const& scene, sketch::GrownPart const& grown)
 {
     std::vector<SegmentId> axis;
@@ -42,7 +42,7 @@ Result<std::vector<SegmentId>> drawn_axis(scene::Scene const& scene, sketch::Gro
     return axis;
 }
 
-// How many segments lie before the first that the eraser touches; no value: it touches none.
+// Number of segments before the first one that the eraser touches, or no value if it touches none.
 std::optional<std::size_t> untouched(Stroke const& eraser, std::vector<SegmentId> const& axis,
                                      StrokeSurface surface, scene::Scene const& scene)
 {
@@ -58,7 +58,7 @@ std::optional<std::size_t> untouched(Stroke const& eraser, std::vector<SegmentId
     return std::nullopt;
 }
 
-// Strokes and indicators that were drawn on the plant lie over its axis, so they go first.
+// Strokes and indicators drawn on the plant lie above its axis, so they are erased first.
 Result<std::vector<scene::Edit>> shorten(tools::Tool const&, Stroke const& stroke,
                                          scene::Scene const& scene)
 {

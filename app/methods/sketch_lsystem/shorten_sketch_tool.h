@@ -4,9 +4,9 @@
 
 namespace tractus::sketch {
 
-// Takes the end of the stroke away along which the active plant, or the newest part of it that has,
-// has grown: from where the eraser runs over its axis. What was drawn on the plant there is erased
-// first.
+// Shortens the stroke along which the active plant, or its newest part with such a stroke, has
+// grown: cuts it where the eraser crosses the axis. Strokes and indicators on the plant there are
+// erased first.
 struct ShortenSketchTool {
     static tools::ToolKind const kKind;
     static constexpr double kRadius_mm = 4;

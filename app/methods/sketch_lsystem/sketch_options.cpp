@@ -11,7 +11,7 @@ namespace tractus::sketch {
 
 namespace {
 
-// Words in the order of the tool's values, of which the first is what no word means.
+// Names in the order of the tool's values; the first value is the default if the name is missing.
 constexpr std::array<tools::OptionWord, 2> kLeavesOptions { {
     { "leafy", "Leaves" },
     { "bare", "Bare" },
@@ -43,7 +43,7 @@ constexpr std::array<tools::OptionWord, 17> kCardWords { {
     { "herb", "Herb" },
     { "tufts", "Tufts" },
     { "compound_leaf", "Compound" },
-    // Models, by their names (ready_models.h).
+    // Built-in models, by name (ready_models.h).
     { "birch", "Birch", kModelTitle },
     { "broadleaf", "Broadleaf", kModelTitle },
     { "conifer", "Conifer", kModelTitle },
@@ -54,7 +54,8 @@ constexpr std::array<tools::OptionWord, 17> kCardWords { {
     { "as_plant", "The plant's", "The plant grows anew along the stroke" },
 } };
 
-// In the order of SketchTool::Laterals: the paper's, then the first cards.
+// Names in the order of SketchTool::Laterals: Fork is the behaviour in the paper, the others are
+// the first presets.
 constexpr std::array<tools::OptionWord, 8> kLateralsWords { {
     { "fork", "fork" },
     { "by_opposite", "as opposite" },
@@ -66,7 +67,7 @@ constexpr std::array<tools::OptionWord, 8> kLateralsWords { {
     { "as_axis", "as the axis" },
 } };
 
-// What a ready rule is made of, in the order of the words.
+// Numbers of a preset, in the order of the names.
 struct RuleCard {
     double laterals;
     double angle_deg;
@@ -74,8 +75,8 @@ struct RuleCard {
     double length_ratio;
     double lateral_length;
     double shortest_mm;
-    std::optional<double> twist_deg {}; // No value: rings of laterals alternate.
-    bool goes_on = false;               // Laterals have the rule themselves.
+    std::optional<double> twist_deg {}; // No value: successive rings alternate.
+    bool goes_on = false;               // True: the laterals repeat the rule.
     double width_ratio = SketchTool().width_ratio;
 };
 constexpr std::array<RuleCard, 9> kCards { {
@@ -84,22 +85,22 @@ constexpr std::array<RuleCard, 9> kCards { {
     { 5, 35, 60, 0.75, 0.7, 12 },
     { 2, 26, 45, 0.8, 0.8, 8 },
     { 6, 60, 14, 0.96, 0.7, 6 },
-    { 2, 55, 13, 0.96, 0.7, 3, 0.0 }, // All in one plane.
+    { 2, 55, 13, 0.96, 0.7, 3, 0.0 }, // All branches lie in one plane.
     { 1, 55, 20, 0.95, 0.6, 2, 137.5 },
     { 7, 60, 18, 1, 0.3, 4 },
-    // Prusinkiewicz and Lindenmayer's compound leaf (Ijiri 2006 figure 2): an internode is twice as
-    // long at each step, and a lateral is the leaf of as many steps as are left.
+    // Prusinkiewicz and Lindenmayer's compound leaf (Ijiri 2006, figure 2): internodes double in
+    // length with each step, and a lateral is the leaf with the remaining number of steps.
     { 2, 45, 60, 0.5, 0.5, 1, 0.0, true, 0.6 },
 } };
-constexpr double kSlender = 0.15; // The first internode's diameter, by its length.
+constexpr double kSlender = 0.15; // Diameter of the first internode as a share of its length.
 
-// Whether the tool's numbers say nothing.
+// True if a model is chosen; the tool's numbers then have no effect.
 bool is_of_model(SketchTool const& tool)
 {
     return static_cast<std::size_t>(tool.card) >= kCards.size();
 }
 
-// The usual card where the tool is a model.
+// The tool's preset; the default one if the tool is set to a model.
 RuleCard const& ready_rule_of(SketchTool const& tool)
 {
     return is_of_model(tool) ? kCards.front() : kCards[static_cast<std::size_t>(tool.card)];
@@ -131,17 +132,18 @@ double twist_of(RuleCard const& card, double laterals)
     return card.twist_deg.value_or(laterals > 0 ? 180 / laterals : 0);
 }
 
-// From node to node, where the tool's own twists are 0.
+// Twist from node to node for tool twists of 0.
 double twist_of_card(SketchTool const& tool)
 {
     return twist_of(ready_rule_of(tool), std::round(tool.laterals));
 }
 
-// The rule by which laterals go on, where they do: the card's, its internodes as small as the first
-// one lets them be; or that of the axis, which theirs have, too.
+// Rules of the laterals' own laterals, empty if they fork. Either the preset's rule, with
+// internodes as short as the axis's first one permits, or the axis's own rule, repeated at every
+// level.
 std::vector<sketch::LateralRule> lateral_rules_of(SketchTool const& tool, sketch::Rule const& axis)
 {
-    constexpr double kShortest = 0.1; // Of the first internode.
+    constexpr double kShortest = 0.1; // Shortest internode as a share of the axis's first.
     if (tool.go_on_by == SketchTool::Laterals::Fork)
         return {};
     if (tool.go_on_by == SketchTool::Laterals::AsAxis)
@@ -163,7 +165,7 @@ std::vector<sketch::LateralRule> lateral_rules_of(SketchTool const& tool, sketch
                .shortest_mm = kShortest * axis.first_length_mm } };
 }
 
-// Which of the tool's words says these rules; no value: none.
+// The option that gives the rule's lateral rules, or no value if none does.
 std::optional<SketchTool::Laterals> said_laterals(SketchTool tool, sketch::Rule const& rule)
 {
     for (std::size_t i = 0; i < kLateralsWords.size(); ++i) {
@@ -257,7 +259,7 @@ sketch::Rule with_options(sketch::Rule const& rule, SketchTool const& tool)
     double const slender = rule.first_width_mm / rule.first_length_mm;
     if (slender < kSlender)
         wanted.first_width_mm = slender * wanted.first_length_mm;
-    // A file may bring rules that no word says: they stay as long as the tool says none.
+    // Lateral rules from a file that no option can express stay until an option replaces them.
     if (wanted.lateral_rules.empty() && !said_laterals(tool, rule))
         wanted.lateral_rules = rule.lateral_rules;
     wanted.most_segments = rule.most_segments;
@@ -267,7 +269,7 @@ sketch::Rule with_options(sketch::Rule const& rule, SketchTool const& tool)
 
 bool says_rule(SketchTool const& tool, sketch::Rule const& rule)
 {
-    constexpr double kSame = 1e-6; // Of what has been computed both ways.
+    constexpr double kSame = 1e-6; // Tolerance between values computed in two ways.
     auto const said = rule_of(tool);
     auto const is_same = [](double one, double other) { return std::abs(one - other) < kSame; };
     return said.laterals == rule.laterals && is_same(said.angle_deg, rule.angle_deg)
@@ -304,7 +306,7 @@ SketchTool saying_grown(SketchTool const& tool, sketch::GrowAlongStroke const& g
         if (says_grown(said, grown))
             return said;
     }
-    return said; // The last card: as the plant is.
+    return said; // The last preset: the active plant's own.
 }
 
 SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)
@@ -324,7 +326,7 @@ SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)
     return tool;
 }
 
-// Angles that are in range already stay to the last bit.
+// Angles already in range are returned bit for bit.
 double as_twist_deg(double angle_deg)
 {
     return std::abs(angle_deg) <= 180 ? angle_deg : std::remainder(angle_deg, 360);

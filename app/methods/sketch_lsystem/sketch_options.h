@@ -12,30 +12,29 @@ namespace tractus::sketch {
 
 void visit_sketch_options(tools::OptionVisitor& visitor, SketchTool& tool);
 
-// The model that the tool's card stands for, by its seed 1; not set where it stands for a rule.
+// The model that the tool's preset stands for, with seed 1; not set if the preset is a rule.
 sketch::ModelRule model_of(SketchTool const& tool);
 
-// The rule that the tool's card and numbers say; the usual one where the card stands for a model.
+// The rule given by the tool's preset and numbers; the default rule if the preset is a model.
 sketch::Rule rule_of(SketchTool const& tool);
 
-// The rule with what the tool says of another one. What no option says, how many internodes there
-// may be, stays; so does a stem that is thinner than the tool's, by the length of its internodes.
+// The rule changed to the tool's settings. Numbers without an option, such as the most internodes,
+// are kept, and so is a stem more slender than the tool's.
 sketch::Rule with_options(sketch::Rule const& rule, SketchTool const& tool);
 
-// Whether all that the tool says of a rule is so in this one, but for how thick it is.
+// True if the rule agrees with all of the tool's settings except thickness.
 bool says_rule(SketchTool const& tool, sketch::Rule const& rule);
 
-// Whether all that the tool says is so in what has grown by a rule, or a model; chance does not
-// count.
+// True if the sketch was grown by the tool's rule or model, whatever its random seed.
 bool says_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown);
 
-// The tool with the options that say this rule.
+// The tool with its options set to this rule.
 SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule);
 
-// The tool that says what the active plant has grown by.
+// The tool with its options set to what the active plant has grown by.
 SketchTool saying_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown);
 
-// An angle of any size as one from -180 to 180 degrees.
+// Wraps an angle to the range -180 to 180 degrees.
 double as_twist_deg(double angle_deg);
 
 } // namespace tractus::sketch

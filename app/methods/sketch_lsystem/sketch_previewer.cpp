@@ -11,7 +11,7 @@ namespace tractus::sketch {
 namespace {
 
 constexpr double kMostInternodes = 4000;
-constexpr std::size_t kMostModules = 200'000; // Of a model that is grown again for each frame.
+constexpr std::size_t kMostModules = 200'000; // Limit for a model that is regrown for each frame.
 
 tools::SkeletonLine line_of(Plant const& plant, Axis const& axis, scene::DeskPlacement const& from,
                             scene::DeskPlacement const& to)
@@ -25,10 +25,10 @@ tools::SkeletonLine line_of(Plant const& plant, Axis const& axis, scene::DeskPla
     return line;
 }
 
-// The axis alone, of a model that is too large for a preview.
+// The axis alone, as the preview of a model that is too large.
 Result<scene::BuiltSource> drawn_axis_of(sketch::GrowAlongStroke const& edit)
 {
-    constexpr float kRadius_mm = 8; // In the plant.
+    constexpr float kRadius_mm = 8; // Radius of the plant's nodes.
     auto const nodes_mm = TRY(sketch::drawn_nodes_mm(edit));
     Plant plant;
     for (auto const& node_mm : nodes_mm) {
@@ -41,7 +41,7 @@ Result<scene::BuiltSource> drawn_axis_of(sketch::GrowAlongStroke const& edit)
     return scene::BuiltSource { std::move(plant) };
 }
 
-// What the rule's limit cuts, and what the preview leaves out of that besides.
+// Note on what the rule's limit cuts off, and on what the preview leaves out in addition.
 std::string note_of_depth(sketch::Rule const& whole, sketch::Rule const& shown, Plant const& plant)
 {
     auto const segments = static_cast<int>(plant.axes.front().segment_count);
@@ -70,8 +70,8 @@ public:
     }
 
 private:
-    // What the lines are made of but the stroke's way between its nodes: as long as this is the
-    // same, so are they, and most samples of the pen make no node.
+    // Inputs of the cached preview, except the stroke's path between its nodes. While they stay
+    // equal the lines do not change, and most pen samples add no node.
     struct Shown {
         sketch::Rule rule {};
         sketch::ModelRule model {};
@@ -135,7 +135,7 @@ private:
         return lines;
     }
 
-    // Looked for once a stroke: that goes through all plants.
+    // Found once per stroke, as the search goes through all plants.
     Result<std::optional<tools::BranchPlace>> const&
     find_place(SketchTool const& tool, sketch::GrowAlongStroke const& edit,
                std::shared_ptr<scene::Scene const> const& scene)
@@ -154,13 +154,14 @@ private:
     }
 
     std::string note_;
-    std::optional<Shown> shown_; // What was shown last: these lines, with this note.
+    std::optional<Shown> shown_; // Inputs of the cached lines and note below.
     std::vector<tools::SkeletonLine> shown_lines_;
     std::string shown_note_;
-    std::optional<Result<std::optional<tools::BranchPlace>>> place_; // For what follows.
+    // Cached place on a branch, valid for the values below.
+    std::optional<Result<std::optional<tools::BranchPlace>>> place_;
     StrokeSurface surface_ = StrokeSurface::Decided;
     Vec3 begin_mm_ = Vec3::Zero();
-    std::shared_ptr<scene::Scene const> scene_; // Shared with the document, which may go on.
+    std::shared_ptr<scene::Scene const> scene_; // Shared with the document, which may move on.
     SketchTool::Place grows_ = SketchTool::Place::Ground;
 };
 

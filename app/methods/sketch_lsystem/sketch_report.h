@@ -11,24 +11,22 @@
 
 namespace tractus::sketch {
 
-// A drawn axis as a report gives it.
+// Content of a report about a drawn axis.
 struct ReportedAxis {
     DrawnAxis axis {};
-    std::vector<Vec3> nodes_mm {}; // As the model's turtle has them, on the desk.
-    std::optional<int> depth {};   // No value: the laterals are a model's own.
+    std::vector<Vec3> nodes_mm {}; // Nodes on the desk as computed by the model's turtle.
+    std::optional<int> depth {};   // No value if a model defines the laterals.
 };
 
-// Returns what a stroke and a rule, or a model in its place, amount to, as one line of JSON for
-// other programs:
+// Report of a stroke grown by a rule or a model, as one line of JSON for other programs:
 //
-//   segments   how many internodes the drawn axis has
-//   nodes      [[x, y, z], …]: its base and the ends of its internodes as the model's turtle has
-//   them,
-//              millimetres on the desk, one more than segments
-//   plane      [degrees, …]: before each segment, in which plane it bends,
-//   bend       [degrees, …]: and by how much
-//   depth      how often laterals may fork; not of a model
-//   counts     [{"F": 2, …}, …]: how often each letter stands in the string after step 1, 2, …
+//   segments   number of the drawn axis's internodes
+//   nodes      [[x, y, z], …]: its base and the ends of its internodes as computed by the model's
+//              turtle, in millimetres on the desk; one more than segments
+//   plane      [degrees, …]: direction of the bend before each segment
+//   bend       [degrees, …]: angle of the bend before each segment
+//   depth      how often laterals may fork; only for rules
+//   counts     [{"F": 2, …}, …]: how often each letter occurs in the string after step 1, 2, …
 //
 // Fails like derive().
 Result<std::string> print_report(ReportedAxis const& drawn, lsystem::Model const& model,

@@ -29,7 +29,7 @@ Result<sketch::GrownPart> grown_last(scene::Scene const& scene)
     return *grown;
 }
 
-// The tool's model for what has grown, with the chance that this has.
+// The tool's model, with the random seed of the grown sketch.
 sketch::ModelRule model_for(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
 {
     auto model = model_of(tool);
@@ -47,7 +47,8 @@ Result<std::vector<scene::Edit>> change(SketchTool const& tool, scene::Scene con
             scene.drawn->id, grown.part, grown.sketch->rule, tool.leaves, std::move(model) } };
     auto const& before = grown.sketch->rule;
     auto rule = with_options(before, tool);
-    // What nobody has set stays. Recordings rely on it, and on the thickness.
+    // Numbers that the user has not set are kept. Recordings rely on this, and on the thickness
+    // being set.
     SketchTool const plain;
     rule.first_width_mm = rule_of(tool).first_width_mm;
     if (tool.width_ratio == plain.width_ratio)
@@ -69,7 +70,7 @@ Result<std::vector<scene::Edit>> draw_again(SketchTool const& tool, Stroke const
         scene.drawn->id, grown.part, again.surface, std::move(again.stroke) } };
 }
 
-// All that has grown by the rule.
+// Applies changed options to all sketches that were grown by the old rule.
 std::vector<scene::Edit> follow(tools::Tool const& before, tools::Tool const& after,
                                 scene::Scene const& scene)
 {
@@ -97,7 +98,7 @@ std::optional<tools::Tool> like_drawn(tools::Tool const& tool, scene::Scene cons
     return tools::Tool(options);
 }
 
-// The end of the internode that each application of the rule adds.
+// Ends of the internodes, one for each application of the rule.
 std::vector<Vec3> applications(tools::Tool const& tool, Stroke const& stroke,
                                scene::Scene const& scene)
 {
@@ -109,10 +110,10 @@ std::vector<Vec3> applications(tools::Tool const& tool, Stroke const& stroke,
         : grown_along(options, stroke, scene);
     auto nodes_mm = grown ? sketch::drawn_nodes_mm(*grown) : tl::unexpected(grown.error());
     if (!nodes_mm)
-        return {}; // Not one yet.
+        return {}; // The stroke is too short for an internode.
     std::vector<Vec3> ends_mm(nodes_mm->begin() + 1, nodes_mm->end());
     Vec3 const foot_mm = nodes_mm->front();
-    for (auto& end_mm : ends_mm) // What is drawn on paper stands on the ground.
+    for (auto& end_mm : ends_mm) // A plant drawn on paper stands on the ground.
         end_mm += sketch::stands_at_mm(*grown) - foot_mm;
     return ends_mm;
 }
@@ -138,7 +139,7 @@ Result<std::vector<scene::Edit>> grow(tools::Tool const& tool, Stroke const& str
 
 } // namespace
 
-// Takes what the active plant has grown by, or is the plant of.
+// Takes the rule or model by which the active plant has grown, or else the plant's own model.
 static Result<void> take_from_plant(sketch::GrowAlongStroke& edit, scene::Scene const& scene)
 {
     if (auto const grown = sketch::newest_grown(*scene.drawn)) {
@@ -163,9 +164,9 @@ Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const
     edit.model = model_of(tool);
     if (tool.card == SketchTool::Card::Plant)
         TRY(take_from_plant(edit, scene));
-    edit.model.seed = 1 + scene.plants.size(); // No two plants of a drawing are alike.
+    edit.model.seed = 1 + scene.plants.size(); // A different seed for each plant of a drawing.
     edit.stroke = stroke;
-    // What begins on a branch begins where the pad shows that: in space, however the surface moves.
+    // A stroke that begins on a branch is in space, even if the surface hardly moves.
     edit.surface = is_on_branch(tool) && tool.surface == StrokeSurface::Decided
         ? StrokeSurface::Space
         : decide_surface(stroke.tips, tool.surface);
@@ -186,8 +187,8 @@ Result<sketch::GrowAlongStroke> drawn_again(SketchTool const& tool, Stroke const
 
 void fit_to_branch(sketch::GrowAlongStroke& grown, tools::BranchPlace const& place)
 {
-    constexpr double kThinner = 0.85;  // Than what bears it.
-    constexpr double kThinnest = 0.02; // Of a first internode's length.
+    constexpr double kThinner = 0.85;  // As a share of the diameter at the branch.
+    constexpr double kThinnest = 0.02; // As a share of the first internode's length.
     auto& rule = grown.rule;
     rule.first_width_mm
         = std::clamp(kThinner * place.diameter_mm, kThinnest * rule.first_length_mm,

@@ -41,7 +41,8 @@ struct ConstructArguments {
     bool session = false;
 };
 
-// What the model's files are called: the sketch's name, as far as a view can say it.
+// File name for the model: the sketch's name without characters that an L-system view cannot
+// contain.
 std::string model_name(fs::path const& sketch)
 {
     auto name = sketch.stem().string();
@@ -51,7 +52,7 @@ std::string model_name(fs::path const& sketch)
     return name;
 }
 
-// A plant's file instead of a folder.
+// True if the output is a single plant file rather than a folder.
 bool is_plant_file(fs::path const& output)
 {
     constexpr std::array kEndings { ".glb", ".obj", ".mtg", ".png" };
@@ -62,7 +63,7 @@ using Stems = std::vector<lines::MeasuredStem>;
 
 Result<Stems> measure(ConstructArguments const& arguments, lines::LineDrawing const& drawing)
 {
-    // Of strokes what there is makes a plant.
+    // A sketch of unsorted strokes may be incomplete: guess missing lines there.
     auto const missing = drawing.roles.empty() ? lines::Missing::Refused : lines::Missing::Guessed;
     auto result = TRY(lines::measure_stems(drawing.stems, missing));
     for (auto const& notes : { drawing.notes, lines::notes_of(result) })
@@ -71,13 +72,13 @@ Result<Stems> measure(ConstructArguments const& arguments, lines::LineDrawing co
     return result;
 }
 
-// The same error, about the sketch's file.
+// Prefixes an error with the name of the sketch's file.
 tl::unexpected<Error> about(fs::path const& file, Error const& error)
 {
     return fail(error.fault, fmt::format("{}: {}", file.string(), error.message));
 }
 
-// The files are for this program and for cpfg.
+// Writes the model's files, for this program and for cpfg.
 Result<void> write_model_files(fs::path const& base, lines::LineModel const& model)
 {
     for (auto const& [name, text] : model.functions)
@@ -86,7 +87,7 @@ Result<void> write_model_files(fs::path const& base, lines::LineModel const& mod
     return write_file(fs::path(base).concat(".l"), model.source.text);
 }
 
-// The folder, and a sentence that says what is in it.
+// Writes the folder and returns a sentence that says what is in it.
 Result<std::string> write_folder(ConstructArguments const& arguments, scene::LoadModel const& load,
                                  lines::LineModel model, Plant const& plant)
 {
@@ -118,7 +119,7 @@ lines::Smoothing smoothing_of(ConstructArguments const& arguments)
     return arguments.smooth ? lines::Smoothing::Hand : lines::Smoothing::None;
 }
 
-// The model, with those of sketches that are organs.
+// Makes the model, including the sketches that serve as its organs.
 Result<lines::LineModel> write_model(ConstructArguments const& arguments,
                                      lines::LineSketchFile const& file, Stems const& stems)
 {

@@ -4,7 +4,7 @@
 
 namespace tractus::leaf {
 
-// tractus leaves LEAF... -o DIR: pages of leaves for game engines.
+// Command `tractus leaves LEAF... -o DIR`: pages of leaves (atlases) for game engines.
 void add_atlas_options(CLI::App& leaves, options::Action& action);
 
 } // namespace tractus::leaf

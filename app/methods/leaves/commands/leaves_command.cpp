@@ -38,7 +38,7 @@ struct LeavesArguments {
     std::uint64_t seed = 1;
     fs::path output;
     double size_mm = 100;
-    std::optional<int> paint; // The side of its pictures, in pixels.
+    std::optional<int> paint; // Side of the pictures in pixels.
 };
 
 Result<leaf::Grammar> load_grammar(fs::path const& path)
@@ -69,7 +69,7 @@ Json labels_json(leaf::Leaf const& leaf)
     return labels;
 }
 
-// Numbers have nine digits behind the point; what is no number is null.
+// The leaf's variables as JSON. Numbers have nine decimals; values that are not finite become null.
 Json variables_json(leaf::Grammar const& grammar, leaf::Leaf const& leaf)
 {
     Json variables = Json::object();
@@ -81,7 +81,7 @@ Json variables_json(leaf::Grammar const& grammar, leaf::Leaf const& leaf)
     return variables;
 }
 
-// The veins, then the limb and what they are together.
+// State after a step as JSON: the veins, then the blade, then both together.
 Result<Json> step_json(leaf::Grammar const& grammar, leaf::Leaf& leaf)
 {
     Json step {
@@ -134,7 +134,7 @@ Result<void> check_grammar(LeavesArguments const& arguments)
                                            grammar.variables.size()));
 }
 
-// Grows the leaf by a number of steps, if there is one; else as old as it is to be.
+// Grows the leaf by the given number of steps, if any, otherwise to its usual age.
 Result<GrownLeaf> leaf_to_draw(leaf::Grammar const& grammar, LeavesArguments const& arguments)
 {
     if (!arguments.steps)

@@ -36,7 +36,7 @@ constexpr int kMostLeaves = 4096;
 struct PaintArguments {
     std::vector<std::string> leaves;
     fs::path output;
-    int count = 1; // Number of each.
+    int count = 1; // Leaves of each kind.
     int side = 512;
     double age = 0.5;
     std::optional<double> age_to;
@@ -51,12 +51,12 @@ struct PaintArguments {
     bool is_skeleton = false;
 };
 
-// One leaf of a page, what it was grown with and what it looks like.
+// One leaf of a page: how it was grown, and its picture.
 struct PaintedLeaf {
     std::string name;
     std::uint64_t seed = 0;
     double age = 0;
-    double length_mm = 0; // Length of the picture's side.
+    double length_mm = 0; // Length of the picture's side on the leaf.
     leaf::LeafPicture picture;
 };
 
@@ -92,7 +92,7 @@ Result<PaintedLeaf> paint_one(leaf::Grammar const& grammar, PaintArguments const
     return made;
 }
 
-// Paints each kind in turn, a leaf to a task.
+// Paints all kinds; each leaf is a task of its own.
 Result<std::vector<PaintedLeaf>> paint_all(PaintArguments const& arguments)
 {
     std::vector<leaf::Grammar> grammars;
@@ -129,7 +129,7 @@ Result<void> write_sheet(std::span<PaintedLeaf const> leaves, fs::path const& pa
     return write_file(path, [&](std::ostream& out) { return render::write_png(out, image); });
 }
 
-// Cells on a square grid; the unused ones are empty.
+// A page of cells on a square grid; unused cells stay empty.
 struct Page {
     int columns = 1;
     int cell = 0;

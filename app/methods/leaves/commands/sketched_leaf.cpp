@@ -27,8 +27,8 @@ struct SketchedLeaf {
     std::filesystem::path sketch;
     std::filesystem::path output;
     bool reports = false;
-    std::string height;        // Of a recording without a height sensor.
-    tools::Methods methods {}; // Methods that a recording may use.
+    std::string height;        // Height in place of a height sensor's that a recording lacks.
+    tools::Methods methods {}; // Methods whose tools a recording may use.
 };
 
 double to_places(double value, double parts)
@@ -41,7 +41,7 @@ Json drawn_and_fitted(double drawn, double fitted, double parts)
     return { { "drawn", to_places(drawn, parts) }, { "fitted", to_places(fitted, parts) } };
 }
 
-// Strokes count from 1.
+// A vein as JSON; strokes are counted from 1.
 Json vein_json(leaf::LeafFit::Vein const& vein, leaf::RecognisedLeaf const& seen)
 {
     Json made { { "stroke", vein.stroke + 1 }, { "role", leaf::name_of(seen.roles[vein.stroke]) } };
@@ -73,13 +73,13 @@ Json report_json(leaf::LeafFit const& fit, leaf::RecognisedLeaf const& seen, dou
              { "veins", veins } };
 }
 
-// The error with the name of the drawing's file.
+// Prefixes an error with the name of the drawing's file.
 tl::unexpected<Error> about_sketch(SketchedLeaf const& leaf, Error const& error)
 {
     return fail(error.fault, fmt::format("{}: {}", leaf.sketch.string(), error.message));
 }
 
-// A drawing's file says what it is by its ending.
+// Loads a drawing; the file's extension decides its format.
 Result<leaf::LeafDrawing> load_drawing(SketchedLeaf const& arguments)
 {
     auto const ending = arguments.sketch.extension();

@@ -36,12 +36,12 @@ struct BrushArguments {
     fs::path example;
     bool report = false;
     fs::path strokes;
-    std::string height; // Height for a log without a height sensor.
+    std::string height; // Height for a log that lacks a height sensor's.
     std::string habit = "oak";
     int years = 12;
     std::uint64_t seed = 1;
     std::string radius = "8..40";
-    double scale = 10; // How many times larger the tree is than the strokes.
+    double scale = 10; // Size of the tree relative to the strokes.
     bool waits = false;
     fs::path output;
     batch::PlantFileOptions file;
@@ -55,7 +55,8 @@ Result<void> report_case(BrushArguments const& arguments)
     return terminal::print_out(print_case_report(grown, laws));
 }
 
-// What a stroke takes of the years: its time or, where the file has none, its length.
+// Weight by which each stroke gets a share of the years: its duration or, if the file has no times,
+// its length.
 std::vector<double> weights_of(std::vector<Stroke> const& strokes)
 {
     std::vector<double> seconds;
@@ -73,7 +74,7 @@ std::vector<double> weights_of(std::vector<Stroke> const& strokes)
     return has_times ? seconds : lengths_mm;
 }
 
-// Each stroke has a year at least.
+// Years of each stroke, at least one.
 std::vector<int> years_of(std::vector<Stroke> const& strokes, int years)
 {
     auto const weights = weights_of(strokes);
@@ -101,7 +102,8 @@ Result<std::vector<scene::Edit>> edits_of(BrushArguments const& arguments)
     if (strokes.empty())
         return fail(Fault::User,
                     fmt::format("{}: there is no stroke in it", arguments.strokes.string()));
-    auto const [least_mm, most_mm] = *options::parse_range(arguments.radius); // It was checked.
+    // The option parser has checked it.
+    auto const [least_mm, most_mm] = *options::parse_range(arguments.radius);
     auto const years = years_of(strokes, arguments.years);
     std::vector<scene::Edit> edits;
     scene::ItemId const plant = 1;

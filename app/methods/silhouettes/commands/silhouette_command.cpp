@@ -39,28 +39,31 @@ constexpr std::size_t kMostPlaces = 2000;
 struct SilhouetteArguments {
     std::vector<fs::path> drawings;
     fs::path output;
-    silhouette::TreeForm form;         // Without patterns:
-    std::vector<std::string> patterns; // of each level; the last one goes on.
-    std::optional<int> whorl;          // Of all whorls.
-    std::string style;                 // A plant, on which it is measured.
-    CLI::App const* command = nullptr; // Which knows what else was given.
+    silhouette::TreeForm form; // Its patterns are not set; see `patterns`.
+    // One for each level; the last one applies to deeper levels as well.
+    std::vector<std::string> patterns;
+    std::optional<int> whorl;          // Branches in each whorl.
+    std::string style;                 // File of a plant whose style is measured and used.
+    CLI::App const* command = nullptr; // Tells which options were given.
     double height_m = 8;
-    std::optional<std::size_t> count;                         // Of an arrangement alone.
-    silhouette::StyleTo style_to = silhouette::StyleTo::None; // Of branches with parts.
+    std::optional<std::size_t> count; // Number of places; only if an arrangement alone is wanted.
+    // Branches that take the style of a branch with parts drawn on it.
+    silhouette::StyleTo style_to = silhouette::StyleTo::None;
     bool report = false;
     bool session = false;
     tools::Methods methods;
     batch::PlantFileOptions file;
 };
 
-// Patterns of each level; the last one goes on.
+// The form with its patterns for each level; the last given pattern applies to deeper levels as
+// well.
 silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
 {
     auto form = arguments.form;
     form.has_whole_nodes = true;
     std::vector<silhouette::Pattern> given;
     for (auto const& word : arguments.patterns)
-        given.push_back(*silhouette::pattern_of(word)); // one_of() has seen to it.
+        given.push_back(*silhouette::pattern_of(word)); // The option's one_of() check has passed.
     for (std::size_t level = 0; level < form.patterns.size() && !given.empty(); ++level)
         form.patterns[level] = given[std::min(level, given.size() - 1)];
     for (auto& pattern : form.patterns)
@@ -69,7 +72,7 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
     return form;
 }
 
-// A number of branches in a whorl says something where there are whorls.
+// Checks that --whorl is given only together with whorls.
 Result<void> check_whorl(SilhouetteArguments const& arguments)
 {
     auto const patterns = form_of(arguments).patterns;
@@ -83,7 +86,7 @@ Result<void> check_whorl(SilhouetteArguments const& arguments)
     return {};
 }
 
-// The plant that a style is measured on, as it is drawn or was drawn on.
+// The plant on which a style is measured; from a session, the plant that it shows.
 Result<Plant> plant_of_style(SilhouetteArguments const& arguments)
 {
     if (batch::is_session_file(arguments.style))
@@ -106,7 +109,7 @@ Result<silhouette::MeasuredStyle> measured_style(SilhouetteArguments const& argu
     return style;
 }
 
-// A style's form, but for what other options say.
+// The form measured on the style's plant; options that were given override it.
 silhouette::TreeForm styled_form(SilhouetteArguments const& arguments,
                                  silhouette::MeasuredStyle const& style)
 {
@@ -135,7 +138,7 @@ tl::unexpected<Error> about_drawing(fs::path const& file, Error const& error)
     return fail(error.fault, fmt::format("{}: {}", file.string(), error.message));
 }
 
-// Writes the tree where the user wants it; the names of the files.
+// Writes the tree where the user wants it and returns the names of the files.
 Result<std::string> write_tree(SilhouetteArguments const& arguments, fs::path const& drawing,
                                Plant const& plant)
 {
@@ -237,7 +240,7 @@ Result<void> make_trees(SilhouetteArguments arguments)
     return {};
 }
 
-// How branches stand, how many there are, and their leaves.
+// Adds the options for leaves, the arrangement and the number of branches.
 void add_leaf_options(CLI::App& command, SilhouetteArguments& arguments)
 {
     command.add_option("--leaves", arguments.form.leaves, "Leaves on each twig")
@@ -329,7 +332,7 @@ void add_options(CLI::App& command, SilhouetteArguments& arguments)
                     "The folder for pictures and glTF, made if it is not there; or the tree alone, "
                     "as the file's ending says: .glb, .obj, .mtg or .png")
         ->type_name("OUTPUT");
-    add_style_options(command, arguments); // Before the form's numbers, which change it.
+    add_style_options(command, arguments); // Comes first, as the form's numbers override a style.
     add_form_options(command, arguments);
     add_leaf_options(command, arguments);
     command.add_option("--height", arguments.height_m, "Of the whole tree, metres")

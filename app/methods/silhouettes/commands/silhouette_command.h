@@ -5,7 +5,7 @@
 
 namespace tractus::silhouette {
 
-// tractus silhouette FILE … -o OUTPUT: a tree from the outline of its crown.
+// Command `tractus silhouette FILE … -o OUTPUT`: a tree from the outline of its crown.
 void add_silhouette_command(CLI::App& root, options::Action& action, tools::Methods const& methods);
 
 } // namespace tractus::silhouette

@@ -10,15 +10,15 @@
 
 namespace tractus::sketch {
 
-// True for what is no file of a rule's numbers but a model: an L-system file, or one of ours by its
-// name alone.
+// True if the name refers to a model, that is an L-system file or a built-in model by its bare
+// name, rather than to a file with a rule's numbers.
 bool names_model(std::filesystem::path const& rule);
 
-// Reads a model with what it includes, to be grown along a stroke. Fails like load_model_edit(),
-// and as the user's fault for what names no model.
+// Reads a model and its includes, to be grown along a stroke. Fails like load_model_edit(), and
+// with a user error if the name does not refer to a model.
 Result<sketch::ModelRule> load_model_rule(std::filesystem::path const& name);
 
-// What "tractus lsystem check" says of a model's growing along strokes, as lines.
+// Lines for `tractus lsystem check` that say whether a model can grow along strokes.
 std::string describe_contract(std::filesystem::path const& model,
                               scene::LoadOptions const& options);
 

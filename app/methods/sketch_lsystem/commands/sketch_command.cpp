@@ -44,13 +44,13 @@ namespace fs = std::filesystem;
 struct SketchArguments {
     tools::Methods methods;
     fs::path stroke;
-    fs::path twig; // In place of a stroke and a rule.
+    fs::path twig; // Replaces `stroke` and `rule`.
     fs::path rule;
     fs::path folder;
-    std::size_t number = 1; // Number of the stroke in its file.
-    std::string surface;    // Empty: as surface_for() has it.
-    std::string height;     // Height for a log without a height sensor.
-    std::uint64_t seed = 1; // Of a model's chance.
+    std::size_t number = 1; // Number of the stroke in its file, counted from 1.
+    std::string surface;    // Empty: chosen by surface_for().
+    std::string height;     // Height for a log that lacks a height sensor's.
+    std::uint64_t seed = 1; // Random seed of a model.
     bool bare = false;
     bool report = false;
     bool session = false;
@@ -69,7 +69,8 @@ Result<Stroke> choose_stroke(SketchArguments const& arguments)
                             arguments.number, strokes.size()));
 }
 
-// A file of strokes says where they are in space; of a log the pen's way decides.
+// Surface on which the stroke was drawn. Files of strokes give places in space; for a log it is
+// decided from the pen's path.
 StrokeSurface surface_for(SketchArguments const& arguments)
 {
     if (arguments.surface.empty())
@@ -98,7 +99,7 @@ bool names_card(SketchArguments const& arguments)
     return arguments.rule.extension() == ".card";
 }
 
-// A card that was kept in the window.
+// Reads a preset that was saved in the window.
 Result<SketchTool> read_card(SketchArguments const& arguments)
 {
     constexpr std::size_t kMostBytes = 4096;
@@ -121,7 +122,7 @@ Result<sketch::Rule> read_rule(SketchArguments const& arguments)
     return sketch::load_rule(arguments.rule);
 }
 
-// The model that grows in a rule's place; not set where a rule does.
+// The model to grow instead of a rule; not set if a rule is used.
 Result<sketch::ModelRule> read_model(SketchArguments const& arguments)
 {
     sketch::ModelRule model;
@@ -148,7 +149,7 @@ void warn_of_cut(sketch::Rule const& rule, sketch::DrawnAxis const& axis)
                         axis.depth, rule.most_internodes));
 }
 
-// What a pen in the window would have made of it, so that rule and stroke can be changed there.
+// The edit that a pen in the window would have made, so that rule and stroke stay editable there.
 Result<sketch::GrowAlongStroke> drawn_edit(SketchArguments const& arguments,
                                            sketch::Rule const& rule)
 {
@@ -162,7 +163,7 @@ Result<sketch::GrowAlongStroke> drawn_edit(SketchArguments const& arguments,
     };
 }
 
-// The plant's pictures and session, once its model is written.
+// Writes the plant's pictures and session, after its model was written.
 Result<void> write_plant(SketchArguments const& arguments, scene::Edit const& load,
                          fs::path const& base, Result<sketch::GrowAlongStroke> const& drawn,
                          int segments)
@@ -203,7 +204,8 @@ Result<void> sketch_rule(SketchArguments const& arguments)
                        drawn_edit(arguments, rule), axis.segments());
 }
 
-// What the model includes lies beside it, but for leaves, which are grown again.
+// Writes the files that the model includes beside it, except leaf sheets, which are grown again on
+// loading.
 Result<void> write_includes(fs::path const& folder, sketch::ModelRule const& model)
 {
     for (auto const& [name, text] : model.includes)
@@ -240,7 +242,7 @@ void warn_of_misfit(SketchArguments const& arguments, sketch::TwigRule const& tw
             100 * twig.spacing_deviation, twig.twist_deviation_deg));
 }
 
-// The rule's file, and the plant that it grows along the twig's axis.
+// Writes the rule's file, and the plant that the rule grows along the twig's axis.
 Result<void> grow_twig(SketchArguments arguments, sketch::DrawnTwig const& twig,
                        sketch::Rule const& rule)
 {
