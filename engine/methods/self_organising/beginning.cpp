@@ -26,8 +26,8 @@ bool is_whole(scene::PlantState const& plant)
     return plant.grafts.empty() && plant.hidden_branches.empty();
 }
 
-// A plant built as the only one of a document, and its nodes as strokes have bent them, in plant
-// millimetres.
+// A plant built as the only one of a document, with the positions of its nodes after bending by
+// strokes, in plant millimetres.
 struct BentPlant {
     scene::Scene scene;
     std::vector<Vec3> nodes_mm;

@@ -11,21 +11,24 @@
 
 namespace tractus::self_organising {
 
-// A plant as it stood when a tree began to grow from it.
+// The plant, of any method, from which a self-organising tree grows on, as it was at that moment.
 struct Beginning {
-    std::shared_ptr<scene::PlantState const> plant; // With the strokes that bend it; not null.
-    double scale = 0.1; // World millimetres per plant millimetre, for those strokes.
+    // The plant together with the strokes that bend it; not null.
+    std::shared_ptr<scene::PlantState const> plant;
+    // World millimetres per plant millimetre; gives the bending strokes their size.
+    double scale = 0.1;
 };
-using SharedBeginning = std::shared_ptr<Beginning const>; // Shared by the tree's versions.
+// All versions of a tree share one beginning.
+using SharedBeginning = std::shared_ptr<Beginning const>;
 
-// The active plant of a document, or another one, as it stands. The builder gives the scale of a
-// document that has none. Fails where a plant of it cannot be built.
+// Makes a beginning of the plant with this number in a document. `builder` supplies the scale of a
+// document that has none. Fails if a plant of that document cannot be built.
 Result<SharedBeginning> beginning_from(scene::DocumentState const& state, std::size_t number,
                                        scene::SceneBuilder& builder);
 
-// The wood of a beginning. A tree that has grown by a habit keeps its buds; the axes of any other
-// plant become wood as tree_of_wood() has it. Fails where the plant cannot be built, and for one
-// without branches.
+// Builds the growing tree that a beginning stands for. A self-organising tree keeps its buds; the
+// axes of any other plant become wood (tree_of_wood()). Fails if the plant cannot be built or has
+// no branches.
 Result<GrowingTree> wood_of(Beginning const& beginning, Habit const& habit, std::uint64_t seed,
                             scene::LoadOptions const& options);
 

@@ -16,12 +16,13 @@ namespace tractus::self_organising {
 namespace {
 
 constexpr std::uint32_t kSowStream = 0x50EE;
-constexpr double kCellInternodes = 1.26; // One marker for each two cubic internodes,
-constexpr double kMostInCell = 3;        // 0 to 2 in a cell.
+// Side of a cell in internodes: on average there is one marker per two cubic internodes.
+constexpr double kCellInternodes = 1.26;
+constexpr double kMostInCell = 3; // A cell gets 0 to 2 markers, fewer than this number.
 constexpr std::size_t kMostSownCells = 4'000'000;
 
-// A brush that is small beside the habit's internodes grows finer ones, so that some find room in
-// it.
+// Internode length along a sweep. It is shorter than the habit's if the brush is small, so that a
+// few internodes fit into the ball.
 double internode_mm(BrushSweep const& sweep, Habit const& habit)
 {
     constexpr double kInternodesInRadius = 4;
@@ -31,7 +32,7 @@ double internode_mm(BrushSweep const& sweep, Habit const& habit)
     return std::min(habit.internode_mm, radius / kInternodesInRadius);
 }
 
-// Sows along a sweep, ball by ball.
+// Sows markers along a sweep, ball by ball.
 class Sower {
 public:
     Sower(BrushSweep const& sweep, Habit const& habit)
@@ -40,7 +41,7 @@ public:
     {
     }
 
-    // Adds what the balls up to a number, not included, newly cover.
+    // Adds the markers of the cells that the balls before number `end` newly cover.
     Result<void> sow_until(std::size_t end, std::vector<Vec3>& markers)
     {
         for (; next_ < end; ++next_) {
@@ -109,11 +110,11 @@ private:
 
     BrushSweep const& sweep_;
     double side_;
-    std::size_t next_ = 0; // The next ball.
+    std::size_t next_ = 0; // Index of the next ball to be sown.
     std::set<Cell> covered_;
 };
 
-// How many balls have come by the end of a year: all in the last.
+// Number of balls that the brush has passed by the end of a year; all of them in the last year.
 std::size_t balls_until(BrushSweep const& sweep, int year)
 {
     auto const& balls = sweep.balls;
@@ -123,7 +124,7 @@ std::size_t balls_until(BrushSweep const& sweep, int year)
         : balls.back().seconds - balls.front().seconds;
     if (year == sweep.years && sweep.seconds_per_year <= 0)
         return balls.size();
-    if (!(seconds > 0)) // A stroke without times.
+    if (!(seconds > 0)) // The stroke has no times.
         return static_cast<std::size_t>(std::ceil(share * static_cast<double>(balls.size())));
     double const until = balls.front().seconds + share * seconds;
     auto const end = std::partition_point(

@@ -9,33 +9,34 @@
 
 namespace tractus::self_organising {
 
-// The brush at one moment: a ball. Millimetres in the tree's frame.
+// A spherical brush at one moment. Millimetres in the tree's frame.
 struct BrushBall {
-    double seconds = 0; // Since the stroke began; never falls.
+    double seconds = 0; // Time since the stroke began; non-decreasing.
     Vec3 centre = Vec3::Zero();
     double radius = 0;
 };
 
-// A stroke of the brush: the ball sows markers of free space where it comes, and the tree grows a
-// number of years while it moves (TreeSketch: Longay et al. 2012).
+// A brush stroke that a tree follows: the moving ball sows markers of free space, and the tree
+// grows for a number of years meanwhile (TreeSketch: Longay et al. 2012).
 struct BrushSweep {
     std::vector<BrushBall> balls {};
     int years = 1;
-    double seconds_per_year = 0; // 0: the years divide the sweep's time evenly.
-    // True: only buds grow that are in the ball, or no farther from it than they perceive. False:
-    // all buds grow wherever the brush has been.
+    // Stroke time that counts as one year; 0: the years divide the stroke's duration evenly.
+    double seconds_per_year = 0;
+    // True: a bud grows only while it is in the ball or within its perception radius of it. False:
+    // buds grow wherever the brush has been.
     bool waits_outside = false;
-    std::uint64_t seed = 1; // Of the markers' places.
+    std::uint64_t seed = 1; // Seed of the markers' positions.
 };
 
-// The markers that a sweep sows in the end, in the order in which it reaches their cells. Number
-// and places in a cell follow from the cell's place and the seed alone, so nothing is sown twice,
-// and what lies where does not depend on how the brush came there. Fails, as the user's fault, for
-// a sweep over more space than memory should hold.
+// Computes the markers that a whole sweep sows, in the order in which the brush reaches their
+// cells. The markers in a cell follow from the cell's position and the seed alone: no cell is sown
+// twice, and the path of the brush does not matter. Fails, as the user's fault, if the sweep covers
+// too many cells.
 Result<std::vector<Vec3>> sow(BrushSweep const& sweep, Habit const& habit);
 
-// Grows the tree along the sweep. Branches stay where they grew: their weight bends them only as it
-// grows later. `seed`: of the habit's chance. Fails like sow() and grow_step().
+// Grows the tree along the sweep. The branches stay where they grew: only weight that is added
+// later bends them. `seed` drives the habit's random variation. Fails like sow() and grow_step().
 Result<void> grow_along(GrowingTree& tree, BrushSweep const& sweep, Habit const& habit,
                         std::uint64_t seed);
 

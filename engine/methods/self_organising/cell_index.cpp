@@ -8,7 +8,8 @@ namespace tractus::self_organising {
 
 Cell cell_at(Vec3 const& position, double side)
 {
-    constexpr double kFarthest = 1e15; // Beyond it cells are wider than numbers are apart.
+    // Larger cell coordinates would exceed the precision of a double.
+    constexpr double kFarthest = 1e15;
     auto const along = [&](double x) {
         return static_cast<std::int64_t>(std::clamp(std::floor(x / side), -kFarthest, kFarthest));
     };
@@ -35,7 +36,8 @@ CellIndex::CellIndex(std::span<Vec3 const> points, double side)
 
 std::size_t CellIndex::slot_of(Cell const& cell) const
 {
-    // Teschner et al., "Optimized spatial hashing for collision detection", 2003, in 64 bits.
+    // Hash function of Teschner et al., "Optimized spatial hashing for collision detection", 2003,
+    // extended to 64 bits.
     auto const mixed = static_cast<std::uint64_t>(cell[0]) * 0x9E3779B97F4A7C15U
         ^ static_cast<std::uint64_t>(cell[1]) * 0xC2B2AE3D27D4EB4FU
         ^ static_cast<std::uint64_t>(cell[2]) * 0x165667B19E3779F9U;

@@ -9,20 +9,20 @@
 
 namespace tractus::self_organising {
 
-// Integer place of a cell of a grid through the origin.
+// Integer coordinates of a cell in a cubic grid that begins at the origin.
 using Cell = std::array<std::int64_t, 3>;
 
 Cell cell_at(Vec3 const& position, double side);
 
-// Points by the cells of a grid that they lie in: a hash table whose slots list their points. Cells
-// of other places may share a slot, so whoever asks looks at the points' positions as well.
+// A spatial hash table: finds points by the grid cell that contains them. Different cells may share
+// a slot, so callers must check the distance to each point.
 class CellIndex {
 public:
-    // `side`: of a cell, above 0.
+    // `side` is the length of a cell's edge, above 0.
     CellIndex(std::span<Vec3 const> points, double side);
 
-    // Calls use(number) for the points in the 27 cells around a position, and perhaps for others,
-    // some of them twice.
+    // Calls use(number) for each point in the 27 cells around a position, and possibly for other
+    // points or for the same point twice.
     template<typename Use> void for_each_near(Vec3 const& position, Use use) const
     {
         auto const [x, y, z] = cell_at(position, side_);
@@ -39,9 +39,11 @@ private:
     std::size_t slot_of(Cell const& cell) const;
 
     double side_;
-    std::size_t mask_;                   // Number of slots, a power of two, less 1.
-    std::vector<std::uint32_t> starts_;  // Of each slot, into numbers_; and the end.
-    std::vector<std::uint32_t> numbers_; // Of points, in their order within a slot.
+    std::size_t mask_; // Number of slots, a power of two, minus 1.
+    // Where each slot begins in numbers_, and the total at the end.
+    std::vector<std::uint32_t> starts_;
+    // Point numbers grouped by slot, ascending within each slot.
+    std::vector<std::uint32_t> numbers_;
 };
 
 } // namespace tractus::self_organising

@@ -15,9 +15,10 @@ namespace tractus::self_organising {
 
 namespace {
 
-constexpr double kBudDistance = 0.7; // Least distance of budded nodes, in internodes.
+// Minimum distance between nodes that bear buds, in internodes.
+constexpr double kBudDistance = 0.7;
 
-// A key for an axis without one, from its parent axis' key and its number in the plant.
+// Makes a key for an axis that has none, from its parent axis's key and its number in the plant.
 std::uint64_t name_of_given(std::uint64_t parent, std::uint64_t number)
 {
     auto mixed = parent * 0x9E3779B97F4A7C15U + number + 0x6769766E;
@@ -82,7 +83,7 @@ private:
         }
     }
 
-    // A segment, in parts of about an internode. The node at its upper end.
+    // Adds a segment, divided into parts of about one internode. Returns the node at its upper end.
     std::uint32_t add_segment(Axis const& axis, std::uint32_t i, std::uint32_t below,
                               NodeLinks& links, bool begins_lateral)
     {
@@ -102,7 +103,8 @@ private:
         return below;
     }
 
-    // `width_mm` is the diameter of the internode below; without a value the node is a stem's foot.
+    // `width_mm` is the diameter of the internode below the node; without a value the node is the
+    // foot of a stem.
     std::uint32_t add_node(std::uint32_t below, NodeLinks& links, Vec3 const& at,
                            std::optional<double> width_mm)
     {
@@ -130,10 +132,12 @@ private:
         return number;
     }
 
-    // Estimates a node's age: the years in which a trunk grows the longest path above the node.
+    // Estimates the age of each node: the years that a trunk needs to grow the longest path above
+    // the node.
     void set_ages()
     {
-        constexpr double kUsualShoot = 0.6; // As a share of the habit's longest shoot in a year.
+        // Average length of annual shoots, as a share of the habit's longest annual shoot.
+        constexpr double kUsualShoot = 0.6;
         constexpr double kOldest = 150;
         double const a_year = std::max(1.0, kUsualShoot * habit_.most_internodes) * internode_mm_;
         std::vector<double> above_mm(tree_.size());
@@ -172,7 +176,8 @@ private:
         tree_.links[0].has_terminal = tree_.links[0].main == kNone && tree_.size() == 1;
     }
 
-    // What its width is more than the pipe model's is from what it has lost.
+    // Wood thicker than the pipe model predicts is taken to have lost branches: the difference
+    // becomes dead wood.
     void keep_widths()
     {
         auto const laws = laws_in_year(habit_, tree_.step);
@@ -192,11 +197,11 @@ private:
     std::uint64_t seed_;
     double internode_mm_;
     GrowingTree tree_;
-    std::vector<double> width_mm_;                     // Of each node's internode, as given.
-    std::vector<bool> has_buds_;                       // Of each node.
-    std::vector<std::vector<std::uint32_t>> children_; // First nodes of lateral axes, by node.
-    std::vector<std::uint32_t> node_at_end_;           // Of each segment.
-    double since_bud_mm_ = 0; // From the last node of the axis that has buds.
+    std::vector<double> width_mm_;                     // Given diameter of each node's internode.
+    std::vector<bool> has_buds_;                       // True for each node that may bear buds.
+    std::vector<std::vector<std::uint32_t>> children_; // First nodes of each node's lateral axes.
+    std::vector<std::uint32_t> node_at_end_;           // Node at the upper end of each segment.
+    double since_bud_mm_ = 0; // Distance from the last node of the axis that may bear buds.
 };
 
 } // namespace
@@ -214,7 +219,8 @@ void bend_tree(GrowingTree& tree, TreePlant const& plant, std::span<Vec3 const> 
     for (std::size_t i = 0; i < tree.size(); ++i)
         before[i] = tree.places[i].position;
     Vec3 const base = before[0];
-    // Axes begin at nodes of what bears them, which comes earlier and says where those are.
+    // An axis begins at a node of its parent axis. The parent comes first in the plant, so the
+    // first position found for a node is the parent's.
     std::vector<bool> is_known(tree.size());
     is_known[0] = true;
     for (std::size_t k = 0; k < nodes_mm.size(); ++k) {

@@ -10,28 +10,32 @@
 
 namespace tractus::self_organising {
 
-// Wood that was drawn or measured, from which a tree grows on.
+// Drawn or measured wood from which a tree grows on.
 struct GivenWood {
-    Plant const& plant;      // Its axes count. Must outlive the struct, as must the keys.
-    AxisKeys const& keys {}; // One for each axis or none: names that the axes keep.
-    double internode_mm = 0; // Longer segments are divided; 0: the habit's internode.
+    // Only the plant's axes are used. The plant and the keys must outlive this struct.
+    Plant const& plant;
+    AxisKeys const& keys {}; // Names that the axes keep: one for each axis, or none at all.
+    // Longer segments are divided into internodes of this length; 0: the habit's internode length.
+    double internode_mm = 0;
     enum class Buds {
-        Young, // Only where wood is so young that the habit's lateral buds still live.
-        All,   // On all wood: it has been woken.
+        Young, // Lateral buds only on wood so young that, by the habit, its buds still live.
+        All,   // Lateral buds on all wood: dormant buds have been woken.
     } buds
         = Buds::Young;
-    // Keeps the plant's radii as the least that the wood has; else the pipe model alone says them.
+    // True: branches are at least as thick as the plant's. False: the pipe model alone decides.
     bool keeps_width = true;
 };
 
-// The wood as a tree that can grow: a node at the end of each segment or of its parts, the terminal
-// bud of each axis, and lateral buds as the habit has them. Its age in years follows from how many
-// internodes are above each node. What stands on the ground away from the plant's origin is a stem
-// of its own (is_stem_of_its_own()). `seed`: of how buds stray. The habit has passed check_habit().
+// Converts wood into a tree that can grow. Each segment, or each part of a divided one, ends in a
+// node; each axis gets a terminal bud, and nodes get lateral buds as the habit says. A node's age
+// in years follows from the number of internodes above it. An axis that stands on the ground away
+// from the plant's origin becomes a stem of its own (is_stem_of_its_own()). `seed` drives the
+// variation of the buds. The habit must have passed check_habit().
 GrowingTree tree_of_wood(GivenWood const& wood, Habit const& habit, std::uint64_t seed);
 
-// Moves a tree's nodes to where those of its plant have been bent to; buds turn with the wood that
-// bears them, and the bend is set. `nodes_mm`: of `plant`, as plant_of() made it from this tree.
+// Moves a tree's nodes to the positions to which its plant was bent. Buds turn with the wood that
+// bears them, and the bent shape becomes the shape at rest. `nodes_mm` are positions of the nodes
+// of `plant`, which plant_of() made from this tree.
 void bend_tree(GrowingTree& tree, TreePlant const& plant, std::span<Vec3 const> nodes_mm,
                Habit const& habit);
 

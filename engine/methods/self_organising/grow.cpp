@@ -17,11 +17,13 @@ namespace tractus::self_organising {
 namespace {
 
 struct Environment {
-    Perceived perceived; // In Light without directions, which few buds need.
+    // Light and space that each bud perceives. Without directions in Light: they are computed only
+    // for buds that grow.
+    Perceived perceived;
     std::optional<LightGrid> grid;
 };
 
-// The buds of a region compete for the markers that they can perceive.
+// Lets the buds of a region compete for the markers that they can perceive.
 Perceived compete_in_region(GrowingTree const& tree, std::vector<Bud> const& buds,
                             std::vector<Vec3>& markers, Region const& region, Laws const& laws)
 {
@@ -64,7 +66,7 @@ Result<Environment> perceive(GrowingTree const& tree, std::vector<Bud> const& bu
     return Environment { { std::move(light.quality), {} }, std::move(light.grid) };
 }
 
-// The buds that grow, and how.
+// The shoots of the buds that grow in this step.
 std::vector<Shoot> shoots_of(GrowingTree const& tree, std::vector<Bud> const& buds,
                              Environment const& environment, std::vector<double> const& vigour,
                              Laws const& laws)
@@ -95,7 +97,7 @@ std::vector<Shoot> shoots_of(GrowingTree const& tree, std::vector<Bud> const& bu
     return shoots;
 }
 
-// Lateral buds that have slept for too long die.
+// Removes lateral buds that have been dormant for too long.
 void end_old_buds(GrowingTree& tree, Laws const& laws)
 {
     if (laws.bud_life == 0)

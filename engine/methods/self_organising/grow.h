@@ -12,36 +12,38 @@
 
 namespace tractus::self_organising {
 
-// What one step did.
+// Counts of one growth step.
 struct StepCount {
-    std::size_t buds = 0;    // Living buds before it,
-    std::size_t lit = 0;     // those of them that received something,
-    std::size_t grown = 0;   // internodes that grew,
-    std::size_t nodes = 0;   // nodes after it,
-    std::size_t markers = 0; // and markers that are left.
+    std::size_t buds = 0;    // Living buds before the step.
+    std::size_t lit = 0;     // Buds that received light or space in this step.
+    std::size_t grown = 0;   // Internodes that grew in this step.
+    std::size_t nodes = 0;   // Nodes after the step.
+    std::size_t markers = 0; // Markers left after the step.
 
     bool operator==(StepCount const&) const = default;
 };
 
-// A ball; what is outside waits.
+// A ball within which buds may grow; buds outside it wait.
 struct Region {
     Vec3 centre = Vec3::Zero();
     double radius = 0;
 };
 
-// What a tree grows in.
+// The environment of a growing tree.
 struct Surroundings {
-    std::vector<Vec3> markers {};     // Of free space; those that are used up go.
-    std::span<Vec3 const> shading {}; // What shades it besides its own buds, in Light.
-    std::uint64_t seed = 1;           // Of what is left to chance.
-    // Where buds compete for markers; no value: everywhere. In Light all do.
+    std::vector<Vec3> markers {}; // Markers of free space; those that are used up are removed.
+    // Points that cast shade besides the tree's own buds; for Laws::Environment::Light.
+    std::span<Vec3 const> shading {};
+    std::uint64_t seed = 1; // Seed of all random variation.
+    // The region in which buds compete for markers; no value: everywhere. Ignored for
+    // Laws::Environment::Light.
     std::optional<Region> region {};
 };
 
-// One step: buds compete, vigour is shared out, shoots grow, starved branches are shed. The laws
-// have passed check_laws(). Fails, as the user's fault, for a tree of more than Laws::most_nodes
-// nodes, or one that spreads over too many cells; it is then as before the step. The same bytes on
-// any number of threads.
+// Grows a tree by one step: buds compete, vigour is distributed, shoots grow and starved branches
+// are shed. The laws must have passed check_laws(). Fails, as the user's fault, for a tree of more
+// than Laws::most_nodes nodes or one that spreads over too many cells, and then leaves the tree
+// unchanged. The result is bit-identical on any number of threads.
 Result<StepCount> grow_step(GrowingTree& tree, Surroundings& surroundings, Laws const& laws);
 
 } // namespace tractus::self_organising

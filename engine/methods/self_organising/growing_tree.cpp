@@ -15,7 +15,7 @@ Vec3 unit_or_zero(Vec3 const& vector)
 Vec3 right_of(Vec3 const& direction)
 {
     constexpr double kVertical = 1e-9;
-    Vec3 const normal(direction.y(), -direction.x(), 0); // direction x z
+    Vec3 const normal(direction.y(), -direction.x(), 0); // Cross product of direction and z.
     return length_of(normal) > kVertical ? unit_or_zero(normal) : Vec3(Vec3::UnitX());
 }
 

@@ -51,7 +51,7 @@ constexpr scene::SourceKind kTree {
     },
 };
 
-// The sweep of a stroke in the tree's frame.
+// Converts a brush stroke to a sweep in the tree's frame.
 Result<BrushSweep> sweep_of(GrownTree const& tree, LifePart const& part, std::size_t number)
 {
     auto const tips = TRY(part.stroke.tips.in_memory());

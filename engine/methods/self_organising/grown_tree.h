@@ -12,45 +12,48 @@
 
 namespace tractus::self_organising {
 
-// A part of a tree's life: years by itself, or along a stroke of the brush.
+// A period of a tree's life: some years of growth, either by itself or along a brush stroke.
 struct LifePart {
-    int years = 1;    // 1 to kMostYears.
-    Stroke stroke {}; // World frame. Empty: the tree grows by itself, by light.
-    // The ball's radius on the desk, at no pressure and at full pressure.
+    int years = 1; // Duration in years, 1 to kMostYears.
+    // Brush stroke, world frame. Empty: the tree grows by itself, competing for light.
+    Stroke stroke {};
+    // Radius of the brush at zero and at full pen pressure, in millimetres on the desk.
     double least_radius_mm = 8;
     double most_radius_mm = 40;
-    bool waits_outside = false;  // See BrushSweep.
-    double seconds_per_year = 0; // Of the pen's time; 0: the years divide the stroke evenly.
-    // Where the tree stood and how many world millimetres a plant millimetre was when the stroke
+    bool waits_outside = false; // See BrushSweep::waits_outside.
+    // Pen time that counts as one year; 0: the years divide the stroke's duration evenly.
+    double seconds_per_year = 0;
+    // The tree's position and its scale in world millimetres per plant millimetre when the stroke
     // was drawn. Set by the edits.
     Vec3 stands_at_mm = Vec3::Zero();
     double scale = 0.1;
 };
 
-// What a self-organised tree is made from: its life so far. It is grown from that anew whenever it
-// is needed; the same life gives the same tree.
+// Source of a self-organising tree: its life so far. The tree is grown anew from this whenever it
+// is needed; equal lives give equal trees.
 struct GrownTree {
     Habit habit {};
     std::uint64_t seed = 1;
     std::vector<LifePart> life {};
-    SharedBeginning start {}; // The plant that it grew from; null for a tree grown from a seed.
+    // The plant from which the tree grew on; null for a tree grown from a seed.
+    SharedBeginning start {};
 };
 
-// Adds a tree that begins to grow: where the stroke begins or, by itself, at the world's origin. It
-// becomes the active plant.
+// Edit: adds a tree, which stands where the stroke begins or, without a stroke, at the world's
+// origin. It becomes the active plant.
 struct PlantTree {
     static scene::EditKind const kKind;
 
     Habit habit {};
     std::uint64_t seed = 1;
-    // A document whose scale nobody has set keeps this one. 0: it has none of its own, and the
-    // first plant of a document is fitted into the drawing volume.
+    // Scale that a document adopts if nobody has set its scale. 0: the document's first plant is
+    // fitted into the drawing volume instead.
     double scale = 0;
     LifePart first {};
-    scene::ItemId id = 0; // The plant's; 0: it has none yet.
+    scene::ItemId id = 0; // Id of the new plant; 0: not yet assigned.
 };
 
-// A tree goes on growing.
+// Edit: lets a tree grow on for another period.
 struct GrowOn {
     static scene::EditKind const kKind;
 
@@ -58,8 +61,9 @@ struct GrowOn {
     LifePart next {};
 };
 
-// Lets a plant of any method grow on as a tree of a habit. Its axes become living wood in the shape
-// that strokes and grafts have given them; the plant then has no strokes, indicators or grafts.
+// Edit: converts a plant of any method to a self-organising tree that grows on. Its axes become
+// living wood in the shape that strokes and grafts have given them; strokes, indicators and grafts
+// are then removed.
 struct GrowFrom {
     static scene::EditKind const kKind;
 
@@ -69,7 +73,7 @@ struct GrowFrom {
     LifePart next {};
 };
 
-// Lets a tree live the same life with another habit or by another chance.
+// Edit: lets a tree live the same life again with another habit or another seed.
 struct ChangeHabit {
     static scene::EditKind const kKind;
 
@@ -78,18 +82,19 @@ struct ChangeHabit {
     std::uint64_t seed = 1;
 };
 
-// Fail, as the user's fault, for a part of a life out of range, and a tree that would be too old.
+// These fail, as the user's fault, for a period whose values are out of range and for a tree that
+// would become too old.
 Result<void> check_life(LifePart const& part);
 Result<void> check_age(GrownTree const& tree);
 
-// Grows the tree from its beginning. Fails, as the user's fault, for a habit or a life out of
-// range, and a stroke that is not in memory.
+// Grows the tree from its beginning through all periods of its life. Fails, as the user's fault,
+// for a habit or life out of range and for a stroke that is not in memory.
 Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& options = {});
 
-// The same as a plant; axes keep their keys as the tree lives longer.
+// Grows the tree and converts it to a plant. Axes keep their keys when the tree grows older.
 Result<scene::BuiltSource> build_tree(GrownTree const& tree, scene::LoadOptions const& options);
 
-// What stands under a plant; null for a source of another kind.
+// Converts a grown tree to a plant's source and back; null for a source of another kind.
 scene::PlantSource source_of(GrownTree tree);
 GrownTree const* grown_tree_of(scene::PlantSource const& source);
 

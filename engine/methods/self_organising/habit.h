@@ -8,66 +8,75 @@
 
 namespace tractus::self_organising {
 
-// How a species grows: the numbers of a habit file (app/habits). Lengths in millimetres at the
-// plant's natural size, angles in degrees. Numbers that end in _old hold from `old_years` on;
-// before, they change evenly from those of a seedling.
+// How a species grows: the numbers of a habit file (app/habits). Lengths are in millimetres at
+// natural size, angles in degrees. A value ending in _old holds from `old_years` on; in earlier
+// years it is interpolated from the seedling's value.
 struct Habit {
-    std::string name = "tree"; // For people, as "oak".
-    std::string latin {};      // "Quercus robur".
-    std::string leaves {}; // One of our grown leaves (app/leaves), or empty: the plain shape below.
+    std::string name = "tree"; // Common name, such as "oak".
+    std::string latin {};      // Botanical name, such as "Quercus robur".
+    // Name of a shipped grown leaf (app/leaves); empty: the plain leaf described below.
+    std::string leaves {};
 
-    // Shoots of one year.
+    // Annual shoots.
     double internode_mm = 100;
-    double most_internodes = 4, most_internodes_old = 4; // Of one shoot.
-    // Of shoots of all axes but the trunk, and of those that these bear.
+    // Most internodes of an annual shoot of the trunk.
+    double most_internodes = 4, most_internodes_old = 4;
+    // Most internodes of an annual shoot on axes of order 1, and on axes of order 2 and above;
+    // never more than the trunk's.
     double branch_internodes = 4, twig_internodes = 4;
-    double longest = 1.5; // Longest internode, in internodes.
+    double longest = 1.5; // Length of the longest internode, as a multiple of internode_mm.
     double vigour = 2, vigour_old = 2;
     double apical_control = 0.5, apical_control_old = 0.48;
     double old_years = 40;
     double terminal_loss = 0; // Share of lateral shoots whose terminal bud dies.
-    double bud_life = 4;      // Years that a lateral bud waits.
+    double bud_life = 4;      // Years for which a lateral bud stays alive without growing.
 
-    // Branching; "lateral" numbers hold for all axes but the trunk.
+    // Branching; values named "lateral" hold for all axes but the trunk.
     double angle_deg = 50, lateral_angle_deg = 45;
     double divergence_deg = 137.5, lateral_divergence_deg = 137.5;
-    double lateral_start_deg = 0; // 90 with a divergence of 180: laterals stand in a flat spray.
-    double divergence_spread_deg = 12, angle_spread_deg = 8; // Chance: standard deviations.
+    double lateral_start_deg = 0; // 90 together with a divergence of 180 makes flat sprays.
+    // Standard deviations of the random variation of both angles.
+    double divergence_spread_deg = 12, angle_spread_deg = 8;
     double laterals_at_node = 1;
-    double whorl = 0; // Laterals at the end of each year's shoot of the trunk; 0: as at any node.
-    // Upward tropism of the trunk, its branches, their branches, and all twigs above; negative:
-    // down.
+    // Laterals at the end of each annual shoot of the trunk; 0: as many as at any other node.
+    double whorl = 0;
+    // Upward tropism of the trunk, of its branches, of their branches, and of all higher orders;
+    // negative: downwards.
     double tropism_trunk = 0.1, tropism_branches = 0.1, tropism_twigs = 0.1, tropism_last = 0.1;
-    double space_weight = 0.35; // Pull towards light, or towards the brush's free space.
+    // Strength of the pull towards light, or towards a brush's free space.
+    double space_weight = 0.35;
 
     // Light.
-    double cell_mm = 200; // Side of the cells in which shade is kept.
-    double shade = 0.08, shade_fall = 2, shade_depth = 4; // As in Laws.
-    double sight_cells = 3, sight_angle_deg = 90;         // Perception, in cells.
+    double cell_mm = 200; // Side of the cubic cells in which shade is recorded.
+    // See the fields of the same names in Laws.
+    double shade = 0.08, shade_fall = 2, shade_depth = 4;
+    double sight_cells = 3, sight_angle_deg = 90; // Perception radius, in cells, and opening angle.
     double shed_below = 0.2, shed_below_old = 0.2;
-    double clear_share = 0; // Share of the tree's height below which buds receive no light.
+    // Share of the tree's height, from the ground, in which buds receive no light.
+    double clear_share = 0;
 
     // Wood.
     double pipe_exponent = 2.3;
-    double twig_mm = 3; // Diameter of the last twigs.
-    double weight
-        = 1; // How much branches sag, as a multiple of what green wood of that width does.
-    double flare = 0.5; // By how much of its width the trunk is wider at the ground.
+    double twig_mm = 3; // Diameter of the outermost twigs.
+    // Multiplies gravity in the computation of sagging branches; 1: real weight of green wood.
+    double weight = 1;
+    double flare = 0.5; // Extra width of the trunk at the ground, as a share of its width.
 
-    // Leaves on the shoots of the last years.
+    // Leaves, which the shoots of the last `leaf_years` years bear.
     double leaf_years = 1;
     double leaves_at_node = 1;
     double leaf_mm = 80, leaf_width_mm = 45, petiole_mm = 10;
-    double leaf_angle_deg = 60; // Between leaf and shoot.
-    double leaf_is_needle = 0;  // 1: a needle; 0: a blade.
+    double leaf_angle_deg = 60; // Angle between leaf and shoot.
+    double leaf_is_needle = 0;  // 1: a needle; 0: a flat blade.
     double leaf_is_evergreen = 0;
-    double leaf_red = 0.25, leaf_green = 0.42, leaf_blue = 0.13; // sRGB, 0 to 1.
+    double leaf_red = 0.25, leaf_green = 0.42, leaf_blue = 0.13; // Colours in sRGB, 0 to 1.
     double bark_red = 0.34, bark_green = 0.28, bark_blue = 0.22;
 
     bool operator==(Habit const&) const = default;
 };
 
-// One number of a habit: what it is called in habit files and in sessions, where it never changes.
+// Describes one numeric field of a habit. `key` is its name in habit files and sessions and must
+// never change.
 struct HabitNumber {
     char const* key;
     double Habit::*value;
@@ -77,13 +86,15 @@ struct HabitNumber {
 };
 std::span<HabitNumber const> habit_numbers();
 
-// Fails, as the user's fault, for a number out of its range: which, and the range.
+// Fails, as the user's fault, for a number out of range; the message names it and the range.
 Result<void> check_habit(Habit const& habit);
 
-// The laws of a year in the life of a tree, from 1: lengths in millimetres, Light.
+// The growth laws for a year of the tree's life, from 1. Lengths in millimetres; buds compete for
+// light.
 Laws laws_in_year(Habit const& habit, int year);
 
-// The same where buds compete for the markers of a brush: Space, with internodes of that length.
+// The growth laws for a year in which buds compete for a brush's markers, with internodes of the
+// given length.
 Laws laws_of_brush(Habit const& habit, int year, double internode_mm);
 
 } // namespace tractus::self_organising

@@ -9,14 +9,15 @@
 
 namespace tractus::self_organising {
 
-// Tropism, divergence and branching angle differ by the order of the axis: 0 for the trunk, and the
-// last number holds for that order and all higher ones.
+// A value that depends on the order of an axis, such as a tropism or an angle. Order 0 is the
+// trunk; the last value holds for all higher orders.
 template<typename T> struct ByOrder {
     static constexpr std::size_t kOrders = 4;
     std::array<T, kOrders> values {};
 
     ByOrder() = default;
-    ByOrder(T const& value) // NOLINT(google-explicit-constructor): the same for all orders.
+    ByOrder(T const& value) // NOLINT(google-explicit-constructor): one value converts to the same
+                            // value for all orders.
     {
         values.fill(value);
     }
@@ -30,63 +31,71 @@ template<typename T> struct ByOrder {
     bool operator==(ByOrder const&) const = default;
 };
 
-// The laws of one step of growth, usually a year: space colonisation (Runions, Lane, Prusinkiewicz
+// The laws of one growth step, usually a year: space colonisation (Runions, Lane, Prusinkiewicz
 // 2007), shadow propagation, the extended Borchert-Honda model and shedding (Palubicki et al.
-// 2009), and the pipe model (Shinozaki et al. 1964). Lengths are in a unit of the caller's choice;
-// z is up.
+// 2009), and the pipe model (Shinozaki et al. 1964). The caller chooses the unit of length; z is
+// up.
 struct Laws {
     enum class Environment {
-        Space, // Buds compete for markers.
-        Light, // Buds compete for light; each shades the cells below it.
+        Space, // Buds compete for markers of free space.
+        Light, // Buds compete for light; each bud shades the cells below it.
     } environment
         = Environment::Space;
     double internode = 1;
 
-    // What a bud perceives: a cone about its direction, by its whole opening angle.
+    // A bud perceives what lies in a cone about its direction; the angle is the cone's full opening
+    // angle.
     double perception_radius = 5;
     double perception_angle_deg = 90;
     double occupancy_radius = 2; // A marker nearer than this to any bud is used up.
 
-    double cell = 1;       // Side of the cells in which shade is kept.
-    double shade = 0.2;    // Shade that a bud casts on its own cell,
-    double shade_fall = 2; // divided by this with each layer of cells below,
-    int shade_depth = 5;   // down to this layer.
-    double full_light = 1; // What a bud receives without shade.
-    // Buds below this height receive nothing. Default: there is no ground.
+    double cell = 1;       // Side of the cubic cells in which shade is recorded.
+    double shade = 0.2;    // Shade that a bud casts on its own cell.
+    double shade_fall = 2; // Each lower layer of cells gets this many times less shade.
+    int shade_depth = 5;   // Number of layers below a bud that it shades.
+    double full_light = 1; // Light that an unshaded bud receives.
+    // Buds below this height receive no light. Default: no limit.
     double ground = -std::numeric_limits<double>::infinity();
 
-    double apical_control = 0.5; // Lambda: above 0.5 the axis wins over its laterals.
-    double vigour = 2;           // Alpha: the base's vigour for each unit that buds receive.
-    double space_weight = 0.6;   // Pull towards the bud's best direction on each internode.
-    ByOrder<double> tropism_weight = 0.1; // Likewise towards tropism_direction; negative: away.
+    // Lambda of the Borchert-Honda model: above 0.5 the main axis is favoured over its laterals.
+    double apical_control = 0.5;
+    // Alpha of the Borchert-Honda model: vigour at the base per unit of light or space received.
+    double vigour = 2;
+    // Weight of the bud's preferred direction in the direction of each new internode.
+    double space_weight = 0.6;
+    // Weight of tropism_direction in the same sum; negative: away from it.
+    ByOrder<double> tropism_weight = 0.1;
     Vec3 tropism_direction = Vec3::UnitZ();
-    ByOrder<int> most_internodes = 4; // Longest shoot of one step.
+    ByOrder<int> most_internodes = 4; // Most internodes of a shoot in one step.
     double longest = 1.5;             // Longest internode, as a multiple of `internode`.
 
-    ByOrder<double> divergence_deg = 137.5;   // From one node of an axis to the next.
-    ByOrder<double> divergence_start_deg = 0; // Added to all nodes of an axis.
-    ByOrder<double> branching_angle_deg = 45; // Between a lateral bud and the axis that bears it.
-    // Standard deviations by which lateral buds stray from both, by chance (Surroundings::seed).
+    ByOrder<double> divergence_deg = 137.5; // Divergence angle between successive nodes of an axis.
+    ByOrder<double> divergence_start_deg = 0; // Azimuth that is added at all nodes of an axis.
+    ByOrder<double> branching_angle_deg = 45; // Angle between a lateral bud and its parent axis.
+    // Standard deviations of the random variation of divergence and branching angle
+    // (Surroundings::seed).
     double divergence_spread_deg = 0;
     double angle_spread_deg = 0;
-    int laterals_at_node = 1; // Lateral buds at each node; 0 to 8.
-    int whorl = 0;            // At the last node of a shoot of order 0; 0: as at any.
+    int laterals_at_node = 1; // Lateral buds at each node, 0 to 8.
+    // Lateral buds at the last node of each trunk shoot; 0: as many as at any other node.
+    int whorl = 0;
     double terminal_loss
-        = 0;          // Probability that a lateral shoot's terminal bud dies in its first winter.
-    int bud_life = 0; // Steps after which a lateral bud that has not grown dies; 0: never.
+        = 0; // Probability that the terminal bud of a lateral shoot dies in its first winter.
+    int bud_life = 0; // Steps after which a lateral bud that has not grown dies; 0: it never dies.
 
     double shed_below = 0; // A lateral branch that receives less than this per internode dies.
 
-    double pipe_exponent = 2.3;   // e in d^e = sum of d_child^e.
-    double twig_diameter = 0.05;  // Of internodes that bear no other.
-    bool keeps_dead_wood = false; // Shed branches leave their share in what bore them.
+    double pipe_exponent = 2.3;  // Exponent e of the pipe model: d^e = sum of the children's d^e.
+    double twig_diameter = 0.05; // Diameter of internodes without children.
+    // True: the wood below keeps the width that shed branches had given it.
+    bool keeps_dead_wood = false;
 
-    std::size_t most_nodes = 2'000'000; // A tree that would have more fails to grow.
+    std::size_t most_nodes = 2'000'000; // Limit on the number of nodes; growing beyond it fails.
 
     bool operator==(Laws const&) const = default;
 };
 
-// Fails, as the user's fault, for laws that are out of range: what, where and the range.
+// Fails, as the user's fault, for a value out of range; the message names it and the range.
 Result<void> check_laws(Laws const& laws);
 
 } // namespace tractus::self_organising

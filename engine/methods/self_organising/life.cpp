@@ -9,8 +9,10 @@ namespace tractus::self_organising {
 
 SagLaws sag_laws(Habit const& habit)
 {
-    constexpr double kPerSquareMillimetre_kg = 1.5e-7; // Of a leaf: 150 g for each square metre.
-    double const share = habit.leaf_is_needle != 0 ? 1 : 0.65; // Of its box that a blade fills.
+    // Weight of a leaf per area: 150 g per square metre.
+    constexpr double kPerSquareMillimetre_kg = 1.5e-7;
+    // Share of its bounding rectangle that a leaf fills.
+    double const share = habit.leaf_is_needle != 0 ? 1 : 0.65;
     double const leaf_kg = share * habit.leaf_mm * habit.leaf_width_mm * kPerSquareMillimetre_kg;
     return { .weight = habit.weight,
              .leaf_kg = habit.leaves_at_node * leaf_kg,

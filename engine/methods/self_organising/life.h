@@ -9,15 +9,15 @@ namespace tractus::self_organising {
 
 constexpr int kMostYears = 200;
 
-// One more year of a tree by itself: it grows by light, then sags under its weight. `surroundings`
-// as grow_step() has them. Lengths in millimetres. Fails like grow_step().
+// Grows a tree for one more year without a brush: by light, then sagging under its weight.
+// `surroundings` are those of grow_step(). Lengths in millimetres. Fails like grow_step().
 Result<StepCount> grow_year(GrowingTree& tree, Surroundings& surroundings, Habit const& habit);
 
-// A seedling that has grown by itself so many years, 1 to kMostYears. Fails, as the user's fault,
-// for another number of years or a habit out of range, and like grow_step().
+// Grows a tree from a seedling for `years` years without a brush, 1 to kMostYears. Fails, as the
+// user's fault, for another number of years or a habit out of range, and like grow_step().
 Result<GrowingTree> grow_by_itself(Habit const& habit, int years, std::uint64_t seed);
 
-// Weights and stiffness for a habit.
+// The weights and the stiffness of a habit's wood and leaves.
 SagLaws sag_laws(Habit const& habit);
 
 } // namespace tractus::self_organising

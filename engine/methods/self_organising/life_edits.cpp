@@ -12,7 +12,7 @@ namespace tractus::self_organising {
 
 namespace {
 
-constexpr double kUsualScale = 0.1; // Of strokes in a document that has no scale.
+constexpr double kUsualScale = 0.1; // Scale of a stroke in a document that has no scale.
 
 void list_habit(scene::Fields& fields, Habit& habit)
 {
@@ -83,7 +83,7 @@ std::string described(PlantTree const& edit)
                        describe_part(edit.first));
 }
 
-// The document with what `change` makes of a tree in its place.
+// Applies `change` to a tree and returns the document with the changed tree in its place.
 template<typename Change>
 Result<scene::DocumentState> changed(scene::DocumentState state, scene::ItemId plant,
                                      Change const& change)

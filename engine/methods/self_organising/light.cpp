@@ -29,9 +29,9 @@ Result<Light> compete_for_light(GrowingTree const& tree, std::vector<Bud> const&
 Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const& direction,
                          Laws const& laws)
 {
-    constexpr double kSame = 1e-12; // Shades that differ by less are equal.
+    constexpr double kSame = 1e-12; // Shades that differ by less count as equal.
     double const cosine = std::cos(radians(laws.perception_angle_deg) / 2);
-    // Most cells end at bounds with room for rounding, before the exact questions are asked.
+    // A cheap test with a margin for rounding rules out most cells before the exact one.
     double const farthest = laws.perception_radius * laws.perception_radius * (1 + 1e-9);
     double const narrowest = cosine > 0 ? cosine * cosine * (1 - 1e-9) : 0;
     auto const reach = static_cast<std::int64_t>(std::ceil(laws.perception_radius / laws.cell));

@@ -9,18 +9,20 @@
 
 namespace tractus::self_organising {
 
-// The light that a tree's buds receive, and the shade that all cast.
+// The light that a tree's buds receive and the shade that they and their surroundings cast.
 struct Light {
     LightGrid grid;
-    std::vector<double> quality; // Q, one for each bud: 0 in full shade, full_light without any.
+    // Light Q received by each bud: 0 in full shade, full_light without any shade.
+    std::vector<double> quality;
 };
 
-// `others`: places of what shades besides, such as neighbours' buds. Fails like LightGrid::make().
+// Computes the light that each bud receives. `others` are further points that cast shade, such as
+// buds of neighbouring trees. Fails like LightGrid::make().
 Result<Light> compete_for_light(GrowingTree const& tree, std::vector<Bud> const& buds,
                                 std::span<Vec3 const> others, Laws const& laws);
 
-// The unit vector from a bud to the least shaded cell that it perceives, the first of equals from
-// the top layer down, along y, then along x. Zero where it perceives none.
+// The unit vector from a bud to the least shaded cell within its perception cone; zero if there is
+// none. Ties go to the first cell in scanning order: top layer first, then along y, then along x.
 Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const& direction,
                          Laws const& laws);
 

@@ -10,15 +10,16 @@
 
 namespace tractus::self_organising {
 
-// Shade by shadow propagation (Palubicki et al. 2009): a point adds shade * fall^-k to the cells of
-// the k-th layer below its own, in a square of 2 k + 1 cells' side, for k from 0 to the depth. Each
-// cell adds up in the order of the points, so the sums are the same on any number of threads.
+// Shade by shadow propagation (Palubicki et al. 2009): a point adds shade * fall^-k to each cell of
+// the k-th layer below its own, in a square with a side of 2 k + 1 cells, for k from 0 to the
+// depth. Each cell sums in the order of the points, so the result is the same on any number of
+// threads.
 class LightGrid {
 public:
-    // Fails, as the user's fault, where the points spread over more cells than memory should hold.
+    // Fails, as the user's fault, if the points spread over more cells than fit into memory.
     static Result<LightGrid> make(std::span<Vec3 const> points, Laws const& laws);
 
-    // The shade in a cell; 0 beyond all points' reach.
+    // The shade in a cell; 0 outside the grid.
     double shade_at(Cell const& cell) const
     {
         std::int64_t const i = cell[0] - low_[0];
@@ -32,8 +33,9 @@ public:
 private:
     void add_up(std::vector<Cell> const& cells, Laws const& laws);
 
-    Cell low_ {};  // The first cell: within the depth's reach of the points on all sides but above.
-    Cell size_ {}; // In cells.
+    // First cell of the grid. The grid exceeds the points by the shade's reach, except at the top.
+    Cell low_ {};
+    Cell size_ {}; // Number of cells along x, y and z.
     std::vector<double> shade_;
 };
 

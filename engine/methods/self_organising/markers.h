@@ -9,16 +9,17 @@
 
 namespace tractus::self_organising {
 
-// What the buds of a tree perceive around them, one for each bud.
+// What each bud of a tree perceives of its surroundings.
 struct Perceived {
-    std::vector<double> quality; // Q: 0 where a bud has nothing to grow for.
-    std::vector<Vec3> direction; // V: unit vector to grow along; zero where there is none.
+    std::vector<double> quality; // Q of each bud: 0 if the bud has no reason to grow.
+    // V of each bud: unit vector of the direction to grow in; zero if there is none.
+    std::vector<Vec3> direction;
 };
 
-// Markers of free space. Takes away those nearer than the occupancy radius to a bud, and gives each
-// of the others to the nearest bud that perceives it; at equal distances the earlier bud has it. A
-// bud with a marker has quality 1, and its direction is the mean of those to its markers (Runions
-// et al. 2007). The order of the markers matters only to the last digits of the directions.
+// Lets buds compete for markers of free space. Removes markers within the occupancy radius of any
+// bud; each other marker goes to the nearest bud that perceives it, at equal distances to the
+// earlier bud. A bud with a marker gets quality 1 and the mean direction to its markers (Runions et
+// al. 2007). The order of the markers affects only the last digits of the directions.
 Perceived compete_for_space(std::vector<Vec3>& markers, GrowingTree const& tree,
                             std::vector<Bud> const& buds, Laws const& laws);
 

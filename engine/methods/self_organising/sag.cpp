@@ -10,14 +10,14 @@ namespace tractus::self_organising {
 namespace {
 
 constexpr double kGravity_m_per_ss = 9.81;
-constexpr double kLargestTurn_rad = 0.1; // Of one internode in one year.
+constexpr double kLargestTurn_rad = 0.1; // Largest rotation of one internode in one year.
 
 struct Load {
     double mass_kg = 0;
-    Vec3 moment_kg_mm = Vec3::Zero(); // Mass times position.
+    Vec3 moment_kg_mm = Vec3::Zero(); // Sum of mass times position.
 };
 
-// What each internode carries: its own weight and all that is above.
+// The load that each internode carries: itself and all that is above it.
 std::vector<Load> loads_of(GrowingTree const& tree, std::vector<double> const& diameters,
                            SagLaws const& laws)
 {
@@ -39,7 +39,7 @@ std::vector<Load> loads_of(GrowingTree const& tree, std::vector<double> const& d
     return loads;
 }
 
-// The turn of an internode, as a rotation vector, by a moment in kg mm.
+// Rotation of an internode, as a rotation vector, under a moment given in kg mm.
 Vec3 turn_by(Vec3 const& moment_kg_mm, double length_mm, double diameter_mm, SagLaws const& laws)
 {
     constexpr double kMetre = 1000;
@@ -63,11 +63,11 @@ Quat rotation_by(Vec3 const& turn_rad)
     return rotation;
 }
 
-// Of what the internode carries about its base, as a vector along the axis of the turn.
+// Moment of a load about the base of its internode, as a vector along the axis of rotation.
 Vec3 moment_of(Load const& load, Vec3 const& base)
 {
     Vec3 const arm = load.moment_kg_mm - load.mass_kg * base;
-    return { -arm.y(), arm.x(), 0 }; // arm x -z
+    return { -arm.y(), arm.x(), 0 }; // Cross product of the arm and -z.
 }
 
 } // namespace
@@ -98,7 +98,8 @@ void sag(GrowingTree& tree, std::vector<double> const& diameters, SagLaws const&
         Vec3 turn_rad = turn_by(moment - tree.bent_by[i], internode.norm(), diameters[i], laws);
         if (node.order == 0)
             turn_rad = Vec3::Zero();
-        turn_rad -= place.direction * turn_rad.dot(place.direction); // Wood hardly twists.
+        // Remove the torsional part: wood hardly twists.
+        turn_rad -= place.direction * turn_rad.dot(place.direction);
         tree.bent_by[i] = moment;
         turns[i] = (rotation_by(turn_rad) * turns[node.parent]).normalized();
         place.position = tree.places[node.parent].position + turns[i] * internode;

@@ -6,23 +6,22 @@
 
 namespace tractus::self_organising {
 
-// What branches weigh and how stiff they are. Lengths in millimetres.
+// Weight and stiffness of branches. Lengths in millimetres.
 struct SagLaws {
-    double weight = 1;              // Multiplies gravity; 0: nothing sags.
-    double density_kg_per_m3 = 900; // Of green wood.
+    double weight = 1;              // Multiplies gravity; 0: branches do not sag.
+    double density_kg_per_m3 = 900; // Density of green wood.
     double stiffness_gpa = 6;       // Young's modulus of green wood along the grain.
-    double leaf_kg = 0.001;         // Weight of the leaves of one internode,
-    int leaf_years = 1;             // which it bears so many years.
+    double leaf_kg = 0.001;         // Mass of the leaves of one internode.
+    int leaf_years = 1;             // Number of years for which an internode bears leaves.
 };
 
-// Bends each internode, as an elastic rod (Euler and Bernoulli), by the moment that has come upon
-// it since it was bent last, with the width that it has now: wood that grew later has set the
-// earlier bend. The tree keeps its lengths; buds turn with what bears them. `diameters` as
-// diameters() has them.
+// Bends each internode as an elastic rod (Euler-Bernoulli) by the moment added since it was last
+// bent, at its present diameter: wood that grew since then has fixed the earlier bend. Internodes
+// keep their lengths; buds turn with the wood that bears them. `diameters` come from diameters().
 void sag(GrowingTree& tree, std::vector<double> const& diameters, SagLaws const& laws);
 
-// Takes the bend that the tree has as set by what it carries now: for wood that grew where a brush
-// led it.
+// Makes the tree's present shape its shape at rest under its present load, for wood that grew along
+// a brush.
 void set_wood(GrowingTree& tree, std::vector<double> const& diameters, SagLaws const& laws);
 
 } // namespace tractus::self_organising

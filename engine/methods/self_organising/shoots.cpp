@@ -14,7 +14,7 @@ constexpr std::uint32_t kTerminalStream = 0x50B0;
 constexpr std::uint32_t kSpreadStream = 0x5B8E;
 constexpr std::uint64_t kTrunk = 0x7472756E6B; // Name of the trunk's axis.
 
-// The name of the axis that grows from a lateral position (SplitMix64's finaliser).
+// Derives the name of the axis that grows from a lateral position (finaliser of SplitMix64).
 std::uint64_t name_of_lateral(std::uint64_t parent, std::uint32_t rank, std::uint32_t lateral)
 {
     auto mixed = parent + 0x9E3779B97F4A7C15U * (std::uint64_t { rank } * 16 + lateral + 1);
@@ -33,7 +33,7 @@ public:
     {
     }
 
-    // `node`, `lateral`: the first of those that were made for the shoot.
+    // `node` and `lateral` are the first of the nodes and laterals reserved for this shoot.
     void grow(Shoot const& shoot, std::uint32_t node, std::uint32_t lateral)
     {
         auto const& bud = shoot.bud;
@@ -46,7 +46,7 @@ public:
             direction
                 = unit_or_zero(direction + shoot.pull * laws_.space_weight + tropism_ * tropism);
             Vec3 normal = begins_axis ? right_of(direction) : tree_.places[below].normal;
-            // Parallel transport: the normal is carried along the axis without twist.
+            // Parallel transport carries the normal along the axis without twist.
             normal = unit_or_zero(normal - direction * dot(normal, direction));
             if (normal.isZero(0))
                 normal = right_of(direction);
@@ -132,7 +132,7 @@ private:
 
 } // namespace
 
-// Laterals of a node stand evenly around it, but for chance.
+// Spaces the laterals of a node evenly around it, with random variation.
 void set_lateral_buds(GrowingTree& tree, std::uint32_t number, Laws const& laws, std::uint64_t seed)
 {
     auto const& node = tree.links[number];
@@ -156,7 +156,8 @@ void set_lateral_buds(GrowingTree& tree, std::uint32_t number, Laws const& laws,
 
 Shoot shoot_of(Bud const& bud, std::size_t order, double vigour, Laws const& laws)
 {
-    constexpr double kRounding = 1e-9; // A vigour of 3 that was summed up counts as 3.
+    // Tolerance for rounding: a vigour that sums to almost 3 counts as 3.
+    constexpr double kRounding = 1e-9;
     double const whole
         = std::min(std::floor(vigour + kRounding), double(laws.most_internodes.at(order)));
     if (!(whole >= 1))

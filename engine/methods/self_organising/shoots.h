@@ -8,26 +8,27 @@
 
 namespace tractus::self_organising {
 
-// A bud that grows in this step.
+// A shoot: a bud that grows in this step, and how.
 struct Shoot {
     Bud bud {};
     int internodes = 1;
-    double length = 1;        // Of each internode.
-    Vec3 pull = Vec3::Zero(); // V: the bud's best direction.
+    double length = 1;        // Length of each of its internodes.
+    Vec3 pull = Vec3::Zero(); // V: the bud's preferred direction.
 };
 
-// How many internodes a bud of that vigour makes, and how long they are. None below 1. `order`: of
-// the axis that would grow.
+// The number and length of internodes that a bud makes for its vigour; none for a vigour below 1.
+// `order` is the order of the axis that grows.
 Shoot shoot_of(Bud const& bud, std::size_t order, double vigour, Laws const& laws);
 
-// Gives the lateral positions of a node their buds: around it by the divergence, out by the
-// branching angle. `seed` as grow_shoots() has it.
+// Places the buds of a node's lateral positions: around the node by the divergence angle and
+// outwards by the branching angle. `seed` is that of grow_shoots().
 void set_lateral_buds(GrowingTree& tree, std::uint32_t node, Laws const& laws, std::uint64_t seed);
 
-// Adds the shoots' nodes, those of earlier shoots first, each with its lateral buds. Each internode
-// turns: d <- unit(d + space_weight * pull + tropism_weight * tropism_direction). The nodes' step
-// is tree.step. `seed` decides how lateral buds stray and which terminal buds die: by the names of
-// axes alone, so that an axis fares alike in a tree that has grown otherwise elsewhere.
+// Adds the nodes of all shoots, in the shoots' order, each node with its lateral buds. Each
+// internode changes direction: d <- unit(d + space_weight * pull + tropism_weight *
+// tropism_direction). The nodes' step is tree.step. `seed` decides the variation of lateral buds
+// and which terminal buds die. It is combined with names of axes alone, so an axis grows alike if
+// other parts of the tree differ.
 void grow_shoots(GrowingTree& tree, std::vector<Shoot> const& shoots, Laws const& laws,
                  std::uint64_t seed);
 

@@ -78,8 +78,8 @@ private:
         plant().organ_shapes.push_back(std::move(shape));
     }
 
-    // `below`: the node on which it stands. Axes come in the order of the nodes that bear them, so
-    // parents come first.
+    // Adds an axis that starts at the node `below`. Axes are added in the order of their parent
+    // nodes, so a parent axis precedes its laterals.
     void add_axis(std::uint32_t below, std::uint32_t first)
     {
         auto const number = static_cast<AxisId>(plant().axes.size());
@@ -89,7 +89,7 @@ private:
                     .parent_axis = axis_[below] };
         if (axis.parent_axis != kNone)
             axis.order = plant().axes[axis.parent_axis].order + 1;
-        // A lateral of the base is the foot of a stem of its own (given_wood.h).
+        // A lateral of the base is the foot of a separate stem (given_wood.h).
         bool const is_stem = below == 0 && first != tree_.links[0].main;
         auto const second = is_stem ? tree_.links[first].main : first;
         add_node(is_stem ? first : below, diameters_[second]);
@@ -116,7 +116,7 @@ private:
             static_cast<float>(diameter_mm / 2 * flare_at(tree_.links[node], at_mm.z())));
     }
 
-    // The foot of the trunk widens within about a width of the ground.
+    // Widens the foot of the trunk, within about one trunk width of the ground.
     double flare_at(NodeLinks const& node, double height_mm) const
     {
         if (node.order > 0)
@@ -125,8 +125,8 @@ private:
         return 1 + habit_.flare * std::exp(-std::max(height_mm, 0.0) / reach_mm);
     }
 
-    // In the order in which the axes grew, so that those that share their 32 bits keep their keys
-    // as the tree grows.
+    // Axes are named in the order in which they grew. If the 32-bit keys of two axes collide, the
+    // older axis therefore keeps its key as the tree grows.
     void name_axes()
     {
         made_.keys.resize(plant().axes.size());
@@ -152,7 +152,7 @@ private:
             || (tree_.is_brushed && is_twig && habit_.leaf_years > 0);
     }
 
-    // Leaves stand along the internode, by the divergence of the axis.
+    // Spreads leaves along an internode, each turned by the divergence angle of the axis.
     void add_leaves(std::uint32_t node)
     {
         auto const& links = tree_.links[node];
@@ -177,7 +177,7 @@ private:
 
     void add_leaf(SegmentId segment, Vec3 const& at_mm, Vec3 const& out, double scale)
     {
-        // Its upper side turns to the sky.
+        // The upper side of the leaf faces the sky.
         Vec3 right = right_of(out);
         Mat3 frame;
         frame.col(0) = right;
@@ -190,15 +190,16 @@ private:
     }
 
     using Mat3 = Eigen::Matrix3d;
-    static constexpr double kTwigWidths = 2.5; // Up to so many times as wide wood is a twig.
+    // Wood of at most this many twig widths counts as a twig.
+    static constexpr double kTwigWidths = 2.5;
 
     GrowingTree const& tree_;
     Habit const& habit_;
     std::uint64_t seed_;
     Laws laws_;
     std::vector<double> diameters_;
-    std::vector<SegmentId> segment_; // The one that ends at each node.
-    std::vector<AxisId> axis_;       // Of each node.
+    std::vector<SegmentId> segment_; // Segment that ends at each node.
+    std::vector<AxisId> axis_;       // Axis of each node.
     std::unordered_set<std::uint32_t> known_keys_;
     TreePlant made_;
 };

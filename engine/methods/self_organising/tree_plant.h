@@ -12,14 +12,15 @@ namespace tractus::self_organising {
 
 struct TreePlant {
     Plant plant {};
-    // One for each axis: the same for the same axis of the same tree in other years.
+    // Key of each axis, which stays the same in other years of the same tree.
     AxisKeys keys {};
-    std::vector<std::uint32_t> tree_nodes {}; // The tree's node at each of the plant's nodes.
+    std::vector<std::uint32_t> tree_nodes {}; // The tree's node at each node of the plant.
 };
 
-// A grown tree as a plant, in millimetres from its base: wood, and leaves on the shoots of the last
-// Habit::leaf_years, and on all twigs where a brush has led it. The plant passes check_plant(); it
-// has no axes where the tree has no internodes. `seed` decides how leaves differ.
+// Converts a grown tree to a plant, in millimetres from its base, with wood and leaves. Leaves are
+// on shoots of the last Habit::leaf_years years and, in a brushed tree, on all twigs. The plant
+// passes check_plant(); it has no axes if the tree has no internodes. `seed` drives the variation
+// of the leaves.
 TreePlant plant_of(GrowingTree const& tree, Habit const& habit, std::uint64_t seed);
 
 } // namespace tractus::self_organising

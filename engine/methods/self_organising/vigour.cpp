@@ -55,13 +55,14 @@ private:
         shares_.received[i] = terminal_[i] + of_laterals;
     }
 
-    // Replaces what bud or branch received by the vigour that it is given.
+    // Replaces what each bud or branch of a node received by the vigour that it gets.
     void pass_on(std::size_t i)
     {
         auto const& node = tree_.links[i];
         double const lambda = laws_.apical_control;
         double const of_main = terminal_[i];
-        double of_laterals = 0; // Summed again: received less of_main has lost its last digits.
+        // Summed again: subtracting of_main from the total would lose digits.
+        double of_laterals = 0;
         for (auto k = node.first_lateral; k < node.first_lateral + node.lateral_count; ++k)
             of_laterals += lateral_[k];
         double const weight = lambda * of_main + (1 - lambda) * of_laterals;
@@ -80,10 +81,10 @@ private:
 
     GrowingTree const& tree_;
     Laws const& laws_;
-    // What each axis's continuation and each lateral receives, and then the vigour given to it.
+    // What each node's main axis, and each lateral, receives; replaced later by its vigour.
     std::vector<double> terminal_;
     std::vector<double> lateral_;
-    std::vector<double> given_; // Vigour that reaches each node.
+    std::vector<double> given_; // Vigour that arrives at each node.
     Shares shares_;
 };
 

@@ -7,15 +7,17 @@
 
 namespace tractus::self_organising {
 
-// How what the buds receive is shared out (extended Borchert-Honda model).
+// Distribution of vigour by the extended Borchert-Honda model.
 struct Shares {
-    std::vector<double> vigour;   // Of each bud.
-    std::vector<double> received; // Of each node: the sum over the buds at and above it.
+    std::vector<double> vigour; // Vigour of each bud.
+    // Light or space received by each node: the sum over the buds at the node and above it.
+    std::vector<double> received;
 };
 
-// Sums the buds' quality from the tips down; the base has vigour alpha * sum, and at each node the
-// axis's continuation gets lambda * Q_main / (lambda * Q_main + (1 - lambda) * Q_laterals) of it,
-// the laterals the rest by what each received. `buds` as living_buds() has them.
+// Sums the buds' quality from the tips to the base and distributes vigour upwards. The base has
+// vigour alpha * sum. At each node the main axis gets the share lambda * Q_main / (lambda * Q_main
+// + (1 - lambda) * Q_laterals) of it; the laterals divide the rest in proportion to what each
+// received. `buds` come from living_buds().
 Shares share_vigour(GrowingTree const& tree, std::vector<Bud> const& buds,
                     std::vector<double> const& quality, Laws const& laws);
 

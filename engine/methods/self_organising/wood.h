@@ -7,17 +7,17 @@
 
 namespace tractus::self_organising {
 
-// d^e of each node's internode by the pipe model: the sum over what the node bears and what was
-// shed there, or that of a twig where it bears nothing (Shinozaki et al. 1964; Minamino and Tateno
+// The sum d^e of each node's internode by the pipe model: over the node's children and the branches
+// shed there, or the value of a twig if there are none (Shinozaki et al. 1964; Minamino and Tateno
 // 2014 for the exponent e).
 std::vector<double> pipe_sums(GrowingTree const& tree, Laws const& laws);
 
-// The diameters that follow from the sums.
+// The diameter of each node's internode by the pipe model.
 std::vector<double> diameters(GrowingTree const& tree, Laws const& laws);
 
-// Takes away lateral branches that receive less than Laws::shed_below for each of their internodes,
-// with all that they bear. `received` is what nodes received before this step's shoots grew;
-// branches younger than that stay.
+// Sheds lateral branches that receive less than Laws::shed_below per internode, with all that they
+// bear. `received` is the light or space of each node before this step's shoots grew; branches that
+// are younger stay.
 void shed_branches(GrowingTree& tree, std::vector<double> const& received, Laws const& laws);
 
 } // namespace tractus::self_organising
