@@ -79,8 +79,8 @@ struct Laws {
     int laterals_at_node = 1; // Lateral buds at each node, 0 to 8.
     // Lateral buds at the last node of each trunk shoot; 0: as many as at any other node.
     int whorl = 0;
-    double terminal_loss
-        = 0; // Probability that the terminal bud of a lateral shoot dies in its first winter.
+    // Probability that the terminal bud of a lateral shoot dies in its first winter.
+    double terminal_loss = 0;
     int bud_life = 0; // Steps after which a lateral bud that has not grown dies; 0: it never dies.
 
     double shed_below = 0; // A lateral branch that receives less than this per internode dies.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kCountNames { "SEGMENTS", "N" };
 
-// A text without comments, and without blanks where they mean nothing.
+// A model's text with comments and meaningless whitespace removed, and a map back to the source.
 class CleanText {
 public:
     explicit CleanText(std::string_view source)
@@ -31,7 +31,8 @@ public:
 
     std::string_view characters() const { return text_.characters; }
 
-    // The place in the source of a character, or of the end.
+    // Converts an offset in the cleaned text to an offset in the source; past the end, to the start
+    // of the source's last line.
     std::size_t in_source(std::size_t at) const
     {
         if (at >= text_.size())
@@ -51,7 +52,7 @@ private:
     std::vector<std::size_t> line_begins_;
 };
 
-// Reads on in a text: each function passes over blanks first.
+// A cursor over a text; each reader skips whitespace first.
 struct Reading {
     std::string_view text;
     std::size_t at = 0;
@@ -77,8 +78,8 @@ struct Reading {
         at = before;
         return false;
     }
-    // Up to the closing sign, with it; what lies before it, in which no other sign of brackets and
-    // definitions may be.
+    // Reads up to and including the closing sign and returns the text before it. No value if any
+    // other bracket, '=' or ';' comes first.
     std::optional<std::string_view> up_to(char closing)
     {
         auto const end = text.find_first_of("[]{}=;", at);
@@ -101,7 +102,7 @@ std::optional<double> plain_number(std::string_view text)
     return value;
 }
 
-// The numbers between an array's braces; no value: one of them is no plain number.
+// Parses the numbers between an array's braces; no value if one of them is not a plain number.
 std::optional<std::vector<double>> plain_numbers(std::string_view text)
 {
     std::vector<double> values;
@@ -150,7 +151,7 @@ private:
         return { first, text_.in_source(end - 1) + 1 - first };
     }
 
-    // #define SEGMENTS 0
+    // Finds the line "#define SEGMENTS 0".
     void read_count()
     {
         auto const text = text_.characters();
@@ -178,12 +179,12 @@ private:
     }
 
     struct FoundArray {
-        std::size_t begin;       // Of its '['.
-        std::size_t end;         // Behind its '}'.
-        std::string_view values; // Between the braces.
+        std::size_t begin;       // Offset of the '[' after the array's name.
+        std::size_t end;         // Offset behind the closing '}'.
+        std::string_view values; // Text between the braces.
     };
 
-    // array NAME[size] = { values }
+    // Finds "array NAME[size] = { values }".
     std::optional<FoundArray> find_array(std::string_view name)
     {
         Reading reading { text_.characters() };
@@ -222,7 +223,8 @@ private:
         result_.contract.lengths = *values;
     }
 
-    // What a rule draws a segment with: /(plane[i])+(bend[i])\(plane[i]), then F(length[i]).
+    // Checks that some rule draws a segment with /(plane[i])+(bend[i])\(plane[i]) followed by
+    // F(length[i]).
     void read_rules()
     {
         std::string rules;

@@ -12,54 +12,55 @@
 
 namespace tractus::sketch {
 
-// Any model in cpfg's language can be grown along a stroke whose text keeps this contract:
+// A model in cpfg's language can grow along a stroke if its text keeps this contract:
 //
-//     #define SEGMENTS 0        how many segments the stroke has; the model's own plant without one
-//     define: { array length[2] = {9, 8.8};    their lengths in the model's unit, plain numbers;
-//               array plane[1] = {0};          past its end each by the one before it as the last
-//               array bend[1] = {0}; }         two are; and the turns before them
+//     #define SEGMENTS 0        number of segments; the stored number is for no stroke
+//     define: { array length[2] = {9, 8.8};    segment lengths: plain numbers, in the model's unit
+//               array plane[1] = {0};          turn before each segment, in degrees: its plane ...
+//               array bend[1] = {0}; }         ... and its angle
 //     K(i) : i < SEGMENTS --> /(plane[i])+(bend[i])\(plane[i])F(length[i]) ... K(i + 1)
 //
-// The drawn axis begins where the turtle does and has a counter of its own. Nothing else turns it:
-// what stands along it rolls, bends and asks for chance between brackets. The segment may be drawn
-// by homomorphism, and N may stand for SEGMENTS.
+// Past the end of length[], each segment's ratio to the one before it is that of the last two
+// numbers. The drawn axis begins where the turtle starts and has its own counter, here i. Nothing
+// else may turn it: all commands beside the segments that roll, bend or use random numbers are in
+// brackets. A homomorphism may draw the segment, and N may stand for SEGMENTS.
 
-// A part of a text.
+// A range of characters of a text.
 struct TextSpan {
     std::size_t begin = 0;
     std::size_t size = 0;
 };
 
-// Where a text keeps the contract. Spans are in their order in the text.
+// The places in a text that keep the contract, in the order of the text.
 struct AxisContract {
-    std::string count_name {}; // "SEGMENTS" or "N".
-    TextSpan count {};         // Its number.
-    TextSpan length {};        // From the array's '[' to its '}', as the next two.
+    std::string count_name {}; // Name of the segment count in the text: "SEGMENTS" or "N".
+    TextSpan count {};         // The number behind that name.
+    TextSpan length {}; // The length array, from its '[' to its '}'; likewise plane and bend.
     TextSpan plane {};
     TextSpan bend {};
-    std::vector<double> lengths {}; // The numbers of length[], in the model's unit.
+    std::vector<double> lengths {}; // Values of the length array, in the model's unit.
 };
 
-// What a text lacks of the contract: one sentence each, with file and line. Empty: it keeps it, as
-// far as its text shows.
+// Result of checking a text against the contract. `lacks` has one sentence for each violation that
+// the text shows, with file and line; empty: the contract is kept.
 struct ContractReading {
-    AxisContract contract {}; // Whole only where nothing lacks.
+    AxisContract contract {}; // Complete only if `lacks` is empty.
     std::vector<std::string> lacks {};
 };
 ContractReading read_contract(std::string const& name, std::string_view text);
 
-// Where a text keeps the contract. Fails, as the user's fault, with the first that lacks.
+// Finds the contract's places in a text. Fails, as the user's fault, with the first violation.
 Result<AxisContract> contract_of(std::string const& name, std::string_view text);
 
-// Values for the places of a contract, as they stand in the text.
+// Values to be written to the places of a contract, as text.
 struct ContractValues {
     std::size_t count = 0;
-    std::string length {}; // "{9, 8.8}"
+    std::string length {}; // For example "{9, 8.8}".
     std::string plane {};
     std::string bend {};
 };
 
-// The text with these values in its contract's places, and otherwise byte for byte.
+// Returns the text with new values in the contract's places; all other bytes stay the same.
 std::string with_values(std::string_view text, AxisContract const& contract,
                         ContractValues const& values);
 

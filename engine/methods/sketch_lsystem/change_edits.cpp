@@ -34,7 +34,7 @@ Result<GrowAlongStroke> sketch_in(scene::PlantState const& plant, scene::ItemId 
     return *sketch;
 }
 
-// The document with what `change` makes of a sketch in its place.
+// Applies `change` to a sketch and returns the document with the changed sketch in its place.
 template<typename Edit, typename Change>
 Result<scene::DocumentState> changed(scene::DocumentState state, Edit const& edit,
                                      Change const& change)

@@ -11,11 +11,10 @@
 
 namespace tractus::sketch {
 
-// Edits of what has grown along a stroke already. What was drawn on its branches stays where they
-// stay. They name a plant, and, where it is a part that was put on that plant, the part; 0: it is
-// the plant itself.
+// Edits of a plant, or of a grafted part of a plant, that grew along a stroke. Strokes on its
+// branches stay where the branches stay. `part` is 0 for the plant itself.
 
-// Lets another rule, or another model, grow along the same stroke.
+// Edit: another rule, or another model, grows along the same stroke.
 struct ChangeSketch {
     static scene::EditKind const kKind;
 
@@ -23,43 +22,43 @@ struct ChangeSketch {
     scene::ItemId part = 0;
     Rule rule {};
     Leaves leaves = Leaves::Leafy;
-    ModelRule model {}; // As of GrowAlongStroke.
+    ModelRule model {}; // See GrowAlongStroke::model.
 };
 
-// Takes the end of the stroke away, and what the rule has grown along it.
+// Edit: shortens the stroke at its end, together with what has grown along it.
 struct ShortenSketch {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
     scene::ItemId part = 0;
-    std::uint64_t tips = 0; // How many of the stroke's stay, from its beginning.
+    std::uint64_t tips = 0; // Number of tips, from the beginning of the stroke, that are kept.
 };
 
-// Lets the rule grow along another stroke. A plant stands where that begins then; a part stays on
-// its branch.
+// Edit: replaces the stroke. A plant moves to the beginning of the new stroke; a grafted part stays
+// on its branch.
 struct RedrawSketch {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
     scene::ItemId part = 0;
-    StrokeSurface surface = StrokeSurface::Space; // Never Decided.
-    Stroke stroke {};                             // World frame.
+    StrokeSurface surface = StrokeSurface::Space; // Must not be Decided.
+    Stroke stroke {};                             // The new stroke, world frame.
 };
 
-// Something that has grown along a stroke.
+// A plant or grafted part that grew along a stroke.
 struct GrownPart {
-    scene::ItemId part = 0;                  // As in the edits.
-    GrowAlongStroke const* sketch = nullptr; // As long as the plant's state is there.
+    scene::ItemId part = 0;                  // Id of the grafted part; 0: the plant itself.
+    GrowAlongStroke const* sketch = nullptr; // Valid as long as the plant's state exists.
 };
 
-// All of a plant that has grown so, the newest part first and the plant itself last.
+// All parts of a plant that grew along strokes, newest first; the plant itself comes last.
 std::vector<GrownPart> all_grown(scene::PlantState const& plant);
 
-// What has grown of a plant last: the newest part that has, or else the plant itself. No value: it
-// has not.
+// The newest part of a plant that grew along a stroke, or the plant itself; no value: none did.
 std::optional<GrownPart> newest_grown(scene::PlantState const& plant);
 
-// How many of the stroke's tips it takes to make so many segments; no value: it makes fewer.
+// Number of the stroke's tips that are needed for `segments` segments; no value: the whole stroke
+// makes fewer.
 Result<std::optional<std::size_t>> count_tips(GrowAlongStroke const& sketch, std::size_t segments);
 
 } // namespace tractus::sketch

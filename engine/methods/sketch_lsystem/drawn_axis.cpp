@@ -9,7 +9,7 @@ namespace tractus::sketch {
 
 namespace {
 
-// cpfg's turtle, as far as an axis needs it.
+// A turtle with the few commands of cpfg's turtle that an axis needs.
 class AxisTurtle {
 public:
     explicit AxisTurtle(Vec3 const& position_mm)
@@ -17,10 +17,11 @@ public:
     {
     }
 
-    // The turn after which it heads along `way`.
+    // The turn after which the turtle's heading is along `way`.
     Turn turn_towards(Vec3 const& way) const
     {
-        constexpr double kStraight_deg = 1e-6; // The plane of a smaller bend would be noise.
+        // The plane of a smaller bend would be numerical noise.
+        constexpr double kStraight_deg = 1e-6;
         double const left = left_.dot(way);
         double const down = down_.dot(way);
         double const bend_deg = degrees(std::atan2(std::hypot(left, down), heading_.dot(way)));
@@ -123,15 +124,16 @@ std::string array_of(std::vector<Turn> const& turns, double Turn::*angle_deg)
     return fmt::format("{{{}}}", text);
 }
 
-// What the text calls the numbers of a ring, and its apices. Level 0 is the drawn axis, the next
-// ones are laterals that go on.
+// Names that the model's text uses for a ring of laterals. Level 0 is the drawn axis; higher levels
+// are laterals that are axes themselves.
 struct Ring {
     int laterals = 0;
-    std::string ending {}; // Of the definitions' names.
-    std::string apex {};   // With the arguments before its length.
+    std::string ending {}; // Suffix of the names of its definitions, such as "_A".
+    // Beginning of its apex module, up to the length argument: "L(" or "A(0, ".
+    std::string apex {};
 };
 
-// Letters of our own modules and of the turtle's movements are left out.
+// The letter of a lateral rule; skips letters of turtle commands and of the model's other modules.
 static std::string letter_of(std::size_t level)
 {
     constexpr std::string_view kLetters = "ABCDEHIJ";
@@ -154,7 +156,7 @@ static Ring ring_at(Rule const& rule, std::size_t level)
     return ring;
 }
 
-// The ring of the paper's laterals, which fork.
+// The ring of laterals that fork, as in the paper.
 static Ring fork_of(Rule const& rule)
 {
     auto ring = ring_at(rule, rule.lateral_rules.size());
@@ -162,7 +164,7 @@ static Ring fork_of(Rule const& rule)
     return ring;
 }
 
-// A node's laterals: `twist` is how far their ring has turned, an expression.
+// The text of a node's laterals. `twist` is an expression for the ring's azimuth.
 static std::string text_of(Ring const& ring, std::string_view twist, std::string_view depth)
 {
     std::string text;
@@ -194,7 +196,7 @@ static std::string definitions(Rule const& rule, DrawnAxis const& axis)
         rule.axis_twist_deg, rule.lateral_twist_deg, rule.shortest_mm, axis.depth);
 }
 
-// The numbers of laterals that go on.
+// The #define lines of laterals that are axes themselves.
 static std::string lateral_definitions(Rule const& rule)
 {
     std::string text;
@@ -215,7 +217,7 @@ static std::string lateral_definitions(Rule const& rule)
     return text;
 }
 
-// cpfg allows no array without values.
+// cpfg does not allow an empty array, so an axis without segments gets arrays of one zero.
 static std::string arrays_of(DrawnAxis const& axis)
 {
     if (axis.turns.empty())
@@ -226,7 +228,8 @@ static std::string arrays_of(DrawnAxis const& axis)
                        array_of(axis.turns, &Turn::bend_deg));
 }
 
-// A lateral that goes on: an internode, a ring, and its next apex.
+// The production of a lateral that is an axis itself: an internode, a ring of laterals and the next
+// apex.
 static std::string lateral_rule_of(Rule const& rule, std::size_t level)
 {
     auto const letter = letter_of(level);
@@ -263,8 +266,8 @@ static std::string rules_of(Rule const& rule)
                               "d - 1"));
 }
 
-// Leaves of a plant are about alike, wherever they grow. Rules that call each other end in finer
-// twigs.
+// All leaves of a plant have about the same length. Rules that call each other end in finer twigs
+// and get smaller leaves.
 static std::string leaves_of(Rule const& rule)
 {
     bool const is_fine = std::ranges::any_of(rule.lateral_rules, &LateralRule::laterals_by);

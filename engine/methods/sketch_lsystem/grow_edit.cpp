@@ -18,7 +18,7 @@ namespace tractus::sketch {
 
 namespace {
 
-// Scale of a model's text: a millimetre drawn is a centimetre grown.
+// Scale of a model's text: a millimetre drawn is a centimetre of the plant.
 constexpr double kModelScale = 0.1;
 
 bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
@@ -28,7 +28,7 @@ bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
         && one.model == other.model;
 }
 
-// The rule's laterals differ; the axis stays as it was drawn.
+// Varies the laterals of the rule; the drawn axis stays as it is.
 GrowAlongStroke varied(GrowAlongStroke edit, scene::SourceVariation const& variation)
 {
     constexpr std::uint32_t kStream = 0x736B;
@@ -92,7 +92,7 @@ void list(scene::Fields& fields, GrowAlongStroke& edit)
     fields.numbers(edit.stroke);
 }
 
-// Scales a rule so that the model's millimetre on the desk is one of the document.
+// Scales a rule for a document whose scale differs from that of the model's text.
 Rule at_scale(Rule rule, double scale)
 {
     rule.first_length_mm *= kModelScale / scale;
@@ -131,9 +131,10 @@ std::string described(GrowAlongStroke const& edit)
 
 } // namespace
 
-// Names of the fields of laterals' rules, by the letters of rule files in this order; files without
-// any have none of them.
-using LateralNames = std::array<char const*, 9>; // r, q, k, a, s, v, T, l_min and by.
+// Names of the fields of each lateral rule in sessions. A file without lateral rules has none of
+// them.
+// The letters of rule files: r, q, k, a, s, v, T, l_min and by.
+using LateralNames = std::array<char const*, 9>;
 static constexpr std::array<LateralNames, kMostLateralRules> kLateralNames { {
     { { "A_r", "A_q", "A_k", "A_a", "A_s", "A_v", "A_T", "A_l_min", "A_by" } },
     { { "B_r", "B_q", "B_k", "B_a", "B_s", "B_v", "B_T", "B_l_min", "B_by" } },
@@ -145,7 +146,8 @@ static constexpr std::array<LateralNames, kMostLateralRules> kLateralNames { {
     { { "J_r", "J_q", "J_k", "J_a", "J_s", "J_v", "J_T", "J_l_min", "J_by" } },
 } };
 
-// Only who changes them touches them: edits are shared between threads.
+// Works on a copy of the rules and writes it back only after a change: edits are shared between
+// threads.
 static void list_lateral_rules(scene::Fields& fields, std::vector<LateralRule>& rules)
 {
     constexpr LateralRule kNone { 0, 0, 0, 0, 0, 0, 0, 0, 0 };
@@ -271,7 +273,7 @@ Result<lsystem::ModelSource> model_of(GrowAlongStroke const& edit)
                        "sketch");
 }
 
-// Where the plant has them: its origin is where the pen came down.
+// Converts nodes on the desk to the plant's frame, whose origin is the start of the stroke.
 static std::vector<Vec3> nodes_in_plant(std::vector<Vec3> nodes_mm, double scale)
 {
     Vec3 const base_mm = nodes_mm.front();

@@ -14,49 +14,49 @@
 
 namespace tractus::sketch {
 
-// Adds a plant that a rule grows along a stroke (Ijiri et al. 2006). It stands where the pen came
-// down and becomes the active one.
+// Edit: adds a plant that a rule grows along a stroke (Ijiri et al. 2006). The plant stands where
+// the stroke begins and becomes the active plant.
 struct GrowAlongStroke {
     static scene::EditKind const kKind;
 
     Rule rule {};
-    Stroke stroke {};                             // World frame.
-    StrokeSurface surface = StrokeSurface::Space; // Never Decided.
+    Stroke stroke {};                             // The drawn stroke, world frame.
+    StrokeSurface surface = StrokeSurface::Space; // Must not be Decided.
     Leaves leaves = Leaves::Leafy;
-    // World millimetres per plant millimetre: what was drawn is a plant of so many times its size.
-    // A document whose scale nobody has set keeps this one.
+    // World millimetres per plant millimetre. A document whose scale nobody has set adopts this
+    // value.
     double scale = 0.1;
-    scene::ItemId id = 0; // The plant's; 0: it has none yet.
-    // Grows in the rule's place if it is set: of the rule only its limit counts then, and leaves
-    // are as the model has them.
+    scene::ItemId id = 0; // Id of the new plant; 0: not yet assigned.
+    // If set, this model grows instead of the rule. Only the rule's limit is used then, and the
+    // model decides about leaves.
     ModelRule model {};
 };
 
-// How long the segments of the drawn axis are, on the desk. Fails, as the user's fault, for a rule
-// that is out of its ranges and a model that does not keep its contract.
+// The lengths of the drawn axis's segments on the desk. Fails, as the user's fault, for a rule out
+// of range or a model that does not keep its contract.
 Result<SegmentLengths> lengths_of(GrowAlongStroke const& edit);
 
-// The edit's plant as a model in cpfg's language. Fails like lengths_of(), and, as the user's
-// fault, for a stroke along which the rule is not applied once.
+// Writes the edit's plant as a model in cpfg's language. Fails like lengths_of() and, as the user's
+// fault, for a stroke that is too short for one segment.
 Result<lsystem::ModelSource> model_of(GrowAlongStroke const& edit);
 
-// Grows that model: a plant frame whose origin is where the pen came down. Fails like model_of(),
-// where the model takes more than the options allow, and where its plant has more internodes than
-// the limit or another axis than was drawn.
+// Grows the edit's model to a plant whose origin is the start of the stroke. Fails like model_of(),
+// and if the model exceeds the limits in `options`, has more internodes than the rule's limit, or
+// grows another axis than was drawn.
 Result<scene::BuiltSource> build_sketch(GrowAlongStroke const& edit,
                                         scene::LoadOptions const& options);
 
-// The nodes of the drawn axis, plant frame in millimetres on the desk. Fails like model_of().
+// The nodes of the drawn axis in the plant's frame, in millimetres on the desk. Fails like
+// model_of().
 Result<std::vector<Vec3>> drawn_nodes_mm(GrowAlongStroke const& edit);
 
-// What the edit puts into a document, and the edit that has put a source there; null for a source
-// of another kind.
+// Converts an edit to a plant's source and back; null for a source of another kind.
 scene::PlantSource source_of(GrowAlongStroke const& edit);
 GrowAlongStroke const* sketch_of(scene::PlantSource const& source);
 
-// How far laterals differ between the plants of a collection whose spread is 1: standard deviations
-// of a rule's angle, of its ratios, as shares of them, and of its twists. None differs by more than
-// twice that.
+// Variation of laterals between the plants of a collection with spread 1: standard deviations of
+// the rule's angle, of its ratios (relative), and of its twists. No deviation exceeds
+// kMostDeviations standard deviations.
 struct RuleSpread {
     double angle_deg = 6;
     double share = 0.06;
@@ -65,21 +65,22 @@ struct RuleSpread {
 constexpr RuleSpread kRuleSpread {};
 constexpr double kMostDeviations = 2;
 
-// Lists the fields of a rule by the letters of rule files.
+// Lists the fields of a rule for sessions, named by the letters of rule files.
 void list_rule(scene::Fields& fields, Rule& rule);
 
-// Lists the fields of a model; none but its text where there is none.
+// Lists the fields of a model for sessions; for an unset model only its text.
 void list_model(scene::Fields& fields, ModelRule& model);
 
-// The words for Leaves, and for surfaces, in their order. A surface that is not decided is in no
-// edit.
+// Names in sessions of the values of Leaves and StrokeSurface, in their order. "decided" never
+// occurs in an edit.
 inline constexpr std::array kLeavesWords { "bare", "leafy" };
 inline constexpr std::array kSurfaceWords { "space", "paper", "decided" };
 
-// Where the plant stands. World frame. On paper on the desk, below where the pen came down.
+// The plant's position in the world frame. A stroke drawn on paper puts it on the desk, below the
+// start of the stroke.
 Vec3 stands_at_mm(GrowAlongStroke const& edit);
 
-// Where that is on the paper that the stroke was drawn on; no value: it was drawn in space.
+// The plant's position on the paper that the stroke was drawn on; no value: it was drawn in space.
 std::optional<Vec2> stands_on_paper_mm(GrowAlongStroke const& edit);
 
 } // namespace tractus::sketch

@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kUnit_mm = 10; // A turtle's unit is a centimetre of the plant.
 
-// In the model's unit, as many as an axis may have.
+// The lengths of all segments that an axis may have, in the model's unit.
 std::vector<double> all_lengths(AxisContract const& contract)
 {
-    constexpr double kShortest = 0.02; // Of the first.
+    constexpr double kShortest = 0.02; // Shortest length allowed, as a share of the first length.
     std::vector<double> lengths;
     for (double const length : contract.lengths)
         lengths.push_back(as_written(length));
@@ -97,7 +97,7 @@ Result<void> check_follows(std::string const& name, Plant const& plant,
     return {};
 }
 
-// A stroke of a few segments that bends ever more, the desk's millimetres.
+// A test stroke of a few segments that bends more and more, in millimetres on the desk.
 static std::vector<Vec3> short_nodes_mm(SegmentLengths const& lengths)
 {
     constexpr std::size_t kSegments = 6;
@@ -115,7 +115,7 @@ std::vector<std::string> lacks_for_stroke(ModelRule const& model, scene::LoadOpt
     auto const reading = read_contract(model.source.name, model.source.text);
     if (!reading.lacks.empty())
         return reading.lacks;
-    constexpr double kScale = 1; // The plant is where its stroke is.
+    constexpr double kScale = 1; // Plant and stroke have the same scale.
     auto const nodes_mm = short_nodes_mm(lengths_on_desk(reading.contract, kScale));
     auto const source = model_along(model, nodes_mm, kScale);
     if (!source)

@@ -12,7 +12,7 @@ namespace tractus::sketch {
 static Result<void> check_range(char const* letter, char const* meaning, double value, double least,
                                 double most)
 {
-    if (value >= least && value <= most) // False for NaN.
+    if (value >= least && value <= most) // This comparison is false for NaN.
         return {};
     return fail(
         Fault::User,
@@ -96,9 +96,10 @@ std::size_t lateral_rule_after(Rule const& rule, std::size_t place)
 
 namespace {
 
-// Counts internodes as the model makes them: lengths are multiplied as it does that, so that both
-// stop at the same one. Of laterals that go on, one of a ring is followed for all: where that takes
-// more steps than the rule allows internodes, there are more of them.
+// Counts the internodes that a rule's model will make. Lengths are multiplied in the model's order,
+// so rounding ends both at the same internode. Only one lateral of each ring is followed, and its
+// count is multiplied. If following takes more steps than the limit, the plant has too many
+// internodes in any case.
 class InternodeCounter {
 public:
     explicit InternodeCounter(Rule const& rule)
@@ -121,7 +122,7 @@ public:
 private:
     bool is_too_much() const { return followed_ > rule_.most_internodes; }
 
-    // So many alike, of which each takes the rule of that level.
+    // Adds a ring of equal laterals, each growing by the lateral rule number `level`.
     void add_ring(int laterals, double length_mm, int steps, int depth, std::size_t level)
     {
         if (level == rule_.lateral_rules.size())
@@ -139,7 +140,7 @@ private:
         count_ = before + laterals * count_;
     }
 
-    // The paper's, each with as many of its own.
+    // Adds laterals that fork as in the paper: each ends in a ring of further laterals.
     void add_forks(int laterals, double length_mm, int steps, int depth)
     {
         auto const& last = rule_.lateral_rules;

@@ -7,84 +7,86 @@
 
 namespace tractus::sketch {
 
-// The rule of a Sketch L-system (Ijiri, Owada, Igarashi, "The Sketch L-System: Global Control of
-// Tree Modeling Using Free-form Strokes", Smart Graphics 2006, section 3), which grows along a
-// stroke. At each step the top apex of the drawn axis becomes an internode, a ring of laterals and
-// the next top apex, and each lateral apex becomes an internode and a ring of laterals of its own,
-// without an apex that goes on.
+// The rule of a Sketch L-system, which grows along a stroke (Ijiri, Owada, Igarashi, "The Sketch
+// L-System: Global Control of Tree Modeling Using Free-form Strokes", Smart Graphics 2006, section
+// 3). At each step the top apex of the drawn axis becomes an internode, a ring of laterals and the
+// next top apex. Each lateral apex becomes an internode and a ring of laterals of its own and does
+// not continue: it forks.
 //
-// Lengths and diameters are in millimetres on the desk, angles in degrees. The letters are those
-// that rule files use.
+// Lengths and diameters are in millimetres on the desk, angles in degrees. The letters in the
+// comments are those of rule files.
 //
-// Past the paper, laterals may have a rule of their own: then each is an axis that goes on,
-// straight, with rings of laterals along it. Such rules are a list, and each says by its number
-// which of them its laterals have: a later one, an earlier one, or itself. Where they call each
-// other in a circle, the shortest internode and the plant's limit end it.
+// As an extension of the paper, laterals may have rules of their own (LateralRule). Such a lateral
+// is a straight axis that continues and bears rings of laterals. The rules form a list; each names
+// the rule of its own laterals, which may be a later one, an earlier one or itself. Where rules
+// call each other in a circle, the shortest internode length and the plant's limit end the growth.
 struct LateralRule {
-    double length_ratio = 0.85;  // r: an internode, by the one before it on the lateral.
-    double width_ratio = 0.85;   // q: the same for diameters.
-    int laterals = 2;            // k: at each of its nodes.
-    double angle_deg = 45;       // a: between its laterals and it.
-    double lateral_length = 0.5; // s: a lateral's length, by its parent's.
-    double lateral_width = 0.55; // v: the same for diameters.
-    double twist_deg = 90;       // T: of the rings, from node to node.
-    double shortest_mm = 3;      // l_min: no internode of it is shorter.
-    int laterals_by = 0;         // by: number of its laterals' rule, from 1; 0: the next one.
+    double length_ratio = 0.85; // r: ratio of an internode's length to that of the one before it.
+    double width_ratio = 0.85;  // q: ratio of an internode's diameter to that of the one before it.
+    int laterals = 2;           // k: number of laterals at each of its nodes.
+    double angle_deg = 45;      // a: branching angle of its laterals.
+    double lateral_length = 0.5; // s: ratio of a lateral's length to its parent's.
+    double lateral_width = 0.55; // v: ratio of a lateral's diameter to its parent's.
+    double twist_deg = 90;       // T: azimuth by which successive rings are turned.
+    double shortest_mm = 3;      // l_min: length of the shortest allowed internode.
+    int laterals_by = 0; // by: number of its laterals' rule, from 1; 0: the next rule in the list.
 
     bool operator==(LateralRule const&) const = default;
 };
 constexpr std::size_t kMostLateralRules = 8;
 
 struct Rule {
-    double first_length_mm = 30; // l, 5 to 100: the drawn axis's first internode.
-    double length_ratio = 0.9;   // r, 0.5 to 1.2: an internode of the axis, by the one before it.
-    double width_ratio = 0.85;   // q, 0.3 to 1: the same for diameters.
-    double first_width_mm = 4.5; // w, 0.02 to 0.5 of l: the first internode's diameter.
+    double first_length_mm = 30; // l, 5 to 100: length of the drawn axis's first internode.
+    // r, 0.5 to 1.2: ratio of an internode's length to that of the one before it.
+    double length_ratio = 0.9;
+    // q, 0.3 to 1: ratio of an internode's diameter to that of the one before it.
+    double width_ratio = 0.85;
+    double first_width_mm = 4.5; // w, 0.02 to 0.5 of l: diameter of the first internode.
 
-    int laterals = 2;             // k, 0 to 8: at each node, evenly around it.
-    double angle_deg = 45;        // a, 0 to 150: between a lateral and its parent.
-    double lateral_length = 0.62; // s, 0.2 to 1: a lateral's length, by its parent's.
-    double lateral_width = 0.55;  // v, 0.2 to 1: the same for diameters.
-    double axis_twist_deg
-        = 90; // T, -180 to 180: of the rings, from node to node of the drawn axis.
-    double lateral_twist_deg = 90; // t: the same on laterals.
+    int laterals = 2;             // k, 0 to 8: number of laterals at each node, evenly around it.
+    double angle_deg = 45;        // a, 0 to 150: branching angle between a lateral and its parent.
+    double lateral_length = 0.62; // s, 0.2 to 1: ratio of a lateral's length to its parent's.
+    double lateral_width = 0.55;  // v, 0.2 to 1: ratio of a lateral's diameter to its parent's.
+    // T, -180 to 180: azimuth by which successive rings of the drawn axis are turned.
+    double axis_twist_deg = 90;
+    // t, -180 to 180: azimuth by which successive rings of a lateral are turned.
+    double lateral_twist_deg = 90;
 
-    double shortest_mm = 1;           // l_min, above 0: no internode is shorter.
-    int most_segments = 64;           // n_max, 1 to 10,000: of the drawn axis.
-    double most_internodes = 200'000; // limit, n_max to 10 million: of the whole plant.
+    double shortest_mm = 1;           // l_min, above 0: length of the shortest allowed internode.
+    int most_segments = 64;           // n_max, 1 to 10,000: most segments of the drawn axis.
+    double most_internodes = 200'000; // limit, n_max to 10 million: most internodes of the plant.
 
-    // Rules of laterals, at most kMostLateralRules, in the ranges above: the first is that of the
-    // drawn axis's. Where there is no next one, laterals fork as the paper's do, by the numbers of
-    // the last. None: all do, by the numbers above.
+    // Rules of laterals in the ranges above, at most kMostLateralRules. The first rule is for
+    // laterals of the drawn axis; laterals of the last rule fork, with that rule's numbers. If the
+    // list is empty, all laterals fork, with the numbers above.
     std::vector<LateralRule> lateral_rules {};
 
     bool operator==(Rule const&) const = default;
 };
 
-// Refuses, as the user's fault, a value that is not within the range above: one sentence with the
-// letter, the value and the range.
+// Fails, as the user's fault, for a value out of range: one sentence with letter, value and range.
 Result<void> check_rule(Rule const& rule);
 
-// A number as a model's text gives it: six significant digits, and no minus before a zero.
+// Rounds a number as a model's text shows it: to six significant digits, -0 to 0.
 double as_written(double value);
 
-// The rule with each number so. What follows from a rule is computed from this, so that the text
-// says all of it.
+// Rounds all numbers of a rule. Computations with a rule use the rounded one, so that its text
+// describes the plant completely.
 Rule as_written(Rule const& rule);
 
-// The place in the list of the rule that the laterals of the one at this place have; the list's
-// size: they fork.
+// Index in the list of the rule for laterals of the rule at `place`; the list's size means that
+// they fork.
 std::size_t lateral_rule_after(Rule const& rule, std::size_t place);
 
-// How often laterals may fork where nothing has to be cut; one that goes on does so as often.
+// Default limit on how often laterals may fork, and on the internodes of a lateral that continues.
 constexpr int kUncutDepth = 64;
 
-// How many internodes a plant of `segments` segments has if laterals fork at most `depth` times;
-// more than 2^53 is only roughly right, and may be infinite.
+// Number of internodes of a plant with `segments` segments whose laterals fork at most `depth`
+// times. Approximate above 2^53, and possibly infinite.
 double count_internodes(Rule const& rule, int segments, int depth);
 
-// The largest depth at which that is within the rule's limit: kUncutDepth if nothing has to be cut.
-// While a stroke grows it only falls.
+// The largest depth at which the plant stays within the rule's limit, at most kUncutDepth. It never
+// rises while a stroke grows.
 int depth_within_limit(Rule const& rule, int segments);
 
 } // namespace tractus::sketch

@@ -7,18 +7,19 @@
 
 namespace tractus::sketch {
 
-// How long the segments of a drawn axis are, from its base on, in millimetres on the desk.
+// Lengths of a drawn axis's segments, from the base on, in millimetres on the desk.
 struct SegmentLengths {
-    std::vector<double> first_mm { 30 }; // At least one, each above 0.
-    double ratio = 1;                    // Each further one by the one before it, above 0.
-    double shortest_mm = 0;              // Where one would be shorter, the axis ends.
-    int most = 64;                       // Segments.
+    // Lengths of the first segments: at least one, each above 0.
+    std::vector<double> first_mm { 30 };
+    double ratio = 1;       // Ratio of each further length to the one before it, above 0.
+    double shortest_mm = 0; // The axis ends before a segment shorter than this.
+    int most = 64;          // Largest number of segments.
 };
 
 // The lengths that a rule gives.
 SegmentLengths lengths_of(Rule const& rule);
 
-// The length of the segment after number `number`, from 0, which is so long.
+// The length of the segment that follows segment `number`, counted from 0, of length `length_mm`.
 double length_after(SegmentLengths const& lengths, std::size_t number, double length_mm);
 
 } // namespace tractus::sketch

@@ -19,7 +19,8 @@ bool StrokeResampler::is_full() const
     return nodes_mm_.size() == most_nodes_ || next_length_mm_ < lengths_.shortest_mm;
 }
 
-// Where the way from `inside_mm`, a point in the ball, to `tip_mm`, one outside, leaves it.
+// The point where the line from `inside_mm`, in the ball, to `tip_mm`, outside it, crosses the
+// sphere.
 static Vec3 leave_ball(Vec3 const& center_mm, double radius_mm, Vec3 const& inside_mm,
                        Vec3 const& tip_mm)
 {
@@ -42,7 +43,8 @@ int StrokeResampler::push(Vec3 const& tip_mm)
         last_tip_mm_ = tip_mm;
         return 0;
     }
-    constexpr double kOnSphere = 1 - 1e-9; // Rounding must not keep a tip inside.
+    // Margin for rounding, so that a tip on the sphere counts as outside.
+    constexpr double kOnSphere = 1 - 1e-9;
     int made = 0;
     Vec3 inside_mm = last_tip_mm_;
     while (!is_full() && (tip_mm - nodes_mm_.back()).norm() >= next_length_mm_ * kOnSphere) {

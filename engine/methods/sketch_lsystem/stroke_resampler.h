@@ -9,11 +9,11 @@
 
 namespace tractus::sketch {
 
-// Divides a stroke into the segments of a drawn axis while it is drawn (Ijiri et al. 2006, section
-// 3.2): a node stands wherever the stroke leaves the ball around the last node whose radius is the
-// length of the next internode. Chords count, not lengths along the curve, and nodes lie exactly on
-// the spheres, so they do not depend on how densely the same curve is sampled. Going back into the
-// ball changes nothing: the number of nodes never falls.
+// Divides a stroke into the segments of a drawn axis while it is being drawn (Ijiri et al. 2006,
+// section 3.2). A new node is placed where the stroke leaves the ball around the last node; the
+// ball's radius is the length of the next internode. Chords are measured rather than arc length,
+// and nodes lie exactly on the spheres, so they do not depend on how densely the curve is sampled.
+// The number of nodes never falls, even if the pen goes back into the ball.
 //
 // push() takes constant time for each node that it makes, and allocates nothing.
 class StrokeResampler {
@@ -24,19 +24,18 @@ public:
     {
     }
 
-    // The next tip, in any frame of millimetres; one that is not finite is left out. Returns how
-    // many segments it has completed: how often the rule is applied now.
+    // Adds a tip, in any frame with millimetres; a tip that is not finite is ignored. Returns the
+    // number of segments completed by it: the number of times to apply the rule.
     int push(Vec3 const& tip_mm);
 
-    // The first tip and the segments' ends; empty before the first tip.
+    // The first tip and the ends of all segments; empty before the first tip.
     std::span<Vec3 const> nodes_mm() const { return nodes_mm_; }
     int segments() const { return nodes_mm_.empty() ? 0 : static_cast<int>(nodes_mm_.size()) - 1; }
 
-    // The axis has as many segments as it may, or its next one would be shorter than any may be: it
-    // does not follow the pen any more.
+    // True if the axis has reached its largest number of segments, or if its next segment would be
+    // too short: it no longer follows the pen.
     bool is_full() const;
 
-    // The length of the next segment.
     double next_length_mm() const { return next_length_mm_; }
 
 private:
@@ -47,7 +46,7 @@ private:
     Vec3 last_tip_mm_ = Vec3::Zero();
 };
 
-// The nodes of a whole stroke.
+// Computes the nodes of a whole stroke.
 std::vector<Vec3> resample_stroke(SegmentLengths const& lengths, std::span<Vec3 const> tips_mm);
 std::vector<Vec3> resample_stroke(Rule const& rule, std::span<Vec3 const> tips_mm);
 

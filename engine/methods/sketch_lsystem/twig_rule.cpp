@@ -16,12 +16,15 @@ namespace tractus::sketch {
 
 namespace {
 
-// What the hand adds: places on the axis and logarithms of lengths differ by so much.
+// Assumed inaccuracy of hand drawing: standard deviations of positions on the axis and of
+// logarithms of lengths.
 constexpr double kPlace_mm = 0.7;
-constexpr double kPlaceShare = 0.008; // Of the axis.
+// Inaccuracy of positions on the axis, as a share of its length.
+constexpr double kPlaceShare = 0.008;
 constexpr double kLength = 0.06;
 
-// A line without its tremor: a mean over some 8 mm, or a tenth of a short line. Its ends stay.
+// Smooths tremor out of a line with a moving average over about 8 mm, or over a tenth of a short
+// line. The ends stay where they are.
 std::vector<Vec3> steady(std::vector<Vec3> const& points)
 {
     constexpr std::size_t kPoints = 201;
@@ -43,7 +46,7 @@ std::vector<Vec3> steady(std::vector<Vec3> const& points)
 
 struct Foot {
     double away_mm = std::numeric_limits<double>::infinity();
-    double at_mm = 0; // Along the line.
+    double at_mm = 0; // Arc length along the line.
 };
 
 Foot foot_on(std::vector<Vec3> const& line, Vec3 const& point)
@@ -61,18 +64,19 @@ Foot foot_on(std::vector<Vec3> const& line, Vec3 const& point)
     return best;
 }
 
-// A lateral, from its foot outwards.
+// A drawn lateral, ordered from its foot outwards.
 struct Lateral {
     std::vector<Vec3> line;
-    std::optional<std::size_t> parent; // Another lateral; no value: the axis.
-    double at_mm = 0;                  // Along its parent.
-    double length_mm = 0;              // Of its chord.
+    // Index of the lateral that bears it; no value: the axis bears it.
+    std::optional<std::size_t> parent;
+    double at_mm = 0;     // Arc length of the foot along its parent.
+    double length_mm = 0; // Length of its chord.
     int depth = 1;
 
     Vec3 way() const { return (line.back() - line.front()).normalized(); }
 };
 
-// Laterals with the parents on which they begin: the nearest line at either of their ends.
+// Finds the parent of each lateral: the line nearest to either of its ends.
 std::vector<Lateral> attach(std::vector<Vec3> const& axis, DrawnTwig const& twig)
 {
     std::vector<Lateral> laterals;
@@ -100,7 +104,8 @@ std::vector<Lateral> attach(std::vector<Vec3> const& axis, DrawnTwig const& twig
             is_attached[i] = true;
         }
     };
-    // What begins on a lateral may end near the axis: only what touches that begins there.
+    // A lateral of a lateral may end near the axis. In the first pass, only laterals that touch the
+    // axis are therefore attached to it.
     double const touches_mm = std::max(1.5, 0.008 * polyline_length_mm(axis));
     attach_to(axis, std::nullopt, touches_mm, 1);
     constexpr int kDeepest = 6;
@@ -114,9 +119,9 @@ std::vector<Lateral> attach(std::vector<Vec3> const& axis, DrawnTwig const& twig
     return laterals;
 }
 
-// Laterals of the axis, from below, by their numbers of nodes from 0.
+// A ring pattern for the axis's laterals. Nodes are numbered from 0 at the base.
 struct Ring {
-    int laterals = 1; // At each node.
+    int laterals = 1; // Number of laterals at each node.
     int bare = 0;
     double ratio = 0.9;
     double first_mm = 30;
@@ -124,7 +129,7 @@ struct Ring {
     double cost = std::numeric_limits<double>::infinity();
 };
 
-// Where node `number` is by the first internode's length.
+// Distance of node `number` from the base, as a multiple of the first internode.
 double node_place(double ratio, int number)
 {
     double sum = 0;
@@ -136,7 +141,8 @@ double node_place(double ratio, int number)
     return sum;
 }
 
-// Squares of what the laterals differ by from a ring with this ratio; sets its lengths.
+// Sum of squared residuals of the laterals against a ring pattern with this ratio; also fits the
+// ring's lengths.
 double squares(std::vector<Lateral const*> const& laterals, Ring& ring, double place_mm)
 {
     double top = 0;
@@ -178,8 +184,8 @@ Ring find_ring(std::vector<Lateral const*> const& laterals, double axis_mm)
                 Ring ring { .laterals = count, .bare = bare, .ratio = ratio };
                 double const sum = squares(laterals, ring, place_mm);
                 auto const missing = static_cast<int>(laterals.size()) % count;
-                // A rule is the likelier the less has to be explained besides: bare nodes, and
-                // laterals that the topmost node lacks.
+                // Penalties favour rules that leave little to explain: few bare nodes, and no
+                // laterals missing at the topmost node.
                 ring.cost = sum + 3.0 * bare + (missing > 0 ? 6 : 0) - 0.01 * count;
                 if (ring.cost < best.cost)
                     best = ring;
@@ -187,7 +193,8 @@ Ring find_ring(std::vector<Lateral const*> const& laterals, double axis_mm)
     return best;
 }
 
-// Heading and two unit vectors across it, a turtle's left and down (drawn_axis.h).
+// Heading of an axis and two unit vectors across it: the left and down vectors of a turtle
+// (drawn_axis.h).
 struct Frame {
     Vec3 heading { 0, 0, 1 };
     Vec3 left { -1, 0, 0 };
@@ -202,7 +209,7 @@ struct Frame {
     }
 };
 
-// How laterals of one node turn away from the axis.
+// Branching angle and azimuth of one lateral.
 struct Turned {
     int node = 0;
     double angle_deg = 0;
@@ -238,7 +245,8 @@ struct Twist {
     double deviation_deg = 0;
 };
 
-// The turn from node to node, between -180/k and 180/k: rings of k look the same turned by 360/k.
+// Finds the rotation between successive nodes, within 180/k degrees either way: a ring of k
+// laterals looks the same when turned by 360/k.
 Twist find_twist(std::vector<Turned> const& turns, int laterals)
 {
     constexpr double kStep_deg = 0.25;
@@ -256,7 +264,7 @@ Twist find_twist(std::vector<Turned> const& turns, int laterals)
             best.deg = twist_deg;
         }
     }
-    // Of directions that agree so well, as for a narrow normal distribution.
+    // Standard deviation of a narrow circular normal distribution with this mean resultant length.
     best.deviation_deg = degrees(std::sqrt(-2 * std::log(std::clamp(most, 1e-6, 1.0)))) / laterals;
     return best;
 }
@@ -286,7 +294,7 @@ double deviation_of(std::vector<double> const& values)
     return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-// Angles and lengths of laterals that stand on others, by their parents.
+// Adds the branching angles and relative lengths of laterals that are attached to other laterals.
 void add_deeper(std::vector<Lateral> const& laterals, std::vector<double>& angles_deg,
                 std::vector<double>& log_shares)
 {
@@ -329,7 +337,8 @@ static TwigRule fit(std::vector<Lateral> const& laterals, std::vector<Vec3> cons
         log_shares.push_back(std::log(of_axis[i]->length_mm / internode_mm));
         shortest_mm = std::min({ shortest_mm, internode_mm, of_axis[i]->length_mm });
     }
-    // Those on the axis say the rule: on which lateral a deeper one begins is less sure.
+    // Laterals of the axis determine the rule, because the parents of deeper laterals are less
+    // certain.
     double const angle_deg = mean_of(angles_deg);
     double const log_share = mean_of(log_shares);
     add_deeper(laterals, angles_deg, log_shares);
@@ -369,7 +378,7 @@ Result<TwigRule> find_twig_rule(DrawnTwig const& twig)
             TRY(checked_line(lateral, fmt::format("lateral {}", drawn.laterals_mm.size() + 1))));
     auto const axis = steady(drawn.axis_mm);
     auto result = fit(attach(axis, drawn), axis);
-    // What is out of range by what a hand differs is in range.
+    // Values that are slightly out of range through inaccurate drawing are moved into range.
     result.rule.length_ratio = std::clamp(result.rule.length_ratio, 0.5, 1.2);
     result.rule.lateral_length = std::clamp(result.rule.lateral_length, 0.2, 1.0);
     result.rule.angle_deg = std::min(result.rule.angle_deg, 150.0);

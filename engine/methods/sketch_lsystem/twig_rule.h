@@ -9,43 +9,42 @@
 
 namespace tractus::sketch {
 
-// A twig that somebody has drawn: an axis from its foot to its tip, and laterals in any order and
-// direction, which begin on the axis or on other laterals. Millimetres; z is up, and what is drawn
-// on a sheet has y = 0.
+// A drawn twig: an axis from its foot to its tip, and laterals in any order and direction that
+// begin on the axis or on other laterals. Millimetres; z is up, and a twig drawn on a sheet has y =
+// 0.
 struct DrawnTwig {
     std::vector<Vec3> axis_mm;
-    std::vector<std::vector<Vec3>> laterals_mm; // 1 to kMostTwigLaterals.
+    std::vector<std::vector<Vec3>> laterals_mm; // From 1 to kMostTwigLaterals laterals.
 };
 constexpr std::size_t kMostTwigLaterals = 200;
 
-// The rule by which a twig would have grown.
+// The rule that fits a drawn twig best.
 struct TwigRule {
-    // k, l, r, a, s and T are the twig's; widths and limits the usual ones. T is the one nearest to
-    // 0 of those that look the same.
+    // k, l, r, a, s and T are fitted; widths and limits have their default values. T is, of all
+    // equivalent twists, the one nearest to 0.
     Rule rule;
-    int order = 1;      // How often laterals bear laterals: 1 where only the axis does.
-    int nodes = 0;      // Of the axis, that bear something.
-    int bare_nodes = 0; // Below them, without laterals.
-    // Standard deviations of what was drawn from the rule.
+    int order = 1;      // Levels of branching: 1 if only the axis bears laterals.
+    int nodes = 0;      // Number of the axis's nodes that bear laterals.
+    int bare_nodes = 0; // Number of nodes without laterals below those.
+    // Standard deviations of the drawing from the rule.
     double angle_deviation_deg = 0;
-    double length_deviation = 0;  // Of laterals' lengths, a share of them.
-    double spacing_deviation = 0; // Of nodes' places, a share of the internode there.
+    double length_deviation = 0;  // Deviation of laterals' lengths, relative to the length.
+    double spacing_deviation = 0; // Deviation of nodes' positions, relative to the internode there.
     double twist_deviation_deg = 0;
-    // Root mean square of all of these, radians and shares: 0 for a twig that is as the rule has
-    // it.
+    // Root mean square of the deviations above, in radians and shares; 0 for a perfect fit.
     double misfit = 0;
 
-    // A twig with a greater misfit has no such rule.
+    // A twig with a greater misfit does not follow such a rule.
     static constexpr double kMostMisfit = 0.4;
     bool is_rule() const { return misfit <= kMostMisfit; }
 };
 
-// Finds the rule: the numbers of laterals at a node and of bare nodes are tried one by one, each
-// with the least squares of places, lengths and turns of the laterals (Ijiri et al. 2006, section
-// 3, read backwards).
+// Finds the rule of a drawn twig. All numbers of laterals per node and of bare nodes are tried,
+// each with a least-squares fit of positions, lengths and azimuths of the laterals (the inverse of
+// Ijiri et al. 2006, section 3).
 //
-// Fails, as the user's fault, for an axis or laterals that are only dots or not finite, without
-// laterals, or with too many, and where the rule's internodes are out of range (check_rule()).
+// Fails, as the user's fault, if the axis or a lateral is only a dot or not finite, if there are no
+// laterals or too many, or if the rule's internodes are out of range (check_rule()).
 Result<TwigRule> find_twig_rule(DrawnTwig const& twig);
 
 } // namespace tractus::sketch
