@@ -19,12 +19,12 @@ namespace tractus::lsystem {
 
 namespace {
 
-// Places in a string are 32-bit numbers, of parameters too.
+// Modules and parameters are indexed by 32-bit numbers.
 constexpr std::size_t kMaxModules = 200'000'000;
 
 constexpr std::size_t kPiecesAtATime = 32;
 
-// Where modules and their parameters begin.
+// Index of a module and of its first parameter.
 struct Place {
     std::size_t module = 0;
     std::size_t parameter = 0;
@@ -61,7 +61,7 @@ public:
     Result<ModuleString> run();
 
 private:
-    // Where a piece begins, and what becomes of it.
+    // A piece of the string: its place before and after rewriting.
     struct PiecePlace {
         Place from; // Place in in_.
         Place to;   // Place in out_.
@@ -87,7 +87,7 @@ private:
     VirtualMachine machine_;
     std::optional<ContextTable> table_;
     RulePlan plan_;
-    Branches branches_; // Branches of in_, where rules have contexts.
+    Branches branches_; // Matching brackets of in_; filled if rules have contexts.
     RangeRewriter rewriter_;
     std::optional<SubsystemRewriter> subsystems_;
     Environment environment_;
@@ -122,7 +122,7 @@ Result<ModuleString> Derivation::run()
     return std::move(in_);
 }
 
-// Fills the string's query modules.
+// Answers the query modules of the current string.
 Result<void> Derivation::answer()
 {
     if (!has_queries_)
@@ -130,7 +130,7 @@ Result<void> Derivation::answer()
     return answer_queries(model_, in_, machine_, step_, environment_);
 }
 
-// How many steps there are, as far as the model has decided by now.
+// Returns the number of steps; a model may change it while it is derived.
 int Derivation::length()
 {
     if (options_.steps)
@@ -167,7 +167,7 @@ Result<void> Derivation::step(int number)
     machine_.run(model_.start_each);
     out_.kinds.clear();
     out_.parameters.clear();
-    if (table_) // A module is a byte.
+    if (table_) // Every module is one byte here.
         table_->rewrite(in_.kinds, out_.kinds, std::min(limit().modules, limit().bytes), piece_);
     else if (plan_.is_fixed() && !subsystems_)
         TRY(rewrite_fixed());
@@ -184,8 +184,9 @@ Result<void> Derivation::step(int number)
     return {};
 }
 
-// Returns the limit of the string that a step makes. Columns grow by half of themselves, and what
-// is rewritten, with the places of its branches, stays until the step is done.
+// Returns the size limit of the string that a step makes. The division by 3 leaves room for
+// columns, which grow by half; the old string and its branches stay in memory until the step is
+// done.
 StringLimit Derivation::limit() const
 {
     auto const held = in_.byte_size()
@@ -199,7 +200,7 @@ Result<void> Derivation::check_size(std::size_t modules, std::size_t parameters)
 {
     auto const most = limit();
     auto const where = step_ == 0 ? std::string("the axiom") : fmt::format("step {}", step_);
-    // Modules have few parameters; the factor only keeps their places within 32 bits.
+    // The factor only keeps parameter indices within 32 bits; modules have few parameters.
     if (modules > most.modules || parameters / 16 > most.modules)
         return fail(Fault::User,
                     fmt::format("{}: {} makes more than {} modules; derive fewer steps or raise "
@@ -229,7 +230,7 @@ Result<void> Derivation::rewrite()
     return {};
 }
 
-// Several pieces at a time, each into a string of its own; then these are put one behind the other.
+// Rewrites several pieces at a time, each into its own string, and then concatenates the results.
 Result<void> Derivation::rewrite_in_pieces()
 {
     struct Piece {
@@ -276,8 +277,8 @@ Result<void> Derivation::rewrite_in_pieces()
     return {};
 }
 
-// Where the pieces of in_ begin, and its end; and where what becomes of them begins in out_, if
-// sizes are known.
+// Returns where each piece of in_ begins, followed by the end of in_; and, if sizes are known,
+// where each result begins in out_.
 std::vector<Derivation::PiecePlace> Derivation::find_pieces() const
 {
     auto const& kinds = model_.alphabet.kinds;
@@ -304,8 +305,8 @@ std::vector<Derivation::PiecePlace> Derivation::find_pieces() const
     return places;
 }
 
-// Rewrites where the size of what every module becomes is known beforehand: counts what comes out,
-// then lets pieces be written: write(places) those between the places.
+// Rewrites a string whose successors all have known sizes. Computes the size of the result, then
+// calls write(places) in parallel for groups of pieces; each group includes its end place.
 template<typename Write> Result<void> Derivation::rewrite_known_sizes(Write const& write)
 {
     auto const places = find_pieces();
@@ -326,7 +327,8 @@ Result<void> Derivation::rewrite_fixed()
     });
 }
 
-// Rules choose by chance and compute parameters, but what becomes of a module has one size.
+// Rewrites with stochastic or parametric rules whose successors have a known size for each kind of
+// module.
 Result<void> Derivation::rewrite_to_places()
 {
     std::atomic<VirtualMachine::Stop> stop = VirtualMachine::Stop::None;
@@ -350,14 +352,14 @@ Result<void> Derivation::rewrite_to_places()
 void Derivation::write_fixed(PiecePlace const& begin, PiecePlace const& end_place)
 {
     auto const& [from, to] = begin;
-    // Local copies: kinds are bytes, and the compiler must think that writing them changes whatever
-    // else lies in memory.
+    // Local copies: kinds are bytes, so the compiler must assume that writing them changes any
+    // other object in memory.
     auto const* kind = in_.kinds.data() + from.module;
     auto const* const end = in_.kinds.data() + end_place.from.module;
     auto const* parameters = in_.parameters.data() + from.parameter;
     auto const* const successors = &plan_.fixed(0);
     ModuleWriter writer(out_.kinds.data() + to.module, out_.parameters.data() + to.parameter);
-    // The next piece begins where this one ends, so the last moves must not be too wide.
+    // The next piece begins where this one ends, so wide moves must stop before the end.
     auto const room = end_place.to.module - to.module;
     auto const* const wide_end
         = writer.kinds + (room >= FixedSuccessor::kShort ? room - FixedSuccessor::kShort + 1 : 0);

@@ -18,11 +18,11 @@ namespace tractus::lsystem {
 namespace {
 
 using Queries = std::span<EnvironmentQuery const>;
-using Cell = std::array<std::int32_t, 3>; // x, y, z
+using Cell = std::array<std::int32_t, 3>; // Integer coordinates x, y, z of a voxel.
 
 constexpr std::size_t kMaxCells = std::size_t { 1 } << 24;
 
-// No value where a place is too far away to have a voxel.
+// Returns the voxel at a position; no value if its coordinates are too large.
 std::optional<Cell> cell_at(Vec3 const& position, double size)
 {
     constexpr double kMost = 1e9;
@@ -48,7 +48,8 @@ void answer(EnvironmentQuery const& query, std::size_t first, Vec3 const& vector
         answer(query, first + i, vector[static_cast<int>(i)]);
 }
 
-// A parameter that the model sets; `otherwise` where the module has none, or none that counts.
+// Returns a parameter of a query; `otherwise` if the module does not have it. Negative and
+// non-finite values count as 0.
 double asked(EnvironmentQuery const& query, std::size_t index, double otherwise)
 {
     if (index >= query.parameters.size())
@@ -57,8 +58,8 @@ double asked(EnvironmentQuery const& query, std::size_t index, double otherwise)
     return std::isfinite(value) && value >= 0 ? value : 0;
 }
 
-// Direction in which a function grows among the neighbours of a cell; 0 where it is the same all
-// round.
+// Central difference of a function over the neighbours of a cell: the direction in which it grows.
+// 0 where it is the same on all sides.
 template<typename Value> Vec3 direction_of_more(Cell const& cell, Value const& value_at)
 {
     Vec3 result = Vec3::Zero();
@@ -81,7 +82,7 @@ Error too_large(std::string_view name, double cell)
                          name, kMaxCells, cell) };
 }
 
-// Looks at the clock now and then.
+// Checks the time limit at intervals.
 class Watch {
 public:
     Watch(std::string_view environment, TimeLimit const& limit)
@@ -90,7 +91,7 @@ public:
     {
     }
 
-    // Takes note of work, in voxels looked at.
+    // Records work, in visited voxels; fails when the time is over.
     Result<void> spend(std::size_t work)
     {
         spent_ += work;
@@ -113,14 +114,15 @@ private:
     std::size_t spent_ = 0;
 };
 
-// The weights in voxels, summed along x and z, so that the weight of any rectangle of a layer is
-// four numbers.
+// Weights in voxels as a summed-area table along x and z: the weight of any rectangle of a layer
+// takes four lookups.
 class WeightGrid {
 public:
-    // False if the grid would be too large.
+    // Returns false if the grid would be too large.
     bool fill(std::span<std::optional<Cell> const> cells, std::span<double const> weights);
 
-    // Weight in the cells at most `reach` to each side of (x, z) in layer y.
+    // Weight in a square of layer y, `layer` layers above the cell: the cells at most `reach` away
+    // in x and in z.
     double weight(Cell const& cell, std::int64_t layer, std::int64_t reach) const
     {
         auto const y = cell[1] + layer - low_[1];
@@ -228,7 +230,8 @@ private:
     Watch watch_;
     double cell_;
     double full_;
-    std::vector<double> strengths_; // Strengths by layers below what casts the shade.
+    // Strength of the shade by the number of layers below the object that casts it.
+    std::vector<double> strengths_;
 };
 
 class Space {
@@ -254,8 +257,9 @@ private:
         double radius = 0;
     };
 
-    // Balls stand under the voxel of their centre, and by size: voxels of one size are at least as
-    // large as its balls, so that few voxels can hold what touches.
+    // Balls are stored by size class (a power of 2 above their diameter) and by the voxel of their
+    // centre. A voxel is at least as large as its balls, so only few voxels can hold a ball that
+    // touches.
     Result<bool> take(Vec3 const& center, double radius)
     {
         int size = 0;
@@ -344,7 +348,7 @@ public:
             if (cell)
                 demands[*cell] += asked(query, 1, 1);
         }
-        std::map<Cell, double> given; // Amount given for a demand of 1.
+        std::map<Cell, double> given; // Amount given per unit of demand.
         for (auto const& [cell, demand] : demands) {
             double const taken = std::min(at(cell), uptake_ * demand);
             given[cell] = demand > 0 ? taken / demand : 0;
@@ -369,7 +373,7 @@ private:
         return found != changed_.end() ? found->second : cell[1] < 0 ? content_ : 0;
     }
 
-    // Spreads what a voxel has more of than its neighbours to them; nothing leaves the soil.
+    // Diffuses water from each voxel to drier neighbours; none leaves the soil.
     Result<void> spread()
     {
         if (diffusion_ == 0)
@@ -401,7 +405,7 @@ private:
     double content_;
     double uptake_;
     double diffusion_;
-    std::map<Cell, double> changed_; // Cells that are not as at the beginning.
+    std::map<Cell, double> changed_; // Voxels whose water differs from the initial content.
 };
 
 } // namespace

@@ -6,34 +6,34 @@
 
 namespace tractus::lsystem {
 
-// The built-in environments. Each answers in the first parameter of ?E(answer, …); the others that
-// are read or set stand behind it, as far as a module has them. Lengths are in turtle units, y is
-// up. All of a string are answered together, after each step, in the order of the string; what an
-// environment remembers begins anew with the axiom. Deterministic.
+// The built-in environments. Each writes its answer to the first parameter of ?E(answer, ...);
+// further parameters follow as far as the module has them. Lengths are in turtle units; y is up.
+// All queries of a string are answered together after each step, in the order of the string. What
+// an environment remembers is reset with the axiom. Results are deterministic.
 //
 // light (Palubicki et al. 2009: shade propagation)
-//   ?E(light, weight, x, y, z): what stands at the turtle, of this weight (1 without the
-//   parameter), casts shade into the voxels below it, a pyramid of `depth` layers:
-//   weight * shade * decay^-layer. light is full minus the shade of all others, at least 0;
-//   (x, y, z) is the direction in which there is more of it.
-//   cell=1 shade=0.2 decay=2 depth=8 full=1
+//   ?E(light, weight, x, y, z): an object of this weight (default 1) at the turtle casts shade into
+//   the voxels below it, a pyramid of `depth` layers: weight * shade * decay^-layer. `light` is
+//   full minus the shade of all other objects, at least 0; (x, y, z) is the direction of more
+//   light. cell=1 shade=0.2 decay=2 depth=8 full=1
 // space (Mech and Prusinkiewicz 1996: competition for space)
-//   ?E(free, radius): 1 if a ball of this radius (`radius` without the parameter) touches none that
-//   an earlier ?E got, in this step or before, and then it is taken; otherwise 0. Who asks again at
-//   the same place keeps it.
+//   ?E(free, radius): 1 if a ball of this radius (default `radius`) touches no ball granted to an
+//   earlier ?E, in this step or before; the ball is then granted. Otherwise 0. A query repeated at
+//   the same place keeps its ball.
 //   radius=1
 // terrain
-//   ?E(height, x, y, z): the turtle's height above the ground, less than 0 below it, and the
-//   ground's normal. The ground rises by `slope` degrees to +x and has hills.
+//   ?E(height, x, y, z): the turtle's height above the ground, negative below it, and the ground's
+//   normal. The ground rises by `slope` degrees towards +x and has hills.
 //   slope=0 hill=0 wave=10
 // water (Mech and Prusinkiewicz 1996: roots in soil)
-//   ?E(taken, demand, x, y, z): what a root of this demand (1 without the parameter) gets of its
-//   voxel's water; those in one voxel share. (x, y, z) is the direction to wetter soil. Soil lies
-//   below y = 0; water spreads between voxels after each step.
-//   cell=1 content=1 uptake=0.1 diffusion=0.1
+//   ?E(taken, demand, x, y, z): the amount of water that a root of this demand (default 1) gets
+//   from its voxel; roots in one voxel share its water. (x, y, z) is the direction of wetter soil.
+//   Soil fills y < 0; water diffuses between voxels after each step. cell=1 content=1 uptake=0.1
+//   diffusion=0.1
 //
-// The function is empty if no environment is chosen. It fails, as the user's fault, when the plant
-// spans too many voxels and when the time is over, which is asked about every few thousand voxels.
+// Returns an empty function if no environment is chosen. An environment fails, as the user's fault,
+// if the plant spans too many voxels or if the time limit is exceeded, which is checked every few
+// thousand voxels.
 Environment make_environment(EnvironmentChoice const& choice, TimeLimit const& time = {});
 
 } // namespace tractus::lsystem

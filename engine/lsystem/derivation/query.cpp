@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::string_view kQueries = "PHLUQE";
 
-// Takes a vector from the plant's space to the turtle's: from_model() the other way round.
+// Converts a vector from the plant's space to cpfg's; the inverse of from_model().
 Vec3 to_model(Vec3 const& v)
 {
-    return { v.x(), v.z(), 0 - v.y() }; // Subtracted, as -0 would be printed so.
+    return { v.x(), v.z(), 0 - v.y() }; // Subtracting from 0 avoids -0, which would be printed.
 }
 
 class Questioning {
@@ -46,9 +46,10 @@ private:
     void answer(char query, std::span<float> parameters) const;
     void ask_environment(Modules const& modules, std::size_t length, std::span<float> parameters);
 
-    // Only the frame counts: what is drawn is dropped when it is more than this.
+    // Only the turtle's frame is needed: the drawing is discarded whenever it exceeds this size.
     static constexpr std::size_t kMaxParts = 65'536;
-    static constexpr std::size_t kMaxKept = 1'000'000; // Each needs as much as many modules.
+    // Each kept turtle needs as much memory as many modules.
+    static constexpr std::size_t kMaxKept = 1'000'000;
 
     Model const& model_;
     ModuleString& string_;
@@ -59,7 +60,7 @@ private:
     Turtle turtle_;
     std::vector<EnvironmentQuery> queries_;
     bool keeps_cuts_;
-    std::vector<KeptTurtle> kept_; // Found in this string.
+    std::vector<KeptTurtle> kept_; // Turtle states at the cuts in this string.
 };
 
 Result<void> Questioning::run()
@@ -110,7 +111,7 @@ void Questioning::answer(char query, std::span<float> parameters) const
     auto const& frame = turtle_.state().frame;
     Vec3 const heading = to_model(frame.heading);
     Vec3 const left = to_model(frame.left);
-    Vec3 const up = to_model(frame.down); // cpfg calls it up.
+    Vec3 const up = to_model(frame.down); // cpfg calls this vector up.
     std::array<double, 4> values {};
     std::size_t count = 3;
     if (query == 'Q') {

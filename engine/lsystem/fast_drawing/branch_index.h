@@ -13,25 +13,26 @@
 
 namespace tractus::lsystem {
 
-// Finds the ends of long branches in a string without reading all of them. The string is cut into
-// blocks, of which it is known how deep in brackets they begin and get; those in which a branch
-// does not end are passed over.
+// Finds the ends of long branches without reading the whole string. For each block of the string,
+// the bracket depth at its beginning and the least depth in it are known, so blocks in which a
+// branch cannot end are skipped.
 class BranchIndex {
 public:
-    // Looks for branches of at least `long_branch` modules. All must outlive it.
+    // Looks for branches of at least `long_branch` modules. Model and string must outlive this
+    // object.
     BranchIndex(Model const& model, ModuleString const& string, std::size_t long_branch);
 
     struct End {
-        std::size_t module = 0;    // The closing bracket, or the string's size when none closes it.
-        std::size_t parameter = 0; // Where that module's parameters begin.
+        std::size_t module = 0; // The closing bracket; the string's size if none closes the branch.
+        std::size_t parameter = 0; // Index of that module's first parameter.
     };
 
-    // The first module from `module` on at which a long branch may begin; the string's size if
-    // there is none.
+    // Returns the first module from `module` on at which a long branch may begin; the string's size
+    // if there is none.
     std::size_t next_opening(std::size_t module) const;
 
-    // False if a branch of which `module`, at `depth`, is the first module is surely not long: a
-    // quick look at few places. Depths count from the string's beginning.
+    // A quick test: false if a branch whose first module is `module`, at depth `depth`, is
+    // certainly not long. Depths are counted from the beginning of the string.
     bool may_be_long(std::size_t module, std::int64_t depth) const
     {
         auto const end = std::min((module + long_branch_) / kBlock, blocks_.size() - 1);
@@ -41,38 +42,39 @@ public:
         return true;
     }
 
-    // The end of the branch whose first module, behind the opening bracket, is `module`.
+    // Finds the end of a branch. `module` is its first module, after the opening bracket.
     End find_end(std::size_t module) const;
 
-    // Where a module's parameters begin.
+    // Returns the index of a module's first parameter.
     std::size_t parameter(std::size_t module) const;
 
     std::size_t long_branch() const { return long_branch_; }
 
 private:
-    static constexpr std::size_t kBlock = 256;      // Modules.
-    static constexpr std::size_t kSuperblock = 256; // Blocks.
+    static constexpr std::size_t kBlock = 256;      // Size in modules.
+    static constexpr std::size_t kSuperblock = 256; // Size in blocks.
 
-    static constexpr auto kBeyond = std::int64_t { 1 } << 60; // No depth is as great.
+    static constexpr auto kBeyond = std::int64_t { 1 } << 60; // Greater than any depth.
 
     struct Step {
         std::uint32_t parameters = 0;
-        int depth = 0; // Change behind the module.
+        int depth = 0; // Change of depth from before the module to after it.
     };
-    static constexpr std::int32_t kNoOpening = 1 << 20; // No depth in a block is as great.
-    // Effect of two modules, one behind the other: blocks are measured by twos.
+    static constexpr std::int32_t kNoOpening = 1 << 20; // Greater than any depth within a block.
+    // Effect of two successive modules: blocks are measured two modules at a time.
     struct Pair {
         std::uint16_t parameters = 0;
         std::int8_t depth = 0;
-        std::int8_t floor = 0;    // Least depth behind one of them.
-        std::int32_t opening = 0; // Depth of a branch that one opens; kNoOpening if none does.
+        std::int8_t floor = 0; // Lower of the depths after each of the two modules.
+        // Depth of a branch that one of the two opens; kNoOpening if neither does.
+        std::int32_t opening = 0;
     };
     struct Block {
-        std::size_t parameter = 0; // Index before its first module.
-        std::int64_t depth = 0;    // Depth before its first module.
-        std::int64_t floor = 0;    // No depth in it is less.
-        // The least depth of a branch that begins in it, far beyond all if none does; then whether
-        // it may be a long one.
+        std::size_t parameter = 0; // Parameter index before the block's first module.
+        std::int64_t depth = 0;    // Depth before the block's first module.
+        std::int64_t floor = 0;    // Least depth in the block.
+        // Least depth of a branch that begins in the block; greater than any depth if none does.
+        // opens_long is computed from it: true if the branch may be long.
         std::int64_t opening = 2 * kBeyond;
         bool opens_long = false;
     };
@@ -88,11 +90,11 @@ private:
     std::array<Step, 256> steps_ {}; // Indexed by kind.
     std::vector<Pair> pairs_;        // Indexed by first kind * kind_count_ + second kind.
     std::vector<Block> blocks_;
-    std::vector<std::int64_t> floors_; // Least depths of superblocks.
+    std::vector<std::int64_t> floors_; // Least depth in each superblock.
 };
 
-// Says which branches of one part of a string are to be parts of their own: long ones that a long
-// rest follows.
+// Selects the branches of a piece of the string that become pieces of their own: long branches that
+// are followed by a long remainder.
 class BranchCutter {
 public:
     explicit BranchCutter(BranchIndex const& index)
@@ -100,14 +102,14 @@ public:
     {
     }
 
-    // Begins to follow the part [begin, end) of the string.
+    // Starts with the piece [begin, end) of the string.
     void begin(std::size_t begin, std::size_t end)
     {
         look_from_ = begin;
         end_ = end;
     }
 
-    // No branch that begins before this module, at or behind `at`, is to be cut off.
+    // Returns a module, at `at` or later, before which no branch that begins needs to be cut off.
     std::size_t look_from(std::size_t at)
     {
         if (at >= look_from_)
@@ -115,8 +117,9 @@ public:
         return look_from_;
     }
 
-    // The end of the branch that opens at module `at`, not before look_from(), if it is to be cut
-    // off. Inside of it the depth is `depth`, counted from the string's beginning.
+    // Returns the end of the branch that opens at `at` if it is to be cut off. `at` must not be
+    // before look_from(); `depth` is the depth inside the branch, counted from the beginning of the
+    // string.
     std::optional<BranchIndex::End> cut(std::size_t at, std::int64_t depth);
 
 private:

@@ -19,7 +19,7 @@ namespace tractus::lsystem {
 
 namespace {
 
-// Whether pieces may be drawn in any order: no rule of the homomorphism has effects.
+// Returns true if pieces may be drawn in any order: no homomorphism rule has side effects.
 bool is_divisible(Model const& model)
 {
     auto const& rules = model.homomorphism.rules;
@@ -37,8 +37,7 @@ Piece whole(DrawingJob const& job)
     return piece;
 }
 
-// Draws pieces, several at a time, each with draw(turtle, number); false where something went
-// wrong.
+// Draws several pieces in parallel, each with draw(turtle, number). Returns false on failure.
 template<typename Draw>
 bool draw_generation(DrawingJob& job, std::span<Piece const> pieces, BranchIndex const* index,
                      Draw const& draw)
@@ -55,13 +54,13 @@ bool draw_generation(DrawingJob& job, std::span<Piece const> pieces, BranchIndex
     return is_good;
 }
 
-// Drawn pieces of a string, and the axes and segments that are in the plant already.
+// Drawn pieces of a string. The axes and segments of planned pieces are already in `plant`.
 struct DrawnString {
     std::vector<Piece> pieces;
     Plant plant {};
 };
 
-// Draws the string in pieces, each of which finds branches that it leaves to others.
+// Draws the string in pieces; each piece leaves long branches to further pieces.
 std::optional<DrawnString> draw_in_pieces(DrawingJob& job, BranchIndex const& index)
 {
     std::vector<Piece> pieces { whole(job) };
@@ -83,7 +82,7 @@ std::optional<DrawnString> draw_in_pieces(DrawingJob& job, BranchIndex const& in
     return DrawnString { std::move(pieces) };
 }
 
-// Draws the string as planned, each piece to its place in the plant.
+// Draws each planned piece directly to its place in the plant.
 std::optional<DrawnString> draw_as_planned(DrawingJob& job, std::vector<PlannedPiece> const& plan)
 {
     job.parts = plan[0].segment_count;
@@ -108,9 +107,9 @@ std::optional<DrawnString> draw_as_planned(DrawingJob& job, std::vector<PlannedP
     return result;
 }
 
-// Draws the string in pieces, several at a time. No value where it must be drawn from one end to
-// the other: it is too short to be cut, its order matters, as it does with sub-L-systems, brackets
-// do not match, or something is to be reported as it is found first.
+// Draws the string in pieces, in parallel. No value if it must be drawn sequentially: it is too
+// short, its order matters (as with sub-L-systems), its brackets do not match, or errors must be
+// reported in the order of the string.
 std::optional<DrawnString> draw_divided(DrawingJob& job, ParameterRange const& parameters)
 {
     if (job.string.size() < 4 * job.options.long_branch || !is_divisible(job.model)
@@ -148,7 +147,7 @@ Result<DrawnString> draw_at_once(DrawingJob& job)
     return DrawnString { std::move(pieces) };
 }
 
-// Gathers the warnings, each once, in the order of the string.
+// Collects the warnings without duplicates, in the order of the string.
 std::vector<std::string> gather_warnings(Model const& model, std::vector<Piece> const& pieces)
 {
     std::vector<TurtleDrawing::Warning> all;
@@ -200,7 +199,7 @@ Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString con
     DrawingJob job { model, string, options };
     if (model.subsystems.empty())
         return draw_string(job);
-    // Each sub-L-system has a homomorphism of its own.
+    // Each sub-L-system has its own homomorphism.
     HomomorphismOptions how;
     how.limit.modules = options.max_modules;
     how.limit.bytes = options.max_memory_bytes;

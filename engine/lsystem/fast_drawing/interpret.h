@@ -13,48 +13,50 @@ namespace tractus::lsystem {
 
 struct TurtlePlant {
     Plant plant;
-    std::vector<std::string> warnings; // Symbols and organs we lack, steps left out: once each.
+    // Warnings about unsupported symbols and organs and about skipped steps, without duplicates.
+    std::vector<std::string> warnings;
 };
 
-// Draws a string: runs the turtle over it, each module first rewritten by the model's homomorphism
-// rules, and collects what it draws in a plant.
+// Draws a string as a plant: the model's homomorphism rules rewrite each module, and the turtle
+// interprets the result.
 //
-// The turtle starts at the plant's origin, heading up (+z), its left to -x, its upper side towards
-// the user (-y). This is cpfg's space (x right, y up, z to the viewer) turned so that y is up:
-// cpfg's (x, y, z) is our (x, -z, y). Vectors in models and view files are in cpfg's space.
+// The turtle starts at the plant's origin, heading up (+z), with its left to -x and its upper side
+// towards the user (-y). This is cpfg's space (x right, y up, z to the viewer), rotated: cpfg's (x,
+// y, z) is (x, -z, y) here. Vectors in models and view files are in cpfg's space.
 //
-// Symbols: F G step and draw, f g step; + - turn left, right; & ^ pitch down, up; \ / roll left,
-// right; | turn round; [ ] push, pop; ! # line width (a diameter) down, up, or set; ; , colour up,
-// down, or set; { . } polygon; ~X organ or surface; @v roll until the left is horizontal;
-// @M(x,y,z) @R(h[,u]) set position, frame; @o @O ball, @c flat disc, @bo @bc circles as thick as
-// the line; @D @Di @Dd scale set, times, divided; ?(id[,s]) $ into and out of a sub-L-system, s
-// times as large; @Ts @Ti @Td elasticity of a tropism, _ that of the older one, @Tf @Tp carry the
-// sides; @Gs @Gc(rings) @Ge(rings) generalised cylinder, {(1) … }(1) along a Hermite path, {(2) a
-// closed one, {(3) {(4) B-splines, @Gt @Gr tangents, @# contour, @! sides; @PS @PC @PD surface of
-// the turtle's points; % and @mc(1) end the drawing of the branch, % only in the string and where
-// the view says so; %(x,i) goes on as the turtle was where a %(x) has cut that off. @L, @Tx, @; @,
-// and @S warn once: labels and textures are not drawn, back faces look as the front, and a model
-// runs no programs. Other symbols draw nothing. How cpfg has them: the CPFG User's Manual.
+// Symbols: F G step and draw; f g step without drawing; + - turn left, right; & ^ pitch down, up; \
+// / roll left, right; | turn around; [ ] push, pop; ! # decrease, increase or set the line width,
+// which is a diameter; ; , increase, decrease or set the colour; { . } polygon; ~X organ or
+// surface; @v roll until the left vector is horizontal; @M(x,y,z) @R(h[,u]) set position, frame; @o
+// @O ball, @c flat disc, @bo @bc ball and disc as thick as the line; @D @Di @Dd set, multiply,
+// divide the scale; ?(id[,s]) $ enter a sub-L-system s times as large, leave it; @Ts @Ti @Td
+// elasticity of a tropism, _ that of the older kind, @Tf @Tp carry the sides; @Gs @Gc(rings)
+// @Ge(rings) generalised cylinder, {(1) ... }(1) along a Hermite path, {(2) a closed one, {(3) {(4)
+// B-splines, @Gt @Gr tangents, @# contour, @! sides; @PS @PC @PD surface from points of the turtle;
+// % and @mc(1) end the drawing of the branch, % only in the string and only if the view says so;
+// %(x,i) continues in the turtle's state where a %(x) was cut off. @L, @Tx, @; @, and @S only cause
+// a warning: labels and textures are not drawn, back faces look like front faces, and models cannot
+// run programs. Other symbols draw nothing. Reference: the CPFG User's Manual.
 //
-// Axes: segments drawn one after another are one axis. What is drawn inside brackets, and after a
-// step that draws nothing, begins an axis of its own that stands on the last segment. Steps of no
-// length draw nothing. Inside { } steps set the polygon's vertices, inside {(1) }(1) control
-// points, and draw nothing. A generalised cylinder is an axis of its own, its rings are nodes; with
-// a contour they have sections (NodeSection). Behind a control point the first ring's segment has
-// the colour set there, all others up to the next point have that point's.
+// Axes: consecutive segments form one axis. What is drawn inside brackets, or after a step that
+// draws nothing, begins an axis of its own, attached to the last segment. Steps of zero length draw
+// nothing. Inside { }, steps set vertices of the polygon, inside {(1) }(1) control points, and draw
+// nothing. A generalised cylinder is an axis of its own whose rings are nodes; with a contour they
+// have sections (NodeSection). The first segment after a control point has the colour set there;
+// the others up to the next point have that point's colour.
 //
-// Radii are half the line width: at each node of the segment that starts there, at an axis' tip
-// what its last segment has or what is set behind it. With `radii: pipe` in the view they follow
-// from the pipe model.
+// Radii are half the line width. A node has the width of the segment that starts there; an axis'
+// tip has the width set after its last segment, or else the segment's own. With `radii: pipe` in
+// the view they follow from the pipe model.
 //
-// Fails, as the user's fault, beyond the limits in the options and when the homomorphism does not
+// Materials are the view's, by turtle colour; a colour without a material is bark.
+//
+// Fails, as the user's fault, if a limit in the options is exceeded or if the homomorphism does not
 // end.
-//
-// Materials are the view's, by turtle colour; a colour that has none is bark.
 Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString const& string,
                                             TurtleOptions const& options = {});
 
-// Interprets likewise, and drops the warnings.
+// Draws a string like interpret_with_warnings() and discards the warnings.
 Result<Plant> interpret(Model const& model, ModuleString const& string,
                         TurtleOptions const& options = {});
 

@@ -8,11 +8,11 @@
 
 namespace tractus::lsystem {
 
-// Modules that may be drawn before the limits are looked at again.
+// Number of modules drawn between two checks of the limits.
 static constexpr std::size_t kDrawnBatch = 1024;
 
-// How often what is drawn is held at most: in an array and the larger one to which it grows, twice
-// as large, and from there on in the copy that the plant is put together from.
+// Largest number of copies of the drawing in memory at a time: an array, the array of twice the
+// size into which it grows, and the copy from which the plant is assembled.
 static constexpr std::size_t kHeldTimes = 4;
 
 PieceTurtle::PieceTurtle(DrawingJob& job, BranchIndex const* index)
@@ -91,7 +91,7 @@ void PieceTurtle::draw(std::vector<PlannedPiece> const& plan, std::size_t index,
     end(piece);
 }
 
-// Draws the modules up to `end`; false when a limit is reached.
+// Draws the modules up to `end`; false if a limit is reached.
 bool PieceTurtle::draw_to(std::size_t end)
 {
     while (at_ < end) {
@@ -110,8 +110,8 @@ void PieceTurtle::count()
     job_.bytes += bytes - std::exchange(counted_bytes_, bytes);
 }
 
-// Draws modules that need nothing but the turtle, up to `end` or the first that does, but not too
-// many.
+// Draws a run of modules that only the turtle interprets: up to `end`, up to the first that needs
+// more, or up to a maximum number.
 void PieceTurtle::draw_plain(std::size_t end, std::array<bool, 256> const& stops)
 {
     if (!job_.is_finite)
@@ -125,7 +125,7 @@ void PieceTurtle::draw_plain(std::size_t end, std::array<bool, 256> const& stops
     parameter_ = static_cast<std::size_t>(parameters - string_.parameters.data());
 }
 
-// Draws the next module whatever it is; false when a limit is reached.
+// Draws the next module, of any kind; false if a limit is reached.
 bool PieceTurtle::draw_next()
 {
     pass(draw_one());
@@ -137,7 +137,7 @@ bool PieceTurtle::draw_next()
     return !job_.is_over_limit() && !machine_.has_stopped();
 }
 
-// Draws the next module, or what the homomorphism makes of it; returns how many were read.
+// Draws the next module or its homomorphic image; returns the number of modules read.
 std::size_t PieceTurtle::draw_one()
 {
     auto const kind = string_.kinds[at_];
@@ -152,7 +152,7 @@ std::size_t PieceTurtle::draw_one()
                                 parameter_, at_ + 1,        parameter_ + parameter_counts_[kind] };
     auto const read = homomorphism_.expand(rest, around, [&](Modules const& modules) {
         ++drawn_;
-        if (drawn_ >= kDrawnBatch) { // One module alone may become more than the limit.
+        if (drawn_ >= kDrawnBatch) { // A single module may become more than the limit allows.
             count();
             if (job_.is_over_limit())
                 return std::size_t { 0 };
@@ -162,7 +162,7 @@ std::size_t PieceTurtle::draw_one()
     return std::max<std::size_t>(read, 1);
 }
 
-// Leaves a long branch to another piece, if it begins here.
+// Leaves the branch that begins here to another piece if it is long.
 bool PieceTurtle::leave_out(Piece& piece)
 {
     if (!turtle_.may_leave_out())
@@ -188,7 +188,7 @@ bool PieceTurtle::leave_out(Piece& piece)
     return true;
 }
 
-// Leaves the branch that begins here to another piece, as planned.
+// Leaves the branch that begins here to the piece planned for it.
 void PieceTurtle::leave_out(PlannedPiece const& planned, std::size_t index, Piece& branch)
 {
     drawing_.gaps.push_back({ index, 0, drawing_.organs.size(), drawing_.polygons.size() });

@@ -16,32 +16,34 @@
 
 namespace tractus::lsystem {
 
-// A part of the string, outside of the branches left out of it, and what is drawn there.
+// A part of the string, without the branches left to other pieces, and its drawing.
 struct Piece {
     std::size_t begin = 0;
     std::size_t end = 0;
-    std::size_t parameter = 0; // Where the first module's parameters begin.
-    std::int64_t depth = 0;    // Depth of the first module, counted from the string's beginning.
+    std::size_t parameter = 0; // Index of the first module's first parameter.
+    // Bracket depth of the first module, counted from the beginning of the string.
+    std::int64_t depth = 0;
     Turtle::Start start;
-    // Place where the first axis and segment of a planned piece come to lie.
+    // Destination of a planned piece's first axis and first segment.
     TurtleDrawing::Target target;
     DrawnPiece drawn;
-    std::vector<Piece> branches; // Left out, in the order of the string.
-    bool is_complete = true;     // Ends as if it had been drawn by itself.
+    std::vector<Piece> branches; // Branches left to other pieces, in the order of the string.
+    // True if the turtle reached the end of the piece with all brackets and polygons closed.
+    bool is_complete = true;
 };
 
-// Data that all pieces of one string share.
+// Data shared by all pieces of a string.
 struct DrawingJob {
     Model const& model;
     ModuleString const& string;
     TurtleOptions const& options;
-    bool is_expanded = false; // The homomorphism has been applied.
-    bool is_finite = false;   // All parameters of the string are finite.
-    Branches branches {};     // Where homomorphism rules have contexts.
-    Arena memory {};          // Holds what pieces have drawn.
+    bool is_expanded = false; // True if the homomorphism has already been applied.
+    bool is_finite = false;   // True if all parameters of the string are finite.
+    Branches branches {};     // Matching brackets; filled if homomorphism rules have contexts.
+    Arena memory {};          // Memory for what the pieces have drawn.
     std::atomic<std::size_t> drawn { 0 };
     std::atomic<std::size_t> parts { 0 };
-    std::atomic<std::size_t> bytes { 0 }; // Memory for those in pieces.
+    std::atomic<std::size_t> bytes { 0 }; // Memory used by the pieces' drawings.
 
     bool is_over_limit() const
     {
@@ -50,15 +52,16 @@ struct DrawingJob {
     }
 };
 
-// Draws pieces, one after the other. Each thread needs its own.
+// Draws pieces one after another. Each thread needs its own.
 class PieceTurtle {
 public:
-    // `index` is nullptr where no branches are to be left out, or a plan says which.
+    // `index` is nullptr if no branches are to be left out, or if a plan says which.
     PieceTurtle(DrawingJob& job, BranchIndex const* index);
 
     void draw(Piece& piece);
 
-    // Draws a piece to its place in the plant and says where those that fill its gaps begin.
+    // Draws a planned piece to its place in the plant, and sets where the pieces that fill its gaps
+    // begin.
     void draw(std::vector<PlannedPiece> const& plan, std::size_t index, std::vector<Piece>& pieces);
 
     VirtualMachine const& machine() const { return machine_; }
@@ -86,15 +89,16 @@ private:
     VirtualMachine machine_;
     Expander homomorphism_;
     Turtle turtle_;
-    TurtleDrawing drawing_; // Drawing of one piece: the same memory for one after the other.
+    TurtleDrawing drawing_; // Drawing of the current piece; its memory is reused for the next one.
     std::array<bool, 256> has_rules_ {};
     std::array<bool, 256> opens_ {};
-    std::array<bool, 256> stops_ {}; // Kinds that are more than a symbol to draw.
+    std::array<bool, 256> stops_ {}; // Kinds that need more than drawing a symbol.
     std::array<std::uint8_t, 256> parameter_counts_ {};
     std::size_t at_ = 0;
     std::size_t parameter_ = 0;
-    std::size_t look_from_ = 0; // Branches that begin before it are drawn here.
-    std::size_t drawn_ = 0;     // Drawn, but not counted yet.
+    // Branches that begin before this module are drawn as part of the piece.
+    std::size_t look_from_ = 0;
+    std::size_t drawn_ = 0; // Modules drawn since the last check of the limits.
     std::size_t counted_parts_ = 0;
     std::size_t counted_bytes_ = 0;
 };

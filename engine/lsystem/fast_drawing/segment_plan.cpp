@@ -16,7 +16,7 @@ namespace tractus::lsystem {
 
 namespace {
 
-// Effect of a symbol on the segments that are drawn.
+// Effect of a symbol on the number of segments.
 enum class Effect : std::uint8_t {
     None,
     Draw,
@@ -25,14 +25,14 @@ enum class Effect : std::uint8_t {
     Pop,
     BeginPolygon,
     EndPolygon,
-    Long,   // Perhaps none, but it has more than one module.
-    Unclear // Too much for counting.
+    Long,   // A symbol of several modules; it may have no effect.
+    Unclear // A symbol whose effect is too complicated to count.
 };
 
-// Whether all steps have lengths that are not 0 and keep the turtle within its bounds.
+// Plain: all steps have non-zero lengths and stay within the turtle's bounds.
 enum class StepLengths { Plain, Any };
 
-constexpr double kMaxReachMm = 0.9e12; // A bit less than the turtle's bounds.
+constexpr double kMaxReachMm = 0.9e12; // Slightly less than the turtle's bounds.
 
 Effect effect_of(ModuleKind const& kind)
 {
@@ -45,7 +45,7 @@ Effect effect_of(ModuleKind const& kind)
         return Effect::Push;
     case SymbolDoes::Pop:
         return Effect::Pop;
-    case SymbolDoes::BeginPath: // A cylinder may begin, if there are parameters.
+    case SymbolDoes::BeginPath: // With parameters, a generalised cylinder may begin.
         return kind.parameter_count == 0 ? Effect::BeginPolygon : Effect::Unclear;
     case SymbolDoes::EndPath:
         return kind.parameter_count == 0 ? Effect::EndPolygon : Effect::Unclear;
@@ -60,8 +60,7 @@ Effect effect_of(ModuleKind const& kind)
     }
 }
 
-// Whether modules draw no segments and leave the turtle's place as it is, whatever stands behind
-// them.
+// Returns true if the modules draw no segments and do not move the turtle, whatever follows them.
 bool are_plain(Alphabet const& alphabet, std::span<KindId const> kinds)
 {
     while (!kinds.empty()) {
@@ -79,7 +78,7 @@ bool are_plain(Alphabet const& alphabet, std::span<KindId const> kinds)
     return true;
 }
 
-// Counts the segments of pieces, one after the other. Each thread needs its own.
+// Counts the segments of pieces, one after another. Each thread needs its own.
 class SegmentCounter {
 public:
     SegmentCounter(Model const& model, ModuleString const& string, TurtleOptions const& options,
@@ -101,11 +100,12 @@ public:
         }
     }
 
-    // False if the piece cannot be counted. Branches that it leaves out are appended to `branches`,
-    // and are its gaps. Lengths of steps are looked at only if some may be 0 or too long.
+    // Returns false if the piece cannot be counted. Branches left out of the piece are appended to
+    // `branches` and recorded as its gaps. Step lengths are checked only if some may be 0 or too
+    // long.
     bool count(PlannedPiece& piece, StepLengths lengths, std::vector<PlannedPiece>& branches);
 
-    // How far the turtle has gone at most, where lengths were looked at.
+    // Upper bound of the turtle's distance from its start, if step lengths were checked.
     double reach_mm() const { return reach_mm_; }
 
 private:
@@ -114,19 +114,19 @@ private:
     struct Step {
         Effect effect = Effect::None;
         std::uint8_t parameters = 0;
-        bool is_bare_at = false; // @ without parameters.
+        bool is_bare_at = false; // True for @ without parameters.
     };
 
-    // Where a count has come to. A local variable while it runs: in memory, each module would wait
-    // for what the last one wrote.
+    // State of a count. It is a local variable while counting, because in memory each module would
+    // wait for the writes of the one before it.
     struct Walk {
         std::size_t at = 0;
-        std::size_t parameter = 0;  // Where lengths are looked at.
-        std::size_t axis_count = 0; // Axes of the piece.
+        std::size_t parameter = 0;  // Maintained only if step lengths are checked.
+        std::size_t axis_count = 0; // Number of axes in the piece so far.
         std::size_t depth = 0;      // Depth in brackets.
         std::size_t open_polygons = 0;
         double reach_mm = 0;
-        std::uint32_t axis = kClosed; // Axis that the next segment goes on with.
+        std::uint32_t axis = kClosed; // Axis that the next segment continues.
     };
 
     template<StepLengths kLengths>
@@ -145,9 +145,11 @@ private:
     BranchIndex const& index_;
     BranchCutter cutter_;
     std::array<Step, 256> steps_ {};
-    std::array<bool, 256> is_plain_second_ {}; // Behind @: a symbol of two modules.
-    Column<std::uint32_t> lengths_;            // Lengths of the piece's axes, in segments.
-    Column<std::uint32_t> stack_;              // Axes to go on with behind brackets.
+    // By the second kind: an @ followed by it is a symbol of two modules without effect on
+    // segments.
+    std::array<bool, 256> is_plain_second_ {};
+    Column<std::uint32_t> lengths_; // Number of segments of each axis of the piece.
+    Column<std::uint32_t> stack_;   // Axes to continue after closing brackets.
     double reach_mm_ = 0;
 };
 
@@ -155,7 +157,7 @@ bool SegmentCounter::count(PlannedPiece& piece, StepLengths lengths,
                            std::vector<PlannedPiece>& branches)
 {
     lengths_.clear();
-    // More than there can be.
+    // Upper bounds of both sizes.
     lengths_.reserve(piece.end - piece.begin);
     stack_.reserve(piece.end - piece.begin);
     cutter_.begin(piece.begin, piece.end);
@@ -175,7 +177,7 @@ bool SegmentCounter::count_modules(PlannedPiece& piece, std::vector<PlannedPiece
         if (effect == Effect::None) {
             pass<kLengths>(1, walk);
         } else if (effect == Effect::Long) {
-            // Quickly, what most have.
+            // A fast path for the most frequent case.
             bool const is_quick = steps_[string_.kinds[walk.at]].is_bare_at
                 && walk.at + 1 < string_.size() && is_plain_second_[string_.kinds[walk.at + 1]];
             auto const length = is_quick ? 2 : plain_length(walk.at);
@@ -198,7 +200,7 @@ bool SegmentCounter::count_modules(PlannedPiece& piece, std::vector<PlannedPiece
     return walk.depth == 0 && walk.open_polygons == 0 && walk.at == piece.end;
 }
 
-// How many modules the organ or other long symbol has; 0 if it may be more than plain.
+// Returns the number of modules of an organ or other long symbol; 0 if it may affect segments.
 std::size_t SegmentCounter::plain_length(std::size_t at) const
 {
     auto const kinds = string_.kinds.span().subspan(at);
@@ -240,7 +242,7 @@ template<StepLengths kLengths> bool SegmentCounter::apply(Effect effect, Walk& w
     }
 }
 
-// Does as Turtle::step().
+// Has the effect of Turtle::step() on the counts.
 template<StepLengths kLengths> void SegmentCounter::step(bool draws, Walk& walk)
 {
     if (kLengths == StepLengths::Any) {
@@ -265,7 +267,8 @@ template<StepLengths kLengths> void SegmentCounter::step(bool draws, Walk& walk)
     }
 }
 
-// Leaves a long branch to another piece, if it begins at module `at`: the last of `branches` then.
+// Leaves a long branch that begins at module `at` to another piece, which is appended to
+// `branches`.
 bool SegmentCounter::leave_out(PlannedPiece& piece, std::size_t at, std::size_t depth,
                                std::vector<PlannedPiece>& branches)
 {
@@ -283,7 +286,7 @@ bool SegmentCounter::leave_out(PlannedPiece& piece, std::size_t at, std::size_t 
     return true;
 }
 
-// Whether no rule of the homomorphism makes what counts, or replaces it.
+// Returns true if homomorphism rules neither make nor replace symbols that affect segments.
 bool has_plain_homomorphism(Model const& model)
 {
     auto const& rules = model.homomorphism.rules;
@@ -295,8 +298,8 @@ bool has_plain_homomorphism(Model const& model)
     });
 }
 
-// Whether steps must be looked at, since they may be of no length or lead out of the turtle's
-// bounds, where they draw nothing.
+// Decides whether step lengths must be checked: a step of zero length, or beyond the turtle's
+// bounds, draws nothing.
 StepLengths step_lengths(Model const& model, ModuleString const& string,
                          TurtleOptions const& options, ParameterRange const& range)
 {
@@ -307,7 +310,7 @@ StepLengths step_lengths(Model const& model, ModuleString const& string,
                                                                          : StepLengths::Any;
 }
 
-// Moves the branches that each piece of a generation leaves out behind all pieces.
+// Appends the branches left out by each piece of a generation to the end of `pieces`.
 void append_branches(std::vector<PlannedPiece>& pieces, std::size_t first,
                      std::vector<std::vector<PlannedPiece>>& branches)
 {
@@ -335,7 +338,7 @@ void add_totals(std::vector<PlannedPiece>& pieces)
 
 ParameterRange parameter_range(ModuleString const& string)
 {
-    // Magnitudes compare as their bits do; those of what is no number are the greatest.
+    // Magnitudes of floats compare like their bit patterns; NaN compares greatest.
     std::atomic<bool> has_zero = false;
     std::atomic<std::int32_t> greatest = 0;
     parallel_for(string.parameters.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
@@ -359,7 +362,7 @@ std::optional<std::vector<PlannedPiece>>
 plan_segments(Model const& model, ModuleString const& string, TurtleOptions const& options,
               BranchIndex const& index, ParameterRange const& parameters)
 {
-    // Surfaces move the turtle.
+    // Surfaces move the turtle, so strings with surfaces are not counted.
     if (!parameters.are_finite() || !model.view.surfaces.empty() || !has_plain_homomorphism(model))
         return std::nullopt;
     auto const lengths = step_lengths(model, string, options, parameters);

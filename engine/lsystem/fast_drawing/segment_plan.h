@@ -11,38 +11,41 @@
 
 namespace tractus::lsystem {
 
-// How large a string's parameters are.
+// Range of the magnitudes of a string's parameters.
 struct ParameterRange {
     bool has_zero = false;
-    float greatest = 0; // Magnitude; infinite if any is infinite or not a number.
+    float greatest = 0; // Largest magnitude; infinite if any parameter is infinite or NaN.
 
     bool are_finite() const { return greatest <= std::numeric_limits<float>::max(); }
 };
 ParameterRange parameter_range(ModuleString const& string);
 
-// A part of a string, outside of the branches left out of it, and the segments that it draws.
+// A part of the string, without the branches left to other pieces, and the number of segments that
+// it draws.
 struct PlannedPiece {
     // A branch that another piece draws.
     struct Gap {
-        std::size_t opening = 0; // The module that begins it, a bracket.
+        std::size_t opening = 0; // Index of the bracket that opens the branch.
         std::size_t piece = 0;
     };
 
-    std::size_t begin = 0; // Modules.
+    std::size_t begin = 0; // Modules [begin, end) of the string.
     std::size_t end = 0;
-    std::size_t end_parameter = 0; // Where those of the module at the end begin; not of the first.
-    std::int64_t depth = 0;        // Depth in brackets of the first module.
+    // Index of the first parameter of module `end`; not set for the first piece.
+    std::size_t end_parameter = 0;
+    std::int64_t depth = 0; // Bracket depth of the first module.
     std::vector<Gap> gaps;
-    std::vector<std::uint32_t> axis_lengths; // Segments; axes in the order in which they begin.
-    // Counts include what fills its gaps.
+    // Number of segments of each axis, in the order in which the axes begin.
+    std::vector<std::uint32_t> axis_lengths;
+    // Counts, including those of the pieces that fill the gaps.
     std::size_t axis_count = 0;
     std::size_t segment_count = 0;
 };
 
-// How many axes and segments the parts of a long string draw, counted before any is drawn: then
-// each part can be drawn right to its place in the plant, by any thread. The first piece is the
-// outermost, the others stand behind those whose gaps they fill. No value for strings with symbols
-// that make counting as hard as drawing, and for those that no two threads can draw.
+// Counts the axes and segments of each part of a long string before any is drawn. Any thread can
+// then draw each part directly to its place in the plant. The first piece is the outermost; the
+// others come after the piece whose gap they fill. No value for strings whose symbols are as hard
+// to count as to draw, or that cannot be drawn in parallel.
 std::optional<std::vector<PlannedPiece>>
 plan_segments(Model const& model, ModuleString const& string, TurtleOptions const& options,
               BranchIndex const& index, ParameterRange const& parameters);

@@ -9,35 +9,37 @@
 
 namespace tractus::lsystem {
 
-// Finds the modules of a part of a string that do not stay as they are.
+// Finds the modules of a part of a string that change when rewritten.
 class BlockScan {
 public:
-    // A part has at most so many modules.
+    // Largest number of modules in a part.
     static constexpr std::size_t kMost = 2048;
 
-    // Facts about a kind of modules.
+    // Facts about a kind of module.
     struct Kind {
         std::uint8_t parameter_count = 0;
-        bool changes = false; // Other modules stay as they are.
-        bool draws = false;   // Its first random number is needed beforehand.
+        bool changes = false; // False: modules of this kind stay as they are.
+        bool draws = false;   // True if a random number for the module is drawn in advance.
     };
     using Kinds = std::array<Kind, 256>;
 
     // A module that changes.
     struct Change {
-        std::uint32_t module = 0;    // Number of the module from the beginning of the part.
-        std::uint32_t parameter = 0; // Where its parameters begin, likewise.
+        std::uint32_t module = 0; // Index of the module, counted from the beginning of the part.
+        // Index of its first parameter, counted from the beginning of the part.
+        std::uint32_t parameter = 0;
     };
 
     void find(Kinds const& kinds, std::span<KindId const> modules);
-    // Makes the numbers of those changes that draw, where the part begins at module `begin`: the
-    // first that VirtualMachine would give for each. Modules have numbers below 2^32.
+    // Draws a random number for each change that needs one: the first number that VirtualMachine
+    // would draw for it. `begin` is the index of the part's first module. Module indices are below
+    // 2^32.
     void draw(std::uint64_t seed, std::uint32_t step, std::size_t begin);
 
-    // The changes that the last find() found, in order.
+    // The changes found by the last find(), in order.
     std::span<Change const> changes() const { return { changes_.data(), count_ }; }
     std::uint32_t parameter_count() const { return parameter_count_; }
-    // [0, 1) for a change that draws; for others anything.
+    // The random number in [0, 1) of a change that draws one; undefined for other changes.
     double number(std::size_t change) const { return numbers_[change]; }
 
 private:
@@ -46,7 +48,8 @@ private:
     std::size_t drawing_count_ = 0;
     std::array<Change, kMost + 1> changes_ {};
     std::array<double, kMost> numbers_ {};
-    std::array<std::uint32_t, kMost + 1> drawing_ {}; // Numbers of the changes that draw.
+    // Indices of the changes that draw random numbers.
+    std::array<std::uint32_t, kMost + 1> drawing_ {};
 };
 
 } // namespace tractus::lsystem

@@ -7,7 +7,7 @@
 
 namespace tractus::lsystem {
 
-// Tables stay small enough for the processor's first cache, or nearly.
+// Keeps tables small enough for a processor's level 1 cache, or nearly.
 static constexpr unsigned kMaxKindBits = 5;
 
 static bool is_plain(Model const& model, Rule const& rule)
@@ -40,7 +40,7 @@ std::optional<ContextTable> ContextTable::create(Model const& model)
     bool const has_contexts = std::any_of(rules.begin(), rules.end(), [](Rule const& rule) {
         return !rule.left.empty() || !rule.right.empty();
     });
-    // Branches stand out in right contexts unless both brackets are ignored.
+    // Brackets delimit branches in right contexts unless both are ignored.
     auto const is_ignored = [&](char symbol) {
         auto const kind = find_kind(model.alphabet, { symbol, 0 });
         return kind && model.ignored[*kind];
@@ -99,7 +99,8 @@ ContextTable::ContextTable(Model const& model)
 void ContextTable::find_right_neighbours(Task const& task)
 {
     auto const size = task.in.size();
-    if (right_.capacity() < size + 1) // Strings grow: not at every step anew.
+    // Extra room, so that a growing string does not reallocate at every step.
+    if (right_.capacity() < size + 1)
         right_.reserve(size + size / 2 + 1);
     pieces_.resize(task.piece_count);
     parallel_for(task.piece_count, 1, [&](std::size_t first, std::size_t last) {
@@ -114,13 +115,13 @@ void ContextTable::find_right_neighbours(Task const& task)
     });
 }
 
-// Appends what the modules of a piece become. Members are copied: kinds are bytes, and the compiler
-// must think that writing them changes whatever else lies in memory.
+// Appends the successors of a piece's modules. Members are copied to local variables: kinds are
+// bytes, so the compiler must assume that writing them changes any other object in memory.
 template<bool kIsRow, bool kIsOneToOne>
 void ContextTable::write(Task const& task, std::size_t number, Column<KindId>& waiting,
                          Column<KindId>& out) const
 {
-    constexpr std::size_t kBlock = 4096; // Modules between two looks at the memory.
+    constexpr std::size_t kBlock = 4096; // Number of modules between two checks of the capacity.
     auto const size = task.in.size();
     auto const first = number * task.piece;
     auto const last = std::min(first + task.piece, size);
@@ -181,7 +182,7 @@ void ContextTable::write_piece(Task const& task, std::size_t number, Column<Kind
                           : write<false, false>(task, number, stack, out);
 }
 
-// Several pieces at a time, each to a place of its own; then these are put one behind the other.
+// Rewrites several pieces at a time, each into its own buffer, and then concatenates the results.
 void ContextTable::write_in_parallel(Task const& task, Column<KindId>& out)
 {
     constexpr std::size_t kPiecesAtATime = 32;
@@ -216,7 +217,8 @@ void ContextTable::rewrite(Column<KindId> const& in, Column<KindId>& out, std::s
     if (!is_row_)
         find_right_neighbours(task);
     out.clear();
-    out.reserve(std::min(in.size(), max_modules)); // Seldom shorter, and grown without copying.
+    // The result is seldom shorter than the input; further growth does not copy.
+    out.reserve(std::min(in.size(), max_modules));
     if (task.piece_count > 2 && thread_count() > 1)
         return write_in_parallel(task, out);
     written_.resize(1);

@@ -13,32 +13,32 @@
 
 namespace tractus::lsystem {
 
-// The rules of a model without parameters and chance whose contexts are of one module at most, such
-// as those that send signals through a plant: what becomes of a module then depends on three kinds
-// alone, its own and its neighbours', and stands in a table. A string is read from the right for
-// the right neighbours and rewritten from the left, each with a stack for the branches, in pieces.
+// Rewrites by table lookup, for models whose rules have no parameters, no probabilities, and
+// contexts of at most one module, such as models of signals in plants. The successor of a module
+// then depends on three kinds: its own and those of its two neighbours. A string is scanned from
+// the right for right neighbours and rewritten from the left, each with a stack for branches, in
+// pieces.
 class ContextTable {
 public:
-    // No value if the model has other rules, or none with a context. The model must outlive the
-    // table.
+    // No value if the model has other rules or no context at all. The model must outlive the table.
     static std::optional<ContextTable> create(Model const& model);
 
-    // Rewrites all of `in`, on several threads if it has more than two pieces of `piece` modules.
-    // Stops when `out` has more than `max_modules`.
+    // Rewrites all of `in`, in parallel if it has more than two pieces of `piece` modules. Stops
+    // when `out` exceeds `max_modules`.
     void rewrite(Column<KindId> const& in, Column<KindId>& out, std::size_t max_modules,
                  std::size_t piece);
 
 private:
     using Role = NeighbourRoles::Role;
 
-    // A step's work on a string.
+    // One step's work on a string.
     struct Task {
         Column<KindId> const& in;
         std::size_t max_modules = 0;
         std::size_t piece = 0;
         std::size_t piece_count = 0;
     };
-    // Buffers of a piece that is written beside others.
+    // Buffers for a piece that is written in parallel with others.
     struct Written {
         Column<KindId> out;
         Column<KindId> stack;
@@ -61,13 +61,13 @@ private:
     unsigned kind_bits_ = 0;
     NeighbourRoles roles_;
     bool is_row_ = true;
-    bool is_one_to_one_ = true;        // Every successor is one module.
+    bool is_one_to_one_ = true;        // True if every successor is a single module.
     std::vector<std::uint16_t> table_; // Indices into successors_.
     std::vector<KindId> one_to_one_;   // The successors themselves, if is_one_to_one_.
     std::vector<FixedSuccessor> successors_;
     std::size_t longest_ = 1;
-    // Memory alone, of which no more is touched than what is written.
-    Column<KindId> right_; // Each module's right neighbour.
+    // Reserved memory; only the part that is written is touched.
+    Column<KindId> right_; // Right neighbour of each module.
     std::vector<PieceNeighbours> pieces_;
     std::vector<Written> written_;
 };

@@ -6,7 +6,8 @@ namespace tractus::lsystem {
 
 using Role = NeighbourRoles::Role;
 
-// A branch has nothing to its right; what stands behind it is the right neighbour of what bears it.
+// Scans a piece from the right. The end of a branch has no right neighbour; the module after a
+// branch is the right neighbour of the module that bears it.
 template<bool kSeesBranches>
 void PieceNeighbours::read_all(NeighbourRoles const& roles, KindId const* string, std::size_t begin,
                                std::size_t end, KindId* rights)
@@ -16,8 +17,8 @@ void PieceNeighbours::read_all(NeighbourRoles const& roles, KindId const* string
     lefts_.assign(1, std::nullopt);
     waiting_.reserve(end - begin);
     auto* const waiting = waiting_.data();
-    std::size_t depth = 0;      // Of branches that end in what has been read and begin before it.
-    std::size_t left_depth = 0; // Where the left neighbour is looked for.
+    std::size_t depth = 0; // Closing brackets read so far whose opening bracket lies further left.
+    std::size_t left_depth = 0; // Depth at which the left neighbour is looked for.
     Neighbour taken = 0;
     Neighbour right = kOutside;
     for (auto i = end; i-- > begin;) {

@@ -12,34 +12,34 @@
 
 namespace tractus::lsystem {
 
-// What kinds of modules are to their neighbours.
+// The roles of each kind of module when neighbours are searched for.
 struct NeighbourRoles {
-    // In a row of modules that all are seen, the neighbours are those next to it.
+    // In a row of Seen modules, each module's neighbours are the ones next to it.
     enum class Role : std::uint8_t { Seen, Ignored, Opening, Closing };
 
     std::array<Role, 256> of_kind {};
     KindId none = 0;           // Stands for "no neighbour".
-    bool sees_branches = true; // Right contexts see branches.
+    bool sees_branches = true; // True if right contexts distinguish branches.
 };
 
-// A piece of a string, and what passes its ends while neighbours are looked for: the neighbour that
-// is looked at, and a stack of those that wait for their branches' ends. A piece is read before
-// what comes to it from outside is known, and says then what it makes of that; so pieces can be
-// read at the same time.
+// A piece of a string in a parallel search for each module's neighbours. Neighbours outside the
+// piece are unknown when it is scanned; they are represented by placeholders and resolved by
+// join_neighbours(). Pieces can therefore be scanned at the same time.
 class PieceNeighbours {
 public:
-    // Writes the right neighbours of modules `begin` to `end` of the string, the piece, but for
-    // those that stand behind it. `rights` has as many places as the string.
+    // Writes the right neighbours of the piece's modules, `begin` to `end` of the string, except
+    // those that lie after the piece. `rights` has an entry for each module of the string.
     void read(NeighbourRoles const& roles, KindId const* string, std::size_t begin, std::size_t end,
               KindId* rights);
 
-    // Writes those that stand behind it, after join_neighbours().
+    // Writes the right neighbours that lie after the piece; to be called after join_neighbours().
     void write_missing(KindId* rights) const;
 
-    // The left neighbour of the piece's first module, after join_neighbours().
+    // The left neighbour of the piece's first module; valid after join_neighbours().
     KindId left() const { return left_; }
-    // Left neighbours for what follows the branches that end in the piece and begin before it; the
-    // last is for the first to end. There are fewer where brackets do not match.
+    // Left neighbours of the modules that follow the branches which begin before the piece and end
+    // in it. The last entry is for the first branch to end. There are fewer if brackets do not
+    // match.
     std::vector<KindId> const& waiting_lefts() const { return waiting_lefts_; }
 
 private:
@@ -49,7 +49,8 @@ private:
 
     friend void join_neighbours(NeighbourRoles const& roles, std::span<PieceNeighbours> pieces);
 
-    // A kind; or kOutside + i: what stands i branches outside of the piece's last module.
+    // A kind; or kOutside + i, a placeholder for the right neighbour at the piece's end, seen from
+    // i open branches further out.
     using Neighbour = std::uint32_t;
     static constexpr Neighbour kOutside = 256;
 
@@ -66,21 +67,22 @@ private:
     void take_from_right(NeighbourRoles const& roles, KindId& right, std::vector<KindId>& waiting);
     void take_from_left(NeighbourRoles const& roles, KindId& left, std::vector<KindId>& waiting);
 
-    // Read from the right.
+    // Modules whose right neighbours are unknown, in right-to-left order.
     std::vector<Missing> missing_;
-    Neighbour right_ = 0;         // For the module before the piece.
-    Column<Neighbour> waiting_;   // Of branches that end in the piece and begin before it.
-    std::size_t taken_count_ = 0; // Branches that begin in the piece and end behind it.
-    std::vector<KindId> outside_; // What kOutside + i stands for.
-    // What those from the left will be at the piece's end, and before each of the branches that
-    // begin in it and end behind it, from the last to the first. No value: as the next.
+    Neighbour right_ = 0; // Right neighbour of the module before the piece.
+    // One for each branch that begins before the piece and ends in it: its right neighbour.
+    Column<Neighbour> waiting_;
+    std::size_t taken_count_ = 0; // Number of branches that begin in the piece and end after it.
+    std::vector<KindId> outside_; // Values of the placeholders kOutside + i.
+    // Left neighbours at the end of the piece, and before each of the branches that begin in the
+    // piece and end after it, from the last to the first. No value: the same as the next entry.
     std::vector<std::optional<KindId>> lefts_;
-    std::size_t closing_count_ = 0; // Branches that end in the piece and begin before it.
+    std::size_t closing_count_ = 0; // Number of branches that begin before the piece and end in it.
     KindId left_ = 0;
     std::vector<KindId> waiting_lefts_;
 };
 
-// Tells each of the string's pieces, in their order, what comes to it from outside.
+// Passes the neighbours from outside to each piece of the string, in both directions.
 void join_neighbours(NeighbourRoles const& roles, std::span<PieceNeighbours> pieces);
 
 } // namespace tractus::lsystem

@@ -7,11 +7,11 @@
 
 namespace tractus::lsystem {
 
-// Parameters that are copied in one move.
+// Number of parameters copied in one move.
 static constexpr std::size_t kWideRun = 8;
 
-// Copies values in moves of a fixed width, as most runs are short; or only as many as there are.
-// Moves `to` behind them.
+// Copies values, if `is_wide` in moves of a fixed width that may exceed `count`, because most runs
+// are short. Advances `to` by `count`.
 template<std::size_t width, typename T>
 static void copy_run(T const* from, std::size_t count, bool is_wide, T*& to)
 {
@@ -75,8 +75,8 @@ RulePlan::Way RulePlan::find_way(KindId kind)
     return Way::Fixed;
 }
 
-// Fills candidates_, if the kind's rules leave the choice to chance. Without chance the first rule
-// is the only one.
+// Fills candidates_ if chance alone chooses among the kind's rules. A deterministic rule is the
+// only candidate.
 bool RulePlan::find_chances(KindId kind)
 {
     auto& candidates = candidates_[kind];
@@ -98,7 +98,7 @@ bool RulePlan::find_chances(KindId kind)
     return !candidates.empty();
 }
 
-// Fills sizes_, if the kind has a size.
+// Fills sizes_ if all successors of the kind have the same size.
 bool RulePlan::find_size(KindId kind)
 {
     if (ways_[kind] == Way::Copy || ways_[kind] == Way::Fixed) {
@@ -119,7 +119,8 @@ bool RulePlan::find_size(KindId kind)
     });
 }
 
-// Where the order of modules does not matter, some of them may wait for others of their rule.
+// Selects the kinds whose modules may be collected and rewritten in batches, rule by rule. The
+// order of modules must not matter for that.
 void RulePlan::find_batches()
 {
     for (std::size_t i = 0; i < model_.alphabet.kinds.size(); ++i) {
@@ -136,8 +137,8 @@ void RulePlan::find_batches()
     }
 }
 
-// The first with which the sum of weights exceeds the number's part of their total. Without
-// branches, as processors cannot foresee chance.
+// Returns the first candidate at which the cumulative weight exceeds `number` times the total.
+// Branch-free, because processors cannot predict chance.
 std::size_t RulePlan::choose(KindId kind, double number) const
 {
     auto const& candidates = candidates_[kind];
@@ -192,7 +193,7 @@ std::size_t RangeRewriter::rewrite_module(Task const& task, std::size_t at, std:
     return rewrite_one(rest, { in_, &branches_, at, parameter, at + 1, 0 });
 }
 
-// Room is made for many modules at once.
+// Rewrites a range block by block and reserves memory for a whole block at once.
 void RangeRewriter::rewrite_bounded(Range const& range)
 {
     auto parameter = range.parameter;
@@ -207,7 +208,8 @@ void RangeRewriter::rewrite_bounded(Range const& range)
     }
 }
 
-// Returns where the parameters behind the range begin, which has at most BlockScan::kMost modules.
+// Rewrites a range of at most BlockScan::kMost modules. Returns the index of the first parameter
+// after it.
 std::size_t RangeRewriter::write_block(Range const& range, Room room, ModuleWriter& to)
 {
     auto const size = static_cast<std::uint32_t>(range.end - range.begin);
@@ -219,8 +221,8 @@ std::size_t RangeRewriter::write_block(Range const& range, Room room, ModuleWrit
     bool const wide_kinds = range.end + FixedSuccessor::kShort <= in_->kinds.capacity();
     bool const wide_parameters
         = room == Room::ForWideRuns && end + kWideRun <= in_->parameters.capacity();
-    // A local copy: kinds are bytes, and the compiler must think that writing them changes whatever
-    // else lies in memory.
+    // Local copy: kinds are bytes, so the compiler must assume that writing them changes any other
+    // object in memory.
     auto writer = to;
     BlockScan::Change copied;
     auto const copy_until = [&](BlockScan::Change const& place) {
@@ -253,7 +255,7 @@ std::size_t RangeRewriter::write_block(Range const& range, Room room, ModuleWrit
     return end;
 }
 
-// Writes as many blocks as it takes.
+// Rewrites a range of any size block by block.
 std::size_t RangeRewriter::write_blocks(Range const& range, Room room, ModuleWriter& to)
 {
     auto parameter = range.parameter;
@@ -272,8 +274,8 @@ void RangeRewriter::rewrite_to_place(ModuleString const& in, std::uint32_t step,
     constexpr std::size_t kLongTail = 64;
     in_ = &in;
     step_ = step;
-    // Moves write more than they need, and others write what is behind: so the last modules are
-    // written elsewhere first.
+    // Wide moves write past the end of a run, where another thread may be writing. The last modules
+    // are therefore written to a buffer first.
     RulePlan::Size last;
     auto tail = range.end;
     while (tail > range.begin
@@ -329,7 +331,7 @@ void RangeRewriter::rewrite_any(Range const& range)
     }
 }
 
-// Appends what the first module becomes; returns how many modules have been read.
+// Appends the successor of the first module; returns the number of modules read.
 std::size_t RangeRewriter::rewrite_one(Modules const& rest, Surroundings const& around)
 {
     auto const kind = rest.kinds[0];
@@ -391,14 +393,14 @@ void RangeRewriter::decompose_successor(Surroundings const& around, std::size_t 
         else
             append_one(rest);
         if (count == 0)
-            return; // Too many modules: the caller says so.
+            return; // There are too many modules; the caller reports it.
         for (std::size_t k = 0; k < count; ++k)
             parameter += model_.alphabet[rest.kinds[k]].parameter_count;
         i += count;
     }
 }
 
-// Remembers what a %(x) has cut off, from the module behind it on.
+// Records the branch cut off by a %(x), from the module after it.
 void RangeRewriter::keep(Range const& range)
 {
     auto const& cuts = in_->cuts;
@@ -413,7 +415,8 @@ void RangeRewriter::rewrite_kept(Task const& task)
 {
     begin(task);
     auto const kind = find_kind(model_.alphabet, { '%', 2 });
-    for (std::size_t i = 0; i < kept_.size() && !is_over(); ++i) { // They may keep more.
+    // The loop's bound may grow: kept branches may contain further cuts.
+    for (std::size_t i = 0; i < kept_.size() && !is_over(); ++i) {
         auto const [range, turtle] = kept_[i];
         CHECK(kind);
         out_->kinds.append(&*kind, 1);

@@ -16,10 +16,10 @@
 
 namespace tractus::lsystem {
 
-// Facts about a model's rules that rewriting needs, found out once.
+// Properties of a model's rules that rewriting needs, computed once.
 class RulePlan {
 public:
-    // Plans one L-system of the model, which must outlive it.
+    // Plans one L-system of the model, which must outlive the plan.
     RulePlan(Model const& model, LSystem const& system);
 
     Model const& model() const { return model_; }
@@ -27,38 +27,39 @@ public:
 
     // How modules of a kind are rewritten.
     enum class Way : std::uint8_t {
-        Copy,   // It stays as it is.
-        Fixed,  // Always to the same successor.
-        Batch,  // Does as Chance, and all its rules' programs can run for many modules at once.
+        Copy,  // The module stays as it is.
+        Fixed, // The module always has the same successor.
+        // Like Chance; in addition, the programs of all rules can run for many modules at once.
+        Batch,
         Chance, // Chance alone chooses among rules without contexts and conditions.
-        Search, // Rules must be tried one after the other.
+        Search, // Rules must be tried one after another.
     };
     Way way(KindId kind) const { return ways_[kind]; }
     FixedSuccessor const& fixed(KindId kind) const { return fixed_[kind]; }
 
-    // A kind without chance has one candidate.
+    // True if chance chooses among several rules; otherwise there is one candidate.
     bool has_chance(KindId kind) const { return candidates_[kind].size() > 1; }
-    // The number, in RuleSet::rules, of the rule that a random number of [0, 1) chooses.
+    // Returns the index in RuleSet::rules of the rule that a random number in [0, 1) selects.
     std::size_t choose(KindId kind, double number) const;
     BlockScan::Kinds const& scan_kinds() const { return scan_kinds_; }
 
-    // Every kind's way is Copy or Fixed.
+    // True if every kind is Copy or Fixed.
     bool is_fixed() const { return is_fixed_; }
-    // Whether what modules of every kind become has one size, whatever chance and their parameters
-    // are.
+    // True if, for each kind, all successors have the same size, regardless of chance and
+    // parameters.
     bool has_known_sizes() const { return has_known_sizes_ && has_bounds_; }
     struct Size {
         std::size_t modules = 0;
         std::size_t parameters = 0;
     };
     Size size(KindId kind) const { return sizes_[kind]; }
-    // A string may be cut into ranges that are rewritten by different rewriters, in any order: no
-    // rule changes a global variable or prints, and none reads more modules than its predecessor.
+    // True if a string may be cut into ranges that different rewriters process in any order: no
+    // rule changes a global variable, prints, or reads more modules than its predecessor.
     bool is_divisible() const { return is_divisible_; }
-    // Whether what one module becomes is bounded: at most so many modules and parameters, where the
-    // model has neither decomposition rules nor cuts.
+    // True if the size of each module's successor is bounded by longest() and most_parameters():
+    // the model has neither decomposition rules nor cuts.
     bool has_bounds() const { return has_bounds_; }
-    // Whether some kind's way is Batch.
+    // True if some kind is rewritten as Batch.
     bool has_batches() const { return has_batches_; }
     std::size_t longest() const { return longest_; }
     std::size_t most_parameters() const { return most_parameters_; }
@@ -95,11 +96,11 @@ private:
     std::size_t most_parameters_ = 0;
 };
 
-// Rewrites a range of a string, module after module, from the left. Each thread needs its own.
+// Rewrites a range of a string, module by module, from the left. Each thread needs its own.
 class RangeRewriter {
 public:
-    // All must outlive it; `branches` are of the string that will be rewritten, where rules have
-    // contexts.
+    // The arguments must outlive this object. `branches` describes the string to be rewritten; it
+    // is needed if rules have contexts.
     RangeRewriter(RulePlan const& plan, VirtualMachine& machine, Branches const& branches);
 
     bool has_contexts() const { return rewriter_.has_contexts() || decomposition_.has_contexts(); }
@@ -107,36 +108,37 @@ public:
     struct Range {
         std::size_t begin = 0;
         std::size_t end = 0;
-        std::size_t parameter = 0; // Where the first module's parameters begin.
+        std::size_t parameter = 0; // Index of the first module's first parameter.
     };
 
-    // A piece of work: what is rewritten, and where to.
+    // Input and output of one rewriting step.
     struct Task {
         ModuleString const& in;
         std::uint32_t step;
-        StringLimit limit; // Limit of `out`.
+        StringLimit limit; // Size limit of `out`.
         ModuleString& out;
     };
 
-    // Appends what the modules of the range become. Stops early when `out` exceeds its limit or
-    // the machine stops.
+    // Appends the successors of the range's modules. Stops early if `out` exceeds its limit or the
+    // machine stops.
     void rewrite(Task const& task, Range const& range);
 
-    // Writes what the modules of the range become, whose sizes are known, to where there is room
-    // for exactly that. Stops early when the machine stops.
+    // Writes the successors of the range's modules, whose sizes are known, to memory of exactly the
+    // required size. Stops early if the machine stops.
     void rewrite_to_place(ModuleString const& in, std::uint32_t step, Range const& range,
                           ModuleWriter to);
 
-    // Appends the branches that %(x) has cut off in rewrite() since this was called last, each
-    // behind a %(x,i), where i is its turtle's number.
+    // Appends the branches cut off by %(x) in rewrite() since the last call. Each follows a module
+    // %(x,i), where i is the number of its turtle state.
     void rewrite_kept(Task const& task);
 
-    // Appends what the module at `at` becomes, whose parameters begin at `parameter`; returns how
-    // many modules have been read: more than one for long predecessors and cuts.
+    // Appends the successor of the module at index `at`, whose first parameter has index
+    // `parameter`. Returns the number of modules read: more than one for long predecessors and
+    // cuts.
     std::size_t rewrite_module(Task const& task, std::size_t at, std::size_t parameter);
 
 private:
-    // Whether parameters may be written up to a wide move behind the last of a range.
+    // Whether a wide move may write parameters past the end of the range.
     enum class Room : std::uint8_t { Tight, ForWideRuns };
 
     void rewrite_bounded(Range const& range);
@@ -163,7 +165,7 @@ private:
     Rewriter rewriter_;
     Expander decomposition_;
     BlockScan scan_;
-    std::vector<RuleBatch> batches_; // One for each rule, where there are any.
+    std::vector<RuleBatch> batches_; // One batch per rule; empty if no kind is rewritten as Batch.
     std::uint32_t step_ = 0;
     ModuleString const* in_ = nullptr; // Not owned.
     ModuleString* out_ = nullptr;      // Not owned.

@@ -43,7 +43,7 @@ void RuleBatch::finish()
     count_ = 0;
 }
 
-// Executes the operations that are most of what rules do as vectors.
+// Executes the most frequent operations of rules as vector operations.
 void RuleBatch::execute(Instruction const& instruction)
 {
     Lanes const left = registers_[instruction.left];

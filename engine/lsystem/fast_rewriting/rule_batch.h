@@ -10,21 +10,21 @@
 
 namespace tractus::lsystem {
 
-// Modules that one rule rewrites, some at a time: each instruction of its program runs for all of
-// them before the next one. The results are those of VirtualMachine, bit for bit.
+// Applies one rule to several modules at once: each instruction runs for all of them before the
+// next one. Results are bit-identical to those of VirtualMachine.
 class RuleBatch {
 public:
-    // Whether the rule's program is arithmetic from its first instruction to its last, so that it
-    // does the same for every module, and nothing else.
+    // Returns true if the rule's program is nothing but arithmetic, and so the same for every
+    // module.
     static bool is_possible(Rule const& rule);
 
-    // Prepares a rule that a module has been found to match, with no contexts and no condition. The
-    // rule must outlive it.
+    // Prepares a rule without contexts and conditions, for modules that match it. The rule must
+    // outlive the batch.
     explicit RuleBatch(Rule const& rule);
 
-    // Writes what becomes of the module whose parameters are at `from`: its kinds at once, its
-    // parameters by the end of finish(), until when both places must stay. `to` must have room for
-    // FixedSuccessor::kShort kinds.
+    // Adds a module, whose parameters are at `from`. Its successor's kinds are written to `to`
+    // immediately, the parameters no later than in finish(); both places must stay valid until
+    // then. `to` must have room for FixedSuccessor::kShort kinds.
     void add(float const* from, ModuleWriter& to)
     {
         if (count_ == kSize)
@@ -38,7 +38,7 @@ public:
 
 private:
     static constexpr std::size_t kSize = 16;
-    // One register, of all modules.
+    // One register for all modules of a batch.
     using Lanes = std::array<double, kSize>;
 
     void execute(Instruction const& instruction);
@@ -49,7 +49,8 @@ private:
     std::array<float const*, kSize> from_ {}; // Not owned.
     std::array<float*, kSize> to_ {};         // Not owned.
     std::vector<Lanes> registers_;
-    std::vector<std::array<float, kSize>> parameters_; // Parameters of the successor.
+    // Parameters of the successor, for all modules of a batch.
+    std::vector<std::array<float, kSize>> parameters_;
 };
 
 } // namespace tractus::lsystem

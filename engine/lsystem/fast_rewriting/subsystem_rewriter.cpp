@@ -66,7 +66,8 @@ Result<void> SubsystemRewriter::rewrite(RangeRewriter::Task const& task, bool is
     auto const* parameters = in_->parameters.data();
     for (std::size_t i = 0; i < in_->size();) {
         auto const system = stack_.current();
-        if (auto const run = staying(system, i); run.modules > 0) { // Most of a string.
+        // Such runs are most of a string.
+        if (auto const run = staying(system, i); run.modules > 0) {
             out_->kinds.append(in_->kinds.data() + i, run.modules);
             out_->parameters.append(parameters, run.parameters);
             main_.spend(run.modules);
@@ -93,7 +94,7 @@ Result<void> SubsystemRewriter::rewrite(RangeRewriter::Task const& task, bool is
             parameters += model_.alphabet[kind].parameter_count;
         i += count;
     }
-    while (stack_.depth() > 0) // Without a $.
+    while (stack_.depth() > 0) // Sub-L-systems that no $ has closed.
         leave();
     return {};
 }

@@ -14,46 +14,45 @@
 
 namespace tractus::lsystem {
 
-// Rewrites strings of models with sub-L-systems, from left to right: each module by the L-system
-// that is at work at its place.
+// Rewrites strings of models with sub-L-systems, from left to right. Each module is rewritten by
+// the L-system that is active at its place.
 class SubsystemRewriter {
 public:
-    // All must outlive it; `main` runs the main L-system's programs, `branches` are of the string
-    // that will be rewritten.
+    // The arguments must outlive this object. `main` runs the programs of the main L-system;
+    // `branches` describes the string to be rewritten.
     SubsystemRewriter(Model const& model, VirtualMachine& main, Branches const& branches);
 
     bool has_contexts() const;
 
-    // Appends what the string becomes; in the last step the End blocks of the sub-L-systems run,
-    // too. Stops early when `out` exceeds its limit or the main machine stops, as it does with any
-    // other. Fails, as the user's fault, for a ?(…) that names no sub-L-system, or one that is at
-    // work already.
+    // Appends the rewritten string. In the last step, the End blocks of the sub-L-systems run, too.
+    // Stops early if `out` exceeds its limit or any machine stops. Fails, as the user's fault, for
+    // a ?(...) that names no sub-L-system or one that is already active.
     Result<void> rewrite(RangeRewriter::Task const& task, bool is_last_step);
 
-    // Gives `string` the variables of the ?(…) that stand in it from module `from` on.
+    // Sets the variables of the ?(...) modules of `string` from index `from` on.
     Result<void> add_calls(ModuleString& string, std::size_t from,
                            std::size_t from_parameter) const;
 
 private:
     enum class Read { Rewritten, Cut };
 
-    // Follows what modules call and end, once they have been read. What they become has its calls
-    // from `first_new_call` on.
+    // Follows the calls and returns among modules that have been read. The calls of their
+    // successors begin at `first_new_call`.
     Result<void> follow(std::span<KindId const> kinds, float const* parameters,
                         std::size_t first_new_call, Read read);
     void enter(std::size_t target, Read read);
     void leave();
     void run(Block const& block);
 
-    // Modules from one on that the L-system at work leaves as they are, and that call and end
-    // nothing; and how many parameters they have.
+    // A run of modules that the active L-system leaves unchanged and that contain no calls or
+    // returns, and the number of their parameters.
     struct Run {
         std::size_t modules = 0;
         std::size_t parameters = 0;
     };
     Run staying(std::size_t system, std::size_t at) const;
 
-    // A call that passes its variables on to nothing.
+    // Marks a call that was removed, whose variables are discarded.
     static constexpr std::size_t kGone = static_cast<std::size_t>(-1);
 
     Model const& model_;
@@ -61,12 +60,15 @@ private:
     CallStack stack_;
     std::vector<std::unique_ptr<RulePlan>> plans_;
     std::vector<std::unique_ptr<RangeRewriter>> rewriters_;
-    std::vector<std::array<bool, 256>> stays_ {}; // Of each L-system, the kinds of such modules.
-    std::array<std::uint8_t, 256> parameter_counts_ {}; // Of kinds.
-    std::vector<std::size_t> targets_; // Where in out_->calls those at work go when they end.
+    // For each L-system, the kinds of modules that form such runs.
+    std::vector<std::array<bool, 256>> stays_ {};
+    std::array<std::uint8_t, 256> parameter_counts_ {}; // Number of parameters of each kind.
+    // Index in out_->calls, for each active sub-L-system, of the call that receives its variables
+    // at the end.
+    std::vector<std::size_t> targets_;
     ModuleString const* in_ = nullptr; // Not owned.
     ModuleString* out_ = nullptr;      // Not owned.
-    std::size_t next_call_ = 0;        // Next of in_->calls.
+    std::size_t next_call_ = 0;        // Index of the next call in in_->calls.
     bool is_last_step_ = false;
 };
 
