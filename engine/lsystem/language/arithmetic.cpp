@@ -7,7 +7,8 @@
 
 namespace tractus::lsystem {
 
-// Does as C's % for ints, with the edges defined: beyond the range of int there is no remainder.
+// The remainder of C's % for integers, with all special cases defined: 0 for a zero divisor and for
+// values that are not numbers.
 static double remainder(double left, double right)
 {
     double const dividend = std::trunc(left);
@@ -22,7 +23,7 @@ bool is_pure(Op op)
     return op >= Op::Copy && op <= Op::Sqrt;
 }
 
-// A function of one number, or of the two coordinates of a point.
+// Evaluates a function of one number, or of the two coordinates of a point.
 static double call_function(Op op, double left, double right)
 {
     switch (op) {

@@ -4,10 +4,10 @@
 
 namespace tractus::lsystem {
 
-// Whether an instruction depends on nothing but its two operands.
+// Returns true if an operation's result depends on its two operands only.
 bool is_pure(Op op);
 
-// The value of a pure operation.
+// Evaluates a pure operation (is_pure()).
 double compute(Op op, double left, double right);
 
 } // namespace tractus::lsystem

@@ -11,14 +11,15 @@
 
 namespace tractus::lsystem {
 
-// The L-systems that are at work at a place in a string: the main one, and those that ?(…) have
-// called and whose $ has not come yet.
+// The stack of active L-systems at a position in a string: the main one, and the sub-L-systems
+// called by a ?(...) whose $ has not been reached yet.
 class CallStack {
 public:
-    // The model must outlive it. `main` runs the main L-system's programs and outlives it, too.
+    // The model must outlive the stack. `main` runs the programs of the main L-system and must
+    // outlive it, too.
     CallStack(Model const& model, VirtualMachine& main);
 
-    // Index of the L-system at work: 0 is the main one, k the subsystem k - 1.
+    // Index of the active L-system: 0 for the main one, k for the subsystem k - 1.
     std::size_t current() const { return at_work_.back(); }
     std::size_t depth() const { return at_work_.size() - 1; }
     VirtualMachine& machine(std::size_t system) { return *machines_[system]; }
@@ -27,14 +28,15 @@ public:
         return index == 0 ? static_cast<LSystem const&>(model_) : model_.subsystems[index - 1];
     }
 
-    // The variables of a ?(…) that is in a string, but has not been rewritten yet.
+    // The initial variables of a ?(...) that has not been rewritten yet.
     static SubsystemCall new_call(Model const& model, std::uint16_t subsystem);
 
-    // Index into Model::subsystems of the one that a ?(…) calls by its first parameter. Fails, as
-    // the user's fault, when the model has none or it is at work already.
+    // Index in Model::subsystems of the L-system with this id, the first parameter of a ?(...).
+    // Fails, as the user's fault, if the model has none or if it is already active.
     Result<std::uint16_t> find(float id) const;
 
-    // Whether a module of this kind calls a sub-L-system; whether it ends a call.
+    // is_call(): true if a module of this kind calls a sub-L-system; is_end(): true if it ends a
+    // call.
     bool is_call(KindId kind) const
     {
         auto const& module = model_.alphabet[kind];
@@ -42,7 +44,7 @@ public:
     }
     bool is_end(KindId kind) const { return model_.alphabet[kind].symbol == '$'; }
 
-    // Puts the L-system of a call to work, with the variables of `call`.
+    // Activates the L-system of a call, with the variables in `call`.
     void enter(SubsystemCall const& call);
     // Ends the innermost call and returns its variables. There must be one.
     SubsystemCall leave();
@@ -53,7 +55,7 @@ private:
     Model const& model_;
     std::vector<std::unique_ptr<VirtualMachine>> subsystem_machines_;
     std::vector<VirtualMachine*> machines_;
-    std::vector<std::size_t> at_work_ { 0 }; // Indices, the innermost last.
+    std::vector<std::size_t> at_work_ { 0 }; // Indices of the active L-systems, the innermost last.
 };
 
 } // namespace tractus::lsystem

@@ -9,10 +9,10 @@
 
 namespace tractus::lsystem {
 
-// A place in a preprocessed text from which a parser reads.
+// A parser's reading position in a preprocessed text.
 //
-// Lines end statements, as in cpfg, but for three cases: inside the braces of a block of
-// statements, when the next line starts with a tab, and when it starts with blanks and cannot be a
+// As in cpfg, the end of a line ends a statement, except inside the braces of a block of
+// statements, if the next line begins with a tab, or if it begins with blanks and cannot be a
 // statement of its own.
 class Cursor {
 public:
@@ -21,29 +21,30 @@ public:
     {
     }
 
-    // Skips what separates tokens: blanks, and line ends that do not end the statement.
+    // Skips whitespace between tokens: blanks, and line ends that do not end the statement.
     void skip();
 
-    // The character here, after skip(); '\n' at the statement's end, '\0' at the text's end.
+    // Returns the next character after skip(); '
+    // ' at the end of a statement, '\0' at the end of the text.
     char peek();
     bool at_end() { return peek() == '\0'; }
     bool at_line_end() { return at_end() || peek() == '\n'; }
 
-    // Whether `text` stands here, after skip().
+    // Returns true if `text` comes next after skip().
     bool sees(std::string_view text);
-    // Whether --> (or -o>, which cpfg has for instances in its rayshade output) stands here.
+    // Returns true if --> comes next, or -o>, which cpfg uses for instances in its rayshade output.
     bool sees_arrow() { return sees("-->") || sees("-o>"); }
-    // Reads `text` if it stands here.
+    // Consumes `text` if it comes next.
     bool take(std::string_view text);
-    // Reads one character. Not at the text's end.
+    // Consumes one character. Must not be called at the end of the text.
     char take_character();
-    // Reads to the end of the line.
+    // Consumes the rest of the line.
     std::string_view take_line();
 
-    // Inside a block of statements lines end nothing.
+    // In a block of statements, line ends have no meaning.
     void enter_block() { ++block_depth_; }
     void leave_block() { --block_depth_; }
-    // Says that from here on an arrow on a line of its own begins another rule.
+    // True: from here on, an arrow on a line of its own begins another rule.
     void set_arrow_seen(bool seen) { arrow_seen_ = seen; }
 
     std::size_t position() const { return at_; }
@@ -51,9 +52,9 @@ public:
     std::string_view rest() const { return std::string_view(source_->text).substr(at_); }
     SourceText const& source() const { return *source_; }
 
-    // "FILE:LINE:COLUMN: found …, expected …", for the place here.
+    // Makes the error "FILE:LINE:COLUMN: found ..., expected ..." for the current position.
     tl::unexpected<Error> unexpected(std::string_view expected);
-    // "FILE:LINE:COLUMN: …"
+    // Makes the error "FILE:LINE:COLUMN: ...".
     tl::unexpected<Error> error(std::string_view what) const { return error_at(at_, what); }
     tl::unexpected<Error> error_at(std::size_t position, std::string_view what) const;
 

@@ -10,7 +10,8 @@
 namespace tractus::lsystem {
 
 static constexpr double kMaxArraySize = 1e6;
-static constexpr std::size_t kMaxArrayElements = 10'000'000; // Limit for all arrays together.
+// Limit for all arrays of a file together.
+static constexpr std::size_t kMaxArrayElements = 10'000'000;
 
 Result<double> constant_value(Cursor& cursor, Names& names)
 {
@@ -47,7 +48,7 @@ Result<void> DefinitionParser::block(LSystem& system)
     return {};
 }
 
-// Reads the sizes, which follow in brackets.
+// Defines an array and reads its sizes, which follow in brackets.
 Result<void> DefinitionParser::new_array(LSystem& system, std::string const& name)
 {
     Names::Array array { name, {} };

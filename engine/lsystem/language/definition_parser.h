@@ -10,10 +10,10 @@
 
 namespace tractus::lsystem {
 
-// Reads an expression of numbers alone.
+// Reads a constant expression and evaluates it.
 Result<double> constant_value(Cursor& cursor, Names& names);
 
-// Reads what stands behind define: for one file, whose arrays have a limit together.
+// Reads the define: statements of a file, whose arrays share a size limit.
 class DefinitionParser {
 public:
     DefinitionParser(Cursor& cursor, Names& names)
@@ -22,8 +22,8 @@ public:
     {
     }
 
-    // Reads { array NAME[size]... = { values }, ...; external NAME, NAME[size]..., ...; } of a
-    // system.
+    // Reads a block of an L-system: { array NAME[size]... = { values }, ...; external NAME,
+    // NAME[size]..., ...; }.
     Result<void> block(LSystem& system);
 
 private:

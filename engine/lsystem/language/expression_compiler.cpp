@@ -25,7 +25,7 @@ constexpr int kAndLevel = 1;
 constexpr int kFirstBinaryLevel = 2;
 constexpr int kUnaryLevel = 7;
 
-// Longer ones first.
+// Longer operators come first, because the first match is taken.
 constexpr std::array kBinaryOperators {
     BinaryOperator { "==", Op::Equal, 2 },        BinaryOperator { "!=", Op::NotEqual, 2 },
     BinaryOperator { "<>", Op::NotEqual, 2 },     BinaryOperator { "<=", Op::LessEqual, 3 },
@@ -105,7 +105,7 @@ Result<Register> ExpressionCompiler::conditional(Program& program)
     return result;
 }
 
-// || and &&: the right side is evaluated only when the left does not decide.
+// Compiles || and &&. The right operand is evaluated only if the left one does not decide.
 Result<Register> ExpressionCompiler::logical(Program& program, int level)
 {
     auto const operand = [&]() -> Result<Register> {
@@ -311,7 +311,7 @@ Result<Register> ExpressionCompiler::derivation_length(std::string const& functi
     constexpr auto kIndex = static_cast<std::uint16_t>(GlobalIndex::DerivationLength);
     bool const sets = function.front() == 'S';
     auto target = sets ? TRY(expression(program)) : TRY(frame_.temporary());
-    if (!sets && cursor_.peek() != ')') // cpfg wants a value, and does nothing with it.
+    if (!sets && cursor_.peek() != ')') // cpfg requires an argument here and ignores it.
         frame_.release(TRY(expression(program)));
     if (!cursor_.take(")"))
         return cursor_.unexpected("')'");
@@ -323,7 +323,7 @@ Result<Register> ExpressionCompiler::derivation_length(std::string const& functi
     return target;
 }
 
-// The values go to registers in a row.
+// Compiles a call of printf: its values go to consecutive registers.
 Result<Register> ExpressionCompiler::print_call(std::size_t position, Program& program)
 {
     constexpr std::size_t kMaxFormats = 10000;
@@ -372,7 +372,7 @@ Result<Register> ExpressionCompiler::text()
     return frame_.constant(static_cast<double>(number));
 }
 
-// Reads what stands between double quotes; a backslash takes the next character along.
+// Reads a text in double quotes, including escapes: a backslash and the character after it.
 Result<std::string> ExpressionCompiler::quoted_text()
 {
     auto const begin = cursor_.position();
@@ -415,7 +415,7 @@ Result<Register> ExpressionCompiler::missing_call(MissingFunction const& functio
         if (cursor_.peek() == '"') {
             TRY(quoted_text());
         } else {
-            cursor_.take("&"); // The address of a variable, for fscanf.
+            cursor_.take("&"); // The address operator of an argument of fscanf.
             auto const argument = TRY(expression(program));
             if (!first && function.which == MissingFunction::Value::FirstArgument)
                 first = argument;
@@ -429,7 +429,7 @@ Result<Register> ExpressionCompiler::missing_call(MissingFunction const& functio
     return first ? *first : frame_.constant(function.value);
 }
 
-// The number of a function or a curve, or its name in the view file.
+// Compiles the number of a function or curve; it may also be given by its name in the view file.
 Result<Register> ExpressionCompiler::table_id(std::vector<std::string> const& tables,
                                               Program& program)
 {

@@ -15,14 +15,13 @@
 
 namespace tractus::lsystem {
 
-// Compiles cpfg's C-like expressions into programs over one frame.
+// Compiles cpfg's C-like expressions to programs over one frame.
 //
-// Operators from weakest to strongest: ?: || && == != (or <>) < <= >= > + - * / % ^ - !, all binary
-// ones from the left, so that -2^2 is 4 and 2^3^2 is 64.
+// Operators from lowest to highest precedence: ?: || && == != (or <>) < <= >= > + - * / % ^ - !.
+// All binary operators are left-associative, so -2^2 is 4 and 2^3^2 is 64.
 class ExpressionCompiler {
 public:
-    // Where an assignment to a new name puts it: the blocks of an L-system make globals, rules make
-    // locals.
+    // Where an assignment creates a new variable: global in an L-system's blocks, local in rules.
     enum class NewNames { Global, Local };
 
     ExpressionCompiler(Cursor& cursor, Names& names, NewNames new_names)
@@ -33,18 +32,19 @@ public:
     {
     }
 
-    // A formal parameter of the rule; no value if the name is taken.
+    // Adds a formal parameter of the rule; no value if the name is already used.
     std::optional<Register> add_parameter(std::string const& name);
 
-    // Reads an expression; the register that holds its value.
+    // Compiles an expression; returns the register of its value.
     Result<Register> expression(Program& program);
-    // Reads one in parentheses, a number, a name or a call.
+    // Compiles a primary expression: an expression in parentheses, a number, a name or a call.
     Result<Register> primary(Program& program);
 
-    // Reads a string as a parameter of a module: the number of the string in the model.
+    // Reads a string that is a parameter of a module; returns the register of the string's number
+    // in the model.
     Result<Register> text();
 
-    // An element of an array, whose name has been read.
+    // An element of an array; element() reads its index after the array's name has been read.
     struct Element {
         std::uint16_t array = 0;
         Register index = 0;
@@ -58,14 +58,14 @@ public:
         Register value = 0;
         bool is_parameter = false;
         bool is_assigned = false;
-        std::optional<std::size_t> first_read {}; // Place of the first reading in the text.
+        std::optional<std::size_t> first_read {}; // Position in the text at which it is first read.
     };
     std::map<std::string, Local, std::less<>> const& locals() const { return locals_; }
 
     Cursor& cursor() { return cursor_; }
     FrameBuilder& frame() { return frame_; }
 
-    // Reads a name. No value where none stands.
+    // Reads a name; no value if there is none.
     static std::optional<std::string> name(Cursor& cursor);
 
 private:

@@ -6,7 +6,8 @@
 
 namespace tractus::lsystem {
 
-static constexpr std::size_t kMaxSize = 30000; // Registers and instructions have 16-bit numbers.
+// Indices of registers and instructions have 16 bits.
+static constexpr std::size_t kMaxSize = 30000;
 
 Result<Register> FrameBuilder::add(double value)
 {
@@ -23,7 +24,7 @@ Result<Register> FrameBuilder::constant(double value)
         return found->second;
     auto const reg = TRY(add(value));
     kinds_[reg] = Kind::Constant;
-    if (!std::isnan(value)) // A map cannot find it again.
+    if (!std::isnan(value)) // A map cannot find NaN again.
         constants_.emplace(value, reg);
     return reg;
 }

@@ -10,9 +10,9 @@
 
 namespace tractus::lsystem {
 
-// Hands out the registers of the frame that the programs of a rule, or a block, share, and appends
-// instructions to programs. Fails, as the user's fault and at the cursor's place, when there are
-// more than a frame or a program can have.
+// Allocates registers in the frame shared by the programs of a rule or block, and appends
+// instructions to programs. Fails, as the user's fault and with the cursor's position, if a frame
+// or program becomes too large.
 class FrameBuilder {
 public:
     explicit FrameBuilder(Cursor const& cursor)
@@ -20,25 +20,25 @@ public:
     {
     }
 
-    // A register of its own, behind all others.
+    // Allocates a permanent register.
     Result<Register> add(double value = 0);
-    // The register of a number that never changes.
+    // Returns the register of a constant.
     Result<Register> constant(double value);
-    // A register for an intermediate result.
+    // Allocates a register for an intermediate result.
     Result<Register> temporary();
-    // The register is not needed any more; nothing happens unless it is a temporary one.
+    // Frees a temporary register; does nothing for other registers.
     void release(Register reg);
 
     bool is_constant(Register reg) const { return kinds_[reg] == Kind::Constant; }
     double value(Register reg) const { return frame_[reg]; }
 
-    // The number of the next instruction of `program`, to jump to.
+    // Returns the index of the next instruction of `program`, as a jump target.
     Result<std::uint16_t> label(Program const& program) const;
-    // Appends an instruction and releases its operands; the register of its result. Operations on
-    // constants are carried out at once.
+    // Appends an instruction and releases its operands; returns the register of its result.
+    // Operations on constants are evaluated at compile time.
     Result<Register> emit(Op op, Register left, Register right, Program& program);
 
-    // The initial frame. The last thing to be called.
+    // Returns the initial frame. To be called last.
     RegisterFile take_frame() { return std::move(frame_); }
 
 private:

@@ -6,24 +6,25 @@
 
 namespace tractus::lsystem {
 
-// A function that is one instruction.
+// A built-in function that compiles to a single instruction.
 struct FunctionEntry {
     std::string_view name;
     Op op;
     int parameter_count;
 };
 
-// nullptr for other names.
+// Returns nullptr for an unknown name.
 FunctionEntry const* find_function(std::string_view name);
 
-// A function of cpfg's that we do not carry out: it has this value instead.
+// A function of cpfg that is not supported; a call has a fixed value instead.
 struct MissingFunction {
     enum class About {
-        Files,  // A model from anywhere must not read or change its reader's files.
-        Window, // cpfg's: where it looks, its animation, its sounds.
+        Files,  // File access: a model of unknown origin must not read or change the user's files.
+        Window, // cpfg's window: its viewpoint, animation and sounds.
         Blobs,  // Implicit surfaces.
     };
-    enum class Value { Given, FirstArgument }; // As cpfg, which leaves some arguments in place.
+    // As in cpfg, some of these functions return their first argument.
+    enum class Value { Given, FirstArgument };
 
     std::string_view name;
     About about = About::Files;
@@ -31,11 +32,11 @@ struct MissingFunction {
     Value which = Value::Given;
 };
 
-// The name of a function, or of a statement with a condition, that `name` was perhaps meant to be;
-// empty if none is near.
+// Returns the function, or statement keyword, that `name` is probably a misspelling of; empty if
+// none is similar.
 std::string_view nearest_function(std::string_view name);
 
-// nullptr for other names.
+// Returns nullptr for an unknown name.
 MissingFunction const* find_missing_function(std::string_view name);
 
 } // namespace tractus::lsystem

@@ -57,7 +57,8 @@ namespace {
 
 enum class Reaches { Read, End, Neither };
 
-// Finds what running the program from its beginning may come to before the variable is set.
+// Determines what may be reached from the program's beginning before the variable is set: a read of
+// it, the end, or neither.
 Reaches follow(Program const& program, Register variable)
 {
     std::vector<bool> seen(program.size() + 1);

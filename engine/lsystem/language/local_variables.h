@@ -4,8 +4,8 @@
 
 namespace tractus::lsystem {
 
-// Whether a match of the rule may read this local variable before it has set it: then it finds what
-// the last match left there. True as well where that would take too long to find out.
+// Returns true if a rule may read this local variable before setting it, so that the value of the
+// rule's last match matters. Also true if the analysis would take too long.
 bool is_read_before_set(Rule const& rule, Register variable);
 
 } // namespace tractus::lsystem

@@ -23,7 +23,7 @@ constexpr int kMaxDepth = 1'000'000;
 constexpr std::size_t kMaxRules = 65'000;
 constexpr std::size_t kMaxSystems = 1'000;
 
-// Words that begin a line, for those who misspell one.
+// Words that may begin a line; used to suggest corrections of misspelt ones.
 constexpr std::array<std::string_view, 18> kStatements {
     "Lsystem:",       "Axiom:",       "derivation length:", "Seed:",
     "maximum depth:", "ignore:",      "consider:",          "ring L-system",
@@ -37,7 +37,7 @@ struct SymbolList {
     std::string symbols;
 };
 
-// Reads the L-systems of a file, one after the other.
+// Parses the L-systems of a file, one after another.
 class Parser {
 public:
     Parser(ModelSource const& source, SourceText const& text, View view)
@@ -81,14 +81,15 @@ private:
     Names names_;
     RuleParser rules_parser_ { cursor_, names_, model_.alphabet };
     DefinitionParser definitions_parser_ { cursor_, names_ };
-    LSystem system_; // The one that is being read.
+    LSystem system_; // The L-system being parsed.
     RuleSet* rules_ = &system_.rules;
-    SymbolList seen_;                 // Its ignore: or consider: statement.
-    std::vector<SymbolList> ignored_; // Lists of those that have been read, the main one first.
+    SymbolList seen_; // Symbols of its ignore: or consider: statement.
+    // Symbol lists of the L-systems parsed so far, the main one first.
+    std::vector<SymbolList> ignored_;
     bool has_axiom_ = false;
 };
 
-// A word of the language, in either case, with blanks where `word` has them.
+// Consumes a word of the language, in either case; a blank in `word` matches any blanks.
 bool Parser::take_word(std::string_view word)
 {
     cursor_.skip();
@@ -110,7 +111,8 @@ bool Parser::sees_word(std::string_view word)
     return found;
 }
 
-// Takes a line that is no rule and looks like none for a statement.
+// Parses a rule. If that fails and the line does not look like a rule, reports a misspelt statement
+// instead.
 Result<void> Parser::rule_or_misspelt_statement()
 {
     auto const begin = cursor_.position();
@@ -128,7 +130,7 @@ Result<void> Parser::rule_or_misspelt_statement()
     return no_statement("a rule, which has -->, or a statement");
 }
 
-// The line here is none of the language's.
+// Makes the error for a line that is no statement of the language.
 tl::unexpected<Error> Parser::no_statement(std::string_view expected)
 {
     auto const line = trimmed_line(cursor_.rest().substr(0, cursor_.rest().find('\n')));
@@ -148,7 +150,7 @@ Result<void> Parser::end_line()
     return {};
 }
 
-// The next lines are no part of this one, however they begin.
+// Ends the current L-system; the next line does not continue this one, however it begins.
 Result<void> Parser::end_of_system()
 {
     if (!trimmed_line(cursor_.take_line()).empty())
@@ -193,7 +195,8 @@ Result<void> Parser::system()
     return finish_system();
 }
 
-// The label is the number by which ?(…) calls a sub-L-system; cpfg lets it be any text.
+// Parses "Lsystem:" and its label: the number by which ?(...) calls a sub-L-system. cpfg allows any
+// text.
 Result<void> Parser::header()
 {
     skip_blank_lines();
@@ -304,7 +307,8 @@ Result<bool> Parser::section()
     cursor_.take(":");
     if (!take_word("no warnings"))
         take_word("warnings");
-    if (!cursor_.at_line_end()) { // A rule whose predecessor begins with an h, say.
+    // It is a rule, for example one whose predecessor begins with an h.
+    if (!cursor_.at_line_end()) {
         cursor_.set_position(begin);
         return false;
     }
@@ -397,7 +401,9 @@ Result<Model> compile_model(ModelSource const& source, IncludeReader const& incl
     auto view = TRY(parse_view(source.view_name, source.view_text, include));
     auto const text = TRY(preprocess(source.name, source.text, include));
     auto model = Parser(source, text, std::move(view)).parse();
-    if (!model) // The preprocessor may have seen why: a definition that took a statement in, say.
+    // A warning of the preprocessor may explain the error: for example, a macro that swallowed a
+    // statement.
+    if (!model)
         for (auto const& warning : text.warnings)
             model.error().message += fmt::format("; before that, {}", warning);
     return model;

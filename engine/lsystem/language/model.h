@@ -14,9 +14,9 @@
 
 namespace tractus::lsystem {
 
-// The two small text files that make a model, in the syntax of cpfg (Prusinkiewicz, Hanan, Mech,
-// "An L-system-based plant modeling language", AGTIVE 1999): rules (.l) and view (.v). The view may
-// be empty. The names stand in error messages.
+// The two text files of a model, in the syntax of cpfg (Prusinkiewicz, Hanan, Mech, "An
+// L-system-based plant modeling language", AGTIVE 1999): rules (.l) and view (.v). The view may be
+// empty. The names are used in error messages.
 struct ModelSource {
     std::string name = "model.l";
     std::string text {};
@@ -26,8 +26,8 @@ struct ModelSource {
     bool operator==(ModelSource const&) const = default;
 };
 
-// A symbol with a number of parameters: what a module of a string is, but for its values. cpfg's
-// symbols are single characters; @o, ~l and ?P are two modules each, the first without parameters.
+// A kind of module: a symbol and its number of parameters. cpfg's symbols are single characters;
+// @o, ~l and ?P are two modules each, the first one without parameters.
 struct ModuleKind {
     char symbol = ' ';
     std::uint8_t parameter_count = 0;
@@ -35,10 +35,10 @@ struct ModuleKind {
     bool operator==(ModuleKind const&) const = default;
 };
 
-// Index into Alphabet::kinds: how strings store a module, in one byte.
+// Index into Alphabet::kinds: the one byte that a string stores per module.
 using KindId = std::uint8_t;
 
-// All kinds of modules that a model names.
+// All kinds of modules that occur in a model.
 struct Alphabet {
     static constexpr std::size_t kMaxKinds = 255;
 
@@ -47,44 +47,49 @@ struct Alphabet {
     ModuleKind const& operator[](KindId id) const { return kinds[id]; }
 };
 
-// No value for a kind that the model does not name.
+// No value for a kind that does not occur in the model.
 std::optional<KindId> find_kind(Alphabet const& alphabet, ModuleKind const& kind);
 
-// A string of modules to be written with new parameters: its kinds are copied as they are, its
-// parameters come from the registers, in order.
+// A string of modules with new parameters: kinds are copied, parameters are read from registers, in
+// order.
 struct SuccessorTemplate {
     std::vector<KindId> kinds;
     std::vector<Register> parameters;
 };
 
-// left < predecessor > right : {before} condition {after} --> successor : probability
+// A rule: left < predecessor > right : {before} condition {after} --> successor : probability.
 struct Rule {
-    std::vector<KindId> left;        // Nearest to the predecessor first.
-    std::vector<KindId> predecessor; // At least one.
+    std::vector<KindId> left;        // Left context, in the order away from the predecessor.
+    std::vector<KindId> predecessor; // Strict predecessor: at least one module.
     std::vector<KindId> right;
-    std::size_t parameter_count = 0; // The predecessor's, right's and left's, in this order.
+    // Number of parameters of the predecessor, the right and the left context, which are in the
+    // frame in this order.
+    std::size_t parameter_count = 0;
     std::size_t predecessor_parameter_count = 0;
 
-    Program condition; // before, and the condition's value into condition_result.
+    // Runs the block `before` and puts the value of the condition into condition_result.
+    Program condition;
     Register condition_result = 0;
     bool has_condition = false;
-    Program successor_program; // after, and the successor's parameters.
+    Program successor_program; // Runs the block `after` and computes the successor's parameters.
     SuccessorTemplate successor;
-    Program probability; // Its value into probability_result.
+    Program probability; // Puts the probability into probability_result.
     Register probability_result = 0;
     bool has_probability = false;
 
     RegisterFile frame;
-    bool keeps_locals = false; // It may find its local variables as its last match left them.
-    std::uint32_t line = 0;    // Line of the arrow, for messages.
+    // True if a match may read local variables that the rule's last match has set.
+    bool keeps_locals = false;
+    std::uint32_t line = 0; // Line of the arrow, for error messages.
 };
 
-// Rules in the order in which they are tried.
+// A set of rules, in the order in which they are tried.
 struct RuleSet {
     bool specified = false;
     int max_depth = 1;
     std::vector<Rule> rules;
-    std::array<std::vector<std::uint16_t>, 256> by_kind; // Rules by their predecessor's first kind.
+    // Indices of rules by the first kind of their predecessor.
+    std::array<std::vector<std::uint16_t>, 256> by_kind;
 };
 
 struct Block {
@@ -94,34 +99,35 @@ struct Block {
 
 struct ArrayVariable {
     std::string name;
-    std::vector<double> values; // Values at the start.
+    std::vector<double> values; // Initial values.
 };
 
-// A name of a sub-L-system's that stands for a variable, or an array, of the L-system that has
-// called it, or of the one that has called that, and so on.
+// An external name of a sub-L-system: it refers to the variable or array of that name in its
+// caller, or in the caller's caller, and so on.
 struct ExternalName {
     bool is_array = false;
-    std::uint16_t index = 0; // Into the globals or arrays of the one that has declared it.
+    // Index into the globals or arrays of the sub-L-system that declares it.
+    std::uint16_t index = 0;
 };
 
-// The variables that every L-system has; the first that it defines itself follows them.
+// Predefined global variables of every L-system; the model's own variables follow them.
 enum class GlobalIndex : std::uint16_t {
-    Step,             // Q: the step that is being derived.
+    Step,             // Q: the current derivation step.
     Steps,            // Z: the derivation length at the start.
-    DerivationLength, // SetDerivationLength() changes it.
+    DerivationLength, // Derivation length, which SetDerivationLength() changes.
     Count,
 };
 
-// One L-system of a model: what stands between "Lsystem: ID" and "endlsystem".
+// One L-system of a model: the text between "Lsystem: ID" and "endlsystem".
 struct LSystem {
     int id = 1;
     Block axiom_program;
     SuccessorTemplate axiom;
     bool stochastic = false;
-    std::uint64_t seed = 0; // The model's own; 0 when it has none.
+    std::uint64_t seed = 0; // The model's own seed; 0: none.
     bool ring = false;
-    // Indexed by kind: contexts look past these. Right contexts look past brackets as well, as in
-    // cpfg: where they are ignored, branches are no different from what bears them.
+    // Kinds that contexts ignore. As in cpfg, right contexts can also ignore brackets; branches are
+    // then treated as part of the axis that bears them.
     std::array<bool, 256> ignored {};
 
     Block start;
@@ -137,37 +143,39 @@ struct LSystem {
     std::vector<ExternalName> externals;
 };
 
-// A compiled model: a value that any number of derivations may share. Its main L-system is the
-// first of the file; the others are its sub-L-systems.
+// A compiled model, which any number of derivations may share. The first L-system of the file is
+// the main one; the others are its sub-L-systems.
 //
-// A module ?(id) or ?(id,scale) calls the sub-L-system with this id: it rewrites what follows, up
-// to and with the $ that matches. The ?(…) itself is rewritten by the one that calls. Each ?(…) in
-// a string has variables and arrays of its own. Its Start block runs when it is first rewritten,
-// StartEach and EndEach in each step, End in the last step or when the ?(…) goes. It passes these
-// variables on to the first ?(…) with the same id among its successors. A sub-L-system's axiom and
-// derivation length mean nothing. Scale is the turtle's, up to the $.
+// A module ?(id) or ?(id,scale) calls the sub-L-system with this id, which rewrites the following
+// modules up to and including the matching $. The caller rewrites the ?(...) itself. Each ?(...) in
+// a string has its own variables and arrays. Its Start block runs when it is first rewritten,
+// StartEach and EndEach in each step, and End in the last step or when the ?(...) disappears. Its
+// variables pass to the first ?(...) with the same id in its successor. The axiom and the
+// derivation length of a sub-L-system are ignored. `scale` multiplies the turtle's scale up to the
+// $.
 struct Model : LSystem {
     std::string name;
-    Alphabet alphabet; // Kinds of all L-systems.
-    int steps = 0;     // derivation length.
+    Alphabet alphabet; // Kinds of modules in all L-systems.
+    int steps = 0;     // The derivation length.
     std::vector<LSystem> subsystems;
-    std::vector<PrintFormat> formats; // Formats of printf.
+    std::vector<PrintFormat> formats; // Format strings of printf.
     View view;
-    std::vector<std::string> warnings; // Features we lack, names never defined: once each.
+    // Warnings about unsupported features and undefined names, without duplicates.
+    std::vector<std::string> warnings;
 };
 
-// What models mean, as a number that grows when the meaning of some model changes, so that those
-// who keep models and not plants can say so. 1: until rules' local variables kept their values,
-// right contexts saw brackets that are ignored as cpfg does, and cylinders had a colour for each
-// point.
+// Version of the language: it increases when the meaning of some model changes, so that programs
+// which store models instead of plants can detect it. In version 1, local variables of rules did
+// not keep their values, right contexts treated ignored brackets differently from cpfg, and
+// cylinders had no colour per point.
 constexpr int kLanguageVersion = 2;
 
-// Compiles a model. Fails, as the user's fault, with "FILE:LINE:COLUMN: what was found, what was
-// expected".
+// Compiles a model. Fails, as the user's fault, with the message "FILE:LINE:COLUMN: found ...,
+// expected ...".
 //
-// A name that is assigned in a block of statements of the model is a global variable; one that only
-// a rule assigns is local to the rule, starts as 0 and, as in cpfg, keeps its value from one match
-// of the rule to the next.
+// A name that is assigned in a block of statements is a global variable. A name that is assigned
+// only in a rule is local to the rule; it starts as 0 and, as in cpfg, keeps its value from one
+// match of the rule to the next.
 Result<Model> compile_model(ModelSource const& source, IncludeReader const& include = {});
 
 } // namespace tractus::lsystem

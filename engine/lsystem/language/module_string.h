@@ -16,9 +16,9 @@
 
 namespace tractus::lsystem {
 
-// A growing array of plain values that, unlike std::vector, leaves new elements unset and grows in
-// place where the system can: strings are written once, in order, and are large. Large ones lie on
-// huge pages.
+// A growing array of trivially copyable values. Unlike std::vector, it leaves new elements
+// uninitialised and grows in place if the system can, because strings are large and are written
+// once, in order. Large arrays use huge pages.
 template<typename T> class Column {
     static_assert(std::is_trivially_copyable_v<T>);
 
@@ -48,7 +48,7 @@ public:
     T const& operator[](std::size_t index) const { return data_.get()[index]; }
     std::span<T const> span() const { return { data(), size_ }; }
 
-    // Sets the size; new elements have no value yet. At most the capacity.
+    // Sets the size, at most to the capacity; new elements are uninitialised.
     void set_size(std::size_t size) { size_ = size; }
     void clear() { size_ = 0; }
     void reserve(std::size_t capacity)
@@ -58,12 +58,12 @@ public:
         auto* const grown = std::realloc(data_.get(), capacity * sizeof(T));
         if (!grown)
             throw std::bad_alloc();
-        static_cast<void>(data_.release()); // realloc() has freed or kept it.
+        static_cast<void>(data_.release()); // realloc() has freed or reused the old memory.
         data_.reset(static_cast<T*>(grown));
         capacity_ = capacity;
         advise_huge_pages(grown, capacity * sizeof(T));
     }
-    // Room for `count` more.
+    // Makes room for `count` more elements.
     void reserve_more(std::size_t count)
     {
         if (size_ + count > capacity_)
@@ -86,23 +86,22 @@ private:
     std::size_t capacity_ = 0;
 };
 
-// State of the sub-L-system that one ?(…) in a string calls.
+// State of the sub-L-system that one ?(...) of a string calls.
 struct SubsystemCall {
-    std::uint16_t subsystem = 0; // Into Model::subsystems.
-    bool has_started = false;    // Its Start block has run.
+    std::uint16_t subsystem = 0; // Index into Model::subsystems.
+    bool has_started = false;    // True once its Start block has run.
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;
 };
 
-// A module %(x) in a string, which cuts its branch off in the next step: the turtle drawing the
-// branch then begins as ModuleString::turtles[turtle].
+// A module %(x) of a string, which cuts off its branch in the next step: the turtle drawing the
+// branch then starts in the state ModuleString::turtles[turtle].
 struct KeptCut {
     std::size_t module = 0;
     std::size_t turtle = 0;
 };
 
-// Where the turtle was when it came to a %(x), and what it drew with. In the plant's frame, turtle
-// units.
+// State of the turtle at a %(x). In the plant's frame; lengths in turtle units.
 struct KeptTurtle {
     Vec3 position = Vec3::Zero();
     Vec3 heading = Vec3::UnitZ();
@@ -114,20 +113,20 @@ struct KeptTurtle {
     std::uint8_t color = 0;
 };
 
-// A string of modules: one byte for each module's kind, and the parameters of all modules one after
-// another, as many for each as its kind says.
+// A string of modules: one byte for the kind of each module, and the parameters of all modules in
+// sequence, as many for each module as its kind has.
 struct ModuleString {
     Column<KindId> kinds;
     Column<float> parameters;
 
-    // The main L-system's global variables and arrays after the last step, which homomorphism
-    // rules may use.
+    // Values of the main L-system's global variables and arrays after the last step; homomorphism
+    // rules may use them.
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;
-    std::vector<SubsystemCall> calls; // One for each ?(…) in the string, in their order.
+    std::vector<SubsystemCall> calls; // One for each ?(...) of the string, in order.
     std::vector<KeptCut> cuts;        // In the order of the string.
-    std::vector<KeptTurtle> turtles;  // %(x,i) goes on with turtle i.
-    std::uint64_t seed = 0;           // Seed of the numbers that homomorphism rules draw.
+    std::vector<KeptTurtle> turtles;  // Turtle states; %(x,i) continues with turtle i.
+    std::uint64_t seed = 0;           // Seed of the random numbers in homomorphism rules.
 
     std::size_t size() const { return kinds.size(); }
     std::size_t byte_size() const
@@ -135,7 +134,7 @@ struct ModuleString {
         return kinds.size() * sizeof(KindId) + parameters.size() * sizeof(float);
     }
 
-    // Grows to a size; what is beyond the present one has no value yet.
+    // Grows to these sizes; new elements are uninitialised.
     void grow(std::size_t module_count, std::size_t parameter_count)
     {
         kinds.reserve_more(module_count - kinds.size());
@@ -145,8 +144,8 @@ struct ModuleString {
     }
 };
 
-// Writes behind the end of a string that has been given room for it. What is written belongs to the
-// string after finish().
+// Writes past the end of a string that has enough capacity. finish() makes the written modules part
+// of the string.
 struct ModuleWriter {
     ModuleWriter(KindId* to_kinds, float* to_parameters)
         : kinds(to_kinds)

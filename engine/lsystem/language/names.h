@@ -14,8 +14,8 @@
 
 namespace tractus::lsystem {
 
-// The names that a model defines, while it is compiled. Variables and arrays belong to one
-// L-system, and all its blocks and rules share them; the rest belongs to the model.
+// Names defined in a model, during compilation. Variables and arrays belong to one L-system and are
+// shared by its blocks and rules; everything else belongs to the whole model.
 struct Names {
     struct Array {
         std::string name;
@@ -24,21 +24,24 @@ struct Names {
 
     std::vector<std::string> variables;
     std::vector<Array> arrays;
-    std::vector<std::string> functions; // func(NAME, x) takes names as well as numbers.
-    std::vector<std::string> curves;    // curveX(NAME, t) likewise.
+    // Functions that func(NAME, x) may name; it also accepts numbers.
+    std::vector<std::string> functions;
+    // Curves that curveX(NAME, t) may name; it also accepts numbers.
+    std::vector<std::string> curves;
     std::vector<PrintFormat> formats;
-    std::vector<std::string> texts; // Strings as parameters of modules, such as @L("leaf").
+    std::vector<std::string> texts; // Strings that are parameters of modules, as in @L("leaf").
     std::vector<std::string> warnings;
     std::set<std::string> warned_of;
 
-    // Most variables, and most arrays: they have 16-bit numbers.
+    // Limit on the number of variables, and of arrays: their indices have 16 bits.
     static constexpr std::size_t kMax = 60'000;
 
     std::optional<std::uint16_t> find_variable(std::string_view name) const;
-    // Returns its number. Fails, at the cursor's place, when there are too many.
+    // Adds a variable and returns its index. Fails, with the cursor's position, if there are too
+    // many.
     Result<std::uint16_t> add_variable(std::string name, Cursor const& cursor);
-    void warn(std::string warning); // Once each.
-    // Once for all warnings about the same thing: the first place is enough.
+    void warn(std::string warning); // Adds a warning unless it exists already.
+    // Adds a warning unless one about the same thing exists: the first place is enough.
     void warn_of(std::string const& thing, std::string warning);
 };
 

@@ -61,10 +61,12 @@ std::string to_string(Model const& model, ModuleString const& string)
 KindCounts count_kinds(std::span<KindId const> modules)
 {
     KindCounts result {};
-    constexpr std::size_t kMost = std::size_t { 1 } << 31; // Most that 32 bits can count.
+    // Largest count that fits into 32 bits, with a margin.
+    constexpr std::size_t kMost = std::size_t { 1 } << 31;
     for (std::size_t begin = 0; begin < modules.size(); begin += kMost) {
         auto const part = modules.subspan(begin, std::min(kMost, modules.size() - begin));
-        // Kinds are mostly alike: one sum after the other would wait for itself.
+        // Four separate counters: neighbouring modules are often of the same kind, and each
+        // increment would wait for the one before it.
         std::array<std::array<std::uint32_t, 256>, 4> counts {};
         std::size_t i = 0;
         for (; i + 4 <= part.size(); i += 4)
@@ -79,7 +81,7 @@ KindCounts count_kinds(std::span<KindId const> modules)
     return result;
 }
 
-// Counts the same on as many threads as it is worth.
+// Counts kinds in parallel if the string is long enough.
 static KindCounts count_kinds_of_all(std::span<KindId const> modules)
 {
     constexpr std::size_t kPiece = std::size_t { 1 } << 18;
@@ -97,7 +99,7 @@ static KindCounts count_kinds_of_all(std::span<KindId const> modules)
     return result;
 }
 
-// The number of each symbol of several modules, which are taken out of the counts of single ones.
+// Counts the symbols of several modules and subtracts their modules from the counts of single ones.
 static void count_long_symbols(Alphabet const& alphabet, std::span<KindId const> kinds,
                                KindCounts& single, std::map<std::string, std::size_t>& counts)
 {
@@ -108,7 +110,8 @@ static void count_long_symbols(Alphabet const& alphabet, std::span<KindId const>
         may_begin[kind] = parameter_count == 0 && (symbol == '@' || symbol == '~' || symbol == '?');
         is_any |= may_begin[kind] && single[kind] > 0;
     }
-    std::string before; // The symbol that came last, and its count: mostly they are alike.
+    // The last symbol and its count, cached because successive symbols are often equal.
+    std::string before;
     std::size_t* count = nullptr;
     for (std::size_t i = 0; is_any && i < kinds.size();) {
         if (!may_begin[kinds[i]]) {

@@ -11,19 +11,19 @@
 
 namespace tractus::lsystem {
 
-// How many modules the turtle's symbol that begins with kinds[0] has: 2 for ~S and ?P, 2 or 3 for
-// @-symbols such as @o and @Ts, else 1.
+// Number of modules of the turtle symbol that begins with kinds[0]: 2 for ~S and ?P, 2 or 3 for
+// @-symbols such as @o and @Ts, otherwise 1.
 std::size_t symbol_length(Alphabet const& alphabet, std::span<KindId const> kinds);
 
-// The string as cpfg writes it, without line breaks: parameters as C's %g.
+// Formats a string as cpfg does, without line breaks; parameters like C's %g.
 std::string to_string(Model const& model, ModuleString const& string);
 
-// How often each kind is among modules: by kind, 0 for those that there are not.
+// Number of modules of each kind, indexed by kind.
 using KindCounts = std::array<std::size_t, 256>;
 KindCounts count_kinds(std::span<KindId const> modules);
 
-// How often each symbol stands in the string, whatever its parameters. @-symbols, ~S and ?P count
-// as one.
+// Counts each symbol of the string, regardless of its parameters. An @-symbol, ~S or ?P counts as
+// one symbol.
 std::map<std::string, std::size_t> count_symbols(Model const& model, ModuleString const& string);
 
 } // namespace tractus::lsystem

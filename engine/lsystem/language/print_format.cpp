@@ -26,7 +26,7 @@ static char escaped(char c)
     }
 }
 
-// Takes as many characters of `text` from `at` on as belong to `characters`, at most `most`.
+// Consumes up to `most` characters of `text` from `at` on that occur in `characters`.
 static std::string_view take_all(std::string_view text, std::size_t& at,
                                  std::string_view characters, std::size_t most)
 {
@@ -37,7 +37,7 @@ static std::string_view take_all(std::string_view text, std::size_t& at,
     return text.substr(begin, at - begin);
 }
 
-// The conversion whose % is at `at`, which moves behind it.
+// Reads the conversion whose % is at `at`, and advances `at` past it.
 static Result<std::string> take_conversion(std::string_view text, std::size_t& at)
 {
     static constexpr std::string_view kDigits = "0123456789";
@@ -49,7 +49,8 @@ static Result<std::string> take_conversion(std::string_view text, std::size_t& a
         result += text[at++];
         result += take_all(text, at, kDigits, 2);
     }
-    take_all(text, at, "lhL", 2); // All numbers of a model are of one type.
+    // Length modifiers are ignored: all numbers of a model have the same type.
+    take_all(text, at, "lhL", 2);
     char const kind = at < text.size() ? text[at] : '\0';
     if (kind != '\0' && kNumbers.find(kind) != std::string_view::npos)
         result += kind;
@@ -96,7 +97,7 @@ Result<PrintFormat> parse_print_format(std::string_view text)
 
 static std::string print_number(std::string const& conversion, double value)
 {
-    std::array<char, 512> text {}; // The largest number has 309 digits before its point.
+    std::array<char, 512> text {}; // The largest number has 309 digits before the decimal point.
     bool const is_integer = kIntegers.find(conversion.back()) != std::string_view::npos;
     auto const integer
         = std::isnan(value) ? 0LL : static_cast<long long>(std::clamp(value, -9e18, 9e18));

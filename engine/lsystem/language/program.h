@@ -6,12 +6,12 @@
 
 namespace tractus::lsystem {
 
-// One register of a program's frame.
+// Index of a register in a program's frame.
 using Register = std::uint16_t;
 
-// Operation of an instruction with the registers `left` and `right`; the result goes to `target`.
-// Angles are in degrees, comparisons give 0 or 1, and division by zero gives the dividend, as cpfg
-// has it.
+// Operation of an instruction on the registers `left` and `right`; the result goes to register
+// `target`. Angles are in degrees and comparisons give 0 or 1. As in cpfg, division by zero gives
+// the dividend.
 enum class Op : std::uint8_t {
     Halt,
     Copy,
@@ -29,7 +29,7 @@ enum class Op : std::uint8_t {
     NotEqual,
     Negate,
     Not,
-    IsTrue, // 1 unless zero.
+    IsTrue, // 1 unless the operand is 0.
     Sin,
     Cos,
     Tan,
@@ -41,27 +41,27 @@ enum class Op : std::uint8_t {
     Log,
     Floor,
     Ceil,
-    Round, // cpfg's trunc(): to the nearest integer, halves up.
+    Round, // cpfg's trunc(), which rounds to the nearest integer, halves upwards.
     Abs,
     Sign,
     Sqrt,
-    Random,   // Uniform in [0, left).
-    Normal,   // Mean left, standard deviation right.
+    Random,   // Uniform distribution in [0, left).
+    Normal,   // Normal distribution with mean `left` and standard deviation `right`.
     Beta,     // Beta distribution with the parameters left and right.
-    Binomial, // left trials that succeed with probability right.
+    Binomial, // Binomial distribution: `left` trials that succeed with probability `right`.
     SeedRandom,
-    Function, // The value at `right` of the model's function number `left`, from 1.
-    CurveX,   // X of the point at `right` of the model's curve number `left`, from 1.
+    Function, // Value at `right` of the model's function number `left`, from 1.
+    CurveX,   // X coordinate at parameter `right` of the model's curve number `left`, from 1.
     CurveY,
     CurveZ,
     CurveLength, // Length of the model's curve number `left`, from 1.
-    Print,       // Prints by the model's format number `target`: `right` registers from `left` on.
+    Print,       // Prints `right` registers from `left` on by the model's format number `target`.
     LoadGlobal,  // target <- global left.
     StoreGlobal, // global target <- left.
     LoadArray,   // target <- array left at index right.
     StoreArray,  // array target at index left <- right.
-    Jump,        // Goes to instruction `target`.
-    JumpIfZero,  // Goes to instruction `target` when register left is 0.
+    Jump,        // Jumps to instruction `target`.
+    JumpIfZero,  // Jumps to instruction `target` if register `left` is 0.
 };
 
 struct Instruction {
@@ -71,11 +71,11 @@ struct Instruction {
     std::uint16_t right = 0;
 };
 
-// A piece of a rule (its condition, its successor's parameters) or a block of statements, compiled
-// to three-address code over a frame of registers. Empty when there is nothing to do.
+// Compiled code of a block of statements or of a part of a rule, such as its condition:
+// three-address code over a frame of registers. Empty if there is nothing to compute.
 using Program = std::vector<Instruction>;
 
-// Whether running it can be noticed elsewhere, so that the order of programs matters.
+// Returns true if running the program has side effects, so that the order of programs matters.
 inline bool has_effects(Program const& program)
 {
     return std::any_of(program.begin(), program.end(), [](Instruction const& instruction) {
@@ -84,9 +84,9 @@ inline bool has_effects(Program const& program)
     });
 }
 
-// The registers that the programs of one rule share. The first hold the parameters of the matched
-// modules, the others constants, local variables and intermediate results. Constants never change,
-// so a frame is copied from here once and used for every match.
+// Initial values of the registers that a rule's programs share. First come the parameters of the
+// matched modules, then constants, local variables and intermediate results. Constants never
+// change, so a frame is copied once and used for every match.
 using RegisterFile = std::vector<double>;
 
 } // namespace tractus::lsystem

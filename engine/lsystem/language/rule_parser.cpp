@@ -24,7 +24,8 @@ Result<KindId> RuleParser::kind(char symbol, std::size_t parameter_count)
                         Alphabet::kMaxKinds));
     kinds.push_back(wanted);
     auto const result = static_cast<KindId>(kinds.size() - 1);
-    if (wanted == ModuleKind { '%', 1 }) // What stands before the branch that it keeps.
+    // Also add %(x,i), which rewriting puts before a branch that %(x) cuts off.
+    if (wanted == ModuleKind { '%', 1 })
         TRY(kind('%', 2));
     return result;
 }
@@ -59,7 +60,7 @@ Result<RuleParser::FormalModule> RuleParser::formal_module()
     return result;
 }
 
-// Zero or more modules, or * for none.
+// Parses zero or more modules; * stands for none.
 Result<std::vector<RuleParser::FormalModule>> RuleParser::formal_modules()
 {
     std::vector<FormalModule> result;
@@ -122,7 +123,7 @@ Result<void> RuleParser::condition(Rule& rule, ExpressionCompiler& compiler)
     return {};
 }
 
-// Modules with expressions, up to the end of the line or a colon.
+// Parses modules with expressions as parameters, up to the end of the line or a colon.
 Result<void> RuleParser::modules(SuccessorTemplate& result, ExpressionCompiler& compiler,
                                  Program& program)
 {
@@ -159,8 +160,8 @@ Result<void> RuleParser::successor(Rule& rule, ExpressionCompiler& compiler)
     return {};
 }
 
-// A local variable keeps its value from match to match, as in cpfg; where a rule may notice that,
-// the order of matches matters.
+// As in cpfg, a local variable keeps its value from one match to the next. Warns of undefined
+// variables, and marks rules that may depend on such values: for them the order of matches matters.
 void RuleParser::check_locals(Rule& rule, ExpressionCompiler const& compiler)
 {
     for (auto const& [name, local] : compiler.locals()) {

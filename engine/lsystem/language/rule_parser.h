@@ -11,7 +11,7 @@
 
 namespace tractus::lsystem {
 
-// Reads rules and strings of modules, adding to the alphabet the kinds that they name.
+// Parses rules and strings of modules, and adds the kinds that occur in them to the alphabet.
 class RuleParser {
 public:
     RuleParser(Cursor& cursor, Names& names, Alphabet& alphabet)
@@ -21,14 +21,14 @@ public:
     {
     }
 
-    // A rule up to the end of its line.
+    // Parses a rule up to the end of its line.
     Result<Rule> rule();
 
-    // Modules with expressions, up to the end of the line or a colon.
+    // Parses modules with expressions as parameters, up to the end of the line or a colon.
     Result<void> modules(SuccessorTemplate& result, ExpressionCompiler& compiler, Program& program);
 
 private:
-    // A module with the names of its parameters.
+    // A module with the names of its formal parameters.
     struct FormalModule {
         KindId kind = 0;
         std::vector<std::string> parameters;

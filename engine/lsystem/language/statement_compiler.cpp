@@ -44,7 +44,8 @@ Result<void> StatementCompiler::statement(Program& program)
         frame_.release(TRY(expressions_.expression(program)));
     if (cursor_.take(";"))
         return {};
-    constexpr std::array<std::string_view, 2> kWords { "else", "do" }; // No condition follows.
+    // These keywords are not followed by a condition.
+    constexpr std::array<std::string_view, 2> kWords { "else", "do" };
     if (auto const meant = word ? nearest_word(*word, kWords) : ""; !meant.empty())
         return cursor_.error_at(begin,
                                 fmt::format("found '{}', expected '{}', perhaps", *word, meant));
@@ -56,7 +57,8 @@ Result<void> StatementCompiler::statement_or_block(Program& program)
     return cursor_.peek() == '{' ? block(program) : statement(program);
 }
 
-// Reads a condition in parentheses; the instruction whose target is where to go on without it.
+// Compiles a condition in parentheses; returns the index of the jump instruction, whose target is
+// still to be set, that is taken if the condition is false.
 Result<std::uint16_t> StatementCompiler::jump_unless_condition(Program& program)
 {
     if (cursor_.peek() != '(')
@@ -116,7 +118,7 @@ Result<void> StatementCompiler::do_statement(Program& program)
     return {};
 }
 
-// Whether an assignment stood here; if not, nothing is read.
+// Compiles an assignment and returns true; if there is none, reads nothing and returns false.
 Result<bool> StatementCompiler::assignment(Program& program)
 {
     auto const begin = cursor_.position();

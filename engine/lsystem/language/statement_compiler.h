@@ -8,7 +8,7 @@
 
 namespace tractus::lsystem {
 
-// Compiles cpfg's C-like statements: assignments, calls, if, while, do, blocks.
+// Compiles cpfg's C-like statements: assignments, calls, if, while, do and blocks.
 class StatementCompiler {
 public:
     explicit StatementCompiler(ExpressionCompiler& expressions)
@@ -18,7 +18,7 @@ public:
     {
     }
 
-    // Reads a block of statements in braces; its instructions go to `program`.
+    // Compiles a block of statements in braces and appends its instructions to `program`.
     Result<void> block(Program& program);
 
 private:

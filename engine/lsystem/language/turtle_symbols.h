@@ -6,13 +6,13 @@
 
 namespace tractus::lsystem {
 
-// The symbols that the turtle draws: the one table of them, which the turtle, what counts segments
-// before they are drawn, and what prints strings read. Their meaning in full: interpret.h.
+// Table of the turtle's symbols, used for drawing, for counting segments before drawing, and for
+// printing strings. Their meaning is described in interpret.h.
 
 enum class SymbolDoes : std::uint8_t {
     Nothing,
-    Draw, // A step with a segment,
-    Move, // and one without.
+    Draw, // A step that draws a segment.
+    Move, // A step that draws nothing.
     Turn,
     Pitch,
     Roll,
@@ -21,22 +21,23 @@ enum class SymbolDoes : std::uint8_t {
     Pop,
     Width,
     Color,
-    BendAsOlder, // Elasticity of the older tropism.
-    BeginPath,   // A polygon, or a generalised cylinder.
+    BendAsOlder, // Elasticity of the tropism of the older kind.
+    BeginPath,   // Begins a polygon or a generalised cylinder.
     Dot,
     EndPath,
-    Organ,  // Named by the character behind it.
-    At,     // Does what the one or two characters behind it say: AtSymbol.
-    Call,   // A sub-L-system; or a query, by the character behind it.
-    Return, // From there.
+    Organ,  // An organ, named by the next character.
+    At,     // A symbol of two or three characters, see AtSymbol.
+    Call,   // Calls a sub-L-system, or is a query, depending on the next character.
+    Return, // Returns from a sub-L-system.
     Cut,
 };
 
 struct TurtleSymbol {
     char symbol = 0;
     SymbolDoes does = SymbolDoes::Nothing;
-    int sign = 1;             // Sign of a turn or a change.
-    bool sets_vertex = false; // In a polygon, and a control point in a path of steps.
+    int sign = 1; // Sign of a turn or of a change.
+    // True if the step sets a vertex of a polygon or a control point of a path.
+    bool sets_vertex = false;
 };
 
 inline constexpr std::array kTurtleSymbols {
@@ -69,21 +70,21 @@ inline constexpr std::array kTurtleSymbols {
 };
 
 enum class AtDoes : std::uint8_t {
-    Unknown, // Nothing, with a warning.
-    Level,   // Rolls until the left is horizontal.
+    Unknown, // Draws nothing and causes a warning.
+    Level,   // Rolls until the left vector is horizontal.
     Position,
     Frame,
     Ball,
     Disc,
     Circle,
     Scale,
-    Movement, // Tropisms, and how the sides are carried.
+    Movement, // Tropisms, and how a cylinder's sides are carried.
     Cylinder,
     Contour,
     Sides,
     Patch,
     Cut,
-    Label, // These three are not done, and say so.
+    Label, // Label, BackFace and RunProgram are not supported and cause a warning.
     BackFace,
     RunProgram,
     Ignored, // Meant for other programs.
@@ -93,8 +94,8 @@ enum class AtDoes : std::uint8_t {
 struct AtSymbol {
     char second = 0;
     AtDoes does = AtDoes::Unknown;
-    std::string_view thirds {}; // Third characters that belong to it; none: it has two.
-    // It draws no segments and leaves the turtle's place as it is, whatever stands behind it.
+    std::string_view thirds {}; // Possible third characters; empty: the symbol has two characters.
+    // True if it never draws segments or moves the turtle, whatever follows it.
     bool is_plain = false;
 };
 
@@ -124,12 +125,12 @@ inline constexpr std::array kAtSymbols {
     AtSymbol { 'Y', AtDoes::Ignored, {}, true },
 };
 
-// Characters behind ? that make it a query.
+// Characters after ? that make a query.
 inline constexpr std::string_view kQueryCharacters = "PHLUEQR";
 
 namespace detail {
 
-// By the character, of which all that are not in the list do nothing.
+// Makes a table indexed by character; characters that are not in the list do nothing.
 template<typename Symbol, std::size_t kCount>
 constexpr std::array<Symbol, 256> by_character(std::array<Symbol, kCount> const& symbols,
                                                char Symbol::*character)

@@ -11,7 +11,7 @@ namespace tractus::lsystem {
 
 static constexpr std::uint64_t kMaxRounds = 10'000'000;
 
-// Tells seeds apart that srand() or the model give from those of the caller.
+// Combines two seeds, so that equal seeds from srand(), the model and the caller do not coincide.
 static std::uint64_t mix(std::uint64_t seed, std::uint64_t other)
 {
     return seed + other * 0x9e3779b97f4a7c15u;
@@ -92,7 +92,7 @@ double VirtualMachine::uniform()
     return unit_number(high, low);
 }
 
-// Box and Muller's method.
+// Box-Muller transform.
 double VirtualMachine::normal()
 {
     double const radius = std::sqrt(-2 * std::log(1 - uniform()));
@@ -108,7 +108,7 @@ double VirtualMachine::gamma(double shape)
         return gamma(shape + 1) * std::pow(1 - uniform(), 1 / shape);
     double const d = shape - 1.0 / 3;
     double const c = 1 / std::sqrt(9 * d);
-    for (int i = 0; i < 1000; ++i) { // Accepts 19 of 20.
+    for (int i = 0; i < 1000; ++i) { // About 19 of 20 attempts are accepted.
         double const x = normal();
         double const v = std::pow(1 + c * x, 3);
         if (v > 0 && std::log(1 - uniform()) < x * x / 2 + d - d * v + d * std::log(v))
@@ -123,7 +123,7 @@ double VirtualMachine::binomial(double trials, double probability)
     if (!(trials >= 1))
         return 0;
     trials = std::floor(trials);
-    if (trials > kMaxCounted) { // The normal distribution is near enough.
+    if (trials > kMaxCounted) { // For many trials the normal distribution is a good approximation.
         double const mean = trials * probability;
         return std::clamp(std::round(mean + std::sqrt(mean * (1 - probability)) * normal()), 0.0,
                           trials);
@@ -155,7 +155,7 @@ double VirtualMachine::draw(Op op, double left, double right)
     }
 }
 
-// Takes the nearest element for an index out of range, as cpfg does.
+// As in cpfg, an index out of range selects the nearest element.
 double& VirtualMachine::array_element(std::uint16_t array, double index)
 {
     auto& values = arrays[array];
@@ -189,7 +189,7 @@ void VirtualMachine::print(Instruction const& instruction, double const* frame) 
                                    { frame + instruction.left, instruction.right }));
 }
 
-// Returns the result of an instruction that needs only its two operands.
+// Evaluates an instruction that needs only its two operands.
 double VirtualMachine::evaluate(Op op, double left, double right)
 {
     switch (op) {
@@ -262,7 +262,7 @@ void VirtualMachine::execute(Program const& program, double* frame)
     }
 }
 
-// Takes note of a loop's next round.
+// Counts an iteration of a loop; returns false if the machine has stopped.
 bool VirtualMachine::may_go_on(std::uint64_t rounds)
 {
     spend(1);

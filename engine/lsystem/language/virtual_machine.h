@@ -15,47 +15,48 @@
 
 namespace tractus::lsystem {
 
-// Position of numbers that belong to a step, not to a module.
+// Position for random numbers that belong to a step rather than to a module.
 constexpr std::uint64_t kNoPosition = ~std::uint64_t { 0 };
 
-// Step of what homomorphism rules draw at random.
+// Step number for random numbers drawn in homomorphism rules.
 constexpr std::uint32_t kHomomorphismStep = 0xffffffff;
 
-// [0, 1), in steps of 2^-53, of two random words.
+// Converts two random words to a number in [0, 1), a multiple of 2^-53.
 inline double unit_number(std::uint32_t high, std::uint32_t low)
 {
     auto const bits = (std::uint64_t { high } << 32 | low) >> 11;
     return static_cast<double>(bits) * 0x1p-53;
 }
 
-// Runs compiled programs: what one derivation changes, besides its string.
+// Runs compiled programs and holds a derivation's variables and random numbers.
 //
-// Random numbers depend on nothing but the seed, the step, and the module's position in the string,
-// so a string may be rewritten in any order.
+// A random number depends only on the seed, the step and the module's position in the string, so
+// the modules of a string may be rewritten in any order.
 class VirtualMachine {
 public:
     // Runs the programs of one L-system of the model.
     VirtualMachine(Model const& model, LSystem const& system, std::uint64_t seed);
-    // Runs those of the main one.
+    // Runs the programs of the main L-system.
     VirtualMachine(Model const& model, std::uint64_t seed)
         : VirtualMachine(model, model, seed)
     {
     }
-    // Starts from where the derivation of `string` left it.
+    // Continues with the variables and the seed that a derivation has stored in `string`.
     VirtualMachine(Model const& model, ModuleString const& string);
 
-    // Where printf prints; nowhere without it. Must outlive the machine.
+    // Receives the output of printf; by default it is discarded. The printer must outlive the
+    // machine.
     using Printer = std::function<void(std::string_view)>;
     void set_printer(Printer const* printer) { printer_ = printer; }
-    // Must outlive the machine, too.
+    // The time limit must outlive the machine.
     void set_time_limit(TimeLimit const* limit) { time_limit_ = limit; }
     Printer const* printer() const { return printer_; }
     TimeLimit const* time_limit() const { return time_limit_; }
-    // Limits the memory of one module's rules while they rewrite each other's modules.
+    // Limits the memory used while rules rewrite each other's successors of one module.
     void set_memory_limit(std::size_t bytes) { memory_limit_ = bytes; }
     std::size_t memory_limit() const { return memory_limit_; }
 
-    // The numbers drawn from here on belong to this module of this step.
+    // Starts the sequence of random numbers for a module of a step.
     void begin_module(std::uint32_t step, std::uint64_t position)
     {
         step_ = step;
@@ -71,24 +72,24 @@ public:
     }
     void run(Block const& block);
 
-    // [0, 1).
+    // Draws a random number, uniform in [0, 1).
     double uniform();
 
-    // Why programs, and those who run them, must end at once.
+    // Reason why all programs must stop at once.
     enum class Stop : std::uint8_t {
         None,
-        Loop,   // One did not end within ten million rounds.
-        Time,   // The time limit has passed.
-        Memory, // Rules within rules need more than the limit of memory.
+        Loop,   // A loop did not end within ten million iterations.
+        Time,   // The time limit is exceeded.
+        Memory, // The memory limit is exceeded while rules rewrite each other's successors.
     };
     Stop stop() const { return stop_; }
     bool has_stopped() const { return stop_ != Stop::None; }
-    // Takes note that another machine, which ran a part of the same step, has stopped.
+    // Stops this machine because another machine that works on the same step has stopped.
     void stop_too(Stop reason) { stop_ = std::max(stop_, reason); }
-    // Returns that as an error, the user's fault.
+    // Returns an error, the user's fault, if the machine has stopped.
     Result<void> check() const;
 
-    // Takes note of work, in modules, so that the clock is looked at now and then.
+    // Records work, in modules, and checks the time limit at intervals.
     void spend(std::size_t work)
     {
         spent_ += work;
@@ -97,7 +98,7 @@ public:
     }
 
     double& global(GlobalIndex index) { return globals[static_cast<std::size_t>(index)]; }
-    // Takes over what all L-systems share: steps, the derivation length and the seed.
+    // Copies the values shared by all L-systems: the steps, the derivation length and the seed.
     void share(VirtualMachine const& other);
 
     std::vector<double> globals;

@@ -8,12 +8,12 @@
 
 namespace tractus::lsystem {
 
-// Rewrites one module after the other with a set of rules, at once and again and again until no
-// rule matches or the set's maximum depth is reached: how decomposition and homomorphism rules
-// work. Their contexts are looked for around the module in the string that is being rewritten.
+// Rewrites a module repeatedly until no rule matches or the set's maximum depth is reached, as
+// decomposition and homomorphism rules do. Contexts are matched around the module in the original
+// string.
 class Expander {
 public:
-    // Expands with one L-system of the model; without it, with the main one.
+    // Expands with rules of one L-system of the model; by default of the main one.
     Expander(Model const& model, LSystem const& system, RuleSet const& rules,
              VirtualMachine& machine)
         : model_(model)
@@ -31,10 +31,10 @@ public:
 
     bool has_contexts() const { return rewriter_.has_contexts(); }
 
-    // Hands what the first of `modules` becomes to `sink`, a callable that takes Modules, reads one
-    // turtle symbol or one module of them, and returns how many it has read. Returns how many of
-    // `modules` were read: more than one for rules with longer predecessors.
-    // Returns 0 when sink has returned 0, or the machine has stopped.
+    // Expands the first of `modules` and passes the result to `sink`: a callable that takes
+    // Modules, reads one turtle symbol or module of them, and returns how many it has read. Returns
+    // how many of `modules` were read, which is more than one for long predecessors; 0 if the sink
+    // has returned 0 or the machine has stopped.
     template<typename Sink>
     std::size_t expand(Modules const& modules, Surroundings const& around, Sink&& sink)
     {
@@ -78,7 +78,8 @@ public:
     }
 
 private:
-    // The successor of one rule, in buffer_; a level is dropped when its last module is read.
+    // The successor of one rule, stored in buffer_; a level is removed after its last module is
+    // read.
     struct Level {
         std::size_t begin = 0;
         std::size_t begin_parameters = 0;

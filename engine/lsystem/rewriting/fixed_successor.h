@@ -10,20 +10,20 @@
 
 namespace tractus::lsystem {
 
-// Successor of a module, where it is known beforehand: a string of modules whose parameters are
-// constants or parameters of the module. Short ones are copied in one move.
+// The successor of a module if it is known in advance: its parameters are constants or parameters
+// of the module. Short successors are copied in one move.
 struct FixedSuccessor {
     static constexpr std::size_t kShort = 16;
 
     std::array<KindId, kShort> first_kinds {};
     std::uint32_t length = 0;
-    std::uint32_t parameter_count = 0;      // Parameters of the successor.
-    std::uint32_t read_parameter_count = 0; // Parameters of the module.
+    std::uint32_t parameter_count = 0;      // Number of parameters of the successor.
+    std::uint32_t read_parameter_count = 0; // Number of parameters of the module.
     KindId const* kinds = nullptr;
-    Register const* parameters = nullptr; // nullptr: the module's own, in their order.
+    Register const* parameters = nullptr; // nullptr: the module's parameters, in order.
     double const* frame = nullptr;
 
-    // The module itself: what becomes of it when no rule applies.
+    // The module itself, which is its successor if no rule applies.
     static FixedSuccessor copy(KindId kind, std::uint32_t parameter_count)
     {
         FixedSuccessor result;
@@ -34,7 +34,7 @@ struct FixedSuccessor {
         return result;
     }
 
-    // Describes a rule whose successor needs no program. The rule must outlive it.
+    // The successor of a rule that needs no program. The rule must outlive it.
     static FixedSuccessor of(Rule const& rule)
     {
         FixedSuccessor result;
@@ -49,7 +49,7 @@ struct FixedSuccessor {
         return result;
     }
 
-    // Writes its kinds; `to` must have room for kShort at least.
+    // Writes the kinds; `to` must have room for at least kShort kinds.
     void write_kinds(KindId*& to) const
     {
         if (length <= kShort)
@@ -59,14 +59,15 @@ struct FixedSuccessor {
         to += length;
     }
 
-    // Writes it for a module whose parameters are at `from`; `to` must have room for kShort kinds.
+    // Writes the successor of a module whose parameters are at `from`; `to` must have room for at
+    // least kShort kinds.
     void write(float const* from, ModuleWriter& to) const
     {
         write_kinds(to.kinds);
         write_parameters(from, to.parameters);
     }
 
-    // Writes into no more room than it needs.
+    // Writes the successor without exceeding its size.
     void write_narrowly(float const* from, ModuleWriter& to) const
     {
         to.kinds = std::copy_n(length <= kShort ? first_kinds.data() : kinds, length, to.kinds);

@@ -15,30 +15,30 @@
 
 namespace tractus::lsystem {
 
-// Reads a string from one end to the other, each module replaced by what the homomorphism rules
-// make of it, those of the L-system that is at work at its place: what the turtle reads.
+// Reads a string from beginning to end and replaces each module by its homomorphic image, using the
+// rules of the L-system that is active at its place. The result is what the turtle interprets.
 class HomomorphismWalk {
 public:
-    // All must outlive it; `main` runs the main L-system's programs.
+    // The arguments must outlive this object; `main` runs the programs of the main L-system.
     HomomorphismWalk(Model const& model, ModuleString const& string, VirtualMachine& main);
 
     bool is_at_end() const { return at_ >= string_.size(); }
-    // The place of the module that comes next.
+    // Index of the next module.
     std::size_t at() const { return at_; }
 
-    // Hands what the next module becomes to `sink`, as Expander::expand() does. False when the sink
-    // has returned 0. Fails, as the user's fault, when a loop in a rule does not end or the main
-    // machine's time is over.
+    // Passes the image of the next module to `sink`, like Expander::expand(). Returns false if the
+    // sink has returned 0. Fails, as the user's fault, if a loop in a rule does not end or if the
+    // main machine's time limit is exceeded.
     using Sink = std::function<std::size_t(Modules const& modules)>;
     Result<bool> read(Sink const& sink);
 
-    // Whether modules that a sink is given stand in the string, or come from a rule.
+    // Returns true if the modules given to a sink are in the string, and false if a rule made them.
     bool is_in_string(Modules const& modules) const
     {
         return modules.kinds == string_.kinds.data() + at_;
     }
 
-    // Passes over the rest of the branch.
+    // Skips the rest of the branch.
     void cut();
 
 private:
@@ -48,7 +48,7 @@ private:
     ModuleString const& string_;
     CallStack stack_;
     std::vector<std::unique_ptr<Expander>> expanders_;
-    Branches branches_; // Where homomorphism rules have contexts.
+    Branches branches_; // Matching brackets; filled if homomorphism rules have contexts.
     std::size_t at_ = 0;
     std::size_t parameter_ = 0;
     std::size_t next_call_ = 0;
@@ -57,14 +57,14 @@ private:
 struct HomomorphismOptions {
     StringLimit limit {};
     TimeLimit time {};
-    std::function<void(std::string_view text)> print {}; // Takes what printf prints.
-    // % means something where it stands in the string, and nothing where a rule makes it.
+    std::function<void(std::string_view text)> print {}; // Receives the output of printf.
+    // A % cuts a branch only if it is in the string itself; one made by a rule has no effect.
     enum class Cuts { Keep, KeepThoseOfTheString };
     Cuts cuts = Cuts::Keep;
 };
 
-// The whole string, so replaced. Fails, as the user's fault, beyond a limit in the options and when
-// a loop does not end.
+// Returns the homomorphic image of the whole string. Fails, as the user's fault, if a limit in the
+// options is exceeded or a loop does not end.
 Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& string,
                                         HomomorphismOptions const& options = {});
 

@@ -95,7 +95,7 @@ Rule const* Rewriter::find(Modules const& modules, Surroundings const& around, b
     return nullptr;
 }
 
-// Among all rules that match, by their weights.
+// Chooses at random among all rules that match, by their weights.
 Rule const* Rewriter::choose(Modules const& modules, Surroundings const& around, bool adjacent)
 {
     candidates_.clear();
@@ -151,8 +151,8 @@ bool Rewriter::matches(std::uint16_t index, Modules const& modules, Surroundings
     return !rule.has_condition || values[rule.condition_result] != 0;
 }
 
-// The first module from `at` on that a context may mean. Passes over ignored modules, and over
-// branches unless the context names their bracket, and ends before a %(…).
+// Returns the first module from `at` on that a context can match. Skips ignored modules, and
+// branches unless the context contains their bracket; stops before a %(...).
 std::optional<Rewriter::Place> Rewriter::next_right(Place at, int& rounds,
                                                     Surroundings const& around,
                                                     OpeningBrackets brackets) const
@@ -183,7 +183,7 @@ std::optional<Rewriter::Place> Rewriter::next_right(Place at, int& rounds,
     }
 }
 
-// `=` in a context stands for the rest of the branch.
+// Matches the right context. `=` in it stands for the rest of the branch.
 bool Rewriter::matches_right(Rule const& rule, double* parameters, Surroundings const& around)
 {
     auto const& string = *around.string;
@@ -215,8 +215,9 @@ bool Rewriter::matches_right(Rule const& rule, double* parameters, Surroundings 
     return true;
 }
 
-// The last module before `at` that a context may mean. Passes over ignored modules and whole
-// branches, and through an opening bracket to what bears the branch; ends behind a %(…).
+// Returns the last module before `at` that a context can match. Skips ignored modules and complete
+// branches; from the beginning of a branch it continues to the module that bears it. Stops after a
+// %(...).
 std::optional<Rewriter::Place> Rewriter::next_left(Place at, int& rounds,
                                                    Surroundings const& around) const
 {
@@ -247,7 +248,7 @@ std::optional<Rewriter::Place> Rewriter::next_left(Place at, int& rounds,
     }
 }
 
-// Fills the parameters that end at `parameters`.
+// Matches the left context and fills the parameters that end at `parameters`.
 bool Rewriter::matches_left(Rule const& rule, double* parameters, Surroundings const& around)
 {
     auto const& string = *around.string;

@@ -13,61 +13,62 @@
 
 namespace tractus::lsystem {
 
-// Modules from some place on to the end of their string.
+// The modules from some position to the end of their string.
 struct Modules {
     KindId const* kinds = nullptr;
     float const* parameters = nullptr;
     std::size_t count = 0;
 };
 
-// Where the branches of a string begin and end, so that contexts can pass over them at once.
+// Matching brackets of a string, so that contexts can skip branches at once.
 struct Branches {
-    // The place of the bracket that matches each one, or the string's size.
+    // For each bracket, the index of the matching one; the string's size if there is none.
     std::vector<std::uint32_t> partner;
-    // Where each module's parameters begin; empty for strings that have none.
+    // Index of each module's first parameter; empty for strings without parameters.
     std::vector<std::uint32_t> parameters;
 };
 
-// The place of the bracket that closes the branch in which module `from` is, or of the $ that ends
-// its sub-L-system, whichever comes first; the string's size when none does.
+// Returns the index of the bracket that closes the branch containing module `from`, or of the $
+// that ends its sub-L-system, whichever comes first; the string's size if there is neither.
 std::size_t branch_end(Model const& model, ModuleString const& string, std::size_t from);
 
-// Returns where the part ends that a cut before module `from` removes: at the branch's end, or
-// before the next %(x) or %(x,i) of the branch, as in cpfg.
+// Returns the end of the part that a cut before module `from` removes: the end of the branch or, as
+// in cpfg, the next %(x) or %(x,i) of the branch.
 std::size_t cut_end(Model const& model, ModuleString const& string, std::size_t from);
 
 // Fills `branches` for a string of fewer than 2^32 modules and parameters.
 void find_branches(Model const& model, ModuleString const& string, Branches& branches);
 
-// Where contexts are looked for: in `string`, leftwards from before module `left` and rightwards
-// from module `right`, whose parameters begin at the given places.
+// Where contexts are matched in `string`: to the left from before module `left`, and to the right
+// from module `right`, with the indices of their first parameters.
 struct Surroundings {
     ModuleString const* string = nullptr;
-    Branches const* branches = nullptr; // Not needed where Rewriter::has_contexts() is false.
+    Branches const* branches = nullptr; // May be null if Rewriter::has_contexts() is false.
     std::size_t left = 0;
     std::size_t left_parameters = 0;
     std::size_t right = 0;
     std::size_t right_parameters = 0;
 };
 
-// Finds and applies the rules of one set. Holds the frames in which their programs run.
+// Finds and applies the rules of one set. Owns the frames in which their programs run.
 class Rewriter {
 public:
     // Rewrites with rules of one L-system of the model.
     Rewriter(Model const& model, LSystem const& system, RuleSet const& rules,
              VirtualMachine& machine);
 
-    // The rule that rewrites the first of `modules`, nullptr if none does. With `adjacent` the
-    // right context begins behind the predecessor in the string; otherwise at `around.right`.
-    // Parameters, and what the condition's block has changed, are in the rule's frame.
+    // Finds the rule that rewrites the first of `modules`; nullptr if there is none. With
+    // `adjacent` the right context begins directly after the predecessor in the string, otherwise
+    // at `around.right`. The rule's frame then holds the parameters and the results of the
+    // condition's block.
     Rule const* find(Modules const& modules, Surroundings const& around, bool adjacent);
 
-    // Fills the rule's frame with its predecessor's parameters: instead of find(), where it is
-    // known that the rule applies and that it has no contexts.
+    // Fills the rule's frame with the predecessor's parameters. Replaces find() for a rule without
+    // contexts that is known to apply.
     void load_predecessor(Rule const& rule, float const* parameters);
 
-    // Runs the block behind the condition and appends the successor; a writer must have room for
-    // it, and for FixedSuccessor::kShort kinds.
+    // Runs the block after the condition and appends the successor. A ModuleWriter must have room
+    // for it and for at least FixedSuccessor::kShort kinds.
     void apply(Rule const& rule, ModuleString& out);
     void apply(Rule const& rule, ModuleWriter& to);
 
@@ -75,13 +76,12 @@ public:
     bool has_contexts() const { return has_contexts_; }
 
 private:
-    // A module in the string and where its parameters begin.
+    // Index of a module and of its first parameter.
     struct Place {
         std::size_t module = 0;
         std::size_t parameters = 0;
     };
-    // The module next to the predecessor, found once for all rules that ask. No value: there is
-    // none.
+    // The module next to the predecessor, looked up once for all rules. No value: there is none.
     struct Neighbour {
         bool is_known = false;
         std::size_t from = 0;
@@ -91,7 +91,7 @@ private:
         None,
         Open,
         Close,
-        Keep // %(…): what is behind it stands by itself, or will.
+        Keep // A %(...): the branch after it is, or will be, separate.
     };
     enum class OpeningBrackets { PassBranches, Stop };
 
@@ -131,7 +131,7 @@ private:
     bool has_contexts_ = false;
     std::array<Bracket, 256> brackets_ {};
     std::array<std::uint8_t, 256> parameter_counts_ {};
-    Neighbour right_; // Right neighbour of the modules that find() is looking at.
+    Neighbour right_; // Right neighbour of the modules that find() is matching.
     Neighbour left_;
 };
 

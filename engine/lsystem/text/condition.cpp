@@ -20,9 +20,9 @@ constexpr int kMaxNesting = 100;
 
 struct Operator {
     std::string_view symbol;
-    int strength; // The greater, the tighter it binds.
+    int strength; // Precedence: operators with a higher strength bind more tightly.
 };
-// Operators; those of two characters come before their beginnings.
+// Operators; longer ones come before their prefixes.
 constexpr std::array kOperators {
     Operator { "||", 1 }, Operator { "&&", 2 }, Operator { "==", 6 }, Operator { "!=", 6 },
     Operator { "<=", 7 }, Operator { ">=", 7 }, Operator { "<<", 8 }, Operator { ">>", 8 },
@@ -31,8 +31,7 @@ constexpr std::array kOperators {
     Operator { "/", 10 }, Operator { "%", 10 },
 };
 
-// Behaves as C's intmax_t and uintmax_t: a value without sign makes those without sign that it
-// meets.
+// A value of C's intmax_t or uintmax_t. An operation with one unsigned operand is unsigned.
 struct Value {
     std::int64_t number = 0;
     bool is_unsigned = false;
@@ -48,7 +47,7 @@ bool is_less(Value const& a, Value const& b)
     return a.is_unsigned || b.is_unsigned ? bits(a) < bits(b) : a.number < b.number;
 }
 
-// Shifts by less than nothing go the other way, as in gcc.
+// As in gcc, a negative shift count shifts in the other direction.
 std::int64_t shifted_left(Value const& value, Value const& by);
 
 std::int64_t shifted_right(Value const& value, Value const& by)
@@ -114,7 +113,8 @@ private:
     ErrorAt const& error_;
     std::size_t at_ = 0;
     int depth_ = 0;
-    bool is_evaluated_ = true; // False where && || ?: pass over what may be wrong, such as 1/0.
+    // False in operands of && || ?: that are not evaluated and may contain errors such as 1/0.
+    bool is_evaluated_ = true;
 };
 
 Result<Value> ConditionParser::conditional()
@@ -140,7 +140,7 @@ Result<Value> ConditionParser::conditional()
     return result;
 }
 
-// The operator here, if it binds at least so tightly.
+// Consumes the next operator if it binds at least this tightly.
 std::optional<Operator> ConditionParser::take_operator(int strength)
 {
     skip();
@@ -213,7 +213,8 @@ Result<Value> ConditionParser::divide(Operator const& op, Value const& left, Val
         auto const value = is_quotient ? bits(left) / bits(right) : bits(left) % bits(right);
         return Value { static_cast<std::int64_t>(value), true };
     }
-    if (right.number == -1) // The least number has no opposite.
+    // The smallest integer has no negative counterpart; this case would overflow.
+    if (right.number == -1)
         return Value { is_quotient ? static_cast<std::int64_t>(0 - bits(left)) : 0, false };
     return Value { is_quotient ? left.number / right.number : left.number % right.number, false };
 }
@@ -276,7 +277,8 @@ Result<Value> ConditionParser::number()
     return Value { static_cast<std::int64_t>(value), is_unsigned };
 }
 
-// The value of a character behind a backslash, and its end; `at` is behind the backslash.
+// Parses an escape sequence; `at` is the position after the backslash. Returns the character and
+// the end position.
 std::pair<unsigned, std::size_t> escaped_character(std::string_view text, std::size_t at)
 {
     constexpr std::string_view kLetters = "abfnrtv";

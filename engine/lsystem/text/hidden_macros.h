@@ -8,14 +8,14 @@
 
 namespace tractus::lsystem {
 
-// Sets of macros by number, each kept once: those that a token came from, which do not replace it
-// again ("hide sets" in Prosser's algorithm). No value: there would be too many sets, or too many
-// macros in one, as hostile models make them.
+// Numbered sets of macros, each stored once: the "hide sets" of Prosser's algorithm. A token's set
+// contains the macros it came from, which must not replace it again. No value: too many sets, or
+// too many macros in one, as in hostile models.
 class HiddenMacros {
 public:
-    using Id = std::uint32_t; // Names a set.
+    using Id = std::uint32_t; // Number of a set.
     static constexpr Id kEmpty = 0;
-    static constexpr std::size_t kMaxNesting = 200; // Macros in a set.
+    static constexpr std::size_t kMaxNesting = 200; // Maximum number of macros in a set.
 
     bool has(Id set, std::uint32_t macro) const;
 

@@ -9,11 +9,11 @@
 
 namespace tractus::lsystem {
 
-// Limits for hostile models, whose macros may double at each use.
+// Limits against hostile models whose macros double in size with each use.
 static constexpr std::size_t kMaxTextSize = std::size_t { 16 } << 20;
 static constexpr std::size_t kMaxWork = std::size_t { 64 } << 20;
 static constexpr std::size_t kTokenCost = 16;
-static constexpr std::size_t kMaxTokens = 2'000'000; // Held at once.
+static constexpr std::size_t kMaxTokens = 2'000'000; // Maximum number of tokens in memory.
 static constexpr int kMaxCallNesting = 64;
 
 static bool is_blank_token(std::string const& characters)
@@ -21,7 +21,7 @@ static bool is_blank_token(std::string const& characters)
     return characters.size() == 1 && (is_blank(characters[0]) || characters[0] == '\n');
 }
 
-// Appends text as a string has it inside.
+// Appends text with the escapes that a string literal needs.
 static void append_escaped(std::string& string, std::string_view text)
 {
     for (char const c : text) {
@@ -69,7 +69,7 @@ Result<std::string_view> MacroTable::set_parameters(Macro& macro, PlacedText con
         auto parameter = written;
         macro.is_variadic
             = parameter.size() >= 3 && parameter.substr(parameter.size() - 3) == "...";
-        if (macro.is_variadic) // As in gcc, the rest may have a name.
+        if (macro.is_variadic) // As in gcc, the variable arguments may have a name.
             parameter = trimmed_line(parameter.substr(0, parameter.size() - 3));
         if (macro.is_variadic && parameter.empty())
             parameter = "__VA_ARGS__";
@@ -84,7 +84,8 @@ Result<std::string_view> MacroTable::set_parameters(Macro& macro, PlacedText con
     return rest.substr(close + 1);
 }
 
-// Blanks around ## go, as the operator joins what is next to them.
+// Sets a macro's replacement list. Blanks around ## are removed, because it joins the tokens next
+// to it.
 Result<void> MacroTable::set_body(Macro& macro, PlacedText const& line, std::string_view text)
 {
     PlacedText body { std::string(trimmed_line(text)), {} };
@@ -146,7 +147,7 @@ MacroTable::Macro const* MacroTable::macro_for(Token const& token) const
     return hidden_.has(token.hidden, macro->second.number) ? nullptr : &macro->second;
 }
 
-// Whether the token was __LINE__ or __FILE__, which it is no longer then.
+// Replaces __LINE__ or __FILE__ by its value; returns true if the token was one of them.
 bool MacroTable::becomes_place(Token& token) const
 {
     if (!is_place(token.characters) || macros_.find(token.characters) != macros_.end())
@@ -157,11 +158,12 @@ bool MacroTable::becomes_place(Token& token) const
     return true;
 }
 
-// Judges without replacing anything, as far as that is possible: cheaper than expanding in vain.
+// Checks, without replacing macros if possible, whether the text ends inside a macro call: this is
+// cheaper than an expansion that is then discarded.
 bool MacroTable::ends_in_call(PlacedText const& text) const
 {
     std::string_view const characters = text.characters;
-    int depth = 0; // Depth of parentheses, from a call's on.
+    int depth = 0; // Depth of parentheses, from the beginning of a call.
     bool follows_macro = false;
     for (std::size_t i = 0; i < characters.size();) {
         auto const end = token_end(characters, i);
@@ -233,7 +235,7 @@ Result<void> MacroTable::expand(PlacedText const& text, PlacedText& out)
     }
     auto rest = tokens_of(text);
     std::reverse(rest.begin(), rest.end());
-    std::string last; // Token: what follows must not become a part of it.
+    std::string last; // The last token: the next one must not merge with it.
     return expand(rest, 0, [&](Token const& token) -> Result<void> {
         if (out.size() > kMaxTextSize)
             return error(token.place, "macros make more than 16 MB of text here");
@@ -251,8 +253,8 @@ Result<void> MacroTable::expand(PlacedText const& text, PlacedText& out)
     });
 }
 
-// Dave Prosser's algorithm, which C's standard describes in words. `rest` is the text backwards, as
-// what a macro stands for is put in front of it.
+// Dave Prosser's algorithm, which the C standard describes in words. `rest` holds the text in
+// reverse, because a macro's replacement is put in front of it.
 template<typename Sink> Result<void> MacroTable::expand(Tokens& rest, int depth, Sink const& sink)
 {
     while (!rest.empty()) {
@@ -282,7 +284,7 @@ template<typename Sink> Result<void> MacroTable::expand(Tokens& rest, int depth,
     return {};
 }
 
-// Takes a call's arguments from the text. False if no parenthesis follows the name.
+// Reads the arguments of a call. Returns false if no parenthesis follows the name.
 Result<bool> MacroTable::take_call(Macro const& macro, Token const& name, Tokens& rest, Call& call,
                                    HiddenMacros::Id& hidden)
 {
@@ -338,7 +340,7 @@ Result<void> MacroTable::check_arguments(Macro const& macro, Token const& name, 
     return {};
 }
 
-// The number of parameters for what is none.
+// Returns the index of a macro's parameter; the number of parameters if the token is not one.
 std::size_t MacroTable::parameter_index(Macro const& macro, Token const& token)
 {
     return static_cast<std::size_t>(
@@ -381,8 +383,8 @@ Result<MacroTable::Tokens> MacroTable::substitute(Macro const& macro, Call& call
     return result;
 }
 
-// Appends what one token of a body becomes: itself, or the argument for it. An argument next to ##
-// is not expanded, and an empty one is one empty token there.
+// Appends the replacement of one token of a macro's body: the token itself, or the argument. An
+// argument next to ## is not expanded; if it is empty, it becomes one empty token.
 Result<void> MacroTable::substitute_token(Macro const& macro, Call& call, std::size_t at,
                                           Tokens& result)
 {
@@ -426,7 +428,7 @@ Result<void> MacroTable::expand_argument(Call& call, std::size_t index)
     });
 }
 
-// Makes a string of an argument, as # does; blanks in it are single.
+// Makes a string literal of an argument, as # does; runs of blanks become single blanks.
 std::string MacroTable::quoted(Tokens const& argument)
 {
     std::string result = "\"";
@@ -444,8 +446,8 @@ std::string MacroTable::quoted(Tokens const& argument)
     return result + '"';
 }
 
-// Whether what is to be joined is a comma and the variable arguments: they stand next to each
-// other, and where there are no arguments, the comma goes.
+// Handles a comma before ## and the variable arguments: returns true if the operands are such a
+// pair, which is not joined. The comma is removed if the call has no variable arguments.
 bool MacroTable::takes_comma(Macro const& macro, Call const& call, std::size_t at, Tokens& result)
 {
     if (!macro.is_variadic || result.empty() || result.back().characters != ","
@@ -457,8 +459,8 @@ bool MacroTable::takes_comma(Macro const& macro, Call const& call, std::size_t a
     return true;
 }
 
-// Joins the last token of `result` and the first of `next`, if they make one token; otherwise they
-// stand next to each other.
+// Joins the last token of `result` and the first of `next` if together they form one token;
+// otherwise appends them unchanged.
 void MacroTable::paste(Tokens& result, Tokens const& next)
 {
     auto from = next.begin();

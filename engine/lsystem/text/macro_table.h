@@ -14,22 +14,21 @@
 
 namespace tractus::lsystem {
 
-// The macros that #define makes, with and without parameters, replaced as C11 6.10.3 says: `#` and
-// `##`, arguments that are macros, and results that are read again together with what follows.
-// __LINE__ and __FILE__ are where they stand, in a macro where the call of the outermost one
-// begins.
-// `#` stands for itself where no parameter follows, as it is a turtle symbol. As in gcc, the
-// variable arguments may have a name, and a comma before ## __VA_ARGS__ goes where there is none in
-// the call. Errors are the user's, with their place.
+// The table of macros defined by #define, with and without parameters, and their replacement as in
+// C11 6.10.3: `#` and `##`, macros in arguments, and rescanning together with the following text.
+// __LINE__ and __FILE__ give their own position, or, in a macro, the start of the outermost call. A
+// `#` that no parameter follows stands for itself, because it is a turtle symbol. As in gcc, the
+// variable arguments may have a name, and a comma before ## __VA_ARGS__ is removed if the call has
+// none. Errors are the user's fault and include the position.
 class MacroTable {
 public:
-    // `files` are the names of the files that places are in; they must outlive the table.
+    // `files` holds the names of the files for error positions; it must outlive the table.
     explicit MacroTable(std::vector<std::string> const& files)
         : files_(files)
     {
     }
 
-    // Reads what stands behind #define in `line`, of which `rest` is a part.
+    // Parses `rest`, the part of `line` after #define.
     Result<void> define(PlacedText const& line, std::string_view rest);
     void undefine(std::string_view name);
     bool is_defined(std::string_view name) const
@@ -37,22 +36,23 @@ public:
         return macros_.find(name) != macros_.end() || is_place(name);
     }
 
-    // Appends the text with its macros replaced.
+    // Appends the text with macros replaced.
     Result<void> expand(PlacedText const& text, PlacedText& out);
 
-    // Does as expand(), unless the text ends inside a macro's call, or perhaps before its
-    // parentheses: then nothing is appended, as what follows belongs to it, and the result is
-    // false.
+    // Like expand(), unless the text ends inside a macro call or possibly before its parentheses.
+    // In that case the following text is needed: nothing is appended and the result is false.
     Result<bool> expand_whole(PlacedText const& text, PlacedText& out);
 
 private:
-    // A preprocessing token, or one blank.
+    // A preprocessing token, or a single blank.
     struct Token {
         std::string characters;
-        SourcePlace place;       // Place of its first character.
-        bool is_in_body = false; // Then all its characters are at the call's place.
-        bool is_paste = false;   // The operator ##, in a body.
-        // The macros that it came from, which do not replace it again.
+        SourcePlace place; // Position of its first character.
+        // True if it comes from a macro's body; all its characters then have the position of the
+        // call.
+        bool is_in_body = false;
+        bool is_paste = false; // True for the operator ## in a macro's body.
+        // Macros that the token came from, which must not replace it again.
         HiddenMacros::Id hidden = HiddenMacros::kEmpty;
     };
     using Tokens = std::vector<Token>;
@@ -60,17 +60,18 @@ private:
     struct Macro {
         std::uint32_t number = 0;
         bool has_parameters = false;
-        bool is_variadic = false; // The last parameter takes the rest of the arguments.
+        bool is_variadic = false; // True if the last parameter takes the remaining arguments.
         std::vector<std::string> parameters;
         Tokens body;
     };
     struct Call {
         std::vector<Tokens> arguments;
-        std::vector<Tokens> expanded; // Arguments with macros replaced; filled where asked for.
+        std::vector<Tokens> expanded; // Arguments after macro replacement; filled on demand.
         std::vector<bool> is_expanded;
         SourcePlace place;
-        int depth = 0;                // Depth of calls in arguments of calls.
-        bool leaves_out_rest = false; // There is no comma before the variable arguments.
+        int depth = 0; // Nesting depth of calls in arguments of calls.
+        // True if the call has no comma before the variable arguments.
+        bool leaves_out_rest = false;
     };
 
     static bool is_place(std::string_view name) { return name == "__LINE__" || name == "__FILE__"; }
@@ -110,7 +111,7 @@ private:
     std::uint32_t next_number_ = 0;
     HiddenMacros hidden_;
     std::size_t spent_ = 0;
-    // A text that was expanded did, before or behind an opening parenthesis.
+    // True if an expanded text ended inside a macro call, before or after its opening parenthesis.
     bool ended_in_call_ = false;
 };
 

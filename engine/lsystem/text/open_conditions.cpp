@@ -48,7 +48,7 @@ Result<bool> OpenConditions::is_defined(PlacedText const& line, std::string_view
 Result<void> OpenConditions::next_part(PlacedText const& line, std::string_view word,
                                        std::string_view rest)
 {
-    if (open_.size() == first_in_file_) // One of the file that includes this stays open.
+    if (open_.size() == first_in_file_) // A condition of the including file must stay open.
         return error(line, 0, fmt::format("found #{} without #if", word));
     auto& open = open_.back();
     if (word == "endif") {
@@ -69,7 +69,7 @@ Result<void> OpenConditions::next_part(PlacedText const& line, std::string_view 
     return {};
 }
 
-// An #if's expression, in which `defined` is replaced before macros are.
+// Replaces `defined` in the expression of an #if; this must happen before macro replacement.
 Result<PlacedText> OpenConditions::without_defined(PlacedText const& text) const
 {
     PlacedText ready;
@@ -79,7 +79,8 @@ Result<PlacedText> OpenConditions::without_defined(PlacedText const& text) const
     };
     for (std::size_t i = 0; i < characters.size();) {
         auto const begin = i;
-        if (characters[begin] == '\'') // Before macros could replace what is in it.
+        // Character constants must be skipped before macros can be replaced inside them.
+        if (characters[begin] == '\'')
             if (auto const constant = character_constant(characters, begin)) {
                 i = constant->end;
                 for (char const digit : fmt::format("({})", constant->value))

@@ -13,44 +13,45 @@
 
 namespace tractus::lsystem {
 
-// The preprocessor's conditions that are open: which lines are read.
+// The stack of open #if conditions of the preprocessor, which determines whether lines are used.
 class OpenConditions {
 public:
     static constexpr std::array<std::string_view, 8> kWords {
         "if", "ifdef", "ifndef", "elif", "else", "elifdef", "elifndef", "endif"
     };
 
-    // Both must outlive it; `files` are the names of the files that places are in.
+    // Both must outlive this object; `files` holds the names of the files for error positions.
     OpenConditions(MacroTable& macros, std::vector<std::string> const& files)
         : macros_(macros)
         , files_(files)
     {
     }
 
-    // Whether lines are read.
+    // Returns true if lines are used at this point.
     bool are_on() const
     {
         return open_.empty() || (open_.back().is_possible && open_.back().is_on);
     }
 
-    // Obeys a directive `word` with what stands behind it in the line; false if the word is none of
-    // a condition. What is not read is not computed, either. Errors are the user's.
+    // Executes the directive `word`; `rest` is the remainder of the line. Returns false if the word
+    // is not a conditional directive. Conditions in skipped text are not evaluated. Errors are the
+    // user's fault.
     Result<bool> obey(PlacedText const& line, std::string_view word, std::string_view rest);
 
-    // Begins a file, whose directives cannot end the conditions around it; returns what end_file()
-    // is to be told.
+    // Begins a file, whose directives cannot end the conditions around it. The result is to be
+    // passed to end_file().
     std::size_t begin_file() { return std::exchange(first_in_file_, open_.size()); }
     void end_file(std::size_t around) { first_in_file_ = around; }
-    // Where the innermost condition began that the file has opened and not closed.
+    // Position of the innermost condition that the file has opened and not closed.
     std::optional<SourcePlace> open_in_file() const;
 
 private:
-    // One #if that is open.
+    // An open #if.
     struct Condition {
-        bool is_on = false;  // Its part that is being read is to be read.
-        bool was_on = false; // One of its parts was.
+        bool is_on = false;  // True if its current part is used.
+        bool was_on = false; // True if one of its parts has been used.
         bool has_else = false;
-        bool is_possible = true; // The text around it is read.
+        bool is_possible = true; // True if the text around it is used.
         SourcePlace place;
     };
 

@@ -37,7 +37,7 @@ static bool is_name_part(char c)
 {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
-// Whether the character is a sign that belongs to the number before it, as in 1e-3.
+// Returns true for a sign that belongs to the number before it, as in 1e-3.
 static bool is_exponent_sign(std::string_view text, std::size_t at)
 {
     return (text[at] == '+' || text[at] == '-') && (text[at - 1] == 'e' || text[at - 1] == 'E');
@@ -51,7 +51,8 @@ bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-// Where the string that begins here ends, behind its closing quote; not beyond its line.
+// Returns the end of the string literal that begins at `begin`, after its closing quote; no value
+// if the literal does not end in its line.
 static std::optional<std::size_t> string_end(std::string_view text, std::size_t begin)
 {
     for (auto at = begin + 1; at < text.size() && text[at] != '\n'; ++at) {
@@ -86,7 +87,8 @@ PlacedText without_comments(std::string_view source, std::uint32_t file,
     PlacedText result;
     SourcePlace place { file, 1, 1 };
     std::size_t i = 0;
-    std::size_t no_string_before = 0; // Where none ends in a line, none is sought again.
+    // After a failed search for a closing quote, the rest of the line is not searched again.
+    std::size_t no_string_before = 0;
     auto const advance = [&] {
         if (source[i++] == '\n') {
             ++place.line;
@@ -125,7 +127,7 @@ PlacedText without_comments(std::string_view source, std::uint32_t file,
     return result;
 }
 
-// True if the text behind a // looks like modules rather than like a comment in words.
+// Returns true if the text after a // looks like modules rather than a comment in words.
 static bool reads_as_modules(std::string_view before, std::string_view behind)
 {
     while (!behind.empty() && (is_blank(behind.back()) || behind.back() == '\n'))
@@ -133,7 +135,7 @@ static bool reads_as_modules(std::string_view before, std::string_view behind)
     if (behind.find_first_of(" \t") != std::string_view::npos)
         return false;
     bool const is_rule_off = behind.find_first_not_of('/') == std::string_view::npos;
-    if (is_rule_off) // Slashes right behind a module are meant as rolls.
+    if (is_rule_off) // Slashes directly after a module are meant as rolls.
         return !is_blank(before.back());
     return behind.find_first_of("[]'+-&^/!$|\\(") != std::string_view::npos
         || (!is_blank(before.back()) && std::isupper(static_cast<unsigned char>(behind.front())));

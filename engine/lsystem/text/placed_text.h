@@ -12,7 +12,7 @@
 
 namespace tractus::lsystem {
 
-// Text each of whose characters knows where it stood.
+// Text with the source position of each character.
 struct PlacedText {
     std::string characters;
     std::vector<SourcePlace> places; // One per character.
@@ -22,42 +22,42 @@ struct PlacedText {
         characters.push_back(character);
         places.push_back(place);
     }
-    // Appends characters `begin` to `end` of another text.
+    // Appends the characters [begin, end) of another text.
     void append(PlacedText const& other, std::size_t begin, std::size_t end);
     std::size_t size() const { return characters.size(); }
 };
 
-// A part of a text, which a view into its characters names.
+// Returns a part of a text; `view` must be a view into its characters.
 PlacedText part_of(PlacedText const& text, std::string_view view);
 
-// "FILE:LINE:COLUMN: what", as the user's fault, for a character of the text.
+// Makes the error "FILE:LINE:COLUMN: what", the user's fault, for a character of the text.
 tl::unexpected<Error> error_in(PlacedText const& text, std::size_t index,
                                std::vector<std::string> const& files, std::string const& what);
 
-// The text of a file, its number `file`, without comments: each becomes one blank, so a rule may go
-// on behind one that spans lines. In strings that end in their line there are none. `open_comment`
-// becomes the beginning of one that does not end.
+// Returns the text of file number `file` without comments. Each comment becomes one blank, so a
+// rule may continue after a comment of several lines. String literals are left unchanged if they
+// end in their line. `open_comment` is set to the beginning of a comment that does not end.
 PlacedText without_comments(std::string_view source, std::uint32_t file,
                             std::optional<SourcePlace>& open_comment);
 
-// Where a // makes a comment of what looks like the rest of a production: it stands behind --> or
-// Axiom: on its line, and text without blanks follows it at once, as in books, where // is two
-// rolls. Comments begin with a blank there, or hold words.
+// Finds the places where // probably does not begin a comment but is meant as two rolls, as in
+// printed models: it follows --> or Axiom: on its line, and text without blanks follows directly.
+// Real comments there begin with a blank or contain words.
 std::vector<SourcePlace> productions_cut_by_comments(std::string_view source, std::uint32_t file);
 
-// Characters that the preprocessor's tokens are made of.
+// Classes of characters for the preprocessor's tokens.
 bool is_name_start(char c);
 bool is_digit(char c);
 bool is_blank(char c);
 
-// The end of the preprocessing token (C11 6.4) at `begin`: a name, a number with its suffixes, a
-// string, or one character. Macro names inside numbers and strings are not replaced.
+// Returns the end of the preprocessing token (C11 6.4) at `begin`: a name, a number with its
+// suffixes, a string, or one character. Macro names inside numbers and strings are not replaced.
 std::size_t token_end(std::string_view text, std::size_t begin);
 
-// Removes the blanks, and line ends, on both sides.
+// Removes blanks and line ends on both sides.
 std::string_view trimmed_line(std::string_view text);
 
-// The name that the text begins with; empty for none.
+// Returns the name at the beginning of the text; empty if there is none.
 std::string_view first_name(std::string_view text);
 
 } // namespace tractus::lsystem

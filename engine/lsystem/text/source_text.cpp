@@ -18,20 +18,20 @@ namespace tractus::lsystem {
 
 namespace {
 
-// Limits for hostile models, whose files may include themselves.
+// Limit against hostile models whose files include themselves.
 constexpr int kMaxIncludeNesting = 64;
-constexpr std::size_t kMaxFiles = 1000; // Includes of includes double, too.
+constexpr std::size_t kMaxFiles = 1000; // Nested includes can double in number at each level.
 
-// The name of a file in the folder of another.
+// Returns the path of a file in the folder of another file.
 std::string beside(std::string const& file, std::string const& name)
 {
     return file.substr(0, file.rfind('/') + 1) + name;
 }
 
-// Where the lines behind a #line are said to be.
+// Positions set by a #line directive for the lines after it.
 struct Presumed {
     std::uint32_t file = 0;
-    std::uint32_t added_lines = 0; // To the number of a line; may wrap round.
+    std::uint32_t added_lines = 0; // Difference to the actual line number; may wrap around.
 };
 
 class Preprocessor {
@@ -66,8 +66,8 @@ private:
     std::vector<std::string> files_;
     MacroTable macros_ { files_ };
     OpenConditions conditions_ { macros_, files_ };
-    std::string name_;           // Name of the file that is read.
-    std::set<std::string> once_; // Files that are not included again.
+    std::string name_;           // Name of the current file.
+    std::set<std::string> once_; // Files that are not to be included again.
     std::optional<Presumed> presumed_;
     std::vector<std::string> warnings_;
     PlacedText out_;
@@ -78,12 +78,12 @@ bool is_directive(std::string_view line)
     return trimmed_line(line).substr(0, 1) == "#";
 }
 
-// Words behind a #, besides those of conditions.
+// Directives other than conditions.
 constexpr std::array<std::string_view, 7> kWords { "define",  "undef", "include", "error",
                                                    "warning", "line",  "pragma" };
 
-// The word that was perhaps meant behind a #, which may be a turtle symbol before others as well:
-// only longer words alone and in small letters are looked at.
+// Returns the directive that a word after # is probably a misspelling of. A # may also be a turtle
+// symbol, so only separate, longer words in lower case are considered.
 std::string_view meant_word(std::string_view word, std::string_view behind)
 {
     bool const is_alone = behind.empty() || is_blank(behind.front());
@@ -95,7 +95,7 @@ std::string_view meant_word(std::string_view word, std::string_view behind)
     return condition.empty() ? nearest_word(word, kWords) : condition;
 }
 
-// Whether `# 12 "FILE"` stands there, which compilers write for `#line 12 "FILE"`.
+// Returns true for a line marker `# 12 "FILE"`, which compilers write instead of `#line 12 "FILE"`.
 bool is_line_marker(std::string_view after_hash)
 {
     auto const words = trimmed_line(after_hash);
@@ -135,7 +135,8 @@ Result<void> Preprocessor::add_file(std::string const& name, std::string_view so
     return {};
 }
 
-// A line that calls a macro goes on to where the call ends, as in C, but not beyond a directive.
+// Adds lines with macros replaced. As in C, a line with a macro call continues to the end of the
+// call, but never past a directive.
 Result<void> Preprocessor::add_lines(PlacedText const& text, int nesting)
 {
     constexpr int kMaxCallLines = 1000;
@@ -175,7 +176,8 @@ PlacedText Preprocessor::take_line(PlacedText const& text, std::size_t& begin)
     return line;
 }
 
-// A definition goes on behind a backslash at the line's end; elsewhere \ is a turtle symbol.
+// Reads a line, joined with the next ones if it is a definition that ends in a backslash; elsewhere
+// \ is a turtle symbol.
 PlacedText Preprocessor::take_written_line(PlacedText const& text, std::size_t& begin)
 {
     auto const line_end
@@ -202,7 +204,8 @@ PlacedText Preprocessor::take_written_line(PlacedText const& text, std::size_t& 
     return line;
 }
 
-// A definition whose last symbol is a \ takes the next line in, as in C, which is seldom meant.
+// Warns of a definition that ends in the turtle symbol \ and is therefore, as in C, joined with the
+// next line; this is seldom intended.
 void Preprocessor::warn_of_joined_line(PlacedText const& definition, PlacedText const& line)
 {
     auto const rest = trimmed_line(line.characters);
@@ -218,7 +221,7 @@ void Preprocessor::warn_of_joined_line(PlacedText const& definition, PlacedText 
         files_[at.file], at.line, at.column, next));
 }
 
-// Whether the line was a directive.
+// Executes a directive; returns false if the line is none.
 Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
 {
     auto rest = trimmed_line(line.characters);
@@ -264,7 +267,7 @@ Result<void> Preprocessor::obey(PlacedText const& line, std::string_view word,
     } else if (word == "pragma") {
         if (rest == "once")
             once_.insert(name_);
-    } else { // A warning.
+    } else { // The remaining directive is #warning.
         auto const& at = line.places[line.characters.find('#')];
         warnings_.push_back(
             fmt::format("{}:{}:{}: #warning {}", files_[at.file], at.line, at.column, shown(rest)));
@@ -272,7 +275,7 @@ Result<void> Preprocessor::obey(PlacedText const& line, std::string_view word,
     return {};
 }
 
-// Reads LINE or LINE "FILE", of the line that follows. As in C, macros may make them.
+// Executes a #line directive, LINE or LINE "FILE". As in C, macros are replaced in it.
 Result<void> Preprocessor::set_line(PlacedText const& line, std::string_view rest)
 {
     constexpr std::uint32_t kMaxLine = 2'147'483'647;
@@ -302,7 +305,7 @@ Result<void> Preprocessor::set_line(PlacedText const& line, std::string_view res
     return {};
 }
 
-// The number of a new name for messages.
+// Adds a file name for error positions and returns its number.
 Result<std::uint32_t> Preprocessor::add_name(std::string const& name)
 {
     if (files_.size() == kMaxFiles)
@@ -315,7 +318,7 @@ Result<std::uint32_t> Preprocessor::add_name(std::string const& name)
 
 Result<void> Preprocessor::include_file(PlacedText const& line, std::string_view rest, int nesting)
 {
-    PlacedText expanded; // A macro may name the file.
+    PlacedText expanded; // A macro may give the file's name.
     if (is_name_start(rest.empty() ? '"' : rest.front())) {
         TRY(macros_.expand(part_of(line, rest), expanded));
         rest = trimmed_line(expanded.characters);

@@ -10,32 +10,33 @@
 
 namespace tractus::lsystem {
 
-// Gives the text of an included file by the name that stands in the including file.
+// Returns the text of an included file, given its name in the including file.
 using IncludeReader = std::function<Result<std::string>(std::string const& name)>;
 
-// Where a character stood before macros and includes were expanded, or where a #line says that it
-// did. Lines and columns count from 1.
+// Position of a character before preprocessing, or the position that a #line directive gives. Lines
+// and columns count from 1.
 struct SourcePlace {
-    std::uint32_t file = 0; // Into SourceText::files.
+    std::uint32_t file = 0; // Index into SourceText::files.
     std::uint32_t line = 1;
     std::uint32_t column = 1;
 };
 
-// A model's text after the preprocessor: no comments, no directives, macros replaced.
+// A model's text after preprocessing: without comments and directives, with macros replaced.
 struct SourceText {
-    std::vector<std::string> files; // Names, for messages; the model's own first, #line's too.
+    // File names for messages: the model's own first; includes those given by #line.
+    std::vector<std::string> files;
     std::string text;
     std::vector<SourcePlace> places; // One per character, and one for the end.
     std::vector<std::string> warnings;
 
-    // "FILE:LINE:COLUMN" of a character.
+    // Formats the position of a character as "FILE:LINE:COLUMN".
     std::string place(std::size_t index) const;
 };
 
-// C's preprocessor: comments of both kinds, #define with and without parameters and with # and ##,
-// #undef, #include, #if, #ifdef, #ifndef, #elif, #elifdef, #elifndef, #else, #endif, #error,
-// #warning, #line, also as `# 12 "FILE"`, #pragma once; __LINE__ and __FILE__. Other pragmas are
-// passed over. A line that starts with `#` and none of these words is left alone, since # is a
+// Runs a C preprocessor: comments of both kinds, #define with and without parameters and with # and
+// ##, #undef, #include, #if, #ifdef, #ifndef, #elif, #elifdef, #elifndef, #else, #endif, #error,
+// #warning, #line, also in the form `# 12 "FILE"`, #pragma once, __LINE__ and __FILE__. Other
+// pragmas are ignored. A line that begins with `#` and none of these words is kept, since # is a
 // turtle symbol.
 Result<SourceText> preprocess(std::string const& name, std::string_view text,
                               IncludeReader const& include);

@@ -5,20 +5,20 @@
 
 namespace tractus::lsystem {
 
-// The lines of a text one after another, without blanks at their ends.
+// Iterates over the lines of a text, with trailing blanks removed.
 struct TextLines {
     std::string_view rest;
-    int number = 0; // Number of the line that came last, from 1.
+    int number = 0; // Number of the current line, from 1.
 
-    // False at the text's end.
+    // Advances to the next line; false at the end of the text.
     bool next(std::string_view& line);
 };
 
-// The numbers of a line, separated by blanks. None at all where something else stands in it, or a
+// Parses the numbers of a line, separated by blanks. Empty if the line contains anything else or a
 // number beyond 1e12.
 std::vector<double> numbers_in(std::string_view line);
 
-// Returns what follows `key` and blanks in a line that begins with it.
+// Returns the text after `key` and the blanks that follow it, in a line that begins with `key`.
 std::string_view after_key(std::string_view line, std::string_view key);
 
 } // namespace tractus::lsystem

@@ -22,7 +22,8 @@ std::string shown(std::string_view text)
     return text.empty() ? result : result + "...";
 }
 
-// How many characters must be added, removed, changed or swapped to make one of the other.
+// Edit distance: the least number of characters to add, remove, change or swap to turn one text
+// into the other.
 static std::size_t distance(std::string_view a, std::string_view b)
 {
     std::vector<std::size_t> before(b.size() + 1);

@@ -6,15 +6,15 @@
 
 namespace tractus::lsystem {
 
-// A user's text for a message, as printable() has it; long text cut.
+// Formats a user's text for a message, like printable(), and shortens long text.
 std::string shown(std::string_view text);
 
-// The word that the text was perhaps meant to be, in either case; empty if none is near, or
-// the text is one of them.
+// Returns the word that a text is probably a misspelling of, ignoring case; empty if none is
+// similar or the text is one of the words.
 std::string_view nearest_word(std::string_view text, std::span<std::string_view const> words);
 
-// The words with which a line perhaps was meant to begin; empty if none are near, or the line
-// begins with one of them.
+// Returns the words that the beginning of a line is probably a misspelling of; empty if none are
+// similar or the line begins with one of them.
 std::string_view nearest_beginning(std::string_view line, std::span<std::string_view const> words);
 
 } // namespace tractus::lsystem
