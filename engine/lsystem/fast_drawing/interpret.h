@@ -24,19 +24,19 @@ struct TurtlePlant {
 // towards the user (-y). This is cpfg's space (x right, y up, z to the viewer), rotated: cpfg's (x,
 // y, z) is (x, -z, y) here. Vectors in models and view files are in cpfg's space.
 //
-// Symbols: F G step and draw; f g step without drawing; + - turn left, right; & ^ pitch down, up; \
-// / roll left, right; | turn around; [ ] push, pop; ! # decrease, increase or set the line width,
-// which is a diameter; ; , increase, decrease or set the colour; { . } polygon; ~X organ or
-// surface; @v roll until the left vector is horizontal; @M(x,y,z) @R(h[,u]) set position, frame; @o
-// @O ball, @c flat disc, @bo @bc ball and disc as thick as the line; @D @Di @Dd set, multiply,
-// divide the scale; ?(id[,s]) $ enter a sub-L-system s times as large, leave it; @Ts @Ti @Td
-// elasticity of a tropism, _ that of the older kind, @Tf @Tp carry the sides; @Gs @Gc(rings)
-// @Ge(rings) generalised cylinder, {(1) ... }(1) along a Hermite path, {(2) a closed one, {(3) {(4)
-// B-splines, @Gt @Gr tangents, @# contour, @! sides; @PS @PC @PD surface from points of the turtle;
-// % and @mc(1) end the drawing of the branch, % only in the string and only if the view says so;
-// %(x,i) continues in the turtle's state where a %(x) was cut off. @L, @Tx, @; @, and @S only cause
-// a warning: labels and textures are not drawn, back faces look like front faces, and models cannot
-// run programs. Other symbols draw nothing. Reference: the CPFG User's Manual.
+// Symbols: F G step and draw; f g only step; + - turn left, right; & ^ pitch down, up; \ / roll
+// left, right; | turn around; [ ] push, pop; ! # decrease, increase or set the line width, which is
+// a diameter; ; , increase, decrease or set the colour; { . } polygon; ~X organ or surface; @v roll
+// until the left vector is horizontal; @M(x,y,z) @R(h[,u]) set position, frame; @o @O ball, @c flat
+// disc, @bo @bc ball and disc as thick as the line; @D @Di @Dd set, multiply, divide the scale;
+// ?(id[,s]) $ enter a sub-L-system s times as large, leave it; @Ts @Ti @Td elasticity of a tropism,
+// _ that of the older kind, @Tf @Tp carry the sides; @Gs @Gc(rings) @Ge(rings) generalised
+// cylinder, {(1) ... }(1) along a Hermite path, {(2) a closed one, {(3) {(4) B-splines, @Gt @Gr
+// tangents, @# contour, @! sides; @PS @PC @PD surface from points of the turtle; % and @mc(1) end
+// the drawing of the branch, % only in the string and only if the view says so; %(x,i) continues in
+// the turtle's state where a %(x) was cut off. @L, @Tx, @; @, and @S only cause a warning: labels
+// and textures are not drawn, back faces look like front faces, and models cannot run programs.
+// Other symbols draw nothing. Reference: the CPFG User's Manual.
 //
 // Axes: consecutive segments form one axis. What is drawn inside brackets, or after a step that
 // draws nothing, begins an axis of its own, attached to the last segment. Steps of zero length draw

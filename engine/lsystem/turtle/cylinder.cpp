@@ -11,7 +11,7 @@ namespace {
 constexpr double kLeastLength_mm = 1e-5;
 constexpr int kMaxRings = 1000;
 
-// A polynomial in t, by rising powers.
+// Coefficients of a cubic polynomial, in ascending powers of t.
 using Cubic = std::array<Vec3, 4>;
 
 Vec3 value(Cubic const& c, double t)
@@ -40,7 +40,7 @@ Vec3 unit_or(Vec3 const& v, Vec3 const& otherwise)
     return length > 1e-9 ? Vec3(v / length) : otherwise;
 }
 
-// A normal of `from`, carried to `to` with the least twist.
+// Parallel transport of a normal from the direction `from` to the direction `to`.
 Vec3 carried(Vec3 const& normal, Vec3 const& from, Vec3 const& to)
 {
     Vec3 const turned = rotation_between(from, to) * normal;
@@ -52,7 +52,7 @@ double angle_about(Vec3 const& axis, Vec3 const& from, Vec3 const& to)
     return std::atan2(axis.dot(from.cross(to)), from.dot(to));
 }
 
-// How far along the path, and how thick, a cylinder is: a cubic of both.
+// Cubic of (share of the path, radius) between two control points.
 std::array<Vec2, 4> radius_curve(CylinderPoint const& from, CylinderPoint const& to,
                                  double tangent_mm)
 {
@@ -71,10 +71,10 @@ std::array<Vec2, 4> radius_curve(CylinderPoint const& from, CylinderPoint const&
 
 } // namespace
 
-// The line of one piece, and how its sections follow it.
+// The path of one piece and the rotation of its sections.
 struct CylinderCourse {
     Cubic path;
-    double twist_rad = 0; // Turn from one end to the other.
+    double twist_rad = 0; // Total rotation from one end to the other.
     int rings = 1;
 };
 
@@ -170,7 +170,7 @@ Cylinder::Piece Cylinder::add_to_bspline(CylinderPoint const& point, int rings)
 std::vector<Cylinder::Piece> Cylinder::finish()
 {
     std::vector<Piece> pieces;
-    if (count_ > first_.size()) // Otherwise there is nothing to close.
+    if (count_ > first_.size()) // A shorter path has nothing to close.
         for (auto const& point : std::exchange(first_, {}))
             pieces.push_back(add(point));
     return pieces;

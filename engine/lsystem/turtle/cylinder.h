@@ -9,26 +9,27 @@
 
 namespace tractus::lsystem {
 
-// Looks of a generalised cylinder at one of its control points, as @Gt, @Gr, @# and @! set it.
+// Appearance of a generalised cylinder at a control point, as set by @Gt, @Gr, @# and @!.
 struct CylinderStyle {
-    // Length of the path's tangent at the point, as a share of the distance to the point before and
-    // to the one behind.
+    // Lengths of the path's tangents at the point, as shares of the distances to the points before
+    // and after it.
     std::array<double, 2> tangents { 1.2, 1.2 };
     // Tangents of the radius: (share of the path, change of radius in turtle units). Zero: the
-    // radius changes evenly.
+    // radius changes linearly.
     std::array<Vec2, 2> radius_tangents { Vec2::Zero(), Vec2::Zero() };
-    bool scales_radius_tangents = false; // They grow with the distance.
+    // True: radius tangents are proportional to the distance of the points.
+    bool scales_radius_tangents = false;
     ContourId contour = kNoContour;
     std::uint16_t sides = 8;
 
     bool operator==(CylinderStyle const&) const = default;
 };
 
-// The turtle at a control point. Plant frame; heading and normal have unit length.
+// State of the turtle at a control point. Plant frame; heading and normal have unit length.
 struct CylinderPoint {
     Vec3 position_mm = Vec3::Zero();
     Vec3 heading = Vec3::UnitZ();
-    Vec3 normal = Vec3::UnitY(); // The contour's x: what cpfg calls up.
+    Vec3 normal = Vec3::UnitY(); // The x axis of the contour, which cpfg calls up.
     double radius_mm = 0;
     std::uint8_t color = 0;
     CylinderStyle style {};
@@ -39,22 +40,22 @@ struct CylinderSection {
     Vec3 position_mm = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();
     double radius_mm = 0;
-    double share = 0; // Share of the way from one control point to the next.
+    double share = 0; // Share of the path from one control point to the next.
 };
 
-// A generalised cylinder while the turtle draws it (Mech, "CPFG User's Manual"; Foley et al.,
-// "Computer Graphics", section 11.2, for the curves): sections along Hermite cubics through the
-// control points, or along a uniform cubic B-spline near them. Sections are carried along with the
-// least twist; with `twists` the turtle's rolls at the control points are spread between them.
+// A generalised cylinder while the turtle draws it (Mech, "CPFG User's Manual"; for the curves,
+// Foley et al., "Computer Graphics", section 11.2). Its sections are placed along Hermite cubics
+// through the control points or along a uniform cubic B-spline near them, with parallel transport.
+// With `twists`, the turtle's rolls at the control points are distributed between them.
 class Cylinder {
 public:
     enum class Path { OpenHermite, ClosedHermite, OpenBSpline, ClosedBSpline };
 
     struct Options {
         Path path = Path::OpenHermite;
-        int rings = 4; // Pieces between two control points that do not say how many.
+        int rings = 4; // Default number of pieces between two control points.
         bool twists = false;
-        double unit_mm = 1; // Unit of radius tangents.
+        double unit_mm = 1; // Unit of radius tangents in millimetres.
     };
 
     Cylinder() = default;
@@ -63,8 +64,8 @@ public:
     {
     }
 
-    // The piece that ends in `to`, as sections behind `from`; none where the path is only prepared.
-    // `rings`: 0 for the default.
+    // The piece that ends at `to`, as sections after `from`; without sections if more points are
+    // needed first. `rings` is the number of sections, 0 for the default.
     struct Piece {
         CylinderPoint from;
         CylinderPoint to;
@@ -72,7 +73,7 @@ public:
     };
     Piece add(CylinderPoint point, int rings = 0);
 
-    // The pieces that close a closed path.
+    // Returns the pieces that close a closed path.
     std::vector<Piece> finish();
 
 private:
@@ -85,10 +86,11 @@ private:
     Piece add_to_bspline(CylinderPoint const& point, int rings);
 
     Options options_;
-    std::size_t count_ = 0;            // Number of control points.
-    CylinderPoint current_;            // The end of the piece that came last.
-    std::vector<CylinderPoint> first_; // Start of a closed path, which its end meets.
-    std::vector<CylinderPoint> last_;  // The last three points of a B-spline.
+    std::size_t count_ = 0; // Number of control points.
+    CylinderPoint current_; // End of the last piece.
+    // First points of a closed path, which are needed again at its end.
+    std::vector<CylinderPoint> first_;
+    std::vector<CylinderPoint> last_; // Last three points of a B-spline.
 };
 
 } // namespace tractus::lsystem

@@ -5,7 +5,7 @@
 
 namespace tractus::lsystem {
 
-// nullptr: the view has none.
+// Returns nullptr if the view does not define the organ.
 static OrganDefinition const* find_organ(View const& view, char letter)
 {
     auto const found = std::find_if(view.organs.begin(), view.organs.end(),
@@ -65,7 +65,7 @@ void OrganCatalogue::add_materials(View const& view, std::span<DrawnPiece const>
             else if (auto const* const organ = find_organ(view, key.letter))
                 used.insert(organ->shape.material);
     }
-    materials_.emplace_back(); // Bark.
+    materials_.emplace_back(); // Material 0 is bark.
     for (auto const color : used)
         if (auto const defined = view.materials.find(color);
             defined != view.materials.end() && color >= 0 && color < 256) {
@@ -73,7 +73,7 @@ void OrganCatalogue::add_materials(View const& view, std::span<DrawnPiece const>
                 = static_cast<MaterialId>(materials_.size());
             materials_.push_back(defined->second);
         }
-    // Surfaces are mostly leaves: bark would be a poor guess.
+    // Surfaces are mostly leaves, so bark would be a poor default for them.
     for (auto const& piece : pieces)
         for (auto const& key : piece.drawing.shape_keys)
             if (key.kind == OrganShape::Kind::Surface && material(key.color) == 0
@@ -92,7 +92,8 @@ MaterialId OrganCatalogue::add_leaf(std::string const& name)
     return static_cast<MaterialId>(materials_.size() - 1);
 }
 
-// Patches in millimetres, and the box that they fill in turtle units, as other shapes have it.
+// Makes the shape of a surface: patches in millimetres, and their bounding box in turtle units as
+// for other shapes.
 OrganShape OrganCatalogue::make_surface(View const& view, Identity const& identity) const
 {
     OrganShape shape;
@@ -100,7 +101,7 @@ OrganShape OrganCatalogue::make_surface(View const& view, Identity const& identi
     shape.material = identity.material;
     if (identity.patch > 0) {
         shape.name = "patch " + std::to_string(identity.patch);
-        // Only strings that are drawn in one piece have patches.
+        // Strings with turtle-made patches are never divided, so there is only one piece.
         shape.patches = { pieces_.front().drawing.patches[identity.patch - 1] };
     } else {
         shape.name = std::string("surface ") + identity.letter;

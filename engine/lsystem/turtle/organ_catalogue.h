@@ -12,14 +12,14 @@
 
 namespace tractus::lsystem {
 
-// Whether the view defines what ~letter draws.
+// Returns true if the view defines an organ or a surface for ~letter.
 bool has_organ(View const& view, char letter);
 
-// The surface that ~letter draws; nullptr where it draws something else.
+// Returns the surface that ~letter draws; nullptr if it draws something else.
 BezierSurface const* find_surface(View const& view, char letter);
 
-// The materials and organ shapes that pieces of a drawing use, numbered so that the order in which
-// they were used does not matter (see assemble_plant()).
+// Materials and organ shapes used by the pieces of a drawing. Their numbering does not depend on
+// the order in which they were used (see assemble_plant()).
 class OrganCatalogue {
 public:
     OrganCatalogue(View const& view, double unit_mm, std::span<DrawnPiece const> pieces);
@@ -29,7 +29,7 @@ public:
     {
         return shapes_by_key_.at(identity(key));
     }
-    // How many shapes there are from that one on, of which each organ has one; 1 for most.
+    // Number of consecutive shapes, from shape() on, of which each organ uses one; usually 1.
     std::size_t variants(TurtleDrawing::ShapeKey const& key) const;
 
     std::vector<Material> take_materials() { return std::move(materials_); }
@@ -45,7 +45,7 @@ private:
         auto operator<=>(Identity const&) const = default;
     };
 
-    // Identifies a shape; what has the turtle's colour is one shape for all colours of one
+    // Identity of a shape. A shape in the turtle's colour is the same for all colours of one
     // material.
     Identity identity(TurtleDrawing::ShapeKey const& key) const;
     void add_materials(View const& view, std::span<DrawnPiece const> pieces);
@@ -54,13 +54,15 @@ private:
     OrganShape make_surface(View const& view, Identity const& identity) const;
     MaterialId add_leaf(std::string const& name);
 
-    std::array<MaterialId, 256> materials_by_color_ {}; // 0, bark, for what is not defined.
-    MaterialId surface_material_ = 0; // Used where a colour has none; 0 until there is one.
+    // Material of each turtle colour; 0, bark, for undefined colours.
+    std::array<MaterialId, 256> materials_by_color_ {};
+    // Material of surfaces whose colour has none; 0 until it is needed.
+    MaterialId surface_material_ = 0;
     double unit_mm_;
     std::span<DrawnPiece const> pieces_;
     std::vector<Material> materials_;
-    std::map<Identity, OrganShapeId> shapes_by_key_; // The first of each.
-    std::map<char, std::size_t> variants_;           // Organs of grown leaves.
+    std::map<Identity, OrganShapeId> shapes_by_key_; // First shape of each identity.
+    std::map<char, std::size_t> variants_; // Number of grown leaves for each organ letter.
     std::vector<OrganShape> shapes_;
 };
 

@@ -14,9 +14,10 @@ namespace tractus::lsystem {
 
 namespace {
 
-constexpr std::uint32_t kLeafStream = 0x6C66; // Draws which of several leaves an organ has.
+// Random stream that selects one of several leaves for an organ.
+constexpr std::uint32_t kLeafStream = 0x6C66;
 
-// How far arrays are filled.
+// Numbers of elements, or offsets, in each of a plant's arrays.
 struct Counts {
     std::size_t axes = 0;
     std::size_t segments = 0;
@@ -25,17 +26,19 @@ struct Counts {
     std::size_t polygon_vertices = 0;
 };
 
-// Part that a piece draws between two gaps: from where on in the piece, and to where in the plant.
+// A run between two gaps of a piece: its offsets in the piece and in the plant.
 struct Run {
     Counts from;
     Counts to;
 };
 
-// Where the parts of a piece come to lie.
+// Destination of a piece in the plant.
 struct Target {
     std::vector<Run> runs;
-    std::vector<std::uint32_t> segments_before; // Segments before each axis in the piece; all.
-    std::vector<std::uint32_t> orders; // Order of each axis; the lowest in the piece has 0.
+    // Number of segments before each axis of the piece, followed by the total.
+    std::vector<std::uint32_t> segments_before;
+    // Branching order of each axis relative to the lowest order in the piece.
+    std::vector<std::uint32_t> orders;
     std::vector<AxisId> axis_ids;
     std::vector<SegmentId> first_segments; // First segment of each axis.
     SegmentId root_segment = kNone;
@@ -99,7 +102,7 @@ private:
     void write_sections(std::size_t piece);
     void set_materials();
 
-    // The number in the plant of a segment of a piece.
+    // Converts the number of a segment in a piece to its number in the plant.
     SegmentId segment_id(std::size_t piece, std::uint32_t segment) const
     {
         auto const& target = targets_[piece];
@@ -116,7 +119,9 @@ private:
     OrganCatalogue catalogue_;
     std::vector<Target> targets_; // One per piece.
     Counts total_;
-    bool has_segments_; // They were drawn into the plant, with colours instead of materials.
+    // True if axes and segments are already in the plant, with turtle colours in place of
+    // materials.
+    bool has_segments_;
     Plant plant_;
 };
 
@@ -134,7 +139,7 @@ void Assembly::measure(std::size_t piece)
     }
 }
 
-// Counts what a piece has drawn before one of its gaps, or in all.
+// Counts what a piece has drawn before one of its gaps; past the last gap, in total.
 Counts Assembly::counts_at(std::size_t piece, std::size_t gap) const
 {
     auto const& drawing = pieces_[piece].drawing;
@@ -152,12 +157,12 @@ Counts Assembly::counts_at(std::size_t piece, std::size_t gap) const
     return counts;
 }
 
-// Goes through the pieces in the order of the string.
+// Computes the destination of each run by visiting the pieces in the order of the string.
 void Assembly::lay_out()
 {
     struct Visit {
         std::size_t piece = 0;
-        std::size_t gap = 0; // The next.
+        std::size_t gap = 0; // Index of the next gap.
         Counts done;
     };
     std::vector<Visit> visits { {} };
@@ -333,7 +338,7 @@ void Assembly::set_materials()
 
 } // namespace
 
-// New elements of some arrays are written here already: they share the work.
+// Initialising the arrays here spreads the work over several threads.
 void make_room(Plant& plant, std::size_t axis_count, std::size_t segment_count)
 {
     auto const nodes = segment_count + axis_count;

@@ -8,26 +8,30 @@
 
 namespace tractus::lsystem {
 
-// A piece of a drawing and where it stands.
+// A piece of a drawing and where it is attached.
 struct DrawnPiece {
     TurtleDrawing drawing;
-    std::size_t parent = 0;             // The piece whose gap it fills; before it in the array.
-    std::uint32_t root_segment = kNone; // There; kNone: it stands on the ground.
+    // Index of the piece whose gap this one fills; smaller than its own index.
+    std::size_t parent = 0;
+    // Segment of the parent piece to which it is attached; kNone: it stands on the ground.
+    std::uint32_t root_segment = kNone;
 };
 
-// Puts pieces together to the plant that one turtle would have drawn, in the order of the string,
-// however it was cut: axes in the order in which they were begun. Piece 0 is the outermost; every
-// other fills the gap of one before it. Lengths of organ shapes are in turtle units of `unit_mm`.
+// Assembles pieces to the plant that a single turtle would have drawn. The result does not depend
+// on how the string was divided: axes are in the order in which they begin. Piece 0 is the
+// outermost; each other piece fills a gap of an earlier one. Lengths of organ shapes are in turtle
+// units of `unit_mm`.
 //
-// Materials: bark first, for colours that the view does not define; then those that were used, by
-// turtle colour; then those of organs that the view does not define. Organ shapes: by letter.
+// Materials, in this order: bark, for colours that the view does not define; the materials that
+// were used, by turtle colour; materials of organs that the view does not define. Organ shapes are
+// in the order of their letters.
 //
-// Pieces that were drawn as planned (segment_plan.h) have no axes and segments: those are in
-// `drawn`, with turtle colours as their materials.
+// Planned pieces (segment_plan.h) have no axes and segments of their own: these are in `drawn`,
+// with turtle colours in place of materials.
 Plant assemble_plant(View const& view, double unit_mm, std::span<DrawnPiece> pieces,
                      Plant drawn = {});
 
-// Gives a plant without any its axes, segments and their nodes, to be written.
+// Allocates axes, segments and nodes in a plant that has none.
 void make_room(Plant& plant, std::size_t axis_count, std::size_t segment_count);
 
 } // namespace tractus::lsystem

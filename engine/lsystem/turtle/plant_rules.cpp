@@ -13,25 +13,27 @@ namespace {
 
 constexpr double kRuledUnit_mm = 10;
 
-// Takes a vector to the turtle's space, as models have it.
+// Converts a vector to cpfg's space, as used in models.
 Vec3 in_model(Vec3 const& v)
 {
     return { v.x(), v.z(), 0 - v.y() };
 }
 
-// One segment, as the arrays have it.
+// One segment, as a row of the model's arrays.
 struct SegmentRow {
     Vec3 heading = Vec3::Zero();
-    double length = 0;       // Length in turtle units, as widths.
-    double width = 0;        // Width at its base.
-    double tip = -1;         // The axis' at its end; -1 where the axis goes on.
-    std::int64_t bears = -1; // The first segment of the first axis that stands on it.
-    std::int64_t other = -1; // First segment of the next axis that stands where this one does.
-    int depth = 0;           // Derivation steps until it is there.
+    double length = 0; // Length in turtle units; widths have the same unit.
+    double width = 0;  // Width at its base.
+    double tip = -1;   // Width at the tip of the axis; -1 if the axis continues.
+    // First segment of the first axis that is attached to this segment; -1: none.
+    std::int64_t bears = -1;
+    // First segment of the next axis attached to the same parent segment; -1: none.
+    std::int64_t other = -1;
+    int depth = 0; // Derivation steps until the segment is drawn.
 };
 
-// Says of the segment that bears the axis, or of the axis before on it, where this one is. The
-// derivation step that makes the axis' first segment follows.
+// Links an axis to its parent segment or to the axis attached there before it. Returns the number
+// of derivation steps until the axis's first segment.
 int stand_on(Axis const& axis, std::vector<SegmentRow>& rows, std::vector<std::int64_t>& last)
 {
     if (axis.parent_segment == kNone)
@@ -47,7 +49,8 @@ int stand_on(Axis const& axis, std::vector<SegmentRow>& rows, std::vector<std::i
 std::vector<SegmentRow> rows_of(Plant const& plant)
 {
     std::vector<SegmentRow> rows(plant.segment_count());
-    std::vector<std::int64_t> last(plant.segment_count(), -1); // Axis on each.
+    // First segment of the last axis attached to each segment.
+    std::vector<std::int64_t> last(plant.segment_count(), -1);
     for (auto const& axis : plant.axes) {
         int const depth = stand_on(axis, rows, last);
         for (std::uint32_t i = 0; i < axis.segment_count; ++i) {

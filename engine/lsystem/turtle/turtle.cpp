@@ -114,7 +114,8 @@ std::size_t Turtle::draw(Modules const& modules, std::size_t place, bool in_homo
     return length;
 }
 
-// A number that is not finite would reach all that is drawn after it.
+// Warns and returns false for a symbol with a parameter that is not finite, which would affect
+// everything drawn after it.
 bool Turtle::check(Symbol const& symbol)
 {
     for (std::size_t i = 0; i < symbol.count; ++i)
@@ -176,8 +177,8 @@ void Turtle::draw_symbol(Symbol const& symbol)
     }
 }
 
-// ?(id), ?(id,scale): as cpfg, the scale is the caller's times this one, whatever @D has set, and
-// the line width grows with it.
+// Interprets ?(id) and ?(id,scale). As in cpfg, the scale multiplies the caller's scale, whatever
+// @D has set, and the line width changes with it.
 void Turtle::enter_subsystem(Symbol const& symbol)
 {
     if (model_.subsystems.empty() || symbol.count == 0 || symbol.name[1] != 0)
@@ -203,7 +204,7 @@ KeptTurtle Turtle::kept() const
              state_.color };
 }
 
-// %(x,i): what a cut has kept, which stands by itself now.
+// Interprets %(x,i): continues in the state that a cut has stored.
 void Turtle::go_on_with(Symbol const& symbol)
 {
     double const number = symbol.parameter(1, -1);
@@ -257,7 +258,7 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
         return set_sides(symbol);
     case AtDoes::Patch:
         return draw_patch_symbol(symbol);
-    case AtDoes::Cut: // @mc(1). @mo, as @J, is about ray tracing.
+    case AtDoes::Cut: // @mc(1). The symbols @mo and @J are for ray tracing only.
         is_cut_ = is_cut_ || (symbol.name[2] == 'c' && symbol.parameter(0, 0) == 1);
         return;
     case AtDoes::Label:
@@ -276,7 +277,8 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
     }
 }
 
-// @Ts @Ti @Td elasticity; @Tp carry the sides; @Tf carry them from here on; @Tx texture.
+// Interprets @Ts, @Ti and @Td (elasticity), @Tp (carry the sides), @Tf (carry them from here on)
+// and @Tx (texture).
 void Turtle::draw_movement_symbol(Symbol const& symbol)
 {
     switch (symbol.name[2]) {
@@ -296,7 +298,7 @@ void Turtle::draw_movement_symbol(Symbol const& symbol)
     }
 }
 
-// F and G draw, F and f set vertices.
+// Interprets a step: F and G draw a segment, F and f set vertices.
 void Turtle::step(Symbol const& symbol)
 {
     auto const& what = turtle_symbol(symbol.name[0]);
@@ -368,7 +370,8 @@ void Turtle::close_polygon()
     polygons_.pop_back();
 }
 
-// @D(scale), @Di[(factor)], @Dd[(factor)]; no change without a scale, or by a factor of 0.
+// Interprets @D(scale), @Di[(factor)] and @Dd[(factor)]. Does nothing without a scale or for a
+// factor of 0.
 void Turtle::set_scale(Symbol const& symbol)
 {
     double const value = symbol.parameter(0, view_.scale_step);
@@ -396,7 +399,7 @@ void Turtle::turn(Vec3& a, Vec3& b, Symbol const& symbol, double sign)
     TurtleFrame::rotate(a, b, sign * angle.sine, angle.cosine);
 }
 
-// @M(x,y[,z]).
+// Interprets @M(x,y[,z]).
 void Turtle::set_position(Symbol const& symbol)
 {
     if (symbol.count < 2)
@@ -406,7 +409,7 @@ void Turtle::set_position(Symbol const& symbol)
     state_.place.is_open = false;
 }
 
-// @R(x,y[,z[,up]]): a heading of no length is straight up, as cpfg has it.
+// Interprets @R(x,y[,z[,up]]). As in cpfg, a heading of zero length means straight up.
 void Turtle::set_frame(Symbol const& symbol)
 {
     if (symbol.count < 2)
@@ -421,7 +424,8 @@ void Turtle::set_frame(Symbol const& symbol)
         state_.frame.set_up(direction(3));
 }
 
-// @Ts(tropism, value), @Ti(tropism[, step]), @Td(tropism[, step]); tropisms count from 1.
+// Interprets @Ts(tropism, value), @Ti(tropism[, step]) and @Td(tropism[, step]); tropisms are
+// numbered from 1.
 void Turtle::set_elasticity(Symbol const& symbol)
 {
     double const number = symbol.parameter(0, 1);

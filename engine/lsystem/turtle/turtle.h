@@ -19,34 +19,38 @@
 
 namespace tractus::lsystem {
 
-// Whether a model's strings may say how the turtle is carried, or how cylinders look.
+// Returns true if a model's strings may contain symbols for tropisms or for the appearance of
+// cylinders.
 bool uses_turtle_extras(Model const& model);
-// Whether strings may define surfaces by the turtle, which are numbered as they are drawn.
+// Returns true if strings may define surfaces by points of the turtle, which are numbered in
+// drawing order.
 bool uses_patches(Model const& model);
 
-// Draws the symbols of a string, one after the other, into a TurtleDrawing. What each symbol does:
-// fast_drawing/interpret.h.
+// Interprets the symbols of a string, one after another, and draws into a TurtleDrawing. Each
+// symbol's effect is described in fast_drawing/interpret.h.
 class Turtle {
 public:
-    // All must outlive it.
+    // The arguments must outlive the turtle.
     Turtle(Model const& model, TurtleOptions const& options);
 
-    // State that brackets save.
+    // The state that brackets save.
     struct State {
         TurtleFrame frame;
         double width = 0; // Diameter in turtle units.
         double scale = 1;
-        double elasticity = 0; // Elasticity of the older tropism.
+        double elasticity = 0; // Elasticity of the older kind of tropism.
         std::uint8_t color = 0;
-        // An open generalised cylinder: its control points are steps and dots, or @Gc and dots.
+        // An open generalised cylinder: its control points are set by steps and dots, or by @Gc and
+        // dots.
         enum class Path : std::uint8_t { None, OfSteps, OfSymbols };
         Path path = Path::None;
         TurtleDrawing::Place place;
     };
-    // State that brackets save, too, where a model uses any of it.
+    // Additional state that brackets save if the model uses any of it.
     struct Extras {
         Elasticities elasticities {};
-        TurtleFrame carried; // Frame from which the sides are carried when a tropism bends.
+        // The frame from which the sides are carried when a tropism bends the heading.
+        TurtleFrame carried;
         CylinderStyle style;
     };
     struct Start {
@@ -54,52 +58,54 @@ public:
         Extras extras;
     };
 
-    // Returns the start that the view asks for.
+    // Returns the initial state that the view specifies.
     Start start() const;
 
-    // Sets the turtles that %(x,i) goes on with; they must outlive the drawing.
+    // Sets the turtle states with which %(x,i) continues; they must outlive the drawing.
     void set_kept(std::span<KeptTurtle const> turtles) { kept_ = turtles; }
-    // Returns the state as a %(x) here keeps it.
+    // Returns the current state for a %(x) to store.
     KeptTurtle kept() const;
 
-    // Begins as given, and draws into `drawing` from here on.
+    // Sets the state and draws into `drawing` from now on.
     void begin(Start const& start, TurtleDrawing& drawing);
 
-    // Draws modules up to the first for which `stops` is true, that is not a symbol of its own or
-    // of the @-symbols, or that is a cut. All their parameters are finite. The first stands at
-    // `place` in the string (for warnings). Returns how many were drawn and moves `parameters`
-    // behind theirs.
+    // Draws modules up to the first one for which `stops` is true, that is neither a single symbol
+    // nor an @-symbol, or that is a cut. All parameters must be finite. `place` is the index of the
+    // first module in the string, for warnings. Returns the number of modules drawn, and advances
+    // `parameters` past theirs.
     std::size_t draw_plain(std::span<KindId const> kinds, float const*& parameters,
                            std::size_t place, std::array<bool, 256> const& stops);
 
-    // Draws the first symbol of `modules`; returns how many modules it had.
+    // Draws the first symbol of `modules`; returns its number of modules.
     std::size_t draw(Modules const& modules, std::size_t place, bool in_homomorphism);
 
-    // Whether a cut was drawn: the rest of the branch is not to be drawn.
+    // Returns true if a cut was drawn since the last call: the rest of the branch must be skipped.
     bool take_cut() { return std::exchange(is_cut_, false); }
 
-    // How a branch begins that is left out here, to be drawn by another turtle.
+    // Returns the initial state for a branch that is left out here, to be drawn by another turtle.
     Start branch_start() const;
-    // Where the turtle is and what it draws with.
+    // The current frame, width, scale and colour.
     State const& state() const { return state_; }
-    // Forgets what was drawn, for those who only ask where the turtle is.
+    // Discards the drawing, for callers that need only the turtle's state.
     void drop_drawing();
     // The segment at whose end the turtle is.
     std::uint32_t segment() const { return state_.place.segment; }
-    // How many branches were begun since begin() and are open.
+    // Number of branches begun since begin() that are still open.
     std::size_t depth() const { return depth_; }
-    // Whether a branch may be left out: what is open would go on in it.
+    // Returns true if a branch may be left out: no polygon or cylinder is open that would continue
+    // in it.
     bool may_leave_out() const { return polygons_.empty() && state_.path == State::Path::None; }
-    // Whether all that was begun since begin() is at its end, as another turtle must find it.
+    // Returns true if everything begun since begin() has ended, so that another turtle could
+    // continue.
     bool is_complete() const { return depth_ == 0 && polygons_.empty() && !has_unpaired_; }
 
 private:
-    static constexpr double kMinWidth = 1e-7; // cpfg has the same.
+    static constexpr double kMinWidth = 1e-7; // The same minimum as in cpfg.
     static constexpr double kMaxReachMm = 1e12;
 
-    // One symbol with its parameters.
+    // A symbol with its parameters.
     struct Symbol {
-        std::array<char, 3> name {}; // Filled with 0.
+        std::array<char, 3> name {}; // Its characters, padded with 0.
         float const* parameters = nullptr;
         std::size_t count = 0;
 
@@ -114,23 +120,23 @@ private:
         std::uint8_t color = 0;
     };
 
-    // A generalised cylinder that is being drawn, and where it goes on.
+    // A generalised cylinder that is being drawn, and where it continues.
     struct OpenCylinder {
         Cylinder cylinder;
         TurtleDrawing::Place place;
-        bool is_round = true; // The axis at `place`.
+        bool is_round = true; // True if the axis at `place` has round sections.
     };
 
-    // A surface whose points are being given by @PC.
+    // A surface whose points are being set by @PC.
     struct OpenPatch {
         PatchBasis basis = PatchBasis::Bezier;
         std::array<Vec3, 16> control;
-        std::uint32_t given = 0; // One bit for each point.
+        std::uint32_t given = 0; // One bit for each point that has been set.
     };
 
-    // Cases that draw_quick() knows.
+    // The cases that draw_quick() handles.
     enum class Quick : std::uint8_t {
-        Other, // Nothing of these.
+        Other, // Not handled by draw_quick().
         Nothing,
         Step,
         Turn,
@@ -139,30 +145,31 @@ private:
         Push,
         Pop,
         Width,
-        Level // Behind it may be what makes it @v.
+        Level // Possibly followed by v, which makes it @v.
     };
     struct Kind {
         char symbol = 0;
         std::uint8_t parameter_count = 0;
-        bool is_single = false; // A symbol by itself, and no cut.
-        bool draws = false;     // A step.
+        bool is_single = false; // True for a symbol of one character that is not a cut.
+        bool draws = false;     // True for a step.
         Quick quick = Quick::Other;
-        double sign = 1; // Sign of a turn or a step of the width.
+        double sign = 1; // Sign of a turn or of a change of width.
     };
 
     static Quick quick_way(SymbolDoes does);
     static Kind describe(ModuleKind const& kind);
     bool check(Symbol const& symbol);
-    // turtle_plain.cpp
+    // Defined in turtle_plain.cpp.
     std::size_t name_at_symbol(std::span<KindId const> kinds, Symbol& symbol) const;
-    // Whether steps do no more than draw a segment or move.
+    // Returns true if a step only moves or draws a segment, without bending or adding control
+    // points.
     static bool is_quick(State const& state)
     {
         return state.elasticity == 0 && state.path == State::Path::None;
     }
     std::size_t draw_quick(std::span<KindId const> kinds, float const*& parameters,
                            std::array<bool, 256> const& stops);
-    // False, and no change, for a step that leads too far.
+    // Steps and returns true; if the step leads too far, returns false and changes nothing.
     bool step_quickly(State& state, double length_mm, bool draws)
     {
         Vec3 const base_mm = state.frame.position_mm;
@@ -178,7 +185,8 @@ private:
             state.place.is_open = false;
         return true;
     }
-    // False, and no change, if there is nothing that draw_quick() may go on with.
+    // Pops the saved state and returns true; if draw_quick() cannot continue with it, returns false
+    // and changes nothing.
     bool restore_quickly(State& state)
     {
         if (depth_ == 0 || !is_quick(stack_[depth_ - 1]))
@@ -198,7 +206,7 @@ private:
     void push();
     void pop();
     void close_polygon();
-    // Sets the width to the value if it is given, else changes it by as many steps.
+    // Sets the width to `value` if it is given; otherwise changes it by `value` steps.
     void set_width(State& state, bool is_given, double value)
     {
         double const change = value * view_.line_width_step * state.scale;
@@ -216,14 +224,14 @@ private:
     void set_frame(Symbol const& symbol);
     void set_elasticity(Symbol const& symbol);
     void draw_movement_symbol(Symbol const& symbol);
-    // turtle_organs.cpp
+    // Defined in turtle_organs.cpp.
     void add_organ(char letter, Symbol const& symbol);
     void add_round(OrganShape::Kind kind, Symbol const& symbol);
     void add_circle(Symbol const& symbol);
     void draw_patch_symbol(Symbol const& symbol);
     void add_patch(OpenPatch const& patch);
     double diameter(Symbol const& symbol) const;
-    // turtle_cylinder.cpp
+    // Defined in turtle_cylinder.cpp.
     void begin_path(Symbol const& symbol);
     void end_path();
     void add_dot(Symbol const& symbol);
@@ -252,20 +260,20 @@ private:
     State state_;
     Extras extras_;
     bool has_extras_ = false;
-    std::vector<State> stack_; // Saved states, of which `depth_` count.
+    std::vector<State> stack_; // Saved states; the first depth_ are in use.
     std::size_t depth_ = 0;
-    std::vector<Extras> extras_stack_; // Used if there are extras.
+    std::vector<Extras> extras_stack_; // Used only if there are extras.
     std::vector<OpenPolygon> polygons_;
     std::span<KeptTurtle const> kept_;
-    std::vector<double> call_scales_; // Scales of the calls of sub-L-systems that are open.
-    OpenCylinder cylinder_;           // While state_.path is not None.
+    std::vector<double> call_scales_; // Scales of the open calls of sub-L-systems.
+    OpenCylinder cylinder_;           // Valid while state_.path is not None.
     std::vector<OpenCylinder> cylinder_stack_;
     std::map<float, OpenPatch> patches_;
     std::map<std::array<std::int32_t, 48>, std::uint32_t> patch_numbers_;
     std::map<std::pair<std::uint32_t, std::uint8_t>, OrganShapeId> patch_shapes_;
     std::size_t place_ = 0;
     bool is_cut_ = false;
-    bool has_unpaired_ = false; // A ] or } without its beginning.
+    bool has_unpaired_ = false; // True after a ] or } without an opening one.
 };
 
 } // namespace tractus::lsystem

@@ -8,14 +8,14 @@
 
 namespace tractus::lsystem {
 
-// The parameter as a count of rings; 0 where there is none.
+// Converts a parameter to a number of rings; 0 if it is missing.
 static int ring_count(double value)
 {
     return static_cast<int>(std::clamp(value, 0.0, 1000.0));
 }
 
-// { polygon; {(1) {(2) Hermite path, open and closed; {(3) {(4) B-spline path; a second parameter
-// says how many rings lie between two control points.
+// Interprets { (polygon), {(1) {(2) (open and closed Hermite path) and {(3) {(4) (open and closed
+// B-spline path). A second parameter sets the number of rings between two control points.
 void Turtle::begin_path(Symbol const& symbol)
 {
     double const type = symbol.parameter(0, 0);
@@ -48,8 +48,8 @@ void Turtle::add_dot(Symbol const& symbol)
         add_control_point(ring_count(symbol.parameter(0, 0)));
 }
 
-// @Gs begins a cylinder, @Gc(rings) goes on, @Ge(rings) ends it; @Gt(in[, out]) tangents, @Gr of
-// the radius.
+// Interprets @Gs (begin a cylinder), @Gc(rings) (continue it), @Ge(rings) (end it), @Gt(in[, out])
+// (tangents of the path) and @Gr (tangents of the radius).
 void Turtle::draw_cylinder_symbol(Symbol const& symbol)
 {
     auto& style = extras_.style;
@@ -72,8 +72,8 @@ void Turtle::draw_cylinder_symbol(Symbol const& symbol)
         end_path();
 }
 
-// @Gr(factor): tangents grow with the distance where the factor is not 0. @Gr(angle, length[,
-// angle, length]): behind and before the point.
+// Interprets @Gr(factor): tangents are proportional to the distance if the factor is not 0; and
+// @Gr(angle, length[, angle, length]): tangents after and before the point.
 void Turtle::set_radius_tangents(Symbol const& symbol)
 {
     auto& style = extras_.style;
@@ -112,7 +112,7 @@ void Turtle::add_control_point(int rings)
     draw_piece(cylinder_.cylinder.add(std::move(point), rings));
 }
 
-// Segments from section to section; what is drawn next stands on the last one.
+// Draws segments between the sections; what is drawn next is attached to the last one.
 void Turtle::draw_piece(Cylinder::Piece const& piece)
 {
     if (piece.sections.empty())
@@ -136,8 +136,8 @@ void Turtle::draw_piece(Cylinder::Piece const& piece)
     };
     Vec3 base_mm = from.position_mm;
     double radius_mm = from.radius_mm;
-    // The colour changes behind the first section, as in cpfg: from there on it is that of the
-    // control point to which the piece leads.
+    // As in cpfg, the colour changes after the first section: from there on it is the colour of the
+    // control point at the end of the piece.
     auto color = from.color;
     for (auto const& section : piece.sections) {
         drawing_->add_segment(place, base_mm, section.position_mm, static_cast<float>(radius_mm),
@@ -154,7 +154,7 @@ void Turtle::draw_piece(Cylinder::Piece const& piece)
     state_.place.is_open = false;
 }
 
-// @#(id): the contour of the view's with that number; a circle without one.
+// Interprets @#(id): selects the view's contour with that number; without a number, a circle.
 void Turtle::set_contour(Symbol const& symbol)
 {
     double const id = symbol.parameter(0, 0);

@@ -11,36 +11,38 @@
 
 namespace tractus::lsystem {
 
-// Drawing of a turtle along one piece of a string, in the order in which it draws it. Segments and
-// axes are numbered within the piece; plant_assembly.h puts pieces together.
+// What the turtle has drawn along one piece of a string, in drawing order. Segments and axes are
+// numbered within the piece; plant_assembly.h assembles the pieces.
 //
-// A piece stands on a segment of another piece (kBelow), or on the ground (kNone). Branches that
-// were left out, to be pieces of their own, are its gaps.
+// A piece is attached to a segment of another piece (kBelow) or stands on the ground (kNone).
+// Branches that are left out, as pieces of their own, are its gaps.
 struct TurtleDrawing {
-    // Stands for the segment on which the piece stands.
+    // Stands for the segment to which the piece is attached.
     static constexpr std::uint32_t kBelow = kNone - 1;
 
-    // Where the next segment goes on: at the end of `segment`, which is on `axis`.
+    // Where the next segment is attached: at the end of `segment`, which belongs to `axis`.
     struct Place {
         std::uint32_t segment = kNone;
         std::uint32_t axis = kNone;
-        bool is_open = false; // The next segment goes on with the axis; else it begins one.
+        // True: the next segment continues the axis. False: it begins a new one.
+        bool is_open = false;
     };
 
-    // Where axes and segments are written if their places in the plant were counted before
-    // (segment_plan.h). Places, organs and polygons then name the plant's segments and axes.
+    // Destination of axes and segments whose places in the plant were counted in advance
+    // (segment_plan.h). Places, organs and polygons then refer to the plant's segments and axes.
     struct Target {
-        Plant* plant = nullptr; // Not owned; nullptr: they are kept in the drawing.
+        Plant* plant = nullptr; // Not owned; nullptr: axes and segments stay in the drawing.
         AxisId next_axis = 0;
         SegmentId next_segment = 0;
-        std::span<std::uint32_t const> axis_lengths {}; // Segments of each axis to come.
+        // Number of segments of each axis still to be drawn.
+        std::span<std::uint32_t const> axis_lengths {};
     };
 
     struct Segment {
         Vec3 tip_mm = Vec3::Zero();
-        float radius_mm = 0; // Radius at its base.
+        float radius_mm = 0; // Radius at the base of the segment.
         std::uint32_t axis = 0;
-        std::uint32_t index = 0; // Within the axis.
+        std::uint32_t index = 0; // Index within the axis.
         std::uint8_t color = 0;
     };
 
@@ -51,18 +53,18 @@ struct TurtleDrawing {
         float tip_radius_mm = 0;
     };
 
-    // Shape of an organ: one of the view's by its letter, or one of the turtle's own.
+    // Shape of an organ: a shape of the view, given by its letter, or one of the turtle's own.
     struct ShapeKey {
         OrganShape::Kind kind = OrganShape::Kind::Blade;
-        char letter = 0;        // Letter behind ~; 0 for the turtle's own.
+        char letter = 0;        // Letter after ~; 0 for the turtle's own shapes.
         std::uint8_t color = 0; // Colour of balls, discs and surfaces.
-        // A surface that the turtle made: its number in `patches`, from 1; 0 for the view's.
+        // Number in `patches`, from 1, of a surface made by the turtle; 0 for the view's surfaces.
         std::uint32_t patch = 0;
 
         auto operator<=>(ShapeKey const&) const = default;
     };
 
-    // A branch that another piece draws, behind what this one has drawn up to here.
+    // A branch that another piece draws. It comes after the axes, organs and polygons counted here.
     struct Gap {
         std::size_t piece = 0;
         std::size_t axis_count = 0;
@@ -70,8 +72,8 @@ struct TurtleDrawing {
         std::size_t polygon_count = 0;
     };
 
-    // The cross-section of an axis at one of its nodes, where it is not round. Contours are
-    // numbered in the order of the view's.
+    // Cross-section of an axis at a node where it is not round. Contours are numbered in the view's
+    // order.
     struct AxisSection {
         std::uint32_t axis = 0;
         std::uint32_t node = 0;
@@ -79,26 +81,26 @@ struct TurtleDrawing {
     };
 
     struct Warning {
-        std::size_t module = 0; // Number of the module in the string where it arose.
+        std::size_t module = 0; // Index in the string of the module that caused the warning.
         std::string text;
     };
 
     std::pmr::vector<Segment> segments;
     std::pmr::vector<Axis> axes;
-    std::pmr::vector<Organ> organs; // Shapes as indices into shape_keys.
+    std::pmr::vector<Organ> organs; // Their shapes are indices into shape_keys.
     std::vector<ShapeKey> shape_keys;
-    std::pmr::vector<Polygon> polygons; // Materials as turtle colours.
+    std::pmr::vector<Polygon> polygons; // Their materials are turtle colours.
     std::pmr::vector<Vec3> polygon_vertices_mm;
-    std::array<bool, 256> has_color {}; // Colours of segments and polygons.
+    std::array<bool, 256> has_color {}; // Colours used by segments and polygons.
     std::vector<BezierPatch> patches {};
     std::vector<AxisSection> sections {};
     std::vector<Gap> gaps;
     std::vector<Warning> warnings;
     Target target {};
 
-    // A copy, its large arrays in other memory.
+    // Returns a copy whose large arrays are allocated from `memory`.
     TurtleDrawing copy(std::pmr::memory_resource& memory) const;
-    // Drops what was drawn and keeps the memory.
+    // Discards the drawing but keeps its memory.
     void clear();
 
     // Size of the arrays that grow with the string.
@@ -112,7 +114,7 @@ struct TurtleDrawing {
     std::size_t part_count() const { return segments.size() + organs.size() + polygons.size(); }
 
     // Draws a segment from `base_mm` at `place` and moves the place to its end. Inlined, so that
-    // places may lie in registers.
+    // places can be kept in registers.
     [[gnu::always_inline]] void add_segment(Place& place, Vec3 const& base_mm, Vec3 const& tip_mm,
                                             float radius_mm, std::uint8_t color)
     {
@@ -130,7 +132,7 @@ struct TurtleDrawing {
         segments.push_back({ tip_mm, radius_mm, place.axis, axis.segment_count++, color });
     }
 
-    // The radius at the end of the axis that `place` has reached.
+    // Sets the radius at the current end of the axis at `place`.
     void set_tip_radius(Place const& place, float radius_mm)
     {
         if (!place.is_open)
@@ -141,16 +143,16 @@ struct TurtleDrawing {
             axes[place.axis].tip_radius_mm = radius_mm;
     }
 
-    // Draws a polygon that rides on `segment`; none when it has fewer than three vertices.
+    // Draws a polygon that moves with `segment`; nothing if it has fewer than three vertices.
     void add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32_t segment,
                      std::uint8_t color);
 
-    // The number of a shape in shape_keys.
+    // Returns the index of a shape in shape_keys.
     OrganShapeId shape(ShapeKey const& key);
 
 private:
-    // Segments of an axis lie one after the other; before their nodes lie those of the axes before,
-    // each of which has one more node than segments.
+    // Writes a segment to the plant. The segments of an axis are consecutive; each earlier axis has
+    // one more node than segments, so a node's index is the sum of segment and axis index.
     [[gnu::always_inline]] void write_segment(Place& place, Vec3 const& base_mm, Vec3 const& tip_mm,
                                               float radius_mm, std::uint8_t color)
     {

@@ -12,13 +12,13 @@ namespace tractus::lsystem {
 
 struct Tropism;
 
-// Takes a vector from cpfg's space (x right, y up, z to the viewer) to the plant's (z up).
+// Converts a vector from cpfg's space (x right, y up, z to the viewer) to the plant's (z up).
 inline Vec3 from_model(Vec3 const& v)
 {
     return { v.x(), -v.z(), v.y() };
 }
 
-// Sine and cosine of the angles that came last: a model turns by few angles, again and again.
+// Caches sines and cosines of recent angles, because a model uses few different angles.
 class AngleCache {
 public:
     struct Entry {
@@ -27,7 +27,7 @@ public:
         double cosine = 1;
     };
 
-    // Beyond a full turn only what is over counts.
+    // Reduces angles beyond a full turn modulo 360 degrees.
     Entry const& at(double angle_deg)
     {
         auto const bits = std::bit_cast<std::uint64_t>(angle_deg);
@@ -43,16 +43,16 @@ private:
     std::array<Entry, 32> entries_ {};
 };
 
-// Where the turtle is and how it lies, in the plant's frame; the three directions are orthonormal.
+// Position and orientation of the turtle in the plant's frame; the three vectors are orthonormal.
 struct TurtleFrame {
     Vec3 position_mm = Vec3::Zero();
     Vec3 heading = Vec3::UnitZ();
     Vec3 left = -Vec3::UnitX();
-    // The direction that cpfg calls up; it points away from the upper side, so that heading x down
-    // = left.
+    // The vector that cpfg calls up. It points away from the turtle's upper side, so that heading x
+    // down = left.
     Vec3 down = Vec3::UnitY();
 
-    // Turns one of the directions towards another in their plane.
+    // Rotates two vectors in their common plane, the first towards the second.
     static void rotate(Vec3& a, Vec3& b, double sine, double cosine)
     {
         Vec3 const turned = cosine * a + sine * b;
@@ -60,11 +60,11 @@ struct TurtleFrame {
         a = turned;
     }
 
-    // The left becomes horizontal, the upper side looks up. No change when the turtle heads
-    // straight up or down.
+    // Rolls until the left vector is horizontal and the upper side faces up. Does nothing if the
+    // heading is vertical.
     void roll_horizontal()
     {
-        // The vertical's cross product with the heading; the left has no height, which spares half.
+        // Cross product of the vertical and the heading. Its z is 0, which saves half of the work.
         double const length = std::sqrt(heading.x() * heading.x() + heading.y() * heading.y());
         if (length < 1e-9)
             return;
@@ -73,22 +73,23 @@ struct TurtleFrame {
                  left.x() * heading.y() - left.y() * heading.x() };
     }
 
-    // Heads along `new_heading` with the least twist. False, and no change, for a direction of no
-    // length.
+    // Turns the heading to `new_heading` with the least rotation. Returns false and changes nothing
+    // for a vector of zero length.
     bool head_along(Vec3 const& new_heading);
-    // Turns the upper side away from `up`, cpfg's third direction, as far as the heading allows.
+    // Rolls until the upper side faces away from `up`, cpfg's third vector, as far as the heading
+    // allows.
     void set_up(Vec3 const& up);
 
-    // Turns about `torque` by its length, at most 1 radian. The sides are carried from `before`
-    // with the least twist.
+    // Rotates about the vector `torque` by its length in radians, at most 1. The sides are carried
+    // by parallel transport from the frame `before`.
     void bend_by(Vec3 const& torque, TurtleFrame const& before);
 
-    // cpfg's older tropism: pitches and turns towards `direction`, as far as its parts across the
-    // heading say.
+    // cpfg's older kind of tropism: pitches and turns towards `direction`, in proportion to its
+    // components across the heading.
     void bend_towards(Vec3 const& direction, double elasticity);
 
-    // The sides lie as if `before`'s were carried to this heading with the least twist. No change
-    // where the headings are the same.
+    // Carries the sides by parallel transport from the frame `before` to this heading. Does nothing
+    // if the headings are equal.
     void carry_from(TurtleFrame const& before);
 
 private:
@@ -96,15 +97,15 @@ private:
     void straighten();
 };
 
-// The tropisms of a view: cpfg's laws. An elasticity stands for each tropism.
+// Limits and laws of a view's tropisms, as in cpfg. Each tropism has an elasticity.
 constexpr std::size_t kMaxTropisms = 8;
 using Elasticities = std::array<double, kMaxTropisms>;
 
-// Bends the frame before a step: the heading turns towards V = sum e (cos g T + sin g T x (H x T) /
-// |H x T|), about H x V and by its length in radians; torques then roll it.
+// Bends the frame before a step. The heading turns towards V = sum e (cos g T + sin g T x (H x T) /
+// |H x T|), about H x V and by its length in radians; then torques roll the frame.
 //
-// `before` is the frame behind the last segment, or where @Tf stood: cpfg carries the sides from
-// there, so that rolls since then are lost where a tropism bends. A torque moves it.
+// `before` is the frame after the last segment, or where @Tf was. cpfg carries the sides from
+// there, so rolls since then are lost where a tropism bends the heading. A torque changes `before`.
 void bend_by_tropisms(TurtleFrame& frame, TurtleFrame& before, std::vector<Tropism> const& tropisms,
                       Elasticities const& elasticities);
 

@@ -9,9 +9,10 @@ namespace tractus::lsystem {
 
 namespace {
 
-constexpr std::size_t kMaxPlacedPatches = 60'000; // About as many as a plant can have shapes.
+// About the number of shapes that a plant can have.
+constexpr std::size_t kMaxPlacedPatches = 60'000;
 
-// The turtle's right, its heading and its upper side: an organ's frame.
+// An organ's frame: the turtle's right, its heading and its upper side.
 Eigen::Matrix3d organ_axes(TurtleFrame const& frame)
 {
     Eigen::Matrix3d axes;
@@ -23,7 +24,7 @@ Eigen::Matrix3d organ_axes(TurtleFrame const& frame)
 
 } // namespace
 
-// ~X, ~X(scale), ~X(across, along, thick).
+// Interprets ~X, ~X(scale) and ~X(across, along, thick).
 void Turtle::add_organ(char letter, Symbol const& symbol)
 {
     if (!has_organ(view_, letter))
@@ -49,7 +50,7 @@ void Turtle::add_organ(char letter, Symbol const& symbol)
     drawing_->organs.push_back(organ);
     if (!surface)
         return;
-    // The end scales all three parts by the first scale, as in cpfg.
+    // As in cpfg, all three coordinates of the end point are scaled by the first scale.
     Vec3 const end_mm = static_cast<double>(organ.scale[0]) * options_.unit_mm * surface->end_point;
     Vec3 const position_mm = state_.frame.position_mm + axes * end_mm;
     if (end_mm.squaredNorm() > 0 && position_mm.cwiseAbs().maxCoeff() < 1e12) {
@@ -58,7 +59,7 @@ void Turtle::add_organ(char letter, Symbol const& symbol)
     }
 }
 
-// The parameter, or the line width.
+// Returns the first parameter if there is one, otherwise the line width.
 double Turtle::diameter(Symbol const& symbol) const
 {
     double const given = symbol.count > 0 ? symbol.parameter(0, 0) * state_.scale
@@ -66,8 +67,8 @@ double Turtle::diameter(Symbol const& symbol) const
     return std::clamp(given, 0.0, 1e6);
 }
 
-// @o and @O: a ball of the given diameter about the turtle; @c: a flat disc whose face is the
-// turtle's upper side. The line width where no diameter is given.
+// Interprets @o and @O (a ball of the given diameter about the turtle) and @c (a flat disc that
+// faces the turtle's upper side). Without a parameter the diameter is the line width.
 void Turtle::add_round(OrganShape::Kind kind, Symbol const& symbol)
 {
     auto const& frame = state_.frame;
@@ -85,15 +86,15 @@ void Turtle::add_round(OrganShape::Kind kind, Symbol const& symbol)
     axes.col(2) = axes.col(0).cross(axes.col(1));
     organ.orientation = Quat(axes).normalized();
     organ.scale = Vec3f::Constant(static_cast<float>(size));
-    if (!is_ball) // Flat, but for what keeps its two sides apart.
+    if (!is_ball) // A disc is flat, but just thick enough to keep its two sides apart.
         organ.scale.y() *= 2e-3f;
-    if (is_ball) // Balls touch their origin.
+    if (is_ball) // A ball's origin is on its surface.
         organ.position_mm -= size / 2 * options_.unit_mm * frame.heading;
     drawing_->organs.push_back(organ);
 }
 
-// @bc(diameter): a circle about the turtle in the plane of its heading and left, as thick as the
-// line; @bo: the same, but facing the viewer.
+// Interprets @bc(diameter): a circle about the turtle in the plane of its heading and left, as
+// thick as the line; and @bo(diameter): a circle that faces the viewer.
 void Turtle::add_circle(Symbol const& symbol)
 {
     constexpr int kSides = 32;
@@ -115,8 +116,8 @@ void Turtle::add_circle(Symbol const& symbol)
     }
 }
 
-// @PS(id[, basis]) begins a surface, @PC(id, row, column) gives one of its 16 points, @PD(id) draws
-// it. Bases: 1 Bézier, 2 B-spline, 3 cardinal.
+// Interprets @PS(id[, basis]) (begin a surface), @PC(id, row, column) (set one of its 16 points)
+// and @PD(id) (draw it). Bases: 1 Bézier, 2 B-spline, 3 cardinal.
 void Turtle::draw_patch_symbol(Symbol const& symbol)
 {
     if (symbol.count == 0)
@@ -145,7 +146,7 @@ void Turtle::draw_patch_symbol(Symbol const& symbol)
     }
 }
 
-// Surfaces that are alike but for where they are become one shape.
+// Adds a surface; surfaces that differ only in position share one shape.
 void Turtle::add_patch(OpenPatch const& open)
 {
     auto const axes = organ_axes(state_.frame);

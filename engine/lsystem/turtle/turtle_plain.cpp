@@ -1,4 +1,4 @@
-// The turtle's way through long runs of the symbols that come most often.
+// This file contains the turtle's fast path for long runs of the most frequent symbols.
 #include "engine/lsystem/language/print.h"
 #include "engine/lsystem/turtle/turtle.h"
 
@@ -76,8 +76,8 @@ std::size_t Turtle::draw_plain(std::span<KindId const> kinds, float const*& para
     return i;
 }
 
-// How many modules the @-symbol at the beginning has; 0 if there is none, it is a cut, or it may go
-// on behind them.
+// Returns the number of modules of the @-symbol at the beginning; 0 if there is none, if it is a
+// cut, or if it may continue past `kinds`.
 std::size_t Turtle::name_at_symbol(std::span<KindId const> kinds, Symbol& symbol) const
 {
     if (turtle_symbol(kinds_[kinds[0]].symbol).does != SymbolDoes::At
@@ -92,8 +92,8 @@ std::size_t Turtle::name_at_symbol(std::span<KindId const> kinds, Symbol& symbol
     return length;
 }
 
-// The state is a local variable meanwhile: in memory, each symbol would wait for what the last one
-// wrote.
+// The state is a local variable here: in memory, each symbol would wait for the writes of the one
+// before it.
 std::size_t Turtle::draw_quick(std::span<KindId const> kinds, float const*& parameters,
                                std::array<bool, 256> const& stops)
 {

@@ -11,14 +11,13 @@ namespace {
 
 constexpr std::size_t kColors = 256;
 
-// A byte of the file as a share of the most it can be.
+// Converts a byte of the file to a number from 0 to 1.
 double share(std::string_view bytes, std::size_t at)
 {
     return static_cast<unsigned char>(bytes[at]) / 255.0;
 }
 
-// How rough a surface is whose highlight, by Phong's model, has this exponent: both give highlights
-// of one width.
+// Converts the exponent of a Phong highlight to a roughness with a highlight of the same width.
 double roughness_of(double exponent)
 {
     return std::sqrt(2 / (exponent + 2));

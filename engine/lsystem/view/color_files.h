@@ -7,16 +7,17 @@
 
 namespace tractus::lsystem {
 
-// The files of colours that cpfg is given beside a model, as statements of a view (`color:`, see
-// view.h): text, which can be kept with the model's others.
+// Conversion of cpfg's colour files, which accompany a model, to `color:` statements of a view
+// (view.h): text that can be stored with the model.
 
-// A colour map (.map): 256 colours of three bytes, red, green and blue; fewer where the file is
-// shorter. Fails, as the user's fault, where it has none.
+// Converts a colour map (.map): up to 256 colours of three bytes, red, green and blue. Fails, as
+// the user's fault, if the file has none.
 Result<std::string> color_map_statements(std::string const& name, std::string_view bytes);
 
-// Materials (.mat): records of 15 bytes, the colour's number, transparency, ambient, diffuse,
-// emitted and reflected colour and shininess. A surface's colour is what it scatters and emits;
-// shiny ones are less rough. Fails as above.
+// Converts a material file (.mat): records of 15 bytes with the colour's number, transparency,
+// ambient, diffuse, emitted and reflected colour, and shininess. A surface's colour is the sum of
+// diffuse and emitted; shinier materials get less roughness. Fails, as the user's fault, if the
+// file has no record.
 Result<std::string> material_file_statements(std::string const& name, std::string_view bytes);
 
 } // namespace tractus::lsystem

@@ -41,7 +41,7 @@ private:
     std::string const& name_;
     TextLines lines_;
     ControlPoints read_;
-    std::size_t lines_to_skip_ = 0; // An editor's markers.
+    std::size_t lines_to_skip_ = 0; // Lines of an editor's markers, which are skipped.
 };
 
 Result<ControlPoints> ContourParser::parse()
@@ -77,7 +77,8 @@ Result<ControlPoints> ContourParser::parse()
     return std::move(read_);
 }
 
-// COUNT DIMENSION open|closed: the count is what the lines show anyway.
+// Reads the header COUNT DIMENSION open|closed. The count is ignored; the lines are counted
+// instead.
 Result<void> ContourParser::old_header(std::string_view line)
 {
     auto const blank = line.find_last_of(" \t");
@@ -102,7 +103,7 @@ Result<void> ContourParser::point(std::string_view line)
     return {};
 }
 
-// Points of the spline at equal steps of its parameter, close together.
+// Samples the spline densely at equal steps of its parameter.
 std::vector<Vec3> sample(ControlPoints const& contour)
 {
     auto control = contour.points;
@@ -113,7 +114,7 @@ std::vector<Vec3> sample(ControlPoints const& contour)
                           { .ends = BSplineOptions::Ends::Uniform });
 }
 
-// Describes the same line by points at equal steps of its length in the plane of the contour.
+// Resamples a line at equal steps of arc length in the plane of the contour.
 std::vector<Vec3f> at_equal_steps(std::vector<Vec3> const& line)
 {
     std::vector<double> lengths(line.size(), 0);
@@ -141,7 +142,8 @@ double signed_area(std::vector<Vec3> const& outline)
     return twice / 2;
 }
 
-// Turns an outline to begin towards x, so that contours which blend into one another correspond.
+// Rotates an outline so that it begins on the x axis; blended contours then correspond point by
+// point.
 void turn_to_x(std::vector<Vec3>& outline)
 {
     Vec2 const start = outline.front().head<2>();

@@ -17,9 +17,9 @@ constexpr std::size_t kMaxCurvePoints = 100'000;
 constexpr std::size_t kMaxSamples = 100'000;
 constexpr double kMaxCurveMultiplicity = 10;
 
-// One list of points in the file: the curve itself, or one on which an editor moves a point.
+// A list of points in the file: the curve itself, or a list on which an editor moves a point.
 struct PointList {
-    std::size_t missing = 0; // Lines that are still to come.
+    std::size_t missing = 0; // Number of lines still to be read.
     std::size_t dimension = 2;
     std::string type = "bspline";
     std::vector<Vec3> points;
@@ -45,7 +45,7 @@ private:
 
     std::string const& name_;
     TextLines lines_;
-    std::vector<PointList> lists_; // The curve, and lists inside it that are not complete.
+    std::vector<PointList> lists_; // The curve, and any nested lists that are incomplete.
 };
 
 Result<PointList> CurveParser::parse()
@@ -111,7 +111,7 @@ Result<void> CurveParser::point(std::string_view line)
     return {};
 }
 
-// The curve's point at parameter t, 0 to 1.
+// The curve's point at parameter t, from 0 to 1.
 Vec3 point_at(CurveTable const& curve, double t)
 {
     if (curve.kind != CurveTable::Kind::Bezier)
@@ -122,12 +122,13 @@ Vec3 point_at(CurveTable const& curve, double t)
     auto const pieces = (curve.control.size() - 1) / 3;
     double const along = t * static_cast<double>(pieces);
     auto const piece = std::min(static_cast<std::size_t>(along), pieces - 1);
-    // A Bézier cubic is the clamped B-spline of four points.
+    // A Bézier cubic is a clamped B-spline of four points.
     return bspline_point(std::span(curve.control).subspan(3 * piece, 4),
                          along - static_cast<double>(piece));
 }
 
-// Completes the curve by what its type says.
+// Sets the kind of curve and adds the control points that its type implies. Returns false for an
+// unknown type.
 bool set_kind(CurveTable& curve, std::string_view type)
 {
     auto& points = curve.control;
@@ -138,7 +139,7 @@ bool set_kind(CurveTable& curve, std::string_view type)
     else if (type == "bspline-closed" && points.size() >= 3)
         points.insert(points.end(), { points[0], points[1], points[2] });
     else if (type == "bspline-phantom" && points.size() >= 2) {
-        // Mirrored neighbours, so that the curve begins and ends in its end points.
+        // Mirrored neighbours make the curve begin and end at its end points.
         Vec3 const first = 2 * points[0] - points[1];
         Vec3 const last = 2 * points.back() - points[points.size() - 2];
         points.insert(points.begin(), first);
@@ -175,7 +176,7 @@ Vec3 CurveTable::at(double share) const
     if (share >= 1)
         return point_at(*this, 1);
     auto const after = std::upper_bound(lengths.begin(), lengths.end(), share);
-    if (after == lengths.end()) // A curve without any length.
+    if (after == lengths.end()) // The curve has zero length.
         return point_at(*this, 1);
     auto const before = after - 1;
     double const part = (share - *before) / (*after - *before);

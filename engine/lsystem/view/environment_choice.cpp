@@ -15,7 +15,7 @@ namespace {
 
 struct Number {
     std::string_view key;
-    double value; // Value by default.
+    double value; // Default value.
     double least;
     double most;
 };

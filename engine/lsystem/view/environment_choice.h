@@ -8,22 +8,21 @@
 
 namespace tractus::lsystem {
 
-// Names the built-in environment that answers a model's ?E modules (environments.h), and its
-// numbers.
+// A built-in environment, which answers a model's ?E modules (environments.h), and its parameters.
 struct EnvironmentChoice {
-    std::string name; // Empty for none.
+    std::string name; // Name of the environment; empty: none.
     std::map<std::string, double, std::less<>> values;
 
-    // The number of this name.
+    // The value of the parameter with this name.
     double operator[](std::string_view key) const { return values.find(key)->second; }
 };
 
-// Whether `text` begins with the name of an environment that we have.
+// Returns true if `text` begins with the name of a built-in environment.
 bool names_environment(std::string_view text);
 
-// Reads NAME or NAME:KEY=NUMBER,KEY=NUMBER,…; blanks may stand for colon and commas. Numbers that
-// are not named have their defaults. Fails, as the user's fault, for names that there are not and
-// numbers out of range.
+// Parses NAME or NAME:KEY=NUMBER,KEY=NUMBER,...; blanks may replace colon and commas. Omitted
+// parameters have their defaults. Fails, as the user's fault, for unknown names and for numbers out
+// of range.
 Result<EnvironmentChoice> parse_environment(std::string_view text);
 
 } // namespace tractus::lsystem

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kMaxFunctionSamples = 100'000;
 constexpr double kMaxMultiplicity = 10;
 
-// A curve over [0, 1] whose x rises, halved again and again: what was computed at a middle serves
-// all searches that come by.
+// A curve over [0, 1] with ascending x, searched by bisection. Points at midpoints are cached,
+// because all searches share them.
 class HalvedCurve {
 public:
     explicit HalvedCurve(std::vector<Vec3> const& points)
@@ -26,13 +26,14 @@ public:
     {
     }
 
-    // y at x by bisection; as near as cpfg goes, so that numbers agree.
+    // Returns y at x by bisection, with cpfg's precision, so that the numbers agree with cpfg's.
     double value_at(double x)
     {
         constexpr double kPrecision = 0.001;
         double low = 0;
         double high = 1;
-        std::size_t half = 1; // Of all, as in a heap: those of a half are twice it and one more.
+        // Number of the interval as in a binary heap: its halves are 2 n and 2 n + 1.
+        std::size_t half = 1;
         Vec3 point = Vec3::Zero();
         for (int i = 0; i < 60; ++i) {
             double const middle = (low + high) / 2;
@@ -47,7 +48,8 @@ public:
     }
 
 private:
-    static constexpr std::size_t kKept = 1024; // Ten halvings, which the precision takes.
+    // Enough for ten bisections, which reach the precision.
+    static constexpr std::size_t kKept = 1024;
 
     Vec3 at(std::size_t half, double middle)
     {

@@ -19,7 +19,7 @@ constexpr std::string_view kEnding = ".leaf-sheet";
 constexpr std::size_t kMostLeaves = 64;
 constexpr std::size_t kMostCorners = 64;
 
-// Lines of numbers behind a word, of which the first says how many corners a leaf has.
+// Reads lines of numbers that follow a keyword; the first number is a leaf's number of corners.
 class SheetReader {
 public:
     SheetReader(std::string const& name, std::string_view text)
@@ -112,8 +112,8 @@ double leaf_age(LeafOrder const& order, int number)
 {
     if (order.spread <= 0)
         return order.age;
-    // Multiples of the golden ratio fill the range evenly, however many there are; the logistic
-    // curve is within 0.01 of the normal distribution.
+    // Multiples of the golden ratio fill the range evenly for any number of leaves. The logistic
+    // distribution function is within 0.01 of the normal one.
     constexpr double kGolden = 0.6180339887498949;
     constexpr double kLogistic = 1.702;
     constexpr double kYoungest = 0.02;
@@ -137,7 +137,7 @@ MaterialTextures leaf_textures(LeafSheet const& sheet)
              .color = MaterialTextures::Color::Replaced };
 }
 
-// A grown leaf in the place of another has the blade of that one.
+// A grown leaf that replaces a shape has the same blade length.
 static double blade_length_mm(OrganShape const& organ)
 {
     double const tip = organ.cut ? box_of(*organ.cut).max().y() : 1;

@@ -14,47 +14,48 @@
 
 namespace tractus::lsystem {
 
-// Which grown leaves a view asks for. Growing them is others' work: the include reader gives them
-// by name, like any file that a model names, so a session holds the leaves that it was made with.
+// The grown leaves that a view requests. They are grown elsewhere: the include reader provides them
+// by name, like any file that a model names, so a session stores the leaves with which it was made.
 struct LeafOrder {
-    std::string grammar {}; // A grammar's name, or a file's in the model's folder.
-    int variants = 16;      // 1 to 64.
-    double age = 0.5;       // 0 bud, 0.35 to 0.65 grown up, 1 old.
-    double spread = 0;      // Standard deviation of the leaves' ages; 0: all have that age.
+    std::string grammar {}; // Name of a grammar, or of a file in the model's folder.
+    int variants = 16;      // Number of different leaves, 1 to 64.
+    double age = 0.5;       // Age: 0 bud, 0.35 to 0.65 adult, 1 old.
+    double spread = 0;      // Standard deviation of the leaves' ages; 0: all have the same age.
 
     bool operator==(LeafOrder const&) const = default;
 };
 
-// The age of one leaf of an order: the same for a number, whatever the order's age, at the same
-// distance from it, but for the ends of a leaf's life.
+// Age of leaf `number`. Its difference from the order's age depends on the number and the spread
+// only, except near the ends of a leaf's life.
 double leaf_age(LeafOrder const& order, int number);
 
-// Names such a sheet: "GRAMMAR VARIANTS AGE.leaf-sheet" or "GRAMMAR VARIANTS AGE
+// Formats the name of a sheet: "GRAMMAR VARIANTS AGE.leaf-sheet" or "GRAMMAR VARIANTS AGE
 // SPREAD.leaf-sheet".
 std::string leaf_sheet_name(LeafOrder const& order);
 
-// Returns what was ordered by that name; no value where it is none of a sheet.
+// Parses the name of a sheet; no value if it is not one.
 std::optional<LeafOrder> parse_leaf_sheet_name(std::string_view name);
 
-// Grown leaves as plain data: flat shapes, and one page with all their pictures.
+// Grown leaves as plain data: flat shapes, and one texture page with all their pictures.
 struct LeafSheet {
     std::vector<std::shared_ptr<CutLeaf const>> leaves;
-    Vec3f mean_color { 0.3f, 0.45f, 0.2f }; // sRGB, of the page where leaves are.
-    TextureSlot color;                      // sRGB and alpha. Never null, nor is the next one.
-    TextureSlot normal;                     // As glTF has them.
+    Vec3f mean_color { 0.3f, 0.45f, 0.2f }; // Mean sRGB colour of the page, where there are leaves.
+    TextureSlot color;  // Page with sRGB colour and alpha. This slot and `normal` are never null.
+    TextureSlot normal; // Page with normals, as in glTF.
 };
 
-// A page of a sheet from the bytes of a PNG file.
+// Makes a texture page from the bytes of a PNG file.
 TextureSlot leaf_page(std::string png);
 
-// What the material of a sheet's leaves shows.
+// Returns the textures for the material of a sheet's leaves.
 MaterialTextures leaf_textures(LeafSheet const& sheet);
 
-// An organ's shape with a leaf of a sheet in its place, whose blade is as long as its own.
+// Replaces an organ's shape by a leaf of a sheet, scaled to the organ's blade length.
 OrganShape leaf_shape(OrganShape const& organ, std::shared_ptr<CutLeaf const> leaf);
 
-// The sheet as a text, pictures in base 64, and back. Parsing fails, as the user's fault, with
-// "FILE:LINE: …"; what a sheet says of its sizes is not believed. A leaf has at most 64 corners.
+// Formats a sheet as text, with pictures in base 64, and parses it. Parsing fails, as the user's
+// fault, with "FILE:LINE: ..."; sizes given in the text are not trusted. A leaf has at most 64
+// corners.
 std::string print_leaf_sheet(LeafSheet const& sheet);
 Result<LeafSheet> parse_leaf_sheet(std::string const& name, std::string_view text);
 

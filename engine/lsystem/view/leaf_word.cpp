@@ -11,7 +11,7 @@ namespace tractus::lsystem {
 namespace {
 
 struct DamageNumber {
-    std::string_view name; // Part of sheets' names in sessions: it never changes.
+    std::string_view name; // Part of sheet names in sessions, so it must never change.
     double LeafDamage::*number;
     double most;
 };
@@ -23,7 +23,7 @@ constexpr std::array<DamageNumber, 5> kDamageNumbers { { { "spots", &LeafDamage:
                                                          { "withered", &LeafDamage::withered,
                                                            1 } } };
 
-// "spots=0.3" goes into the damage; false: it is none of it.
+// Parses "spots=0.3" into the damage; returns false if it is not a damage parameter.
 bool take_number(std::string_view part, LeafDamage& damage)
 {
     auto const equals = part.find('=');

@@ -7,19 +7,19 @@
 
 namespace tractus::lsystem {
 
-// What a leaf has suffered. Of many leaves, how much one of them has on the average.
+// Damage of a leaf; for several leaves, their average damage.
 struct LeafDamage {
-    double spots = 0;    // Share that has brown spots, 0 to 1.
-    double mildew = 0;   // Share that is white with mildew, 0 to 1.
-    double mines = 0;    // Pale ways that larvae have eaten under its skin, 0 to 20.
-    double larvae = 0;   // Larvae that have eaten holes, 0 to 20.
-    double withered = 0; // How far the colour of old leaves has become that of dead ones, 0 to 1.
+    double spots = 0;  // Share of the leaf with brown spots, 0 to 1.
+    double mildew = 0; // Share of the leaf with white mildew, 0 to 1.
+    double mines = 0; // Number of pale leaf mines, tunnels that larvae eat under the skin, 0 to 20.
+    double larvae = 0;   // Number of larvae that have eaten holes, 0 to 20.
+    double withered = 0; // How far old leaves have taken the colour of dead ones, 0 to 1.
 
     bool operator==(LeafDamage const&) const = default;
 };
 
-// A grammar and what is done to its leaves, which is what an order (leaf_sheet.h) has in place of a
-// grammar's name: "oak", "oak+spots=0.3+larvae=2".
+// A grammar with damage, which an order (leaf_sheet.h) may name instead of a plain grammar: "oak",
+// "oak+spots=0.3+larvae=2".
 struct LeafWord {
     std::string grammar {};
     LeafDamage damage {};
@@ -27,14 +27,15 @@ struct LeafWord {
     bool operator==(LeafWord const&) const = default;
 };
 
-// The word: each number that is not 0 stands behind the grammar.
+// Formats a grammar with damage; parameters that are 0 are omitted.
 std::string leaf_word(LeafWord const& wanted);
 
-// What a word says. What is no number of LeafDamage in its range belongs to the grammar's name.
+// Parses a grammar with damage. Anything that is not a valid damage parameter is part of the
+// grammar's name.
 LeafWord parse_leaf_word(std::string_view word);
 
-// A grammar's name that ends in what should have been a number of LeafDamage, "oak+spots=3", fails
-// as the user's fault, with the numbers that there are and their ranges.
+// Fails, as the user's fault, if a grammar's name ends in an invalid damage parameter, as in
+// "oak+spots=3"; the message lists the parameters and their ranges.
 Result<void> check_leaf_name(std::string_view grammar);
 
 } // namespace tractus::lsystem

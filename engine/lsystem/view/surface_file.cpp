@@ -15,11 +15,12 @@ namespace {
 
 constexpr std::size_t kMaxPatches = 4096;
 
-// A patch as the file has it.
+// A patch as it is in the file.
 struct NamedPatch {
     std::string name;
-    std::array<std::string, 4> neighbors; // Indexed by BezierPatch::Side; "~" or empty: none.
-    std::vector<double> numbers;          // Coordinates of its points, 48 in the end.
+    // Names of neighbours, indexed by BezierPatch::Side; "~" or empty: none.
+    std::array<std::string, 4> neighbors;
+    std::vector<double> numbers; // Coordinates of its points; 48 when complete.
 };
 
 struct Header {
@@ -27,7 +28,7 @@ struct Header {
     Vec3 end = Vec3::Zero();
     Vec3 heading = Vec3::UnitY();
     Vec3 up = -Vec3::UnitZ();
-    double size = 0; // 0: not read yet.
+    double size = 0; // 0 until it has been read.
 };
 
 std::vector<std::string_view> words_of(std::string_view line)
@@ -88,7 +89,7 @@ Result<void> SurfaceParser::parse()
     return {};
 }
 
-// X: 0.10 Y: -1.38 Z: 0.00, behind the line's own words.
+// Parses "X: 0.10 Y: -1.38 Z: 0.00" in a line.
 Result<Vec3> SurfaceParser::labelled_vector(std::string_view line) const
 {
     std::vector<double> numbers;
@@ -120,7 +121,7 @@ Result<void> SurfaceParser::header_line(std::string_view line)
         if (!(left.norm() > 1e-6))
             return error("expected HEADING and UP in different directions");
     }
-    return {}; // The extent, PRECISION and VERSION are an editor's business.
+    return {}; // The remaining lines (the extent, PRECISION and VERSION) are for an editor.
 }
 
 Result<void> SurfaceParser::patch_line(std::string_view line)
@@ -136,7 +137,8 @@ Result<void> SurfaceParser::patch_line(std::string_view line)
         for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
             static constexpr std::array<std::string_view, 4> kSides { "A:", "B:", "L:", "R:" };
             auto const* const side = std::find(kSides.begin(), kSides.end(), words[i]);
-            if (side != kSides.end()) // Neighbours at the corners meet by way of the sides.
+            // Neighbours at corners are ignored: they are connected through the sides.
+            if (side != kSides.end())
                 patches_.back().neighbors[static_cast<std::size_t>(side - kSides.begin())]
                     = words[i + 1];
         }

@@ -15,7 +15,8 @@ constexpr std::size_t kMaxTriangles = 20'000;
 
 using Triangle = std::array<Vec3, 3>;
 
-// The rows lead from the first vertex to the third, and from the second to the third.
+// Makes a degenerate patch of a triangle: each row ends at the third vertex, the first row begins
+// at the first vertex and the last row at the second.
 BezierPatch patch_of(Triangle const& triangle)
 {
     BezierPatch patch;
@@ -71,7 +72,7 @@ private:
                 return error("expected a vertex: three coordinates, at most 1e6");
             position[static_cast<int>(i)] = *value * size_;
         }
-        // Axes change from the turtle's left, heading and cpfg's up to the organ frame.
+        // Converts from the turtle's left, heading and cpfg's up to the organ frame.
         triangle_[vertex_++] = { -position.x(), position.y(), -position.z() };
         if (vertex_ < 3)
             return {};
@@ -85,7 +86,7 @@ private:
     TextLines lines_;
     double size_;
     Triangle triangle_;
-    std::size_t vertex_ = 3; // Vertex that comes next; 3 between triangles.
+    std::size_t vertex_ = 3; // Index of the next vertex; 3 between triangles.
     BezierSurface surface_;
 };
 

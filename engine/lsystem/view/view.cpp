@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kUnitsPerPixel = 0.05;
 
-// Widths in pixels mean lines on a screen; a plant needs some thickness. As in cpfg, the statement
-// that comes last says what widths are.
+// Reads the line width. Widths in pixels are meant for lines on a screen, but a plant needs some
+// thickness. As in cpfg, the last such statement decides the unit of widths.
 Result<void> read_line_width(ViewReader& reader, std::string_view value)
 {
     auto const parts = words(value);
@@ -32,7 +32,7 @@ Result<void> read_line_width(ViewReader& reader, std::string_view value)
     return {};
 }
 
-// pixel, polygon or cylinder, or their numbers: all are drawn as cylinders.
+// Reads pixel, polygon or cylinder, or their numbers. All are drawn as cylinders.
 Result<void> read_line_style(ViewReader& reader, std::string_view value)
 {
     bool const is_pixels = value.substr(0, 5) == "pixel" || value.substr(0, 1) == "1";
@@ -49,7 +49,7 @@ Result<void> read_tropism_direction(ViewReader& reader, std::string_view value)
     return {};
 }
 
-// T: x y z [A: angle] [I: intensity] [E: elasticity] [S: step], as cpfg reads it: separators are
+// Reads T: x y z [A: angle] [I: intensity] [E: elasticity] [S: step]. As in cpfg, separators are
 // blanks, commas and colons.
 Result<void> read_movement(ViewReader& reader, std::string_view value, bool is_torque)
 {
@@ -97,8 +97,8 @@ Result<void> read_torque(ViewReader& reader, std::string_view value)
     return read_movement(reader, value, true);
 }
 
-// The first number of a statement whose others are about the display. No value, and a warning,
-// where there is none: cpfg leaves such a statement out, too.
+// Reads the first number of a statement whose other numbers concern the display. No value, and a
+// warning, if there is none: cpfg skips such a statement, too.
 std::optional<double> first_number(ViewReader& reader, std::string_view value)
 {
     auto const parts = words(value, " \t,");
@@ -149,7 +149,7 @@ Result<void> read_angle_factor(ViewReader& reader, std::string_view value)
     return {};
 }
 
-// A scale of 0 is none, as in cpfg.
+// As in cpfg, a scale of 0 is ignored.
 template<double View::*Target> Result<void> read_scale(ViewReader& reader, std::string_view value)
 {
     auto const read = first_number(reader, value);
@@ -158,7 +158,7 @@ template<double View::*Target> Result<void> read_scale(ViewReader& reader, std::
     return {};
 }
 
-// LEVEL for 2^(LEVEL + 1) sides: the older way to say how many.
+// Reads LEVEL, an older way to set the number of sides to 2^(LEVEL + 1).
 Result<void> read_polygonization_level(ViewReader& reader, std::string_view value)
 {
     if (auto const level = first_number(reader, value))
@@ -212,7 +212,7 @@ constexpr std::array kStatements {
     Statement { "polygonization level", read_polygonization_level },
     Statement { "twist of cylinders", read_switch<&View::twist_of_cylinders> },
     Statement { "surface", read_surface },
-    Statement { "line", read_surface }, // cpfg defines the surface and draws lines as ever.
+    Statement { "line", read_surface }, // In cpfg, too, this statement defines a surface.
     Statement { "tsurface", read_triangle_surface },
     Statement { "color", read_color },
     Statement { "material", read_material },
@@ -223,7 +223,7 @@ constexpr std::array kStatements {
     Statement { "environment", read_environment },
 };
 
-// How cpfg shows a model, which is not our business.
+// Statements for cpfg's display, which are ignored.
 constexpr std::array<std::string_view, 34> kDisplayKeys { "viewpoint",
                                                           "view reference point",
                                                           "twist",
@@ -259,7 +259,7 @@ constexpr std::array<std::string_view, 34> kDisplayKeys { "viewpoint",
                                                           "shadow map",
                                                           "PS linecap" };
 
-// Statements that would change what is drawn, and what happens without them.
+// Statements that would affect the drawing but are not supported, and what happens instead.
 struct MissingStatement {
     std::string_view key;
     std::string_view instead;
@@ -270,7 +270,7 @@ constexpr std::array kMissingStatements {
     MissingStatement { "blob", "inblob() is 0" },
 };
 
-// The end of a sentence about a key that is none: which one was perhaps meant.
+// Ends a message about an unknown key with a suggestion.
 std::string meant_key(std::string_view key)
 {
     std::vector<std::string_view> keys(kDisplayKeys.begin(), kDisplayKeys.end());
@@ -295,7 +295,7 @@ Result<void> read_statement(ViewReader& reader, std::string_view key, std::strin
     if (missing == kMissingStatements.end())
         reader.warn(fmt::format("found '{}: {}', which is no statement of a view{}", shown(key),
                                 shown(value), meant_key(key)));
-    else if (reader.missing.insert(missing->key).second) // Once each.
+    else if (reader.missing.insert(missing->key).second) // Warns only once per key.
         reader.warn(fmt::format("'{}:' is not supported; {}", key, missing->instead));
     return {};
 }

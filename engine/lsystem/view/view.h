@@ -17,82 +17,87 @@
 
 namespace tractus::lsystem {
 
-// A direction that bends the turtle's heading before each step. In the turtle's frame (+y up).
+// A tropism: a direction that bends the turtle's heading before each step. In cpfg's space (+y up).
 struct Tropism {
     Vec3 direction = Vec3::UnitY(); // Its length is the intensity, at most 1.
-    double angle_deg = 0;           // 0 towards the direction, 90 perpendicular to it.
-    double elasticity = 0;          // Initial.
-    double elasticity_step = 0;     // Change by @Ti and @Td.
-    bool is_torque = false;         // Twists about the heading instead of bending it.
+    // Angle between the preferred heading and the direction: 0 towards it, 90 perpendicular to it.
+    double angle_deg = 0;
+    double elasticity = 0;      // Initial elasticity.
+    double elasticity_step = 0; // Change of the elasticity by @Ti and @Td.
+    bool is_torque = false;     // True: rolls about the heading instead of bending it.
 };
 
-// A table of a curve y(x) over x from 0 to 1, from a function file of cpfg's.
+// A tabulated function y(x), x from 0 to 1, from a function file of cpfg.
 struct FunctionTable {
     std::string name;
     std::vector<double> values;
 
-    // Linear between the samples; x is clamped to [0, 1].
+    // Interpolates linearly between the samples; x is clamped to [0, 1].
     double at(double x) const;
 };
 
-// An organ shape and the symbol that places it: ~ and the letter.
+// An organ's shape and the letter that follows ~ in its symbol.
 struct OrganDefinition {
     char letter = 'l';
-    // Lengths in turtle units, not millimetres; material as a turtle colour index.
+    // Lengths in turtle units instead of millimetres; the material is a turtle colour.
     OrganShape shape;
-    // Grown leaves, of which each organ has one, instead of the shape; mostly none.
+    // Grown leaves that replace the shape, one per organ; usually empty.
     std::vector<OrganShape> leaves {};
 };
 
-// Geometry that a view file (.v) describes. Angles in degrees, lengths in turtle units.
+// Contents of a view file (.v): the geometry and appearance of a model. Angles in degrees, lengths
+// in turtle units.
 //
-// Besides cpfg's statements there are seven of our own, which cpfg reports and skips:
+// Besides cpfg's statements there are seven additional ones, which cpfg reports and skips:
 //   material: INDEX NAME kind=bark|stem|leaf|petal|solid color=R,G,B [roughness=] [translucency=]
 //   [texture=FILE.png]
-//     INDEX is the turtle's colour, as ; and , set it. color is sRGB, 0 to 1. texture names a PNG
-//     file in the model's folder, at most 16 MiB and 16 million pixels, whose picture stands for
-//     the colour: that is the picture's mean then. On a surface its left and right edges are on
-//     the left and right boundaries, its lower edge on the base and its upper one on the tip
-//     (engine/mesh/surface_mesh.h), on blades likewise on their box, seen from above. What is
-//     less than half there is not there. On stems it is repeated, around and along.
+//     Defines a material. INDEX is the turtle's colour, as set by ; and ,. color is sRGB, 0 to 1.
+//     texture names a PNG file in the model's folder, at most 16 MiB and 16 million pixels; it
+//     replaces the colour, which becomes its mean. On a surface the picture's left and right edges
+//     lie on the left and right boundaries, its lower edge on the base and its upper edge on the
+//     tip (engine/mesh/surface_mesh.h); on a blade they lie on its bounding box, seen from above.
+//     Pixels with alpha below one half are cut out. On stems the picture repeats around and along.
 //   color: INDEX R,G,B [roughness=] [translucency=]
-//     A material by its colour alone, where no material: has the index (color_files.h).
+//     Defines a material by its colour only, unless material: has the index (color_files.h).
 //   organ: LETTER NAME kind=blade|needle|disc|ball material=INDEX length= width= [petiole=]
 //   [widest=]
 //          [tip=] [base=] [lobes=] [lobe_count=] [fold=DEG] [curl=DEG]
-//     drawn by ~LETTER; lengths at scale 1. See engine/plant/organ_shape.h for the others.
+//     Defines the shape that ~LETTER draws; lengths at scale 1. The other fields are described in
+//     engine/plant/organ_shape.h.
 //   leaf: LETTER GRAMMAR [variants=] [age=]
-//     makes the blade of an organ: above a grown leaf: one of 1 to 64 different ones, by chance.
-//     Its blade is as long as the organ's without the petiole, its width is its own; fold and curl
-//     stay the organ's. The organ's material, from above too, gets the leaves' pictures. See
+//     Replaces the blade of an organ defined above by one of 1 to 64 grown leaves, chosen at
+//     random. The blade keeps the organ's length without petiole, and its fold and curl, but has
+//     its own width. The organ's material, also defined above, gets the leaves' pictures. See
 //     leaf_sheet.h.
 //   calendar: LETTER evergreen
 //   calendar: LETTER [opens=] [grown=] [turns=] [bare=]
-//     the year of an organ: above, in months (engine/plant/organ_calendar.h).
+//     Sets the season of an organ defined above, in months (engine/plant/organ_calendar.h).
 //   radii: pipe EXPONENT TIP_RADIUS
-//     radii by the pipe model instead of the turtle's line width.
-//   environment: light|space|terrain|water [KEY=NUMBER…]
-//     answers the model's ?E modules (environments.h); cpfg's files of environments are not read.
+//     Computes radii by the pipe model instead of the turtle's line width.
+//   environment: light|space|terrain|water [KEY=NUMBER...]
+//     Answers the model's ?E modules (environments.h); cpfg's environment files are not read.
 struct View {
     double angle_increment_deg = 45;
     double line_width = 0.1;
     double line_width_step = 0;
-    double width_unit = 1; // Meaning of a width of 1: less where widths are pixels.
+    // Factor from widths to turtle units: less than 1 if widths are in pixels.
+    double width_unit = 1;
     double scale = 1;
-    double scale_step = 1;      // Step of @Di and @Dd without a parameter.
-    bool draws_past_cut = true; // Draws what follows a % in the string.
+    double scale_step = 1;      // Factor of @Di and @Dd without a parameter.
+    bool draws_past_cut = true; // True: draws what follows a % in the string.
     int color = 0;
     int color_step = 1;
-    Vec3 tropism_direction = Vec3::UnitY(); // The older, single tropism; _ sets its elasticity.
+    // The single tropism of the older kind; _ sets its elasticity.
+    Vec3 tropism_direction = Vec3::UnitY();
     double elasticity = 0;
     double elasticity_step = 0;
     std::vector<Tropism> tropisms;
     std::vector<FunctionTable> functions; // func(1, x) is the first.
     std::vector<CurveTable> curves;       // curveX(1, t) is the first.
-    std::map<int, Contour> contours;      // Keyed by the number that @# names.
+    std::map<int, Contour> contours;      // Keyed by the number after @#.
     int contour_sides = 8;
-    bool twist_of_cylinders = false;        // Generalised cylinders turn with the turtle's rolls.
-    std::map<char, BezierSurface> surfaces; // Keyed by the letter that ~ names.
+    bool twist_of_cylinders = false; // True: generalised cylinders follow the turtle's rolls.
+    std::map<char, BezierSurface> surfaces; // Keyed by the letter after ~.
     std::map<int, Material> materials;      // Keyed by turtle colour.
     std::vector<OrganDefinition> organs;
     EnvironmentChoice environment; // Answers the model's ?E modules.
@@ -102,8 +107,9 @@ struct View {
     std::vector<std::string> warnings;
 };
 
-// Reads a view file. Fails, as the user's fault, with "FILE:LINE:COLUMN: …". `include` gives the
-// files that it names too; one that cannot be read is a warning, which says what happens instead.
+// Reads a view file. Fails, as the user's fault, with "FILE:LINE:COLUMN: ...". `include` also
+// provides the files that the view names. A file that cannot be read causes a warning, which says
+// what happens instead.
 Result<View> parse_view(std::string const& name, std::string_view text,
                         IncludeReader const& include);
 

@@ -20,7 +20,7 @@ std::string stem(std::string const& name)
 using ParseSurface
     = Result<BezierSurface> (*)(std::string const& name, std::string_view text, double size);
 
-// LETTER FILE SIZE
+// Reads LETTER FILE SIZE.
 Result<void> define_surface(ViewReader& reader, std::string_view value, ParseSurface parse)
 {
     auto const parts = words(value);
@@ -29,7 +29,7 @@ Result<void> define_surface(ViewReader& reader, std::string_view value, ParseSur
     auto const letter = parts[0][0];
     auto const name = std::string(parts[1]);
     auto size = std::min(TRY(reader.number(parts[2])), 1e6);
-    if (!(size > 0)) // cpfg does the same.
+    if (!(size > 0)) // cpfg treats an invalid size in the same way.
         size = 1;
     if (reader.view.surfaces.count(letter) > 0)
         reader.warn(fmt::format("the surface {} is defined before; {} is left out", letter, name));

@@ -11,7 +11,7 @@
 
 namespace tractus::lsystem {
 
-// variants= and age= of a leaf: statement.
+// Reads variants= or age= of a leaf: statement.
 static Result<void> read_leaf_field(ViewReader const& reader, LeafOrder& order,
                                     std::string_view part)
 {
@@ -64,7 +64,7 @@ Result<void> read_leaf(ViewReader& reader, std::string_view value)
     return {};
 }
 
-// A statement about an organ begins with its letter: the organ that has it, above this line.
+// Finds the organ that a statement names by its letter; it must be defined above.
 static Result<OrganDefinition*> defined_organ(ViewReader& reader, std::string_view letter)
 {
     auto& organs = reader.view.organs;

@@ -79,7 +79,7 @@ Result<int> color_index(ViewReader const& reader, std::string_view text)
     return static_cast<int>(index);
 }
 
-// roughness= or translucency=; false where it is neither.
+// Reads roughness= or translucency=; returns false for other fields.
 Result<bool> read_share(ViewReader const& reader, Material& material, std::string_view part)
 {
     auto const equals = std::min(part.find('='), part.size() - 1);
@@ -124,13 +124,13 @@ Result<void> read_material(ViewReader& reader, std::string_view value)
                 "found '{}', expected kind=, color=, roughness=, translucency= or texture=", part));
         }
     }
-    if (!texture.empty()) // Its edges are as the kind is, which may stand behind it.
+    if (!texture.empty()) // Read last, because its layout depends on kind=, which may follow it.
         TRY(read_texture(reader, material, texture));
     reader.view.materials.insert_or_assign(index, material);
     return {};
 }
 
-// A material without a name or a kind: opaque, or a leaf that light passes through.
+// Reads a material without a name or kind: opaque, or a leaf if it is translucent.
 Result<void> read_color(ViewReader& reader, std::string_view value)
 {
     auto const parts = words(value);

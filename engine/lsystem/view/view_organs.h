@@ -4,7 +4,7 @@
 
 namespace tractus::lsystem {
 
-// The statements of our own; view.h says what they mean.
+// Readers of the statements that cpfg does not have; view.h describes them.
 Result<void> read_material(ViewReader& reader, std::string_view value);
 Result<void> read_color(ViewReader& reader, std::string_view value);
 Result<void> read_organ(ViewReader& reader, std::string_view value);
