@@ -11,12 +11,14 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr std::size_t kSamples = 200; // Along a line, to find out where it goes.
+// Number of samples along a line from which its azimuth is computed.
+constexpr std::size_t kSamples = 200;
 
-constexpr double kNothing = 1e-6; // What is smaller counts as this, as in models (line_rules.cpp).
+// Sizes are raised to at least this value, as in models (line_rules.cpp).
+constexpr double kNothing = 1e-6;
 
-// Sizes are kept as their inverse squares: of an ellipse about the stem those are a + b cos 2t + c
-// sin 2t.
+// Sizes are represented by their inverse squares: for an ellipse around the stem these have the
+// form a + b cos 2t + c sin 2t.
 double inverse_square(double size)
 {
     size = std::max(size, kNothing);
@@ -28,14 +30,16 @@ double sin_deg(double angle_deg)
     return std::sin(radians(angle_deg));
 }
 
-// A quarter of an ellipse with these half-axes, a share of the way from the first to the second.
+// Interpolates along a quarter of an ellipse with these half-axes; `share` is from 0 at the first
+// axis to 1 at the second.
 double quarter_at(double first, double second, double share)
 {
     double const sine = sin_deg(90 * share);
     return (1 - sine * sine) * inverse_square(first) + sine * sine * inverse_square(second);
 }
 
-// The ellipse through boundaries at -before_gap, 0 and gap, by Lagrange's polynomials in sines.
+// The ellipse through boundaries at the azimuths -before_gap, 0 and gap, by Lagrange interpolation
+// in sines.
 double ellipse_at(SizesAside const& sizes, double turn_deg)
 {
     double const gap = sin_deg(sizes.gap_deg);
@@ -55,10 +59,13 @@ SizesAside reversed(SizesAside const& sizes)
              sizes.behind_gap_deg, sizes.before, sizes.before_gap_deg };
 }
 
-// How much of the way from `quarter` to the ellipse through the boundary before, too.
+// Correction from the quarter of an ellipse (`quarter`) towards the ellipse that also passes
+// through the preceding boundary.
 double towards_ellipse(SizesAside const& sizes, double share, double quarter)
 {
-    constexpr double kWhole_deg = 60; // So much less than half a turn it is all of the way.
+    // The correction is complete if the three boundaries span at least this much less than half a
+    // turn.
+    constexpr double kWhole_deg = 60;
     double const room_deg = 180 - sizes.gap_deg - sizes.before_gap_deg;
     if (room_deg <= 0)
         return 0;
@@ -86,12 +93,16 @@ double depth_of(std::span<Vec3 const> line, std::span<Vec3 const> stem)
 
 std::optional<double> azimuth_of(std::span<Vec3 const> line, DrawnStem const& stem)
 {
-    constexpr double kLeast = 0.01;  // Of how far away it is.
-    constexpr double kOnStem = 1e-3; // By the stem's length: what is nearer is the stem.
-    constexpr double kBeyond = 1e-6; // What is beyond the stem's ends hardly counts.
+    // Minimum resultant of the offsets, as a share of their sum: below it, the azimuth is
+    // undefined.
+    constexpr double kLeast = 0.01;
+    // Minimum mean distance from the stem, as a share of its length: below it, the line is the stem
+    // itself.
+    constexpr double kOnStem = 1e-3;
+    constexpr double kBeyond = 1e-6; // Weight of points beyond the stem's ends.
     Vec2 sum = Vec2::Zero();
     double away = 0;
-    double away_mm = 0; // In all.
+    double away_mm = 0; // Sum of the distances.
     for (auto const& point : resample(line, kSamples)) {
         double const x = stem.nearest_place(point);
         auto const frame = stem.frame(x);
@@ -131,7 +142,8 @@ std::optional<double> reach_mm(OrganRay const& organ, DrawnStem const& stem,
     auto before = in_plane(boundary.front());
     for (auto const& point : boundary.subspan(1)) {
         auto const from = std::exchange(before, in_plane(point));
-        double const off = cross(way, from); // Of both ends beside the organ.
+        // Signed distances of both ends of a piece from the organ's ray.
+        double const off = cross(way, from);
         double const next_off = cross(way, before);
         if (off * next_off > 0 || off == next_off)
             continue;

@@ -23,36 +23,37 @@ std::vector<Vec2> on_paper(Polyline const& line)
     return points;
 }
 
-// A line that several strokes have made.
+// A line composed of one or more strokes.
 struct MadeLine {
     Polyline line;
-    std::vector<std::size_t> strokes; // In the order in which they were drawn.
+    std::vector<std::size_t> strokes; // Indices of its strokes, in drawing order.
 };
 
-// One stroke's part in such a line.
+// The part of a composed line that one stroke contributes.
 struct Drawn {
     std::size_t stroke = 0;
     Polyline line;
 };
 
-// An inclination line from its left end to its right one, or half of one from the stem outwards.
+// An inclination line from its left end to its right end, or one half of it from the stem outwards.
 struct Across {
     enum class Reach { Both, Left, Right };
     Reach reach = Reach::Both;
-    double at = 0; // On the axis.
+    double at = 0; // Where it crosses the stem, as a share of the stem's length.
     MadeLine made;
 };
 
-// What a stroke around the top of the stem is on one side: its longest run there, with the places
-// where it leaves the side.
+// Extracts one side of a stroke that was drawn around the top of the stem: its longest run on that
+// side, including the points where it leaves the side.
 Polyline run_on_side(Polyline points, StemAxis const& axis, double side)
 {
-    constexpr double kClosed = 0.15; // Of its length between its ends.
+    // A stroke whose ends are closer than this share of its length counts as closed.
+    constexpr double kClosed = 0.15;
     auto const is_there
         = [&](Vec3 const& point) { return axis.place(point.head<2>()).beside * side > 0; };
     bool const is_closed
         = (points.front() - points.back()).norm() < kClosed * polyline_length_mm(points);
-    if (is_closed) { // So that no run is divided.
+    if (is_closed) { // Rotated so that no run is divided between end and beginning.
         auto const other = std::find_if_not(points.begin(), points.end(), is_there);
         std::rotate(points.begin(), other, points.end());
     }
@@ -70,7 +71,7 @@ Polyline run_on_side(Polyline points, StemAxis const& axis, double side)
     return best;
 }
 
-// Without what its ends reach over the stem.
+// Trims the parts of a line's ends that reach over the stem.
 Polyline on_side(Polyline const& line, StemAxis const& axis, double side)
 {
     auto const is_over
@@ -111,7 +112,7 @@ public:
 private:
     static constexpr std::size_t kAxisPoints = 120;
 
-    // Puts each over what was drawn before it.
+    // Draws each line over the ones before it.
     MadeLine made_of(std::vector<Drawn> const& drawn)
     {
         MadeLine made { .line = drawn.front().line, .strokes = { drawn.front().stroke } };
@@ -160,7 +161,7 @@ private:
             boundary = on_paper(on_side(made_of(drawn).line, axis_, side));
     }
 
-    // Where the line is nearest to the stem.
+    // Where the line is nearest to the stem, as a share of the stem's length.
     double at_stem(Polyline const& line) const
     {
         auto const foot
@@ -195,7 +196,7 @@ private:
         return across;
     }
 
-    // Where half a line that begins beside the stem would begin on it.
+    // Where a half line that begins beside the stem would begin if extended to the stem.
     double foot_of(Polyline const& half) const
     {
         auto const near = axis_.place(half.front().head<2>());
@@ -209,10 +210,11 @@ private:
 
     static bool is_half(Across const& across) { return across.reach != Across::Reach::Both; }
 
-    // A line that is drawn again beside the earlier one.
+    // True if two inclination lines are so close that the second is the first one drawn again.
     bool are_same(Across const& a, Across const& b) const
     {
-        constexpr double kApart = 0.05; // Of the line's length, and half a millimetre.
+        // Tolerance as a share of the line's length, plus half a millimetre.
+        constexpr double kApart = 0.05;
         if (a.reach != b.reach)
             return false;
         double const most_mm = kApart * polyline_length_mm(b.made.line) + 0.5;
@@ -274,7 +276,7 @@ private:
         bring_together(all);
     }
 
-    // The half that belongs to a line, or to a half on the other side.
+    // Finds the half that belongs to a line, or to a half on the other side of the stem.
     static std::vector<Across>::iterator nearest_half(std::vector<Across>& all,
                                                       Across const& across)
     {
@@ -291,7 +293,7 @@ private:
         return nearest;
     }
 
-    // Halves at both sides of a place are one line; half a line at one that is there already
+    // Joins halves on both sides of a place to one line. A half drawn where a whole line exists
     // replaces that half of it.
     void bring_together(std::vector<Across> all)
     {
@@ -311,7 +313,8 @@ private:
             auto& left = is_left ? half : rest;
             auto& right = is_left ? rest : half;
             Polyline line(left.rbegin(), left.rend());
-            if (is_half(across)) // They begin beside the stem, as far apart as the hand was.
+            // Both halves begin beside the stem, at different places because the hand is not exact.
+            if (is_half(across))
                 across.at = (across.at + other->at) / 2;
             Vec2 const foot = axis_.point(across.at);
             line.emplace_back(foot.x(), foot.y(), 0);
@@ -323,7 +326,7 @@ private:
         }
     }
 
-    // From the stem outwards.
+    // One half of a line, ordered from the stem outwards.
     Polyline half_of(Polyline const& line, Across::Reach reach) const
     {
         double const side = reach == Across::Reach::Left ? 1 : -1;
@@ -336,7 +339,7 @@ private:
         return half;
     }
 
-    // A line that crosses the stem once: it goes straight where it crosses back and forth.
+    // Makes a line that crosses the stem once, by replacing repeated crossings by a straight piece.
     Polyline whole(Across const& across) const
     {
         int changes = 0;
@@ -355,7 +358,7 @@ private:
         return line;
     }
 
-    // Begins over the stem by a hair, so that it crosses it.
+    // Extends a half line slightly beyond the stem, so that it crosses it.
     Polyline from_stem(Across const& half) const
     {
         double const side = half.reach == Across::Reach::Left ? 1 : -1;
@@ -367,7 +370,8 @@ private:
         return line;
     }
 
-    // A line that passes just above the stem's top, or below its foot, is drawn there.
+    // Adds an inclination line. If it passes just above the stem's top or below its foot, it is
+    // moved onto the stem.
     void put(Across const& across, Polyline line)
     {
         double const off = across.at - std::clamp(across.at, 0.002, 0.998);
@@ -399,7 +403,7 @@ private:
                                     DrawnLine(on_paper(result_.sketch.stem))));
     }
 
-    // Why the sketch without one of its lines gives no plant; empty: it gives one.
+    // Explains why the sketch, without the line `without`, gives no plant; empty if it gives one.
     std::string refusal(std::optional<std::size_t> without) const
     {
         auto tried = result_.sketch;
@@ -429,8 +433,8 @@ private:
                 result_.strokes[i] = { .role = Role::Unsure, .reason = reason };
     }
 
-    // What stands in the way of a plant does not count: first one inclination line without which
-    // there is one, or else the newest, and at last the boundaries.
+    // Leaves out lines that prevent a plant: first an inclination line without which there is a
+    // plant, or else the newest one; in the end the boundaries.
     void check_lines()
     {
         auto& sketch = result_.sketch;
@@ -459,7 +463,8 @@ private:
     StemAxis axis_;
     Explanation result_ { .strokes = {} };
     std::vector<std::pair<std::size_t, Role>> pieces_;
-    std::vector<std::vector<std::size_t>> across_; // The strokes of each inclination line.
+    // Indices of the strokes of each inclination line.
+    std::vector<std::vector<std::size_t>> across_;
 };
 
 } // namespace

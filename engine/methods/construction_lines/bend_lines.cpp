@@ -14,8 +14,10 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr int kMostRounds = 6;     // Each brings the value nearer to what is wanted.
-constexpr double kNearStem = 0.03; // An inclination line passes its crossing so near, by the stem.
+// Number of iterations; each one brings the value closer to its target.
+constexpr int kMostRounds = 6;
+// Largest distance between an inclination line and its crossing, as a share of the stem's length.
+constexpr double kNearStem = 0.03;
 
 double sign_of(StemSide side)
 {
@@ -35,7 +37,7 @@ Result<DrawnLine> flat_line(SketchLine const& line)
     return DrawnLine(std::move(points));
 }
 
-// The line's stroke with each tip moved on the sheet.
+// Returns the line's stroke with each tip moved on the sheet.
 Result<Stroke> moved(SketchLine const& line, std::function<Vec2(Vec2 const& sheet_mm)> const& move)
 {
     auto tips = TRY(line.stroke.tips.in_memory()).vector();
@@ -65,7 +67,7 @@ Result<void> refuse(char const* what, double value, double least, double greates
                             least, greatest));
 }
 
-// Where an inclination line crosses the stem, and the stem's direction there.
+// The point where an inclination line crosses the stem, and the stem's heading there.
 struct OnStem {
     Vec2 at = Vec2::Zero();
     double heading_deg = 0;
@@ -87,8 +89,8 @@ bool is_inclination(SketchLine const& line)
     return line.role == Role::Inclination || line.role == Role::HalfInclination;
 }
 
-// The stroke that has a half of the inclination line which crosses there: the one that passes
-// nearest, of those that reach out to its side. Null: none does.
+// Finds the stroke that forms one half of the inclination line at a crossing: among the strokes
+// that reach out to that side, the one that passes nearest. Null if there is none.
 SketchLine const* line_with_half(PenSketch const& sketch, OnStem const& crossing, StemSide side,
                                  double nearest_mm)
 {
@@ -127,7 +129,7 @@ double size_at(Construction const& construction, double x, StemSide side)
     return side == StemSide::Left ? values.left_size : values.right_size;
 }
 
-// What grows at a place of the stem, on its way to the boundary.
+// A ray from a place on the stem towards the boundary, along which an organ grows.
 struct Ray {
     Vec2 from = Vec2::Zero();
     Vec2 way = Vec2::UnitY();
@@ -147,7 +149,7 @@ Ray ray_at(Construction const& of, double x, StemSide side)
     return { stem.at, direction(stem.heading_deg + sign_of(side) * angle_deg) };
 }
 
-// How far along a boundary the ray of each place meets it; no value where it misses it.
+// For each place, how far along the boundary its ray meets it; no value if it misses.
 std::vector<std::optional<double>> hits(Construction const& of, DrawnLine const& boundary,
                                         StemSide side)
 {
@@ -161,10 +163,10 @@ std::vector<std::optional<double>> hits(Construction const& of, DrawnLine const&
     return found;
 }
 
-// A smooth bump about a place of a line: 1 there, 0 from the next places on.
+// A smooth bump around a place of a line: 1 there, 0 from the neighbouring places on.
 struct Bump {
     double at_mm = 0;
-    double before_mm = 0; // How far it reaches to both sides.
+    double before_mm = 0; // Reach of the bump to both sides.
     double behind_mm = 0;
 
     double operator()(double place_mm) const
@@ -178,7 +180,7 @@ struct Bump {
 Bump bump_at(std::vector<std::optional<double>> const& places, std::size_t number,
              DrawnLine const& boundary)
 {
-    constexpr double kLeastReach = 0.05; // Share of the line.
+    constexpr double kLeastReach = 0.05; // Smallest reach, as a share of the line's length.
     double const at = *places[number];
     double before = at;
     double behind = boundary.length_mm() - at;
@@ -200,7 +202,7 @@ SketchLine const* boundary_of(PenSketch const& sketch, StemSide side)
     return found == sketch.lines.rend() ? nullptr : &*found;
 }
 
-// A stem that is bent about one of the places: how much it turns along it.
+// A stem bent about one of its places, by an angle that varies smoothly along it.
 class BentStem {
 public:
     BentStem(DrawnLine stem, std::size_t place, double by_deg)
@@ -213,7 +215,7 @@ public:
 
     DrawnLine const& before() const { return before_; }
 
-    // Where a place beside the stem comes to that goes along with it so far from its foot.
+    // Moves a point beside the stem together with the stem at this distance from its foot.
     Vec2 moved(Vec2 const& place_mm, double along_mm) const
     {
         return after_.point(along_mm)
@@ -247,8 +249,8 @@ private:
     DrawnLine after_;
 };
 
-// The stem through which a line goes along with another one: that one itself, or one that stands on
-// it and bears the line's. No value: it stands by itself.
+// The stem with which a line moves when `stem` is bent: `stem` itself, or a stem attached to it
+// that bears the line's stem. No value: the line does not move.
 std::optional<std::size_t> carried_by(PenSketch const& sketch, std::size_t of, std::size_t stem)
 {
     for (std::size_t steps = 0; steps <= sketch.lines.size(); ++steps) {
@@ -267,7 +269,8 @@ std::optional<std::size_t> carried_by(PenSketch const& sketch, std::size_t of, s
     return std::nullopt;
 }
 
-// Where along the stem a line comes nearest to it, so where it crosses it or begins.
+// Distance along the stem at which a line comes nearest to it: where it crosses the stem or begins
+// on it.
 double meets_mm(DrawnLine const& stem, DrawnLine const& line)
 {
     auto const points = line.points();
@@ -278,11 +281,11 @@ double meets_mm(DrawnLine const& stem, DrawnLine const& line)
                           [&](Vec2 const& a, Vec2 const& b) { return away(a) < away(b); }));
 }
 
-// Inclination lines and stems that stand on it turn with it where they meet it; what goes along it
-// bends as it does.
+// Bends the other lines with the stem. Inclination lines and attached stems turn rigidly at the
+// place where they meet it; boundaries bend as it does.
 Result<PenSketch> bent_with(PenSketch sketch, std::size_t stem, BentStem const& bent)
 {
-    std::map<std::size_t, double> feet_mm; // Of stems that stand on it.
+    std::map<std::size_t, double> feet_mm; // Feet of the stems that are attached to this stem.
     for (auto const& line : sketch.lines)
         if (line.role == Role::Stem && line.parent == stem)
             feet_mm[line.stem] = bent.before().nearest_mm(TRY(flat_line(line)).points().front());
@@ -310,7 +313,7 @@ Result<Construction> construction_of(PenSketch const& sketch)
     return measure_sketch(TRY(line_sketch(sketch)), Missing::Guessed);
 }
 
-// What is bent belongs to the stem in hand.
+// The sketch of the stem in hand, the only one that is bent.
 static Result<PenSketch> drawing_in_hand(PenSketch const& whole)
 {
     return stem_alone(whole, TRY(stem_in_hand(whole)));

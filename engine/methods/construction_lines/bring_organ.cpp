@@ -18,11 +18,12 @@ namespace {
 
 using Box = Eigen::AlignedBox2d;
 constexpr double kLongest_mm
-    = 32; // A leaf on the tablet, where there is little room beside a plant.
-constexpr double kBesideSize = 0.6; // Its midrib and section beside it, by its size.
-constexpr double kGap_mm = 4;       // Between its lines.
+    = 32; // Length of the leaf on the tablet, where there is little room beside a plant.
+// Size of the midrib and section beside the leaf, relative to the leaf.
+constexpr double kBesideSize = 0.6;
+constexpr double kGap_mm = 4; // Gap between the leaf's lines.
 
-// A leaf's lines on the tablet, its base at (0, 0), midrib and section to the right of it.
+// The lines of a leaf on the tablet: its base at (0, 0), midrib and section to the right of it.
 struct Layout {
     struct Line {
         OrganView view = OrganView::Side;
@@ -124,7 +125,7 @@ std::string described(BringOrgan const& edit)
                        scene::name_of(edit.plant));
 }
 
-// Of all lines that are drawn, on the tablet.
+// Bounding boxes of all drawn lines, in tablet coordinates.
 std::vector<Box> drawn_boxes(PenSketch const& sketch, SheetPlacement const& sheet)
 {
     std::vector<Box> boxes;
@@ -149,13 +150,13 @@ std::vector<Box> drawn_boxes(PenSketch const& sketch, SheetPlacement const& shee
 Vec3 place_beside(PenSketch const& sketch, SheetPlacement const& sheet, OrganFile const& organ)
 {
     constexpr double kStep_mm = 5;
-    Box const tablet(Vec2(-100, -60), Vec2(100, 60)); // On most of them.
+    Box const tablet(Vec2(-100, -60), Vec2(100, 60)); // An area that fits most tablets.
     auto const boxes = drawn_boxes(sketch, sheet);
     Box all;
     for (auto const& box : boxes)
         all.extend(box);
     auto const own = laid_out(organ).box;
-    // Beside all lines where there is no room on the tablet.
+    // Default if there is no room on the tablet: beside all lines.
     Vec2 best_mm(all.max().x() + kGap_mm - own.min().x(), all.min().y() - own.min().y());
     double least_mm = std::numeric_limits<double>::infinity();
     for (double y = tablet.min().y(); y + own.sizes().y() <= tablet.max().y(); y += kStep_mm)

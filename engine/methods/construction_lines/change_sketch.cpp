@@ -14,7 +14,8 @@ namespace tractus::lines {
 
 Vec2 foot_on_sheet(PenSketch const& sketch)
 {
-    // A stem that is read together may be turned round, corrected, and have hooks.
+    // In a sketch that is read as a whole, the stem may be reversed, composed of several strokes,
+    // or cleaned of hooks.
     if (is_read_together(sketch))
         if (auto const reading = read_pen_sketch(sketch); reading && !reading->stems.empty())
             if (auto const& stem = reading->stems.front().sketch.stem; !stem.empty())

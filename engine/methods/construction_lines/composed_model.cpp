@@ -18,19 +18,20 @@ namespace tractus::lines {
 
 namespace {
 
-// A sketch as the model numbers it.
+// A sketch as one of the L-systems of a composed model.
 struct SubModel {
-    Construction construction; // With its sizes around.
+    Construction construction; // With its sizes around the stem.
     Pattern pattern {};
     std::vector<LineOrgan> organs {};
-    std::vector<std::size_t> called {}; // Of each organ that is a sketch its number in the model.
-    std::vector<LayerOrgans> layers {}; // From below, all of them.
+    // For each organ that is a sketch, the index of that sketch in the model.
+    std::vector<std::size_t> called {};
+    std::vector<LayerOrgans> layers {}; // Organs of all layers, from below.
     OrganSurface leaf {};
-    std::size_t first_surface
-        = 0;                // So many organs of layers that are surfaces come before its own.
-    std::size_t offset = 0; // So many functions come before its own.
-    std::size_t steps = 0;  // Until it and its organs are there.
-    double leaves = 0;      // Of its plant.
+    // Number of surfaces of layers' organs that come before its own.
+    std::size_t first_surface = 0;
+    std::size_t offset = 0; // Number of functions that come before its own.
+    std::size_t steps = 0;  // Derivation steps until it and its organs are complete.
+    double leaves = 0;      // Number of leaves of its plant.
 
     LayerTables tables() const
     {
@@ -41,7 +42,7 @@ struct SubModel {
     }
 };
 
-// What all layers bear, also where they do not differ.
+// The organs of all layers; filled with defaults if no layer differs.
 std::vector<LayerOrgans> all_layers(Construction const& construction)
 {
     auto layers = construction.organs_per_layer;
@@ -49,7 +50,7 @@ std::vector<LayerOrgans> all_layers(Construction const& construction)
     return layers;
 }
 
-// How many organs each layer has; the topmost line's are those of the last one.
+// Number of organs of each layer; those at the topmost inclination line count for the last layer.
 std::vector<double> organs_of_layers(SubModel const& model)
 {
     std::vector<double> organs;
@@ -64,7 +65,7 @@ std::vector<double> organs_of_layers(SubModel const& model)
 
 Result<std::size_t> add_sub_model(std::vector<SubModel>& models, ComposedSketch const& sketch);
 
-// What it calls, and how large its plant is with it.
+// Adds the sketches that a sketch uses as organs, and computes its steps and leaves.
 Result<void> add_called(std::vector<SubModel>& models, std::size_t number)
 {
     std::vector<std::size_t> called;
@@ -73,7 +74,7 @@ Result<void> add_called(std::vector<SubModel>& models, std::size_t number)
         called.push_back(organ.sketch ? TRY(add_sub_model(models, *organ.sketch)) : 0);
     auto& model = models[number];
     auto const counts = organs_of_layers(model);
-    std::size_t behind = 0; // Steps.
+    std::size_t behind = 0; // Largest number of derivation steps of any organ.
     for (std::size_t layer = 0; layer < counts.size(); ++layer) {
         auto const organ = model.layers[layer].organ;
         if (organ > called.size())
@@ -85,13 +86,13 @@ Result<void> add_called(std::vector<SubModel>& models, std::size_t number)
         model.leaves += counts[layer] * (plant ? plant->leaves : 1);
         behind = std::max(behind, plant ? plant->steps : 0);
     }
-    constexpr std::size_t kOrganSteps = 4; // From a node to its organ's call.
+    constexpr std::size_t kOrganSteps = 4; // Derivation steps from a node to the call of its organ.
     model.steps = count_steps(model.construction) + kOrganSteps + behind;
     model.called = std::move(called);
     return {};
 }
 
-// Adds the sketch and what it calls, and gives its number, from 0.
+// Adds a sketch and the sketches that it uses as organs. Returns its index, from 0.
 Result<std::size_t> add_sub_model(std::vector<SubModel>& models, ComposedSketch const& sketch)
 {
     if (models.size() >= kMostSketches)
@@ -111,7 +112,7 @@ Result<std::size_t> add_sub_model(std::vector<SubModel>& models, ComposedSketch 
     return number;
 }
 
-// A name of a definition that each of the models has.
+// True for a name that each L-system of the model defines for itself.
 bool is_own_name(std::string_view word)
 {
     constexpr std::array<std::string_view, 8> kNames { "LEN",    "STEM",       "DX",    "ROLL",
@@ -124,7 +125,7 @@ std::string own_name(std::string_view name, std::size_t number)
     return number == 0 ? std::string(name) : fmt::format("{}_{}", name, number + 1);
 }
 
-// The text with the names of its definitions as this model has them.
+// Returns the text with an L-system's own names made unique by its number.
 std::string with_own_names(std::string_view text, std::size_t number)
 {
     std::string result;
@@ -152,7 +153,8 @@ char letter_of(std::size_t number)
     return kLetters[number];
 }
 
-// Organs that are models: their stems are as long as the leaves would be.
+// Writes the productions for organs that are sketches. Their stems are as long as the leaves would
+// be.
 std::string calls_text(std::vector<SubModel> const& models, std::size_t number)
 {
     std::string text;
@@ -214,7 +216,7 @@ std::string system_text(std::vector<SubModel> const& models, std::size_t number)
 
 } // namespace
 
-// The model of several stems, whose layers bear leaves and surfaces.
+// Writes the model of several stems whose layers bear leaves and surfaces.
 static Result<LineModel> write_several(ComposedSketch const& sketch, std::string const& name)
 {
     for (auto const& organ : sketch.organs)
@@ -255,7 +257,7 @@ static bool is_plain(ComposedSketch const& sketch)
     });
 }
 
-// Surfaces in place of leaves and of organs, with numbers over all sketches.
+// Adds the surfaces of all sketches, which replace leaves and organs and are numbered throughout.
 static Result<void> add_all_surfaces(LineModel& model, std::vector<SubModel> const& models)
 {
     for (std::size_t i = 0; i < models.size(); ++i) {

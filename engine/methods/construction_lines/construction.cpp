@@ -38,15 +38,16 @@ Result<DrawnStem> measure_stem(LineSketch const& sketch)
     return stem;
 }
 
-// An inclination line, where it crosses the stem.
+// An inclination line and the place where it crosses the stem.
 struct CrossingLine {
     DrawnLine const& line;
     std::string name;
-    Vec2 at; // On the stem.
+    Vec2 at; // Crossing point on the stem.
     double heading_deg = 0;
-    double beside_mm = 0; // What reaches less far from the stem is no half of a line.
+    double beside_mm = 0; // A line must reach this far from the stem to have a half on that side.
 
-    // From -180 to 180, of the way to a point; above 0 on this side of the stem.
+    // Angle from the stem's heading to a point, -180 to 180, positive on the given side of the
+    // stem.
     double angle_deg(Side side, Vec2 const& point) const
     {
         Vec2 const way = point - at;
@@ -60,8 +61,8 @@ struct CrossingLine {
     }
 };
 
-// Where the line meets a boundary: the nearest point on the boundary's side. No value if it does
-// not reach it.
+// Where the line meets a boundary: the nearest point on the boundary's side of the stem. No value
+// if it does not reach the boundary.
 Result<std::optional<Vec2>> boundary_point(CrossingLine const& of, DrawnLine const& boundary,
                                            Side side)
 {
@@ -85,13 +86,14 @@ Result<std::optional<Vec2>> boundary_point(CrossingLine const& of, DrawnLine con
     return nearest;
 }
 
-// No value if the line does not reach out to this side.
+// The inclination angle on one side; no value if the line does not reach out to that side.
 Result<std::optional<double>> side_angle_deg(CrossingLine const& of, Boundaries const& boundaries,
                                              Side side)
 {
     auto const boundary = seen_on_side(boundaries, side);
     auto const end = boundary ? boundary_point(of, *boundary, side) : std::nullopt;
-    if (!end && boundaries.of(side)) // One in space may be seen on the other side, too.
+    // A boundary in space may also be seen on the other side of the stem.
+    if (!end && boundaries.of(side))
         return fail(end.error().fault, end.error().message);
     if (end && *end)
         return of.angle_deg(side, **end);
@@ -103,15 +105,15 @@ Result<std::optional<double>> side_angle_deg(CrossingLine const& of, Boundaries 
 
 bool crosses_itself(DrawnLine const& line)
 {
-    constexpr double kLoop = 1e-3; // A smaller one is a point where two pieces join.
+    constexpr double kLoop = 1e-3; // A smaller loop is only a point where two pieces join.
     auto const found = crossings(line, line);
     return std::any_of(found.begin(), found.end(), [&](Crossing const& crossing) {
         return std::fabs(crossing.first_mm - crossing.second_mm) > kLoop * line.length_mm();
     });
 }
 
-// Where on the stem: seen, mm. On a stem that crosses itself the crossing counts that is nearest to
-// the line's middle.
+// Distance along the stem, as seen, at which a line crosses it. If there are several crossings, the
+// one nearest to the line's middle counts.
 Result<double> stem_crossing_mm(DrawnStem const& stem, DrawnLine const& line,
                                 std::string const& name)
 {
@@ -153,7 +155,8 @@ Result<Inclination> measure_inclination(DrawnStem const& stem, Boundaries const&
 
 Result<void> check_apart(std::vector<Inclination> const& sorted)
 {
-    constexpr double kClosest = 1e-5; // What six digits tell apart.
+    // Places closer than this cannot be distinguished with six digits.
+    constexpr double kClosest = 1e-5;
     for (std::size_t i = 1; i < sorted.size(); ++i)
         if (sorted[i].x - sorted[i - 1].x < kClosest)
             return fail(Fault::User,
@@ -163,7 +166,8 @@ Result<void> check_apart(std::vector<Inclination> const& sorted)
     return {};
 }
 
-// Where organs stand as long as no lines say it, from so far up to so far.
+// Default range of organs along the stem, as shares of its length, if no inclination lines are
+// drawn.
 constexpr double kLowest = 0.1;
 constexpr double kTopmost = 0.95;
 
@@ -221,8 +225,8 @@ Result<std::vector<Inclination>> measure_inclinations(LineSketch const& sketch,
     return all_along(result[0].left_deg, result[0].right_deg);
 }
 
-// A stem on which nothing stands as long as no boundary says how far it reaches. Where inclination
-// lines cross it is known.
+// Measures a stem without a boundary, so that no organs have a size; the crossings of its
+// inclination lines are known.
 Result<Construction> measure_stem_alone(LineSketch const& sketch, DrawnStem stem)
 {
     std::vector<Inclination> lines;
@@ -239,7 +243,7 @@ Result<Construction> measure_stem_alone(LineSketch const& sketch, DrawnStem stem
                           .notes = { "there is no boundary: nothing stands on the stem" } };
 }
 
-// From below.
+// Number of nodes in each layer, from below.
 std::vector<int> nodes_of_layers(LineSketch const& sketch, std::vector<Inclination> const& lines)
 {
     if (sketch.nodes_above.empty())
@@ -251,7 +255,7 @@ std::vector<int> nodes_of_layers(LineSketch const& sketch, std::vector<Inclinati
     return nodes;
 }
 
-// What layers bear, from below; empty where nothing differs.
+// Organs of each layer, from below; empty if no layer differs from the whole plant.
 std::vector<LayerOrgans> organs_of_layers(LineSketch const& sketch,
                                           std::vector<Inclination> const& lines)
 {
@@ -300,7 +304,8 @@ Result<void> check_point_count(std::size_t points)
     return {};
 }
 
-// A stem that points at the viewer shows nothing of itself.
+// Foreshortening of a stem that is tilted towards the viewer; limited, because a stem pointing at
+// the viewer shows no length.
 static double foreshortening(double pitch_deg)
 {
     constexpr double kLeast = 0.17;
@@ -329,7 +334,7 @@ bool has_boundary(LineSketch const& sketch)
     return !sketch.left.empty() || !sketch.right.empty() || !sketch.around.empty();
 }
 
-// On the sheet: the paper's case.
+// Measures boundaries that lie on the sheet, the case of the paper.
 static Result<void> measure_sides(Construction& of, Boundaries const& boundaries)
 {
     auto left = measure_nodes(of, *boundaries.left, Side::Left);
@@ -404,7 +409,7 @@ double size_at(Construction const& construction, std::size_t node, double azimut
         return (1 - right) * sizes.left_size + right * sizes.right_size;
     }
     auto const count = around.size();
-    std::size_t low = count - 1; // Of azimuths below the first one, too.
+    std::size_t low = count - 1; // Azimuths below the first one are in the last interval, too.
     for (std::size_t i = 0; i < count && around[i].azimuth_deg <= azimuth_deg; ++i)
         low = i;
     auto const turn = [](double from_deg, double to_deg) {

@@ -8,8 +8,7 @@
 
 namespace tractus::lines {
 
-// Distances below are those of rounding: a line that is met in a point where two of its pieces join
-// is met once.
+// Tolerances for rounding. A line that is crossed at the joint of two pieces is crossed only once.
 static constexpr double kRounding = 1e-9;
 static constexpr double kParallel = 1e-12;
 
@@ -135,7 +134,7 @@ std::optional<double> DrawnLine::nearest_hit_mm(Vec2 const& from, Vec2 const& wa
     return nearest_mm;
 }
 
-// A piece has its first point; only the line's last piece has its last point, too.
+// A piece includes its first point; only the last piece of a line includes its end point.
 static bool is_on_piece(double share, bool is_last)
 {
     return share >= -kRounding && (is_last ? share <= 1 + kRounding : share < 1 - kRounding);

@@ -22,8 +22,8 @@ static double sharpest_turn(std::vector<double> const& piece_deg)
     return sharpest_deg;
 }
 
-// Half a piece, so that pieces of a smooth curve become the curve; less where corners are sharp:
-// one of d radians is cut by a quarter of d and of this.
+// Half-width of the smoothing window: half a piece, so that the pieces of a smooth curve look
+// smooth, but less at sharp corners. A corner of d radians is cut by d / 4 times this value.
 static double half_window(double longest_piece, double sharpest_deg)
 {
     constexpr double kLeast = 0.0025;
@@ -112,7 +112,7 @@ DrawnStem::Frame DrawnStem::frame(double x) const
 DrawnStem::Course DrawnStem::course(double x) const
 {
     constexpr double kLeastAtEnds = 1e-4;
-    // As far before it as behind it, or the ends would lean inwards.
+    // The window is symmetric; otherwise the ends would lean inwards.
     double const half = std::max(kLeastAtEnds, std::min({ half_window_, x, 1 - x }));
     double const low = std::max(0.0, x - half);
     double const high = std::min(1.0, x + half);

@@ -21,7 +21,7 @@ bool is_among(Numbers const& numbers, std::size_t number)
     return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
-// A stem, those that stand on it, those on these, and so on: their numbers.
+// Numbers of a stem and of all stems attached to it, directly or through other stems.
 Numbers standing_on(PenSketch const& sketch, std::size_t stem)
 {
     Numbers stems { stem };
@@ -64,7 +64,7 @@ void drop_organ(PenSketch& sketch, scene::ItemId organ)
             line.organ = 0;
 }
 
-// The sketch without a line of this leaf, or without the leaf where no side of it is left.
+// Removes a line of a leaf, and the leaf itself if none of its sides is left.
 Result<PenSketch> without_organ_line(PenSketch sketch, SketchOrgan organ, scene::ItemId line)
 {
     std::erase_if(organ.lines, [&](SketchOrgan::Line const& each) { return each.line.id == line; });
@@ -82,7 +82,7 @@ Result<PenSketch> without_organ_line(PenSketch sketch, SketchOrgan organ, scene:
     return sketch;
 }
 
-// Of a stem that several lines have made.
+// True if the line is one of several strokes that form a stem.
 bool is_piece_of_stem(PenSketch const& sketch, SketchLine const& line)
 {
     auto const count

@@ -14,7 +14,8 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr std::size_t kPoints = 60; // Of a stroke, to see how it lies.
+// Number of points to which a stroke is resampled for this analysis.
+constexpr std::size_t kPoints = 60;
 constexpr double kCorrectionCost = 0.2;
 
 DrawnLine resampled_line(Polyline const& line)
@@ -44,13 +45,13 @@ Part part_of(Role role)
     case Role::Outline:
         return Part::Outline;
     case Role::Unsure:
-    case Role::Around: // In space: it is none of the lines on the sheet.
+    case Role::Around: // A boundary in space is none of the lines on the sheet.
         break;
     }
     return Part::Nothing;
 }
 
-// One reading while it is looked for: what each stroke is, given the stem.
+// A reading of the sketch, given its stem: the part that each stroke plays.
 class SketchReading {
 public:
     SketchReading(std::span<Polyline const> lines, std::span<StrokeToExplain const> strokes,
@@ -74,7 +75,7 @@ public:
                     = junction_of(lines[i], lines[k], 0.08 * axis_.length_mm()).quality;
     }
 
-    // Improves one stroke after the other until none gets cheaper.
+    // Improves one stroke after another until the cost does not fall any more.
     void settle()
     {
         constexpr int kMostPasses = 6;
@@ -100,7 +101,7 @@ public:
     std::vector<Part> const& parts() const { return parts_; }
     StemAxis const& axis() const { return axis_; }
 
-    // The cheapest other part of the stroke that is surest to be changed for the least.
+    // Finds the most likely alternative: the stroke and part whose change increases the cost least.
     std::optional<std::pair<std::size_t, Part>> second_thought() const
     {
         std::optional<std::pair<std::size_t, Part>> best;
@@ -129,7 +130,7 @@ private:
         return std::find(stem_.strokes.begin(), stem_.strokes.end(), i) != stem_.strokes.end();
     }
 
-    // The stem's strokes are known, and those of which somebody has said what they are.
+    // Fixes the part of a stroke that belongs to the stem, or whose role the user has set.
     void settle_known(std::size_t i)
     {
         auto const only = [&](Part part) {
@@ -147,12 +148,15 @@ private:
         return junctions_[i * lines_.size() + k];
     }
 
-    // A boundary that goes on in another of its side, or has the side for itself.
+    // Cost of a boundary in relation to others on its side: low if it continues one of them, or if
+    // there is none.
     double beside_others(std::size_t i, Part side) const
     {
         double best_junction = 0;
         double clash = 0;
-        bool is_loose = false; // A part drawn again leaves the line and meets it.
+        // A corrected part of a boundary usually leaves the boundary and meets it again; a loose
+        // one does neither.
+        bool is_loose = false;
         for (std::size_t k = 0; k < parts_.size(); ++k) {
             if (k == i)
                 continue;
@@ -168,7 +172,8 @@ private:
                         && !meets(lies_[i].first(), lies_[k]) && !meets(lies_[i].last(), lies_[k]));
             }
         }
-        // What is drawn twice is the rarer the less it is a correction.
+        // Drawing a boundary twice is the less likely, the less the second stroke looks like a
+        // correction.
         return 0.35 * std::clamp(clash / 0.5, 0.0, 1.0) + (is_loose ? 0.8 : 0)
             - (0.8 + 2 * small_piece(lies_[i])) * best_junction;
     }
@@ -196,7 +201,7 @@ private:
         return 0;
     }
 
-    // A piece goes on where an inclination line, or half of one, ends.
+    // Cost of a stroke that continues an inclination line, or half of one, at its end.
     double piece_cost(std::size_t i) const
     {
         double best = 0;
@@ -236,7 +241,7 @@ private:
         return best;
     }
 
-    // A sketch has boundaries, and they are on both sides.
+    // Cost of missing boundaries: a sketch normally has them on both sides.
     double missing_cost() const
     {
         auto const has = [&](Part part) {
@@ -273,8 +278,8 @@ struct Read {
     double cost = 0;
 };
 
-// Where what leans along inclination lines leans to: 1 to the stem's top, -1 to its foot; 0 where
-// there are none.
+// Mean lean of the inclination lines: 1 towards the stem's top, -1 towards its foot; 0 without
+// inclination lines.
 double leaning(std::span<Polyline const> lines, Read const& read, StemAxis const& axis)
 {
     double sum = 0;
@@ -299,7 +304,8 @@ double leaning(std::span<Polyline const> lines, Read const& read, StemAxis const
     return halves > 0 ? sum / std::sqrt(halves) : 0;
 }
 
-// A stem stands upwards unless what grows on it says otherwise.
+// True if the stem is probably drawn downwards: it is taken to grow upwards unless the lean of its
+// organs suggests otherwise.
 bool is_upside_down(std::span<Polyline const> lines, Read const& read, StemAxis const& axis)
 {
     constexpr double kLeaningCounts = 0.8;
@@ -330,7 +336,7 @@ Read read_with(std::span<Polyline const> lines, std::span<StrokeToExplain const>
     auto corrected = corrected_stem(read.stem, lines, read.parts);
     if (corrected.strokes.size() == read.stem.strokes.size())
         return read;
-    // The others were drawn for the stem as it is now.
+    // The other strokes were drawn for the corrected stem.
     StemCandidate const whole { corrected.strokes, std::move(corrected.line), read.stem.cost };
     SketchReading reading(lines, strokes, whole);
     reading.settle();
@@ -341,7 +347,7 @@ Read read_with(std::span<Polyline const> lines, std::span<StrokeToExplain const>
     return read;
 }
 
-// The same with another thought about one stroke.
+// A reading that differs from this one in the part of one stroke.
 std::optional<Read> second_thought(std::span<Polyline const> lines,
                                    std::span<StrokeToExplain const> strokes, Read const& read)
 {

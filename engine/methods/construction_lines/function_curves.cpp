@@ -10,10 +10,11 @@ namespace tractus::lines {
 
 namespace {
 
-// A table is looked up at the two samples around a place, each of them up to 0.001 off.
+// Half-width of a plateau. A table lookup reads the two samples around a place, each off by up to
+// 0.001.
 constexpr double kPlateau = 0.001 + 1.3 / (kFunctionSamples - 1);
 
-// Half of a node's plateau: less where nodes stand close together.
+// Half-width of the plateau at a node; smaller where nodes are close together.
 double plateau_of(std::vector<OrganNode> const& nodes, std::size_t i)
 {
     double half = kPlateau;
@@ -24,8 +25,8 @@ double plateau_of(std::vector<OrganNode> const& nodes, std::size_t i)
     return half;
 }
 
-// Whether the middles of the pieces in which the stem is drawn beside a node, at least half of
-// kShortPiece long, are well off its plateau.
+// True if the stem pieces on both sides of a node have their midpoints well outside its plateau; a
+// piece is at least half of kShortPiece long.
 bool has_room(std::vector<OrganNode> const& nodes, std::size_t i)
 {
     constexpr double kRoom = kShortPiece / 2;
@@ -33,8 +34,8 @@ bool has_room(std::vector<OrganNode> const& nodes, std::size_t i)
         && (i + 1 == nodes.size() || nodes[i + 1].x - nodes[i].x >= kRoom);
 }
 
-// Where the turtle heads at a node. Where there is room for a plateau it is the stem's tangent, so
-// that organs all around the stem stand as they should; else the course that the stem goes there.
+// The turtle's heading at a node. If there is room for a plateau, it is the stem's tangent, so that
+// organs around the stem have exact angles; otherwise it is the stem's smoothed course.
 DrawnStem::Course heading_at_node(Construction const& construction, std::size_t i)
 {
     auto const& stem = construction.stem;
@@ -44,7 +45,8 @@ DrawnStem::Course heading_at_node(Construction const& construction, std::size_t 
     return stem.course(x);
 }
 
-// What cpfg takes: x from 0 to 1, rising as its six digits are written, at least four points.
+// Adapts points to the format that cpfg accepts: x from 0 to 1, ascending in six digits, at least
+// four points.
 std::vector<Vec2> tidy_points(std::vector<Vec2> const& points)
 {
     constexpr double kLeastStep = 2e-6;
@@ -63,7 +65,7 @@ std::vector<Vec2> tidy_points(std::vector<Vec2> const& points)
     return result;
 }
 
-// Linear from node to node, constant beyond them.
+// A function that is linear between nodes and constant beyond them.
 FunctionCurve node_curve(std::vector<OrganNode> const& nodes, std::string const& name,
                          std::vector<double> const& values)
 {
@@ -85,7 +87,7 @@ FunctionCurve node_curve(std::vector<OrganNode> const& nodes, std::string const&
     return node_curve(nodes, name, values);
 }
 
-// The places at which a stem's course is given: evenly, beside each plateau, and in the middle
+// Places at which a stem's course is sampled: evenly, beside each plateau, and in the middle
 // between nodes.
 std::vector<double> course_places(std::vector<OrganNode> const& nodes)
 {
@@ -111,7 +113,7 @@ FunctionCurve stem_curve(Construction const& construction, std::string const& na
     auto const& nodes = construction.nodes;
     auto const value_at = [&](double x) { return construction.stem.course(x).*value; };
     std::vector<Vec2> points;
-    std::size_t next = 0; // The first node whose plateau is not there yet.
+    std::size_t next = 0; // Index of the first node whose plateau has not been added.
     auto const add_plateau = [&] {
         double const half = plateau_of(nodes, next);
         double const at_node = heading_at_node(construction, next).*value;
@@ -132,7 +134,8 @@ FunctionCurve stem_curve(Construction const& construction, std::string const& na
     return { name, tidy_points(points) };
 }
 
-// An organ as it stands to where the turtle heads. It is seen where it was.
+// Converts an organ's angles to be relative to the turtle's heading; its appearance does not
+// change.
 Reach turned_reach(Reach const& organ, double turn_deg, double tangent_pitch_deg, double pitch_deg)
 {
     auto seen = as_seen(organ, tangent_pitch_deg);
@@ -158,8 +161,8 @@ std::vector<OrganNode> turned_nodes(Construction const& construction)
     return nodes;
 }
 
-// The way from each node to the next, from the base to the first and from the last to the top. It
-// changes half way between nodes, so that at a node it is sure.
+// Distance from each node to the next, from the base to the first and from the last to the top. The
+// function changes half-way between nodes, so that its value at a node is exact.
 FunctionCurve internode_curve(Construction const& construction)
 {
     std::vector<double> places { 0 };

@@ -21,8 +21,8 @@ std::vector<Vec3> evenly(std::span<Vec3 const> points, double spacing_mm)
     return resample(points, static_cast<std::size_t>(std::lround(count)) + 1);
 }
 
-// The course of a line before its end: across = a + b along + c along^2 in a frame at the end of
-// the part that is fitted, along pointing to the line's end.
+// Quadratic course of a line near its end: across = a + b along + c along^2. The frame's origin is
+// at the end of the fitted part, and `along` points to the line's end.
 struct Course {
     Vec2 origin;
     Vec2 along;
@@ -38,7 +38,7 @@ struct Course {
     }
 };
 
-// From points in their order to the end; `from` is the nearest to the end.
+// Fits the course to the points from index `from`, nearest to the end, to index `to`.
 Course fit_course(std::span<Vec3 const> points, std::size_t from, std::size_t to)
 {
     Course course { .origin = points[from].head<2>(), .along = {}, .polynomial = {} };
@@ -60,13 +60,14 @@ Course fit_course(std::span<Vec3 const> points, std::size_t from, std::size_t to
     return course;
 }
 
-// How many points at the front of the line are a hook.
+// Number of points at the front of the line that form a hook.
 std::size_t hook_at_front(std::span<Vec3 const> points, double spacing_mm)
 {
     constexpr double kLongestHook_mm = 4.5;
     constexpr double kLongestShare = 0.2;
     constexpr double kLeastOff_mm = 0.3;
-    constexpr double kMostOff = 0.12; // By the way from the part whose course is known.
+    // Largest deviation relative to the distance from the fitted part.
+    constexpr double kMostOff = 0.12;
     double const length_mm = spacing_mm * static_cast<double>(points.size() - 1);
     auto const steps = [&](double mm) {
         return static_cast<std::size_t>(std::lround(std::max(1.0, mm / spacing_mm)));
@@ -87,37 +88,39 @@ std::size_t hook_at_front(std::span<Vec3 const> points, double spacing_mm)
     std::size_t hook = 0;
     for (std::size_t i = from; i-- > 0;) {
         if (!leaves(points[i])) {
-            hook = 0; // A tremor comes back.
+            hook = 0; // The line returns to its course: this was tremor, not a hook.
             farthest_mm = std::max(farthest_mm, course.along_mm(points[i]));
         } else if (hook == 0) {
-            hook = std::min(from, i + steps(kLeastOff_mm)); // What has begun to turn goes, too.
+            // Include the points where the turn begins.
+            hook = std::min(from, i + steps(kLeastOff_mm));
         }
     }
     if (hook == 0)
         return 0;
-    constexpr double kLeastTurn_deg = 30; // What turns less is the line.
+    constexpr double kLeastTurn_deg = 30; // A smaller turn belongs to the line.
     Vec2 const out = (points[0] - points[hook]).head<2>();
     double const turn_deg
         = degrees(std::fabs(std::atan2(cross(course.along, out), course.along.dot(out))));
     return turn_deg < kLeastTurn_deg ? 0 : hook;
 }
 
-// Minimises sum |x - y|^2 + lambda |second differences of x|^2 for each coordinate: a smoothing
-// spline on even points, by the banded Cholesky decomposition of its five diagonals.
+// Smoothing spline on evenly spaced points: minimises sum |x - y|^2 + lambda |second differences of
+// x|^2 for each coordinate, by banded Cholesky decomposition of the pentadiagonal matrix.
 std::vector<Vec3> smoothing_spline(std::span<Vec3 const> points, double lambda)
 {
     auto const n = points.size();
     std::vector<Vec3> x(points.begin(), points.end());
     if (n < 4 || !(lambda > 0))
         return x;
-    // The rows of I + lambda D'D, from the diagonal to the right.
+    // Rows of I + lambda D'D, from the diagonal to the right.
     std::vector<Eigen::Vector3d> row(n, Eigen::Vector3d(1, 0, 0));
     for (std::size_t i = 0; i + 2 < n; ++i) {
         row[i] += lambda * Eigen::Vector3d(1, -2, 1);
         row[i + 1] += lambda * Eigen::Vector3d(4, -2, 0);
         row[i + 2] += lambda * Eigen::Vector3d(1, 0, 0);
     }
-    std::vector<Eigen::Vector3d> unit(n); // L^T of L D L^T; its first number is that of D.
+    // L^T of the decomposition L D L^T; the first component holds D.
+    std::vector<Eigen::Vector3d> unit(n);
     for (std::size_t i = 0; i < n; ++i) {
         Eigen::Vector3d r = row[i];
         if (i >= 1) {
@@ -146,18 +149,18 @@ std::vector<Vec3> smoothing_spline(std::span<Vec3 const> points, double lambda)
     return x;
 }
 
-// The spline that halves waves of this length.
+// Smoothing spline that halves the amplitude of waves of this length.
 std::vector<Vec3> smoothed(std::span<Vec3 const> points, double spacing_mm, double cutoff_mm)
 {
     return smoothing_spline(points, std::pow(cutoff_mm / (2 * kPi * spacing_mm), 4));
 }
 
 struct Tremor {
-    double rms_mm = 0; // Across the line.
+    double rms_mm = 0; // Root mean square deviation across the line.
     double wavelength_mm = 0;
 };
 
-// What differs from a course that follows no wave shorter than some 25 mm.
+// Measures the deviation from a smooth course without waves shorter than about 25 mm.
 Tremor measure_tremor(std::span<Vec3 const> points, double spacing_mm)
 {
     constexpr double kWidestSmoothing_mm = 25;
@@ -185,7 +188,7 @@ Tremor measure_tremor(std::span<Vec3 const> points, double spacing_mm)
     return tremor;
 }
 
-// So that what is left of the tremor turns the line by less than a degree.
+// Cut-off wavelength at which the remaining tremor turns the line by less than a degree.
 double cutoff_for(Tremor const& tremor, double length_mm)
 {
     constexpr double kClean_mm = 0.02;
@@ -198,8 +201,8 @@ double cutoff_for(Tremor const& tremor, double length_mm)
     return std::min({ times * tremor.wavelength_mm, kMost_mm, 0.5 * length_mm });
 }
 
-// The places of corners, in order: where the line's directions a few millimetres before and behind
-// differ by 45 degrees and more.
+// Indices of corners in ascending order: places where the directions a few millimetres before and
+// after differ by at least 45 degrees.
 std::vector<std::size_t> corners(std::span<Vec3 const> points, double spacing_mm)
 {
     constexpr double kCorner_deg = 45;
@@ -276,7 +279,8 @@ Vec2 start_direction(std::span<Vec3 const> points)
 
 std::vector<Vec3> remove_tremor(std::span<Vec3 const> points)
 {
-    constexpr std::size_t kLeastPoints = 6; // Between two corners, to say anything of a tremor.
+    // Fewer points between two corners are not enough to measure tremor.
+    constexpr std::size_t kLeastPoints = 6;
     auto const line = evenly(points, kHandSpacing_mm);
     double const spacing_mm = polyline_length_mm(points) / static_cast<double>(line.size() - 1);
     auto ends = corners(line, spacing_mm);

@@ -23,7 +23,7 @@ Polyline backwards(Polyline const& line)
     return { line.rbegin(), line.rend() };
 }
 
-// What lies before, or from, a length along the line on the sheet.
+// part_before() returns the line up to a length measured on the sheet, part_from() the rest.
 Polyline part_before(Polyline const& line, DrawnLine const& seen, double at_mm)
 {
     auto const place = seen.place(at_mm);
@@ -66,10 +66,11 @@ Junction junction_of(Polyline const& first, Polyline const& second, double most_
             auto const one = end_of_first ? backwards(first) : first;
             auto const other = end_of_second ? backwards(second) : second;
             Vec2 const gap = (other.front() - one.front()).head<2>();
-            Vec2 const way = -start_direction(one); // On which the first one would go on.
+            // The direction in which the first line would continue.
+            Vec2 const way = -start_direction(one);
             Vec2 const on = start_direction(other);
             double const turn_deg = degrees(std::acos(std::clamp(way.dot(on), -1.0, 1.0)));
-            // Pieces overlap as often as they leave a gap; what lies aside is another line.
+            // Pieces overlap as often as they leave a gap; a sideways offset means separate lines.
             double const aside_mm = std::fabs(cross(way, gap));
             double const quality = 1
                 - std::hypot(gap.norm() / most_gap_mm, turn_deg / kMostTurn_deg)
@@ -82,7 +83,7 @@ Junction junction_of(Polyline const& first, Polyline const& second, double most_
 
 Polyline joined(Polyline const& first, Polyline const& second, Junction const& at)
 {
-    // Pieces that overlap: each up to where the other one's end is beside it.
+    // If the pieces overlap, the first is cut where the second begins beside it.
     auto const head = at.at_end_of_first ? first : backwards(first);
     auto const tail = at.at_end_of_second ? backwards(second) : second;
     DrawnLine const seen(on_sheet(head));
@@ -104,8 +105,11 @@ Polyline rising(Polyline line, StemAxis const& axis)
 
 Polyline drawn_over(Polyline const& line, Polyline const& over, StemAxis const& axis)
 {
-    constexpr double kSmallOverlap = 0.35; // Of the shorter one: the two are pieces of one line.
-    constexpr double kRestatedShare = 0.2; // What is left of a line by one drawn beside all of it.
+    // Overlap, as a share of the shorter line, up to which two lines are pieces of one.
+    constexpr double kSmallOverlap = 0.35;
+    // If less than this share of a line is left outside a new line beside it, the new line replaces
+    // it.
+    constexpr double kRestatedShare = 0.2;
     double const meets_mm = std::max(0.04 * axis.length_mm(), 2.5);
     auto const old = range_of(line, axis);
     auto const now = range_of(over, axis);

@@ -15,7 +15,8 @@ bool stands_all_around(Pattern const& pattern, std::span<LayerOrgans const> laye
 void LayerTables::add(LayerOrgans const& layer)
 {
     auto const& pattern = layer.pattern ? *layer.pattern : patterns_.front();
-    // Rules are told apart by how organs stand alone; their roll has a table of its own.
+    // Patterns with the same arrangement share their rules; the roll of organs has a separate
+    // table.
     auto const is_same = [&](Pattern const& other) {
         return other.kind == pattern.kind && other.divergence_deg == pattern.divergence_deg
             && other.whorl == pattern.whorl;

@@ -8,15 +8,18 @@ namespace tractus::lines {
 
 namespace {
 
-// How strokes may differ from what they mean, on a sheet of paper.
-constexpr double kNoSide_mm = 1.5;  // A point that near to the stem is on neither side.
-constexpr double kEachSide_mm = 3;  // An inclination line reaches at least so far on both.
-constexpr double kFromStem_mm = 5;  // Half of one begins so near to the stem.
-constexpr double kGraze_mm = 10;    // A boundary may reach so far over the stem.
-constexpr double kLongHalf = 0.6;   // Shorter ones, by the stem, may lie along it.
-constexpr double kLeaning_deg = 20; // Longer ones lean more.
-constexpr double kBoundary = 0.4;   // A boundary goes along so much of the stem;
-constexpr double kWholeStem = 0.75; // what goes along so much of it is no half of a line.
+// Tolerances for strokes on a sheet of paper.
+constexpr double kNoSide_mm = 1.5; // A point closer to the stem than this is on neither side.
+constexpr double kEachSide_mm = 3; // Minimum reach of an inclination line on each side.
+// Maximum distance from the stem at which half an inclination line begins.
+constexpr double kFromStem_mm = 5;
+constexpr double kGraze_mm = 10; // Maximum reach of a boundary across the stem.
+// Relative to the stem's length: shorter half lines may run along the stem.
+constexpr double kLongHalf = 0.6;
+constexpr double kLeaning_deg = 20; // Minimum lean of longer half lines.
+constexpr double kBoundary = 0.4;   // Minimum share of the stem along which a boundary runs.
+// A line along a greater share of the stem is not half an inclination line.
+constexpr double kWholeStem = 0.75;
 
 double lean_between(DrawnLine const& a, DrawnLine const& b)
 {
@@ -32,11 +35,11 @@ Lie lie_of(DrawnLine const& stroke, DrawnLine const& stem)
     Lie lie;
     double nearest = stem.length_mm();
     double farthest = 0;
-    double before_mm = 0; // The last point's that was on a side.
+    double before_mm = 0; // Signed distance of the last point that was clearly on one side.
     double left = 0;
     double reach_left_mm = 0;
     double reach_right_mm = 0;
-    bool beside = false; // Whether the stem was near since.
+    bool beside = false; // True if a point since then was beside the stem, not beyond its ends.
     for (auto const& point : stroke.points()) {
         double const at_mm = stem.nearest_mm(point);
         double const distance_mm = stem.distance_mm(point);
@@ -68,8 +71,8 @@ bool is_inclination(Lie const& lie)
         && std::min(std::fabs(lie.first_mm), std::fabs(lie.last_mm)) > kEachSide_mm;
 }
 
-// At its top or foot a boundary may cross the stem by a little, where an inclination line that does
-// so leans more.
+// True for a boundary. At the stem's top or foot it may cross the stem slightly; an inclination
+// line that does so leans more.
 bool is_boundary(Lie const& lie)
 {
     bool const grazes = lie.crossings <= 2 && lie.least_side_mm < kGraze_mm
@@ -77,7 +80,7 @@ bool is_boundary(Lie const& lie)
     return lie.along > kBoundary && (lie.crossings == 0 || grazes);
 }
 
-// Half an inclination line begins at the stem, or just behind it.
+// True for half an inclination line, which begins at the stem or just behind it.
 bool is_half(Lie const& lie, double length)
 {
     double const near_mm = std::min(std::fabs(lie.first_mm), std::fabs(lie.last_mm));
@@ -88,7 +91,7 @@ bool is_half(Lie const& lie, double length)
         && (length < kLongHalf || lie.lean_deg > kLeaning_deg);
 }
 
-// In front of the stem or behind it a boundary is seen to cross it.
+// True for a boundary in space. One in front of the stem or behind it may appear to cross the stem.
 bool is_boundary_in_space(Lie const& lie)
 {
     bool const is_across = is_inclination(lie) && lie.lean_deg > kLeaning_deg;

@@ -13,7 +13,7 @@
 
 namespace tractus::lines {
 
-using scene::name_of; // Of items.
+using scene::name_of; // Formats the number of an item.
 
 namespace {
 
@@ -68,7 +68,7 @@ Result<scene::DocumentState> begun(scene::DocumentState state, AddLine const& ed
         = TRY(with_line({ .lines = {}, .pattern = edit.pattern, .scale = edit.scale }, stem));
     if (!state.scale)
         state.scale = edit.scale;
-    // On a sheet that is as large as the tablet, as a plant's is in the beginning.
+    // The new sheet is as large as the tablet, as for every new plant.
     Vec2 const foot_mm = foot_on_sheet(sketch);
     Vec3 const aside_mm(foot_mm.x() - begin_on_tablet(stem).x(), 0, 0);
     return scene::with_source(std::move(state),

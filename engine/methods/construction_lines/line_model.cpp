@@ -17,7 +17,7 @@ std::string arrays(Construction const& construction)
     return fmt::format("define: {{ {}; }}\n", fmt::join(arrays_of(construction), ";\n          "));
 }
 
-// What a model says of its functions behind those of the sides, if it has some.
+// Comment in the model about the functions after those of the two sides, if there are any.
 std::string around_text(Construction const& construction)
 {
     if (construction.around.empty())
@@ -68,7 +68,7 @@ LineModel write_model(Construction const& measured, Pattern const& pattern, std:
 
 std::vector<Vec3> organ_tips(Construction const& construction, Plant const& plant)
 {
-    constexpr double kPlantScale = 10; // A millimetre becomes a centimetre.
+    constexpr double kPlantScale = 10; // A millimetre on the sheet is a centimetre of the plant.
     Vec3 const base = construction.stem.point(0);
     std::vector<Vec3> tips;
     for (auto const& organ : plant.organs) {

@@ -13,37 +13,38 @@ namespace tractus::lines {
 
 namespace {
 
-// Rules are written once. What they say otherwise of a plant of several stems, or of a stem whose
-// organs are models, than of a single one stands for words in <>.
+// A placeholder in the text of rules. Each rule is written only once; placeholders in <> stand for
+// what differs between a single stem, several stems, and a stem whose organs are sketches.
 struct RuleWord {
     std::string_view word;
-    std::string_view one;      // Of a single stem,
-    std::string_view several;  // of several ones,
-    std::string_view composed; // and of one whose organs are models.
+    std::string_view one;      // Replacement for a single stem.
+    std::string_view several;  // Replacement for several stems.
+    std::string_view composed; // Replacement for a stem whose organs are sketches.
 };
 constexpr std::array<RuleWord, 9> kRuleWords { {
-    { "<s>", "", "s, ", "" },         // The stem's number, the first parameter of modules.
-    { "<t>", "", ", t", "" },         // The number of the next stem that it bears.
-    { "<low>", "", "low[s] + ", "" }, // Where its lines begin in at[] and nodes[].
-    { "<own>", "", "own[s] + ", "<offset> + " },       // Which functions are its heading and depth,
-    { "<organs>", "", "organs[s] + ", "<offset> + " }, // and which those of its organs.
-    { "<first>", "", "first[s] + ", "" },              // Where its boundaries begin in azimuth[].
-    { "<sides>", "SIDES", "sides[s]", "SIDES" },       // How many there are.
+    { "<s>", "", "s, ", "" },         // Number of the stem, the first parameter of modules.
+    { "<t>", "", ", t", "" },         // Number of the next stem attached to this one.
+    { "<low>", "", "low[s] + ", "" }, // Offset of the stem's lines in at[] and nodes[].
+    { "<own>", "", "own[s] + ", "<offset> + " }, // Offset of the functions for heading and depth.
+    { "<organs>", "", "organs[s] + ", "<offset> + " }, // Offset of the functions for organs.
+    { "<first>", "", "first[s] + ", "" },        // Offset of the stem's boundaries in azimuth[].
+    { "<sides>", "SIDES", "sides[s]", "SIDES" }, // Number of the stem's boundaries.
     { "<ofs>", "", " of stem s", "" },
-    { "<taper>", "0.7", "taper[s]", "0.7" }, // How much of its diameter a stem loses up to its top.
+    // Share of its diameter that a stem loses towards its top.
+    { "<taper>", "0.7", "taper[s]", "0.7" },
 } };
 
-// What they say otherwise where layers bear different organs.
+// A placeholder for what differs if layers bear different organs.
 struct LayerWord {
     std::string_view word;
     std::string_view alike;
-    std::string_view of_one;     // Where they differ, of a single stem,
-    std::string_view of_several; // and of several ones.
+    std::string_view of_one;     // Replacement for a single stem with different organs.
+    std::string_view of_several; // Replacement for several stems with different organs.
 };
 constexpr std::array<LayerWord, 5> kLayerWords { {
-    { "<layer>", "", ", k", ", low[s] + k" }, // The layer of organs at a node,
+    { "<layer>", "", ", k", ", low[s] + k" }, // Layer of the organs at a node.
     { "<toplayer>", "", ", LAYERS - 1", ", low[s] + LAYERS - 1" },
-    { "<z>", "", ", z", ", z" }, // and as a parameter of theirs.
+    { "<z>", "", ", z", ", z" }, // The layer as a parameter of organs.
     { "<leaf>", "~l(LEN * ", "Q(z, ", "Q(s, z, " },
     { "<leaf h>", "~l(h)", "Q(z, h / LEN)", "Q(s, z, h / LEN)" },
 } };
@@ -58,15 +59,15 @@ std::string filled_in(std::string text, Stems stems, bool by_layer)
     return text;
 }
 
-// The apex and, in homomorphism, the stem: the pieces' turns add up to the heading function's, so
-// at each node the turtle heads exactly along the stem.
+// Rules for the apex and, as homomorphism, for the stem. The turns of the pieces add up to the
+// heading function's value, so the turtle's heading at each node is exactly along the stem.
 constexpr std::string_view kApex
     = R"(/* The apex<ofs> at x, in layer k between the lines at[<low>k] and at[<low>k + 1], makes the layer's node j. It is
    the stem's node i. Above the topmost line the stem goes on to its end. */
 A(<s>x, k, j, i<t>) : k < LAYERS && nodes[<low>k] == 0 --> A(<s>x, k + 1, 0, i<t>)
 )";
 
-// Before the rules that make nodes.
+// Rules that come before those that make nodes.
 constexpr std::string_view kBearing = R"(/* Stem t stands on stem s below its next node y. */
 A(s, x, k, j, i, t) :
     {
@@ -94,7 +95,7 @@ constexpr std::string_view kApexNodes = R"(A(<s>x, k, j, i<t>) : k < LAYERS
 constexpr std::string_view kTop
     = "A(x, k, j, i) : * --> S(x, at[LAYERS])B(at[LAYERS], i<toplayer>)S(at[LAYERS], 1)\n";
 
-// What stands between the topmost line and the top comes after it.
+// Rules for the stems between the topmost line and the top.
 constexpr std::string_view kTopOfSeveral = R"(A(s, x, k, j, i, t) : k == LAYERS
     { y = at[low[s] + k]; }
     --> S(s, x, y)B(s, y, i<toplayer>)A(s, y, k + 1, 0, i + 1, t)
@@ -127,7 +128,7 @@ B(<s>x, i<z>) : <any>
     --> [/(90)+(a)/(ROLL)<leaf h>][/(270)+(a)/(ROLL)<leaf h>]
 )";
 
-// The remainder is written out: cpfg's % takes integers.
+// The remainder is computed with floor() because cpfg's % takes integers.
 constexpr std::string_view kSpiral
     = R"(/* An organ t degrees around the stem from its left: a of the left's, b of the right's. */
 B(<s>x, i<z>) : <any>
@@ -143,10 +144,10 @@ W(<s>x, i, j<z>) : <any>
     --> /(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)<leaf>(a * func(<organs>5, x) + b * func(<organs>6, x)))
 )";
 
-// The rule of layers that bear leaves.
+// Rule for layers that bear leaves.
 constexpr std::string_view kLeaves = "Q(<s>z, h) : organ[z] == 0 --> ~l(LEN * h)\n<leaves>";
 
-// Each organ where sizes follow half-ellipses.
+// Rules for sizes that follow half-ellipses: each organ has its own.
 constexpr std::string_view kDecussateAround
     = R"(/* Pairs of organs: left and right, then behind and in front. */
 B(<s>x, i<z>) : <and>floor(i / 2) * 2 == i
@@ -165,7 +166,7 @@ W(<s>x, i, j<z>) : <any>
     --> O(<s>x, t<z>)
 )";
 
-// As size_between() has it (around_stem.h).
+// Computes sizes like size_between() (around_stem.h).
 constexpr std::string_view kAround
     = R"(/* An organ t degrees around the stem from its left: its angle has a of the left's, b of the right's. Its size
    lies between those of boundary k and the next one, m, which are "far" degrees apart; the organ stands u degrees
@@ -246,7 +247,7 @@ std::string whorl_rules(Pattern const& pattern, std::string_view of_each)
     return text + "\n" + std::string(of_each);
 }
 
-// The rules of one pattern, whose conditions are still to be filled in.
+// Returns the rules of one pattern; their conditions are still placeholders.
 std::string pattern_rules(Pattern const& pattern, Pattern::Sizes sizes)
 {
     bool const is_linear = sizes == Pattern::Sizes::Linear;
@@ -273,7 +274,8 @@ void set_condition(std::string& rules, std::string const& condition)
     replace_all(rules, "<any>", condition.empty() ? "*" : condition);
 }
 
-// The rules of all patterns that layers have; what they read of the first one has names.
+// Returns the rules of all patterns that layers have. Values of the first pattern are named
+// constants, those of the others are numbers.
 std::string organ_rules(std::vector<Pattern> const& patterns, Pattern::Sizes sizes)
 {
     std::string text;

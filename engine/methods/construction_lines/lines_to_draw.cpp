@@ -12,13 +12,13 @@ namespace {
 
 using Line = std::vector<Vec2>;
 
-constexpr std::array kSides { 1.0, -1.0 }; // Left and right.
+constexpr std::array kSides { 1.0, -1.0 }; // Left and right of the stem.
 
-// From the stem's foot to its top, farthest in the middle.
+// A curve from the stem's foot to its top, farthest from the stem in the middle.
 Line bow_beside(DrawnLine const& stem, double side)
 {
     constexpr int kPieces = 16;
-    constexpr double kWidest = 0.25; // Of the stem's length.
+    constexpr double kWidest = 0.25; // Largest distance, as a share of the stem's length.
     Line bow;
     for (int i = 0; i <= kPieces; ++i) {
         double const x = static_cast<double>(i) / kPieces;
@@ -29,11 +29,12 @@ Line bow_beside(DrawnLine const& stem, double side)
     return bow;
 }
 
-// Straight to the boundary on each side, which may be missing there.
+// A line across the stem, straight to the boundary on each side; a boundary may be missing.
 Line across(DrawnLine const& stem, std::array<Line, 2> const& boundaries,
             Inclination const& inclination)
 {
-    constexpr double kElse = 0.2; // Of the stem's length.
+    // Length of a half without a boundary, as a share of the stem's length.
+    constexpr double kElse = 0.2;
     double const at_mm = inclination.x * stem.length_mm();
     Vec2 const foot = stem.point(at_mm);
     std::array const angles_deg { inclination.left_deg, inclination.right_deg };
@@ -46,8 +47,8 @@ Line across(DrawnLine const& stem, std::array<Line, 2> const& boundaries,
     return { ends[0], foot, ends[1] };
 }
 
-// The inclination lines that a plant without them has: both, or beside a line that was drawn the
-// farther one.
+// Default inclination lines to suggest: both of them or, if one line was drawn, the one farther
+// from it.
 std::vector<Inclination> inclinations_to_draw(LineSketch const& sketch, DrawnLine const& stem)
 {
     auto const measured = measure_sketch(sketch, Missing::Guessed);
@@ -75,7 +76,7 @@ std::vector<std::vector<Vec2>> lines_to_draw(LineSketch const& sketch)
         return { bow_beside(stem, kSides[0]), bow_beside(stem, kSides[1]) };
     std::vector<Line> lines;
     std::array boundaries { without_repeats(sketch.left), without_repeats(sketch.right) };
-    if (!sketch.around.empty()) // Those may be all that are wanted.
+    if (!sketch.around.empty()) // Boundaries in space may be all that the user wants.
         return lines;
     for (std::size_t i = 0; i < boundaries.size(); ++i)
         if (boundaries[i].empty())

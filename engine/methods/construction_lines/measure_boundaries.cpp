@@ -9,7 +9,7 @@ namespace tractus::lines {
 
 namespace {
 
-// The azimuths rising.
+// Boundaries in space, sorted by azimuth.
 Result<std::vector<AroundLine>> measure_around(LineSketch const& sketch, DrawnStem const& stem)
 {
     std::vector<AroundLine> result;
@@ -56,7 +56,8 @@ std::vector<Vec2> laid_flat(std::vector<Vec3> const& points)
     return result;
 }
 
-// A sketch whose only boundaries are one on the left and one on the right may have them in space.
+// If the only boundaries are one on the left and one on the right, moves boundaries in space onto
+// the sheet.
 void lay_on_sheet(LineSketch const& sketch, std::vector<AroundLine>& around,
                   std::vector<Vec2>& left, std::vector<Vec2>& right)
 {
@@ -82,7 +83,8 @@ void lay_on_sheet(LineSketch const& sketch, std::vector<AroundLine>& around,
 Result<Boundaries> measure_boundaries(LineSketch const& sketch, DrawnStem const& stem,
                                       std::vector<std::string>& notes)
 {
-    constexpr double kSameSide_deg = 60; // A boundary in space so near to a side is that side's.
+    // A boundary in space within this angle of a side counts for that side.
+    constexpr double kSameSide_deg = 60;
     if (!has_boundary(sketch))
         return fail(Fault::User,
                     "there is no boundary: draw the line that the organs' tips reach, "
@@ -117,7 +119,8 @@ Result<Boundaries> measure_boundaries(LineSketch const& sketch, DrawnStem const&
 
 std::optional<DrawnLine> seen_on_side(Boundaries const& boundaries, Side side)
 {
-    constexpr double kStillSeen_deg = 60; // From the side.
+    // Maximum angle between a side and the boundary seen on it.
+    constexpr double kStillSeen_deg = 60;
     if (boundaries.of(side))
         return boundaries.of(side);
     AroundLine const* nearest = nullptr;

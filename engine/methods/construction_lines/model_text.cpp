@@ -29,11 +29,11 @@ std::string array_text(char const* name, std::vector<double> const& values)
     return fmt::format("array {}[{}] = {{{}}}", name, values.size(), text);
 }
 
-// Where the stem turns more than a little within a piece, pieces have to be shorter.
+// Length of the stem's pieces in the model; shorter if the stem turns noticeably within a piece.
 double longest_piece(DrawnStem const& stem)
 {
     constexpr int kSteps = 100;
-    constexpr double kCurved_deg = 2; // Within a hundredth of the stem.
+    constexpr double kCurved_deg = 2; // Turn within a hundredth of the stem.
     constexpr double kCorner_deg = 5;
     if (stem.sharpest_deg() > kCorner_deg)
         return kShortPiece;
@@ -132,7 +132,8 @@ std::vector<std::string> arrays_of(LayerTables const& layers)
 std::string leaf_text(char letter, Pattern const& pattern)
 {
     constexpr double kBroad = 0.4;
-    constexpr double kSlender = 0.25; // Leaflets of a frond, side by side.
+    // Width of the narrow leaflets of a frond, which lie side by side.
+    constexpr double kSlender = 0.25;
     return fmt::format(
         "organ: {} leaf kind=blade material=2 length=1 width={} petiole=0 widest=0.4 "
         "tip=0.8 base=0.5 fold=8 curl=0\n",

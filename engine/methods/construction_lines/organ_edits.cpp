@@ -130,7 +130,7 @@ Result<SketchOrgan> find_organ(PenSketch const& sketch, scene::ItemId organ)
     return sketch.organs[number - 1];
 }
 
-// The sketch of another plant, or one of its organs, as another organ.
+// Adds the sketch of another plant, or one of its organs, as an organ of this sketch.
 Result<scene::ItemId> taken_from(scene::DocumentState& state, PenSketch& sketch,
                                  SetLayerOrgan const& edit)
 {
@@ -146,7 +146,7 @@ Result<scene::ItemId> taken_from(scene::DocumentState& state, PenSketch& sketch,
     return taken.id;
 }
 
-// Organs that are plants go when nothing bears them any more.
+// Removes organs that are sketches and are not used any more.
 void drop_unborne(PenSketch& sketch)
 {
     auto const is_borne = [&](scene::ItemId id) {

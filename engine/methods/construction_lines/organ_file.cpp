@@ -19,7 +19,7 @@ namespace tractus::lines {
 namespace {
 
 constexpr std::string_view kFirstLine = "tractus-organ 1";
-constexpr std::size_t kMostPoints = 2000; // Of a line.
+constexpr std::size_t kMostPoints = 2000; // Maximum number of points of a line.
 
 // In the order in which they are written.
 struct NamedLine {
@@ -41,7 +41,7 @@ std::vector<std::string> words_of(std::string line)
     return words;
 }
 
-// To a thousandth of a millimetre.
+// Resamples a line evenly and rounds to a thousandth of a millimetre.
 std::vector<Vec2> even_points(std::vector<Vec2> const& line, std::size_t count)
 {
     std::vector<Vec3> points;
@@ -189,7 +189,7 @@ std::string print_organ(OrganFile const& organ)
 
 Result<OrganFile> organ_file(SketchOrgan const& organ)
 {
-    constexpr std::size_t kPoints = 4 * kAlong + 1; // More than the surface has.
+    constexpr std::size_t kPoints = 4 * kAlong + 1; // More points than the surface has.
     OrganFile file { .views = TRY(views_of(organ)) };
     if (organ.color == OrganColor::Picture)
         file.picture = organ.picture;

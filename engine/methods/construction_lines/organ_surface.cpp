@@ -14,11 +14,11 @@ namespace tractus::lines {
 namespace {
 
 using Points = std::vector<Vec2>;
-using Cubic = std::array<Vec2, 4>; // Bézier points.
+using Cubic = std::array<Vec2, 4>; // Bézier control points.
 
 constexpr double kShortestOrgan_mm = 1e-3;
 
-// A line at evenly spaced places of its length.
+// Resamples a line at equal steps of arc length.
 Result<Points> even_points(Points const& line, int pieces, char const* name)
 {
     std::vector<double> lengths { 0 };
@@ -42,7 +42,7 @@ Result<Points> even_points(Points const& line, int pieces, char const* name)
     return result;
 }
 
-// The pieces of a spline through points (Catmull-Rom); straight lines stay straight.
+// Catmull-Rom spline through points, as Bézier pieces; straight lines stay straight.
 std::vector<Cubic> spline(Points const& points)
 {
     auto const last = points.size() - 1;
@@ -60,8 +60,8 @@ std::vector<Cubic> spline(Points const& points)
     return pieces;
 }
 
-// A line that goes one way, (0, 0) to (1, 0) after its straight way is taken away, at evenly spaced
-// places of that.
+// Converts a line that never turns back to heights above its chord, at equal steps along the chord
+// and relative to its length: from (0, 0) to (1, 0).
 Result<Points> heights_of(Points const& line, int pieces, char const* name)
 {
     Points result;
@@ -103,7 +103,8 @@ struct Sides {
     double length_mm = 0;
 };
 
-// With the middle of the bases at the origin and that of the tips on y.
+// Moves both boundaries so that the midpoint between their bases is at the origin and the midpoint
+// between their tips is on the y axis.
 Result<Sides> place_sides(OrganViews const& views)
 {
     Sides sides { TRY(even_points(views.left, kAlong, "left boundary")),
@@ -125,7 +126,7 @@ Result<Sides> place_sides(OrganViews const& views)
     return sides;
 }
 
-// With both boundaries, each from base to tip.
+// Completes the view with both boundaries, each from base to tip.
 OrganViews with_both(OrganViews views)
 {
     if (views.left.empty())
@@ -202,7 +203,7 @@ Result<std::vector<BezierPatch>> organ_surface(OrganViews const& drawn)
     auto const sides = TRY(place_sides(views));
     auto const midrib = TRY(heights_of(views.midrib, kAlong, "midrib"));
     auto const section = spline(TRY(heights_of(views.section, kAcross, "section")));
-    Points heights; // The breadth and the midrib's height.
+    Points heights; // Width of the organ and height of its midrib at each place.
     for (std::size_t i = 0; i < midrib.size(); ++i)
         heights.emplace_back((sides.right[i] - sides.left[i]).norm(),
                              midrib[i].y() * sides.length_mm);

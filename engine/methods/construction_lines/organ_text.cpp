@@ -12,8 +12,8 @@ namespace tractus::lines {
 
 namespace {
 
-// Materials 1 and 2 are the stem's and the leaves'. A surface has the turtle's colour, which is the
-// stem's where nothing else is said.
+// Materials 1 and 2 belong to the stem and the leaves. By default a surface has the turtle's
+// colour, which is the stem's.
 constexpr std::size_t kLeafMaterial = 2;
 
 char letter_of_surface(std::size_t number)
@@ -23,7 +23,7 @@ char letter_of_surface(std::size_t number)
     return kLetters[number];
 }
 
-// The materials of layers' surfaces come first; those of leaves follow.
+// Materials of layers' surfaces come first, followed by those of leaves.
 std::size_t material_of_surface(std::size_t number)
 {
     return kLeafMaterial + 1 + number;
@@ -40,13 +40,13 @@ std::string ending_of(char letter, std::string const& word)
     return letter == 'l' ? word : fmt::format("{}_{}", word, letter);
 }
 
-// Whether it has a material of its own.
+// True if a surface has its own material.
 bool is_colored(OrganSurface const& surface)
 {
     return surface.color || surface.picture;
 }
 
-// Adds that material, and its picture as a file beside that of the surface.
+// Adds a surface's own material, and its picture as a file beside the surface's file.
 void add_material(LineModel& model, OrganSurface const& surface, std::size_t material,
                   std::string const& name, std::string const& surface_file)
 {
@@ -75,7 +75,7 @@ std::string surface_text(std::vector<BezierPatch> const& patches)
         }
     double const length
         = (patches[patches.size() - kAcross].control[12] + patches.back().control[15]).y() / 2;
-    // A file's z is to the lower side where UP is -z, as the editor has it.
+    // With UP along -z, z in the file points to the lower side, as in cpfg's editor.
     auto text = fmt::format(
         "{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\nCONTACT POINT  X: 0 Y: 0 Z: 0\n"
         "END POINT  X: 0 Y: 0 Z: 0\nHEADING  X: 0 Y: 1 Z: 0\nUP  X: 0 Y: 0 Z: -1\nSIZE: {:.6g}\n",
@@ -89,7 +89,7 @@ std::string surface_text(std::vector<BezierPatch> const& patches)
                             "AL: ~ A: {} AR: ~\nL: {} R: {}\nBL: ~ B: {} BR: ~\n",
                             i, name(sides[BezierPatch::Above]), name(sides[BezierPatch::Left]),
                             name(sides[BezierPatch::Right]), name(sides[BezierPatch::Below]));
-        auto const number = [&](double value) { // What rounding leaves of 0 is 0.
+        auto const number = [&](double value) { // Replaces rounding residues by 0.
             return std::fabs(value) < 1e-9 * length ? 0 : value;
         };
         for (std::size_t k = 0; k < 16; ++k) {
@@ -118,7 +118,7 @@ void put_leaf(LineModel& model, OrganSurface const& surface, char letter)
     model.functions[file] = surface_text(surface.patches);
 }
 
-// A blade that is so wide by its length, and widest at two fifths of that.
+// A plain blade of this width relative to its length, widest at two fifths of its length.
 static std::vector<BezierPatch> blade_surface(double width)
 {
     constexpr double kLength_mm = 100;

@@ -14,9 +14,10 @@ namespace tractus::lines {
 
 namespace {
 
-// A number or list that a sketch says, in a text: what it is called and where its value is.
+// A number or list in a model's text that comes from the sketch: its name and the position of its
+// value.
 struct Value {
-    std::string name; // "array at", "#define LEN", "derivation length:".
+    std::string name; // For example "array at", "#define LEN" or "derivation length:".
     std::size_t begin = 0;
     std::size_t end = 0;
 };
@@ -39,7 +40,7 @@ std::size_t behind_blanks(std::string_view text, std::size_t at)
     return std::min(text.find_first_not_of(" \t", at), text.size());
 }
 
-// "array NAME[N] = {...}": from the bracket on.
+// Finds the value of "array NAME[N] = {...}", from the bracket on.
 void add_array(std::vector<Value>& values, std::string_view text, std::size_t word)
 {
     auto const name = behind_blanks(text, word + std::string_view("array").size());
@@ -50,7 +51,7 @@ void add_array(std::vector<Value>& values, std::string_view text, std::size_t wo
     values.push_back({ fmt::format("array {}", text.substr(name, begin - name)), begin, end + 1 });
 }
 
-// "#define NAME VALUE", up to a comment behind it.
+// Finds the value of "#define NAME VALUE", without a comment after it.
 void add_definition(std::vector<Value>& values, std::string_view text, std::size_t word)
 {
     auto const name = behind_blanks(text, word + std::string_view("#define").size());
@@ -71,7 +72,7 @@ void add_steps(std::vector<Value>& values, std::string_view text, std::size_t wo
     values.push_back({ std::string(kSteps), begin, behind_word(text, begin) });
 }
 
-// The values in a text, in their order.
+// Finds all values in a text, in order.
 std::vector<Value> values_in(std::string_view text)
 {
     std::vector<Value> values;
@@ -94,7 +95,7 @@ std::vector<Value> values_in(std::string_view text)
 Result<LineModel> with_own_rules(LineModel model, scene::SourceRules const& rules)
 {
     std::string_view const drawn = model.source.text;
-    // Several L-systems have arrays of one name: the first is for the first.
+    // Several L-systems may have arrays of the same name; they correspond in order.
     std::map<std::string, std::vector<std::string>> texts;
     for (auto const& value : values_in(drawn))
         texts[value.name].emplace_back(drawn.substr(value.begin, value.end - value.begin));
@@ -105,7 +106,7 @@ Result<LineModel> with_own_rules(LineModel model, scene::SourceRules const& rule
         auto const known = texts.find(value.name);
         auto const number = used[value.name]++;
         if (known == texts.end() || number >= known->second.size())
-            continue; // It is not the sketch's.
+            continue; // The value does not come from the sketch.
         text.append(rules.text, at, value.begin - at).append(known->second[number]);
         at = value.end;
     }

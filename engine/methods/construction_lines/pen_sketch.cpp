@@ -11,11 +11,12 @@
 
 namespace tractus::lines {
 
-using scene::name_of; // Of items.
+using scene::name_of; // Formats the number of an item.
 
 namespace {
 
-constexpr double kModelScale = 0.1; // Of a model's text: a millimetre drawn is a centimetre grown.
+// Scale of a model's text: a millimetre drawn is a centimetre of the plant.
+constexpr double kModelScale = 0.1;
 
 Result<StemRecogniser> recogniser_of(PenSketch const& sketch)
 {
@@ -48,7 +49,8 @@ constexpr char const* kNoStem
 
 Result<void> check_stem(LineSketch const& sketch)
 {
-    constexpr double kShortest_mm = 10; // On the tablet, where a touch is not meant as a plant.
+    // Length on the tablet; shorter strokes are touches, not stems.
+    constexpr double kShortest_mm = 10;
     if (sketch.stem.empty())
         return fail(Fault::User, kNoStem);
     auto const length_mm = polyline_length_mm(sketch.stem);
@@ -61,7 +63,7 @@ Result<void> check_stem(LineSketch const& sketch)
     return {};
 }
 
-// A sketch that gives a plant, its lines' roles as they are read.
+// Completes the roles of a sketch's lines; fails unless the sketch gives a plant.
 Result<PenSketch> checked(PenSketch sketch)
 {
     sketch = TRY(with_roles_read(std::move(sketch)));
@@ -82,14 +84,14 @@ Result<void> check_line(PenSketch const& sketch, scene::ItemId line)
                             scene::name_of(line)));
 }
 
-// The surface's height where a line begins.
+// Height of the surface where a line begins.
 Result<double> level_of(SketchLine const& line)
 {
     auto const tips = TRY(line.stroke.tips.in_memory());
     return tips.empty() ? 0 : tips.front().position_mm.z();
 }
 
-// Of its number; null where there is none.
+// Finds the stem with this number; null if there is none.
 SketchLine const* stem_line(PenSketch const& sketch, std::size_t stem)
 {
     auto const found
@@ -106,7 +108,8 @@ SketchLine const* newest_stem(PenSketch const& sketch)
     return found == sketch.lines.rend() ? nullptr : &*found;
 }
 
-// Whether the surface has moved so far while the line was drawn beside the stem.
+// True if the surface has moved far enough, while the line was drawn, for the line to leave the
+// stem's sheet.
 Result<bool> leaves_sheet(SketchLine const& line, SketchLine const& stem)
 {
     auto const tips = TRY(line.stroke.tips.in_memory());
@@ -120,7 +123,8 @@ Result<bool> leaves_sheet(SketchLine const& line, SketchLine const& stem)
     return moved_mm > kFlat * polyline_length_mm(TRY(points_on_sheet(stem)));
 }
 
-// A stem's lines in space have their depth from where it begins, also where it is drawn again.
+// Sets the reference height of all lines in space of a stem to the height where the stem begins;
+// needed also when the stem is drawn again.
 Result<PenSketch> with_levels(PenSketch sketch, std::size_t stem)
 {
     auto const* const line = stem_line(sketch, stem);
@@ -154,7 +158,7 @@ static Result<PenSketch> with_stroke(PenSketch sketch, SketchLine line, StemReco
     line.role = known.line.role;
     line.stem = known.stem;
     line.parent = known.parent;
-    // Read together with the others it shows what it is, and what it replaces.
+    // When lines are read together, role and replacement follow from the reading.
     line.is_said = says == StemRecogniser::Says::AnotherStem;
     bool const is_together
         = line.reading == Reading::Together && (sketch.lines.empty() || is_read_together(sketch));
@@ -198,7 +202,7 @@ Result<PenSketch> with_role(PenSketch sketch, scene::ItemId line, Role role)
     for (auto& other : sketch.lines)
         if (is_one && other.role == role && other.stem == stem) {
             other.role = Role::Unsure;
-            other.is_said = false; // Read together it shows again what it is.
+            other.is_said = false; // Its role is determined anew when the lines are read together.
             parent = std::exchange(other.parent, std::nullopt);
         }
     for (auto& other : sketch.lines)
@@ -218,7 +222,7 @@ Result<PenSketch> with_other_stroke(PenSketch sketch, scene::ItemId line, Stroke
     found->stroke = std::move(stroke);
     if (!is_read_together(sketch))
         return checked(std::move(sketch));
-    // What it stands for now is in no pieces any more.
+    // Pieces that the stroke replaces are removed.
     auto const number = static_cast<std::size_t>(found - sketch.lines.begin());
     auto const before = TRY(read_pen_sketch(sketch));
     for (std::size_t i = sketch.lines.size(); i-- > 0;)
@@ -289,7 +293,7 @@ std::size_t organ_number(PenSketch const& sketch, scene::ItemId organ)
         : static_cast<std::size_t>(found - sketch.organs.begin()) + 1;
 }
 
-// Of a sketch of one stem.
+// Layers of a sketch of one stem.
 static Result<std::vector<Layer>> layers_of_one(PenSketch const& sketch)
 {
     auto const reading = TRY(read_pen_sketch(sketch));
@@ -310,7 +314,7 @@ Result<std::vector<Layer>> layers_of(PenSketch const& sketch)
     return layers_of_one(stem_alone(sketch, TRY(stem_in_hand(sketch))));
 }
 
-// The nearest stem to a place of those with lines of their own.
+// Finds the nearest of the stems that have their own lines.
 static std::size_t nearest_stem(std::vector<StemLines> const& stems, Vec2 const& place_mm)
 {
     auto const sources = function_sources(stems);

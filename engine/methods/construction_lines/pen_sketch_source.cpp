@@ -48,7 +48,7 @@ bool same(PenSketch const& one, PenSketch const& other)
                       });
 }
 
-// Measured stems alone have none.
+// Returns the pattern of a sketch; stems without boundaries bear no organs.
 Pattern pattern_of(PenSketch const& sketch, std::vector<StemLines> const& stems)
 {
     auto pattern = sketch.pattern;

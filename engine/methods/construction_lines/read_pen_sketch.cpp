@@ -7,7 +7,7 @@ namespace tractus::lines {
 
 namespace {
 
-// What the layer above a line bears.
+// Organs of the layer above a line.
 LayerOrgans organs_above(PenSketch const& sketch, SketchLine const& line)
 {
     return { .pattern = line.pattern,
@@ -52,15 +52,15 @@ Result<PenReading> read_one_by_one(PenSketch const& sketch)
     return reading;
 }
 
-// A stem's strokes, and which of the sketch's lines they are.
+// The strokes of a stem, and their indices among the sketch's lines.
 struct StrokesOfStem {
     std::vector<StrokeToExplain> strokes;
     std::vector<std::size_t> numbers;
     std::optional<std::size_t> parent;
 };
 
-// The first stem is found among its lines, where nobody has said it; another one is said by the
-// person who draws it.
+// Groups the strokes by stem. The first stem is found among its strokes unless the user has named
+// it; further stems are always named by the user.
 Result<std::vector<StrokesOfStem>> strokes_of_stems(PenSketch const& sketch)
 {
     std::vector<StrokesOfStem> stems;

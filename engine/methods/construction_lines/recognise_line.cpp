@@ -13,10 +13,11 @@ namespace tractus::lines {
 
 namespace {
 
-// How strokes may differ from what they mean, on a sheet of paper.
-constexpr double kOnLine_mm = 6;    // From a line that is drawn again.
-constexpr double kSameEnd_mm = 20;  // From its end to the new one's.
-constexpr double kSameNode_mm = 15; // Two halves are one line if they begin so near to each other.
+// Tolerances for strokes on a sheet of paper.
+constexpr double kOnLine_mm = 6; // Distance between a line and its redrawn version.
+// Distance between the ends of a line and those of its redrawn version.
+constexpr double kSameEnd_mm = 20;
+constexpr double kSameNode_mm = 15; // Two halves form one line if they begin within this distance.
 
 std::vector<Vec2> flat(std::vector<Vec3> const& points)
 {
@@ -26,7 +27,7 @@ std::vector<Vec2> flat(std::vector<Vec3> const& points)
     return result;
 }
 
-// With points all along it, so that they tell where it is.
+// Resamples a stroke densely, so that its points represent its whole course.
 DrawnLine sampled(std::vector<Vec3> const& stroke)
 {
     constexpr double kSpacing_mm = 1;
@@ -57,8 +58,8 @@ bool lies_on(DrawnLine const& stroke, DrawnLine const& line)
 // Half an inclination line, from the stem outwards.
 struct Half {
     std::vector<Vec2> points;
-    double at_mm = 0; // Along the stem.
-    double side = 1;  // -1: right.
+    double at_mm = 0; // Distance along the stem.
+    double side = 1;  // 1: left; -1: right.
     std::size_t stroke = 0;
 };
 
@@ -74,7 +75,7 @@ Half half_from_stem(std::vector<Vec2> points, std::size_t stroke, DrawnLine cons
     return { { outside, points.end() }, at_mm, side, stroke };
 }
 
-// A line that begins on the stem, and over it by a hair.
+// Returns the half line, extended slightly across the stem.
 std::vector<Vec2> line_of(Half const& half, DrawnLine const& stem)
 {
     Vec2 const left = direction(stem.heading_deg(half.at_mm) + 90);
@@ -91,7 +92,7 @@ std::vector<Vec2> line_of(Half const& half, Half const& other)
     return line;
 }
 
-// Those at both sides of a place belong together.
+// Joins halves on both sides of the same place.
 template<typename Line>
 void join(std::vector<Half> halves, DrawnLine const& stem, std::vector<Line>& lines)
 {
@@ -111,7 +112,7 @@ void join(std::vector<Half> halves, DrawnLine const& stem, std::vector<Line>& li
     }
 }
 
-// Where a boundary's ends reach over the stem they are cut off.
+// Trims the parts of a boundary's ends that reach over the stem.
 std::vector<Vec2> on_side(std::vector<Vec2> line, DrawnLine const& stem, double side)
 {
     auto const is_over = [&](Vec2 const& point) { return stem.distance_mm(point) * side < 0; };
@@ -171,7 +172,8 @@ std::optional<std::size_t> LineRecogniser::newest(Role role) const
     return std::nullopt;
 }
 
-// The newest one that counts of those near an azimuth. On a sketch's sheet there are two azimuths.
+// Finds the newest valid boundary near an azimuth. Boundaries on the sheet have the azimuths of its
+// two sides.
 std::optional<std::size_t> LineRecogniser::newest_boundary(double azimuth_deg) const
 {
     constexpr double kSameSide_deg = 20;
@@ -191,8 +193,8 @@ std::optional<std::size_t> LineRecogniser::newest_boundary(double azimuth_deg) c
     return std::nullopt;
 }
 
-// A boundary in space, which may be seen in front of the stem. No value: it is what it is on the
-// sheet, such as the stem, drawn again, or an inclination line.
+// Recognises a boundary in space, which may lie in front of the stem. No value: the stroke is to be
+// read as a line on the sheet, such as an inclination line or the stem drawn again.
 std::optional<RecognisedLine>
 LineRecogniser::recognise_in_space(std::vector<Vec3> const& stroke) const
 {

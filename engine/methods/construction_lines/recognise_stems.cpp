@@ -6,8 +6,8 @@ namespace tractus::lines {
 
 namespace {
 
-// How well a stroke belongs to a stem for which it has a meaning: what is less is better. What goes
-// along all of a stem is its boundary, also where it crosses another one.
+// How well a stroke fits to a stem; lower is better. A stroke along the whole stem is its boundary,
+// even if it crosses another stem.
 enum class Rank { DrawnAgain, AlongStem, AtStem, OpenSide, TakenSide, Unknown };
 
 Rank rank_of(RecognisedLine const& line)
@@ -26,7 +26,7 @@ Rank rank_of(RecognisedLine const& line)
     case Role::HalfInclination:
         return Rank::AtStem;
     case Role::Unsure:
-    case Role::Outline: // One by one no stroke is taken for both.
+    case Role::Outline: // A closed outline is only recognised when strokes are read together.
         break;
     }
     return Rank::Unknown;

@@ -12,7 +12,7 @@ namespace tractus::lines {
 
 namespace {
 
-// Of which a plant has several.
+// Names the kind of stem in a plant of several stems.
 std::string what_stem_it_is(SketchLine const& line)
 {
     if (line.parent)
@@ -43,7 +43,7 @@ std::string what_it_is(Role role)
     return "unsure";
 }
 
-// The side of the stem on which a boundary in space is.
+// Describes the side of the stem on which a boundary in space lies.
 std::string side_of(PenSketch const& sketch, SketchLine const& line)
 {
     auto const stems = stem_sketches(sketch);
@@ -63,7 +63,7 @@ bool has(LineSketch const& sketch, Role role)
     return !(role == Role::Left ? sketch.left : sketch.right).empty();
 }
 
-// What a plant needs most that has none of it; empty where nothing is missing.
+// Describes what the stem needs most; empty if nothing is missing.
 std::string what_is_missing(LineSketch const& sketch)
 {
     if (!has_boundary(sketch))
@@ -80,7 +80,8 @@ std::string what_is_missing(LineSketch const& sketch)
     return "";
 }
 
-// Why nobody knows what the newest line is: asked again, since no sketch keeps it.
+// Explains why the newest line was not recognised, by recognising it again: a sketch does not store
+// the reason.
 std::string reason_of(PenSketch sketch)
 {
     auto const line = sketch.lines.back();
@@ -95,7 +96,7 @@ std::string reason_of(PenSketch sketch)
     return points ? recogniser.add(*points).line.reason : "";
 }
 
-// What the stem with the newest line lacks; empty: nothing.
+// Describes what the newest line's stem needs most; empty if nothing is missing.
 std::string what_is_missing(PenSketch const& sketch)
 {
     auto const stem = stem_in_hand(sketch);
@@ -105,7 +106,7 @@ std::string what_is_missing(PenSketch const& sketch)
     return lines ? what_is_missing(*lines) : "";
 }
 
-// The newest line among all of them.
+// Describes how the newest line was read together with all others.
 std::string describe_reading(PenSketch const& sketch, PenReading const& reading)
 {
     auto const& line = sketch.lines.back();

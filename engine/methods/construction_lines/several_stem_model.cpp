@@ -18,23 +18,24 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr double kLengthByWidth = 60; // A stem's length by its diameter at its foot,
-constexpr double kTaper = 0.7;        // of which it loses so much up to its top,
-constexpr double kForked = 0.4;       // or so much where it bears others on its top.
+constexpr double kLengthByWidth = 60; // Ratio of a stem's length to its diameter at the foot.
+constexpr double kTaper = 0.7;        // Share of its diameter that a stem loses towards its top.
+constexpr double kForked = 0.4; // The same share for a stem that bears other stems on its top.
 
-// A stem as the model numbers it: those that one of them bears follow each other, from below.
+// A stem as numbered in the model: the stems attached to the same parent are consecutive, from
+// below.
 struct ModelStem {
     MeasuredStem const* of = nullptr;
-    std::size_t drawn = 0;           // Its number in the sketch.
-    std::size_t parent = 0;          // The model's number of the stem on which it stands.
-    std::size_t first_borne = 0;     // The model's number of the first stem that it bears, and
-    std::size_t borne = 0;           // how many it bears.
-    double width_cm = 0;             // At its foot,
-    double taper = kTaper;           // of which it loses so much up to its top.
-    std::size_t low = 0;             // Where its lines begin among all.
-    std::size_t own_functions = 0;   // So many functions come before its heading,
-    std::size_t organ_functions = 0; // and before those of its organs, less two.
-    std::size_t first_azimuth = 0;   // Where the azimuths of its boundaries begin among all.
+    std::size_t drawn = 0;         // Number of the stem in the sketch.
+    std::size_t parent = 0;        // Number, in the model, of the parent stem.
+    std::size_t first_borne = 0;   // Number, in the model, of the first stem attached to this one.
+    std::size_t borne = 0;         // Number of stems attached to this one.
+    double width_cm = 0;           // Diameter at its foot.
+    double taper = kTaper;         // Share of the diameter that it loses towards its top.
+    std::size_t low = 0;           // Offset of its lines among the lines of all stems.
+    std::size_t own_functions = 0; // Number of functions before its heading function.
+    std::size_t organ_functions = 0; // Number of functions before those of its organs, minus two.
+    std::size_t first_azimuth = 0;   // Offset of its boundaries' azimuths among those of all stems.
 };
 
 double width_on(ModelStem const& parent, double foot_x)
@@ -76,8 +77,8 @@ std::vector<ModelStem> numbered(std::span<MeasuredStem const> stems)
 
 using Functions = std::vector<std::pair<std::string, std::string>>;
 
-// Heading and depth are each stem's own. Organs' functions that are another stem's, too, are there
-// once.
+// Writes the functions of all stems. Each stem has its own heading and depth; equal functions for
+// organs are written only once.
 Functions write_functions(std::vector<ModelStem>& stems, std::string const& name)
 {
     constexpr std::size_t kOwn = 2;
@@ -105,13 +106,13 @@ Functions write_functions(std::vector<ModelStem>& stems, std::string const& name
     return functions;
 }
 
-// As it is written.
+// Rounds a number to the six digits in which it is written.
 double rounded(double value)
 {
     return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
 }
 
-// Steps until each stem's apex is there.
+// Number of derivation steps until all stems are complete.
 std::size_t count_steps(std::vector<ModelStem> const& stems)
 {
     std::vector<std::size_t> begins(stems.size(), 0);
@@ -135,14 +136,14 @@ std::size_t count_steps(std::vector<ModelStem> const& stems)
             steps += nodes == 0 ? 1 : 0;
         }
         bear_below(rounded(of.inclinations.back().x));
-        ++steps; // The topmost node.
+        ++steps; // The step of the topmost node.
         bear_below(1);
         last = std::max(last, ++steps);
     }
     return last;
 }
 
-// Tables of numbers by the stems' numbers.
+// Writes arrays of numbers that are indexed by the stem's number.
 class Tables {
 public:
     void add(char const* name, std::vector<double> const& values, char const* meaning)
@@ -166,14 +167,15 @@ std::vector<double> of_each(std::vector<ModelStem> const& stems, Read const& rea
     return values;
 }
 
-// The lines of all stems, one behind the other: stems with the same ones share them.
+// The lines of all stems in sequence; stems with equal lines share them.
 struct Lines {
-    std::vector<double> azimuths; // Where sizes follow half-ellipses.
+    std::vector<double> azimuths; // Azimuths of boundaries, if sizes follow half-ellipses.
     std::vector<double> at;
-    // As many; of a stem's topmost line, above which there is no layer, 1.
+    // Number of nodes in the layer above each line; 1 for a stem's topmost line, above which there
+    // is no layer.
     std::vector<double> nodes;
     LayerTables layers;
-    bool is_by_layer = false; // Whether layers bear different organs.
+    bool is_by_layer = false; // True if layers bear different organs.
 };
 
 void add_layers(LayerTables& tables, Construction const& construction)
@@ -269,7 +271,7 @@ std::string tables_text(std::vector<ModelStem> const& stems, Lines const& lines)
     return tables.text();
 }
 
-// Goes from the first stem's foot to a stem's, without a trace.
+// Text that moves the turtle from the first stem's foot to another stem's foot without drawing.
 std::string way_text(Vec3 const& by_mm)
 {
     if (by_mm.norm() < 1e-6)
@@ -304,7 +306,7 @@ double longest_piece_of(std::vector<ModelStem> const& stems)
     return longest;
 }
 
-// As a model needs them: sizes of all stems follow half-ellipses, or of none.
+// Stems as the model needs them: sizes follow half-ellipses for all stems or for none.
 std::vector<MeasuredStem> stems_with_sizes(std::span<MeasuredStem const> stems, Pattern pattern)
 {
     if (std::any_of(stems.begin(), stems.end(),

@@ -12,7 +12,8 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr double kOnStem_mm = 5; // A stem that begins so near to another one stands on it.
+// A stem that begins within this distance of another one is attached to it.
+constexpr double kOnStem_mm = 5;
 
 std::optional<DrawnStem> drawn_stem(LineSketch const& sketch)
 {
@@ -22,14 +23,14 @@ std::optional<DrawnStem> drawn_stem(LineSketch const& sketch)
     return DrawnStem(points);
 }
 
-// Where a stem that begins there stands on another: a share of its length. Near to its top on that.
+// Where a stem is attached to another one, as a share of its length; 1 if it begins near the top.
 double foot_on(DrawnStem const& parent, Vec2 const& foot_mm)
 {
     double const at_mm = parent.seen().nearest_mm(foot_mm);
     return parent.seen().length_mm() - at_mm < kOnStem_mm ? 1 : parent.place(at_mm);
 }
 
-// The stem with its foot at a place: what is farther along it moves the less.
+// Moves the foot of a stem; points farther along it move less.
 void move_foot(std::vector<Vec3>& stem, Vec3 const& to_mm)
 {
     Vec3 const by_mm = to_mm - stem.front();
@@ -40,12 +41,12 @@ void move_foot(std::vector<Vec3>& stem, Vec3 const& to_mm)
         at_mm += (point - before_mm).norm();
         before_mm = point;
         double const share = length_mm > 0 ? at_mm / length_mm : 0;
-        // Depths are heights above where each stroke began, so they move all alike.
+        // Depths are heights above the start of each stroke, so all points move by the same depth.
         point += Vec3((1 - share) * by_mm.x(), (1 - share) * by_mm.y(), by_mm.z());
     }
 }
 
-// Its own stem, with what stands on another one.
+// Combines a stem with the lines and organs of another one.
 Construction with_functions_of(Construction stem, Construction const& other)
 {
     stem.inclinations = other.inclinations;
@@ -92,7 +93,7 @@ Result<void> check_parents(std::vector<StemLines> const& stems)
 
 std::optional<std::size_t> parent_at(std::span<StemLines const> stems, Vec2 const& foot_mm)
 {
-    constexpr double kAtFoot_mm = 8; // Along the other stem.
+    constexpr double kAtFoot_mm = 8; // Distance from the other stem's foot, along that stem.
     double nearest_mm = kOnStem_mm;
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < stems.size(); ++i) {

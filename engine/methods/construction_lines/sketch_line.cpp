@@ -11,12 +11,13 @@
 
 namespace tractus::lines {
 
-// Puts depths by pressure in the places of a stem's tips.
+// Sets the depth of a stem's points by the pressure of its tips.
 static void press(std::vector<Vec3>& places, std::vector<TipSample> const& tips)
 {
-    constexpr double kDepth = 0.5; // Of the stem's length, for all of the pressure's range.
+    // Depth range for the whole range of pressure, as a share of the stem's length.
+    constexpr double kDepth = 0.5;
     constexpr double kWindow = 0.05;
-    constexpr int kSteps = 100; // At which the mean is taken.
+    constexpr int kSteps = 100; // Number of steps at which the moving average is computed.
     std::vector<double> at { 0 };
     for (std::size_t i = 1; i < places.size(); ++i)
         at.push_back(at.back() + (places[i] - places[i - 1]).head<2>().norm());

@@ -29,7 +29,8 @@ Vec2 middle(Line const& line)
     return sum / static_cast<double>(line.size());
 }
 
-// How far the middle of a line is to the left of the way from base to tip.
+// Twice the area of the triangle of base, tip and the line's middle: positive if the middle is to
+// the left.
 double leftwards(Line const& line, Vec2 const& base, Vec2 const& tip)
 {
     Vec2 const way = tip - base;
@@ -37,7 +38,7 @@ double leftwards(Line const& line, Vec2 const& base, Vec2 const& tip)
     return way.x() * at.y() - way.y() * at.x();
 }
 
-// A leaf from above: its sides, and which of them were drawn, as numbers among its lines.
+// The two sides of a leaf seen from above, and their indices among its drawn lines; -1: not drawn.
 struct DrawnSides {
     std::array<Line, 2> lines;
     std::array<std::ptrdiff_t, 2> drawn { -1, -1 };
@@ -62,7 +63,8 @@ Result<DrawnSides> sides_of(SketchOrgan const& organ)
     return sides;
 }
 
-// Along the way between its ends, which counts as level, and how high it is above.
+// Returns a side view of the leaf: positions along the chord between its ends, and heights above
+// it.
 Result<Line> view_of(SketchOrgan const& organ, OrganView view)
 {
     auto const found
@@ -85,7 +87,7 @@ Result<Line> view_of(SketchOrgan const& organ, OrganView view)
     return points;
 }
 
-// The drawn line that another one of the same view is to replace: its number, or none.
+// Index of the drawn line that a new line of the same view replaces; -1: none.
 Result<std::ptrdiff_t> replaced_by(SketchOrgan const& organ, SketchOrgan::Line const& line)
 {
     auto const points = TRY(flat_points(line.line));

@@ -36,10 +36,10 @@ double cost_as_stem(StemCandidate const& stem, double diagonal_mm)
         + 0.1 * static_cast<double>(stem.strokes.size() - 1);
 }
 
-// The stroke with all that goes on at its ends.
+// Extends a stroke at both ends by all strokes that continue it.
 StemCandidate chain_from(std::size_t seed, std::span<Polyline const> lines)
 {
-    constexpr double kMostGap = 0.1; // Of the lengths of both.
+    constexpr double kMostGap = 0.1; // Largest gap, as a share of the lengths of both strokes.
     StemCandidate chain { .strokes = { seed }, .line = lines[seed] };
     while (true) {
         Junction best;
@@ -90,7 +90,7 @@ std::vector<StemCandidate> stem_candidates(std::span<Polyline const> lines,
         if (!one_is_said)
             add(chain_from(i, lines));
     }
-    if (result.empty()) // Everything is said to be something else.
+    if (result.empty()) // The user has given every stroke another role.
         add({ .strokes = { 0 }, .line = lines[0] });
     std::stable_sort(
         result.begin(), result.end(),
@@ -124,7 +124,7 @@ CorrectedStem corrected_stem(StemCandidate const& stem, std::span<Polyline const
         }
         result.strokes.insert(result.strokes.end(), each.strokes.begin(), each.strokes.end());
     }
-    // Where pieces meet the line jumps a little.
+    // The line has small jumps where its pieces meet.
     if (result.strokes.size() > 1 && is_drawn_by_hand(result.line))
         result.line = remove_tremor(result.line);
     return result;

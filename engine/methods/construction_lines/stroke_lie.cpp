@@ -14,7 +14,8 @@ double ramp(double value, double from, double to)
 
 namespace {
 
-constexpr double kProlonged = 1; // Stem lengths beyond each end.
+// Length by which the axis is prolonged at each end, in stem lengths.
+constexpr double kProlonged = 1;
 
 std::vector<Vec2> prolonged(std::span<Vec3 const> stem, double length_mm)
 {
@@ -35,13 +36,15 @@ double seen_length_mm(std::span<Vec3 const> stem)
     return sum;
 }
 
-// A tremor's crossings lie so near to the axis; mm on the sheet count on short stems.
+// Points within this distance of the axis count as on it, so that tremor causes no crossings. On
+// short stems it is a fixed length on the sheet.
 double side_margin(double stem_mm)
 {
     return std::max(0.012, 0.8 / stem_mm);
 }
 
-// A line across the stem that ends on both sides of it.
+// Cost of reading a stroke as an inclination line, which crosses the stem and ends on both sides of
+// it.
 double inclination_cost(StrokeLie const& lie, double stem_mm)
 {
     double const first = lie.first().beside;
@@ -55,7 +58,7 @@ double inclination_cost(StrokeLie const& lie, double stem_mm)
         + 1.2 * ramp(lie.lean_deg, 25, 8) + 0.8 * ramp(lie.run, 0.75, 0.95);
 }
 
-// Half of such a line: from the stem outwards.
+// Cost of reading a stroke as half an inclination line, from the stem outwards.
 double half_cost(StrokeLie const& lie, double stem_mm)
 {
     bool const starts = std::fabs(lie.first().beside) < std::fabs(lie.last().beside);
@@ -67,15 +70,16 @@ double half_cost(StrokeLie const& lie, double stem_mm)
     double const most_gap = std::max(0.06, std::min(0.12, 8 / stem_mm));
     if (out < gap + 0.04 || lie.crossings.size() > 1 || near.along < -0.08 || near.along > 1.08)
         return kImpossible;
-    double const rise_deg = degrees(std::atan2(far.along - near.along, out - gap)); // From across.
+    // Angle above the perpendicular to the stem.
+    double const rise_deg = degrees(std::atan2(far.along - near.along, out - gap));
     return 0.1 + 0.35 * ramp(gap, 0.5 * most_gap, most_gap)
         + 1.5 * ramp(gap, most_gap, 2 * most_gap) + 0.8 * ramp(over, 0.03, 0.08)
         + 1.0 * ramp(rise_deg, 60, 78) + 0.9 * ramp(rise_deg, -20, -55)
-        + 1.2 * ramp(lie.reach() / out, 1.08, 1.5) // It comes back to the stem.
+        + 1.2 * ramp(lie.reach() / out, 1.08, 1.5) // The stroke returns to the stem.
         + 0.5 * ramp(near.along, 0.97, 1.06);
 }
 
-// A boundary of one side, or a piece of one.
+// Cost of reading a stroke as a boundary of one side, or as a piece of one.
 double side_cost(StrokeLie const& lie, double side, double stem_mm)
 {
     double const over = side > 0 ? lie.reach_right : lie.reach_left;
@@ -92,13 +96,14 @@ double side_cost(StrokeLie const& lie, double side, double stem_mm)
         + 0.7 * ramp(lie.mean_beside, 0.07, 0.03) + (from_stem ? 0.5 : 0);
 }
 
-// The stem drawn again, or a part of it.
+// Cost of reading a stroke as the stem drawn again, or as a part of it.
 double stem_cost(StrokeLie const& lie)
 {
     double const range = lie.highest - lie.lowest;
     double const near_end = std::min(std::fabs(lie.first().beside), std::fabs(lie.last().beside));
     double const far_end = std::max(std::fabs(lie.first().beside), std::fabs(lie.last().beside));
-    // A line that leaves the stem is farthest from it at its end; a boundary is so in its middle.
+    // A line that leaves the stem is farthest from it at its end; a boundary is farthest in its
+    // middle.
     double const bulge = lie.reach() - far_end;
     return 0.15 + 1.2 * ramp(lie.mean_beside, 0.05, 0.12) + 1.2 * ramp(far_end, 0.15, 0.3)
         + 0.6 * ramp(near_end, 0.03, 0.07) + 1.2 * ramp(bulge, 0.03, 0.08)
@@ -106,7 +111,7 @@ double stem_cost(StrokeLie const& lie)
         + 0.6 * ramp(lie.lean_deg, 10, 20);
 }
 
-// Both boundaries in one stroke, around the stem's top.
+// Cost of reading a stroke as an outline: both boundaries in one stroke, around the stem's top.
 double outline_cost(StrokeLie const& lie)
 {
     bool const around_top = std::any_of(lie.crossings.begin(), lie.crossings.end(),
@@ -132,7 +137,8 @@ double small_piece(StrokeLie const& lie)
     return ramp(lie.highest - lie.lowest, 0.15, 0.05);
 }
 
-// What of the way goes along the axis where the stroke is more than half as far from it as it gets.
+// Share of the stroke's length that runs along the axis, counted where it is farther from the axis
+// than half its maximum distance.
 static double run_outside(StrokeLie const& lie)
 {
     double run = 0;

@@ -11,19 +11,21 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr double kBend = 0.04; // Of the stem's length; both where the spread is 1.
-constexpr double kNodes = 0.1; // Of a layer's nodes.
+// Amplitude of the bend as a share of the stem's length, for a spread of 1.
+constexpr double kBend = 0.04;
+// Change of a layer's number of nodes, as a share, for a spread of 1.
+constexpr double kNodes = 0.1;
 constexpr std::size_t kWaves = 4;
 
-// A smooth way to move the places of a sheet.
+// A smooth random deformation of the sheet.
 class Bend {
 public:
-    // `from_mm` stays where it is.
+    // `from_mm` is the fixed point.
     Bend(Random& random, Vec2 const& from_mm, double length_mm, double amplitude)
         : from_mm_(from_mm)
         , length_mm_(length_mm)
     {
-        constexpr double kLeast = 0.3; // Waves along the stem.
+        constexpr double kLeast = 0.3; // Range of the number of waves along the stem.
         constexpr double kMost = 1.1;
         double const each = amplitude * length_mm / std::sqrt(kWaves / 2.0);
         for (auto& wave : waves_) {
@@ -31,8 +33,8 @@ public:
             wave.number
                 = 2 * kPi * random.uniform(kLeast, kMost) * Vec2(std::cos(along), std::sin(along));
             wave.phase = random.uniform(0, 2 * kPi);
-            double const y
-                = random.normal(); // By itself: compilers differ in the order of arguments.
+            // A separate statement: compilers evaluate arguments in different orders.
+            double const y = random.normal();
             wave.moves_mm = each * Vec2(random.normal(), y).cwiseMin(2).cwiseMax(-2);
         }
     }
@@ -49,7 +51,7 @@ public:
 
 private:
     struct Wave {
-        Vec2 number = Vec2::Zero(); // Radians in a stem's length.
+        Vec2 number = Vec2::Zero(); // Wave vector in radians per stem length.
         double phase = 0;
         Vec2 moves_mm = Vec2::Zero();
     };
