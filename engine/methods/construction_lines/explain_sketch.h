@@ -14,7 +14,7 @@ namespace tractus::lines {
 
 // A stroke of a sketch to be interpreted.
 struct StrokeToExplain {
-    std::vector<Vec3> points; // As for LineRecogniser::add().
+    std::vector<Vec3> points; // In the format of LineRecogniser::add().
     // The role that the user has assigned. Without a value the role is to be found.
     std::optional<Role> said {};
     // Drawn by hand even if its points are far apart: its tremor is removed.

@@ -16,7 +16,7 @@ namespace tractus::lines {
 struct OrganFile {
     OrganViews views {};
     std::optional<Vec3> color {}; // Red, green and blue from 0 to 1; default: the colour of leaves.
-    std::shared_ptr<std::string const> picture {}; // As OrganSurface::picture.
+    std::shared_ptr<std::string const> picture {}; // A PNG file, see OrganSurface::picture.
 };
 
 // Parses "#rrggbb". Fails with Fault::User for other text.

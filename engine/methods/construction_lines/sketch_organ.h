@@ -38,7 +38,8 @@ struct SketchOrgan {
     scene::ItemId id = 0;
     std::vector<Line> lines {}; // One or two sides, at most one midrib and one section.
     OrganColor color = OrganColor::Leaf;
-    // As OrganSurface::picture; used if the colour is Picture. Shared with earlier states.
+    // A PNG file, see OrganSurface::picture; used if the colour is Picture. Shared with earlier
+    // states.
     std::shared_ptr<std::string const> picture {};
     // If not null, the organ is the plant of this sketch.
     std::shared_ptr<PenSketch const> sketch {};

@@ -16,7 +16,8 @@ double ramp(double value, double from, double to);
 // at its top; it is extended straight beyond both.
 class StemAxis {
 public:
-    explicit StemAxis(std::span<Vec3 const> stem); // As of DrawnStem.
+    // The points must meet the requirements of DrawnStem.
+    explicit StemAxis(std::span<Vec3 const> stem);
 
     double length_mm() const { return length_mm_; }
 

@@ -23,14 +23,17 @@ double extent_of_all(std::span<FlatLine const> strokes)
 
 bool is_closed(FlatLine const& line, double extent)
 {
-    constexpr double kMostGap = 0.12;    // Share of the line's extent.
-    constexpr double kLeastArea = 0.008; // Share of the drawing's square.
+    // Largest gap of a closed line, as a share of the line's extent.
+    constexpr double kMostGap = 0.12;
+    // Smallest area of an outline, as a share of the square of the drawing's extent.
+    constexpr double kLeastArea = 0.008;
     double const gap = (line.back() - line.front()).norm();
     return gap < kMostGap * extent_of(line)
         && std::abs(area_of(line)) > kLeastArea * extent * extent;
 }
 
-// An end that runs on beside or across the beginning is cut where it comes nearest to it.
+// Index of the line's last point after cutting off an overshoot: where the end comes nearest to the
+// beginning.
 std::size_t end_without_overshoot(FlatLine const& line)
 {
     double const length = length_of(line);
@@ -43,15 +46,15 @@ std::size_t end_without_overshoot(FlatLine const& line)
     return best;
 }
 
-// Two lines whose ends meet, and what lies between them.
+// Two lines whose ends meet, and the area that they enclose.
 struct Loop {
     std::size_t first = 0;
-    std::size_t second = 0; // One of its ends may lie outside: a midrib with its stalk.
+    std::size_t second = 0; // One end of this line may lie outside: a midrib with its stalk.
     double area = 0;
     bool ends_meet = false;
 };
 
-// The part of a line between the places nearest to two others, in their order.
+// The part of a line between the points nearest to `from` and `to`, in that order.
 FlatLine part_between(FlatLine const& line, Vec2 const& from, Vec2 const& to)
 {
     double const a = nearest_on(line, from).along;
@@ -86,13 +89,14 @@ std::optional<Loop> loop_of(std::span<FlatLine const> strokes, std::size_t i, st
                       || (meets(a.front(), b.back()) && meets(a.back(), b.front())) };
 }
 
-// How far a line bows to its left, as a share of the square of the distance between its ends.
+// Signed area between a line and its chord, positive on the left, relative to the square of the
+// chord's length.
 double bow_of(FlatLine const& line)
 {
     return area_of(line) / (line.back() - line.front()).squaredNorm();
 }
 
-// The widest pair of strokes that closes.
+// Finds the pair of strokes that encloses the largest area.
 std::optional<Loop> widest_loop(std::span<FlatLine const> strokes, double extent)
 {
     double const tolerance = std::max(4.0, 0.05 * extent);
@@ -109,10 +113,11 @@ std::optional<Loop> widest_loop(std::span<FlatLine const> strokes, double extent
     return best;
 }
 
-// Halves lie on two sides of the line between their ends; a midrib hardly leaves it.
+// True if two lines are halves of an outline: they bow to opposite sides of their chord. A midrib
+// hardly leaves it.
 bool are_halves(FlatLine const& a, FlatLine const& b)
 {
-    constexpr double kLeast = 0.25; // Share of the other's.
+    constexpr double kLeast = 0.25; // Smallest bow, as a share of the other line's bow.
     double const bow_a = bow_of(a);
     bool const is_opposite = (a.front() - b.front()).norm() > (a.front() - b.back()).norm();
     double const bow_b = is_opposite ? -bow_of(b) : bow_of(b);
@@ -156,12 +161,13 @@ Result<FoundOutline> outline_of_loop(std::span<FlatLine const> strokes, Loop con
 Result<FoundOutline> find_outline(std::span<FlatLine const> strokes)
 {
     double const extent = extent_of_all(strokes);
-    std::vector<std::pair<double, std::size_t>> closed; // Area, stroke.
+    std::vector<std::pair<double, std::size_t>> closed; // Area and index of each closed stroke.
     for (std::size_t i = 0; i < strokes.size(); ++i)
         if (is_closed(strokes[i], extent))
             closed.emplace_back(std::abs(area_of(strokes[i])), i);
     std::ranges::sort(closed, std::greater {});
-    constexpr double kLeastBlade = 0.2; // Share of the largest one's area.
+    // Smallest area of a second blade, as a share of the largest one's area.
+    constexpr double kLeastBlade = 0.2;
     if (closed.size() > 1 && closed[1].first > kLeastBlade * closed[0].first)
         return fail(Fault::User,
                     fmt::format("strokes {} and {} are both closed: draw one blade by itself, "

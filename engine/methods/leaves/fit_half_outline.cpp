@@ -12,9 +12,9 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr std::size_t kSamples = 500; // Places along a half.
+constexpr std::size_t kSamples = 500; // Number of samples along a half outline.
 constexpr std::size_t kMostStops = 70;
-constexpr std::size_t kLeastSpan = 8; // Samples.
+constexpr std::size_t kLeastSpan = 8; // Shortest span, in samples.
 constexpr double kCorner_deg = 50;
 
 double turn_deg(FlatLine const& line, std::size_t i, std::size_t reach)
@@ -24,7 +24,7 @@ double turn_deg(FlatLine const& line, std::size_t i, std::size_t reach)
     return std::abs(degrees(std::atan2(cross(before, behind), before.dot(behind))));
 }
 
-// Points of a curve, each at a sample of the drawn line.
+// Control points of a curve, each at a sample of the drawn line.
 struct Stops {
     std::vector<std::size_t> samples {};
     std::vector<bool> is_corner {};
@@ -39,7 +39,7 @@ struct Stops {
     }
 };
 
-// Least squares for the points of a HalfOutline's curve, both ends fixed.
+// Least-squares fit of a HalfOutline's control points, with both ends fixed.
 class HalfFit {
 public:
     HalfFit(FlatLine const& line, Stops const& stops)
@@ -52,22 +52,22 @@ public:
     }
 
     std::vector<Vec2> const& points() const { return points_; }
-    // Mean distance of a span's samples from the curve, as a root of squares.
+    // Root mean square distance of a span's samples from the curve.
     double error(std::size_t span) const { return std::sqrt(square_error_[span]); }
-    // Mean of both spans that meet in a point.
+    // Root mean square error of the two spans that meet at a control point.
     double error_beside(std::size_t point) const
     {
         return std::sqrt(0.5 * (square_error_[point - 1] + square_error_[point]));
     }
 
 private:
-    // How much of each point there is in a place on the curve.
+    // Weights of the control points in a point of the curve.
     struct Shares {
         std::size_t first = 0;
-        std::array<double, 4> of {}; // Shares of the points from first on.
+        std::array<double, 4> of {}; // Weights of the control points from `first` on.
     };
 
-    // Catmull and Rom's curve as HalfOutline has it.
+    // Weights of the Catmull-Rom curve that HalfOutline uses.
     Shares shares_at(std::size_t span, double t) const
     {
         double const s = 1 - t;
@@ -78,7 +78,8 @@ private:
         bool const is_straight_before = span == 0 || stops_.is_corner[span];
         bool const is_straight_behind = span + 2 == stops_.count() || stops_.is_corner[span + 1];
         Shares made { .first = span == 0 ? 0 : span - 1 };
-        std::array<double, 4> of { 0, begin, end, 0 }; // From the point before the span on.
+        // Weights from the control point before the span on.
+        std::array<double, 4> of { 0, begin, end, 0 };
         if (is_straight_before) {
             of[1] -= leave;
             of[2] += leave;
@@ -99,7 +100,7 @@ private:
         return made;
     }
 
-    // Calls back with each sample: its span, shares and number.
+    // Calls `visit` for each sample, with its span, weights and index.
     template<typename Visit> void visit_samples(Visit const& visit) const
     {
         for (std::size_t span = 0; span + 1 < stops_.count(); ++span) {
@@ -117,7 +118,8 @@ private:
         return (line_[to] - line_[from]).normalized();
     }
 
-    // Distances across the line count in full; along it the curve may run ahead of the drawing.
+    // Solves for the control points. Distances across the line have full weight; along the line the
+    // curve may differ from the drawing.
     void solve()
     {
         constexpr double kAlong = 0.15;
@@ -187,7 +189,7 @@ std::size_t span_size(Stops const& stops, std::size_t span)
     return stops.samples[span + 1] - stops.samples[span];
 }
 
-// Splits spans until each fits; neighbours of one smooth curve do not differ much in length.
+// Splits spans until each fits. On smooth parts, neighbouring spans are kept at similar lengths.
 void refine(FlatLine const& line, Stops& stops, double tolerance)
 {
     while (stops.count() < kMostStops) {
@@ -217,7 +219,7 @@ void refine(FlatLine const& line, Stops& stops, double tolerance)
     }
 }
 
-// What a smooth curve fits hardly worse is no corner.
+// Removes corners where a smooth curve fits almost as well.
 void drop_false_corners(FlatLine const& line, Stops& stops)
 {
     constexpr double kWorse = 1.08;
@@ -262,7 +264,8 @@ std::vector<HalfOutline::Point> fit_half_outline(FlatLine const& half, double to
         stops.insert(corner);
         stops.is_corner[stops.count() - 2] = true;
     }
-    for (std::size_t span = 0; span + 1 < stops.count(); ++span) // A span alone is straight.
+    // A single span would be a straight line.
+    for (std::size_t span = 0; span + 1 < stops.count(); ++span)
         if (stops.count() == 2)
             stops.insert(kSamples / 2);
     refine(line, stops, tolerance);
@@ -277,7 +280,8 @@ std::vector<HalfOutline::Point> fit_half_outline(FlatLine const& half, double to
 
 std::optional<FlatLine> mean_half(FlatLine const& a, FlatLine const& b, double window)
 {
-    constexpr double kMostApart = 0.06; // Share of the line, or of the blade.
+    // Largest distance between the halves, as a share of the length of the line or of the blade.
+    constexpr double kMostApart = 0.06;
     auto const one = evenly(a, kSamples);
     auto const other = evenly(b, kSamples);
     auto stops = corners_of_half(one, window);

@@ -11,7 +11,7 @@ namespace tractus::leaf {
 
 namespace {
 
-// Where a line at this height crosses a closed one, from left to right.
+// X coordinates, from left to right, where a horizontal line crosses a closed line.
 std::vector<double> crossings(FlatLine const& ring, double y)
 {
     std::vector<double> found;
@@ -25,7 +25,7 @@ std::vector<double> crossings(FlatLine const& ring, double y)
     return found;
 }
 
-// Length on which both lists of ways in and out are inside.
+// Length of the overlap of two sets of intervals; each list alternates between beginnings and ends.
 double common_length(std::vector<double> const& a, std::vector<double> const& b)
 {
     double sum = 0;
@@ -35,7 +35,7 @@ double common_length(std::vector<double> const& a, std::vector<double> const& b)
     return sum;
 }
 
-// As its text has it: to so many parts of one.
+// Rounds a value to a multiple of 1 / parts, as it is written in a leaf's text.
 double rounded_to(double value, double parts)
 {
     return std::round(value * parts) / parts;
@@ -48,7 +48,7 @@ FlatLine mirrored(FlatLine line)
     return line;
 }
 
-// A half outline moved across, and closed along the axis.
+// Moves a half outline sideways and closes it along the axis.
 FlatLine moved_aside(FlatLine line, double by)
 {
     for (auto& at : line)
@@ -64,18 +64,18 @@ DrawnLeaf::Half rounded_half(DrawnLeaf::Half half)
     half.front().at = Vec2::Zero();
     half.back().at = Vec2(0, 1);
     for (auto& point : half) {
-        // The engine keeps each half on its own side.
+        // The leaf engine requires each half to stay on its own side.
         point.at.x() = std::max(0.0, rounded_to(point.at.x(), kPlaces));
         point.at.y() = rounded_to(point.at.y(), kPlaces);
     }
     return half;
 }
 
-// One half outline for both sides where they hardly differ, else two.
+// Fits one outline to both halves if they hardly differ, otherwise one to each.
 void fit_outline(FlatBlade const& blade, LeafFit& fit)
 {
-    constexpr double kEqual
-        = 0.04; // Asymmetry beyond what the hand's tremor makes of equal halves.
+    // Largest asymmetry of halves that count as equal, in addition to the effect of tremor.
+    constexpr double kEqual = 0.04;
     constexpr double kMostAside_mm = 1;
     double const tremor = fit.tremor_mm / blade.size_mm;
     double const tolerance = std::max(1.05 * tremor, 0.0015);
@@ -83,7 +83,7 @@ void fit_outline(FlatBlade const& blade, LeafFit& fit)
     auto const left = mirrored(blade.left);
     auto& leaf = fit.leaf;
     if (!left.empty()) {
-        // A midrib that is drawn a little aside of the middle makes no asymmetry.
+        // Compensates for a midrib that is drawn slightly off the middle.
         double const aside = 0.5 * (std::abs(area_of(blade.right)) - std::abs(area_of(left)));
         double const shift
             = std::clamp(aside, -kMostAside_mm / blade.size_mm, kMostAside_mm / blade.size_mm);
@@ -101,7 +101,7 @@ void fit_outline(FlatBlade const& blade, LeafFit& fit)
     leaf.right = rounded_half(fit_half_outline(blade.right, tolerance, window));
 }
 
-// Veins beside a half outline stand for both sides.
+// Mirrors the veins of a leaf of which only one half was drawn.
 void mirror_veins(DrawnLeaf& leaf)
 {
     auto const has_left = [](DrawnLeaf::Knot const& knot) { return knot.left_deg.has_value(); };
@@ -157,7 +157,7 @@ double overlap_of(FlatLine const& a, FlatLine const& b)
 Result<LeafFit> fit_leaf(RecognisedLeaf const& drawn)
 {
     constexpr double kLeastStalk = 0.02;
-    constexpr double kUsualStalk = 0.06; // Where none is drawn.
+    constexpr double kUsualStalk = 0.06; // Length of the stalk if none is drawn.
     auto const blade = TRY(lay_flat(drawn));
     LeafFit fit;
     double const tremor = tremor_of(blade);

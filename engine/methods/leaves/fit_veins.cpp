@@ -13,19 +13,21 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr double kLeastGap = 0.012; // Between knots of one main vein; a knot is 0.008 long.
+// Smallest distance between knots of a main vein; a knot has length 0.008.
+constexpr double kLeastGap = 0.012;
 constexpr double kLastKnot = 0.985;
 constexpr std::size_t kMostKnots = 70;
-constexpr double kTremorLength_mm = 4; // A hand's deviations this far apart are independent.
+// Deviations of a hand-drawn line this far apart are independent.
+constexpr double kTremorLength_mm = 4;
 
-// A line's least-squares parabola over 0 to 1, and its straight line.
+// The least-squares parabola and straight line through a line's points, over the range 0 to 1.
 struct LineFit {
     Vec2 begin = Vec2::Zero();
     Vec2 straight = Vec2::UnitY(); // Direction of the straight line.
-    double turn_deg = 0;           // Turn of the parabola, to the right.
+    double turn_deg = 0;           // Turn of the parabola from end to end, positive to the right.
     double length = 0;
-    double square_error = 0; // Sum over the points, across the parabola.
-    double freedom = 0;      // How many independent errors there are in it.
+    double square_error = 0; // Sum of squared distances of the points from the parabola.
+    double freedom = 0;      // Number of independent errors in that sum.
 };
 
 LineFit fit_line(FlatLine const& line)
@@ -76,13 +78,13 @@ double between_180(double angle)
     return std::remainder(angle, 360.0);
 }
 
-// As its text has it: to so many parts of one.
+// Rounds a value to a multiple of 1 / parts, as it is written in a leaf's text.
 double rounded(double value, double parts)
 {
     return std::round(value * parts) / parts;
 }
 
-// A main vein as measured.
+// Measurements of a main vein.
 struct MainLine {
     Vec2 begin = Vec2::Zero();
     double angle_deg = 0;
@@ -90,16 +92,16 @@ struct MainLine {
     double length = 1;
 };
 
-// A side vein as measured.
+// Measurements of a side vein.
 struct SideLine {
     std::size_t parent = 0;
     bool is_right = true;
     double at = 0;
-    double angle_deg = 0; // Angle of its straight line, from its parent's direction, above 0.
-    double noise_deg = 0; // What the tremor does to that.
-    double turn_deg = 0;  // Towards the parent's end.
+    double angle_deg = 0; // Angle between its straight line and its parent's direction, positive.
+    double noise_deg = 0; // Standard error of that angle from tremor.
+    double turn_deg = 0;  // Turn from begin to end, positive towards the parent's end.
     double length = 0;
-    double fitted_deg = 0; // At its begin.
+    double fitted_deg = 0; // Fitted angle at its beginning.
 };
 
 class VeinFitter {
@@ -131,11 +133,12 @@ public:
     }
 
 private:
-    // Where mains begin, above the stalk's end.
+    // Finds the hub, where the main veins begin, above the end of the stalk.
     void find_hub()
     {
         constexpr double kLeast = 0.012;
-        constexpr double kMost = 0.016; // The limb follows the outline past it.
+        // Beyond this, the limb would follow the outline past the hub.
+        constexpr double kMost = 0.016;
         if (blade_.mains.size() < 2)
             return;
         std::vector<double> begins;
@@ -151,7 +154,8 @@ private:
         return degrees(tremor_ / length * std::sqrt(12 / independent));
     }
 
-    // The tremor's share in a line's turn: of a parabola's height, which is an eighth of it.
+    // Standard error of a line's turn from tremor: the height of the parabola is an eighth of the
+    // turn.
     double turn_noise_deg(double length) const { return 4 * noise_deg(length); }
 
     MainLine measure_main(FlatLine const& line) const
@@ -175,7 +179,7 @@ private:
         auto const& main = mains_[parent];
         auto const fit = fit_line(line);
         SideLine made { .parent = parent, .length = fit.length };
-        // Along a bent parent its chord is near enough to find the place.
+        // The chord of a bent parent is accurate enough to find the place on it.
         Vec2 const chord = direction_of(main.angle_deg + 0.5 * main.curve_deg);
         Vec2 const from = line.front() - main.begin;
         double const along = from.dot(chord) / main.length;
@@ -192,8 +196,8 @@ private:
         return made;
     }
 
-    // One law for the curves of all side veins, if they have any: a straight line over their
-    // places.
+    // Fits a common law for the curvature of all side veins, linear in their place on the parent,
+    // if they are curved at all.
     void find_curve()
     {
         constexpr double kLeastTurn = 5;
@@ -207,7 +211,7 @@ private:
             moments += weight * row * row.transpose();
             sums += weight * side.turn_deg * row;
         }
-        Eigen::Matrix2d const doubt = moments.inverse(); // Their variances.
+        Eigen::Matrix2d const doubt = moments.inverse(); // Covariance of the coefficients.
         Vec2 law = doubt * sums;
         if (std::abs(law[0]) < std::max(kLeastTurn, 3 * std::sqrt(doubt(0, 0))))
             return;
@@ -225,12 +229,13 @@ private:
             + at * (result_.side_curve_at_tip_deg - result_.side_curve_deg);
     }
 
-    // Empirical Bayes: what all of a parent's veins say, in a straight line over their places, and
-    // what each says by itself, by how sure that is.
+    // Smooths the angles of a parent's side veins by empirical Bayes: each angle is a weighted mean
+    // of its own measurement and a linear law over all veins of the parent.
     void steady_angles(std::size_t parent)
     {
-        constexpr double kFree_deg = 6;  // How far few veins may differ.
-        constexpr double kOwn_deg = 1.5; // How far one of many differs, unless it clearly does.
+        constexpr double kFree_deg = 6; // Standard deviation of angles if there are few veins.
+        // Usual standard deviation of angles if there are many veins.
+        constexpr double kOwn_deg = 1.5;
         constexpr std::size_t kEnough = 6;
         std::vector<SideLine*> group;
         for (auto& side : sides_)
@@ -291,7 +296,7 @@ private:
         }
     }
 
-    // A main vein's knots: veins across from each other share one.
+    // Makes the knots of a main vein; opposite side veins share a knot.
     Result<void> fill_main(std::size_t parent)
     {
         std::vector<std::size_t> order;
@@ -341,7 +346,7 @@ private:
             = blade_.size_mm * outline_.reach(from, direction_of(along_deg + bent));
     }
 
-    // Knots have a length, and none lies on another one.
+    // Moves knots apart, because they have a length and must not overlap.
     static void space_out(std::vector<DrawnLeaf::Knot>& knots, double begin)
     {
         double least = begin + kLeastGap;
@@ -356,7 +361,8 @@ private:
         }
     }
 
-    // The midrib, then from the outermost right one to the outermost left one.
+    // Sorts the main veins: first the midrib, then from the outermost right one to the outermost
+    // left one.
     void order_mains()
     {
         auto const key = [](DrawnLeaf::Main const& main) {
@@ -383,7 +389,7 @@ double tremor_of(FlatBlade const& blade)
     double count = 0;
     auto const add = [&](FlatLine const& line) {
         auto const fit = fit_line(line);
-        // A parabola takes its part of so few independent deviations.
+        // The parabola absorbs three of the independent deviations.
         double const independent = std::max(1.0, fit.length * blade.size_mm / kTremorLength_mm);
         if (independent < 5)
             return;

@@ -14,14 +14,14 @@ namespace {
 
 using SpaceLine = std::vector<Vec3>;
 
-// Least squares for a polynomial over 0 to 1. Its ends are free: where a midrib crosses the outline
-// is known less well than how it lies as a whole.
+// Least-squares fit of a polynomial over 0 to 1. Its ends are not fixed, because the midrib's ends
+// on the outline are less certain than its course as a whole.
 template<int kTerms> class Bow {
 public:
     using Terms = Eigen::Matrix<double, kTerms, 1>;
 
     Bow() = default;
-    // Places outside of 0 to 1 do not count.
+    // Points outside 0 to 1 are ignored.
     explicit Bow(std::vector<Vec2> const& places)
     {
         Eigen::Matrix<double, kTerms, kTerms> moments
@@ -62,7 +62,7 @@ private:
     Terms terms_ = Terms::Zero();
 };
 
-// Ring and midrib as one looks down on the leaf.
+// Frame for looking down on the leaf along its normal.
 struct Seen {
     Vec3 right;
     Vec3 up;
@@ -82,7 +82,8 @@ struct Seen {
     }
 };
 
-// The first place on a closed line in a direction, in points of the line.
+// First intersection of a ray with a closed line, as a fractional index of the line's points; no
+// value beyond `most`.
 std::optional<double> first_on_ring(FlatLine const& ring, Vec2 const& from, Vec2 const& way,
                                     double most)
 {
@@ -104,10 +105,10 @@ std::optional<double> first_on_ring(FlatLine const& ring, Vec2 const& from, Vec2
     return found;
 }
 
-// Where a line that leads out of a closed one leaves it, or would leave it.
+// Where a line from inside a closed one leaves it, or would leave it if extended.
 double exit_of(FlatLine const& ring, FlatLine const& outwards)
 {
-    constexpr double kMost = 0.15; // How much of its length a midrib may lack.
+    constexpr double kMost = 0.15; // Largest part of its length that a midrib may be too short by.
     double const length = length_of(outwards);
     auto const last_inside = std::find_if(outwards.rbegin(), outwards.rend(),
                                           [&](Vec2 const& at) { return is_inside(ring, at); });
@@ -123,7 +124,8 @@ double exit_of(FlatLine const& ring, FlatLine const& outwards)
     return nearest_on(ring, end).along;
 }
 
-// How sharply a closed line turns there, to the left, in degrees, over so many points both ways.
+// Turn of a closed line at a point, in degrees, positive to the left, measured over `reach` points
+// on both sides.
 double turn_at(FlatLine const& ring, std::size_t i, std::size_t reach)
 {
     auto const n = ring.size();
@@ -132,7 +134,7 @@ double turn_at(FlatLine const& ring, std::size_t i, std::size_t reach)
     return degrees(std::atan2(cross(before, behind), before.dot(behind)));
 }
 
-// A pointed tip beside the midrib's end is where the midrib was meant to end.
+// Finds a pointed tip near the midrib's end: the midrib was probably meant to end there.
 double tip_beside(FlatLine const& ring, double exit, double extent)
 {
     constexpr double kLeastTurn = 40;
@@ -162,7 +164,7 @@ Vec3 space_place_at(SpaceLine const& ring, double along)
     return ring[i] + share * (ring[(i + 1) % ring.size()] - ring[i]);
 }
 
-// From one place of a closed line to another, in the line's order.
+// The part of a closed line from one place to another, in the line's direction.
 SpaceLine part_of_ring(SpaceLine const& ring, double from, double to)
 {
     auto const n = double(ring.size());
@@ -191,7 +193,7 @@ public:
             blade.right.push_back(flat(at));
         for (auto const& at : left_)
             blade.left.push_back(flat(at));
-        // A half on the left is laid out as its mirror image, and so are its veins.
+        // A left half is mirrored to the right, together with its veins.
         bool const mirrors = left_.empty() && area_of(blade.right) < 0;
         mirror_ = mirrors ? -1 : 1;
         if (mirrors)
@@ -231,7 +233,8 @@ private:
         base_ = right_.front();
         tip_ = right_.back();
         length_ = (tip_ - base_).norm();
-        constexpr double kLeast = 0.2; // Share of the midrib that the blade has.
+        // Smallest length of the blade, as a share of the midrib's length.
+        constexpr double kLeast = 0.2;
         if (right_.size() < 8 || length_ < kLeast * (rib().back() - rib().front()).norm())
             return fail(Fault::User,
                         "the outline does not lie round the midrib: draw the midrib from the "
@@ -246,14 +249,15 @@ private:
         right_way_ = up_.cross(normal_);
     }
 
-    // To the right, along the line from base to tip, and above it.
+    // Coordinates in the blade's frame: to the right, along the line from base to tip, and along
+    // the normal.
     Vec3 framed(Vec3 const& at) const
     {
         Vec3 const from_base = at - base_;
         return { from_base.dot(right_way_), from_base.dot(up_), from_base.dot(normal_) };
     }
 
-    // The midrib's two curves, and how far the blade rises beside it.
+    // Fits the midrib's two curves, sideways and in height, and the rise of the blade beside it.
     void find_shape()
     {
         std::vector<Vec2> aside;
@@ -288,7 +292,8 @@ private:
         size_ = along_.back();
     }
 
-    // Across and along the curve; beyond its ends it goes on straight.
+    // Converts a point to coordinates across and along the midrib's curve, which is extended
+    // straight beyond its ends.
     Vec2 flat(Vec3 const& point) const
     {
         Vec2 const at = framed(point).head<2>();
@@ -348,8 +353,8 @@ private:
     Bow<3> aside_;
     Bow<4> above_;
     double rise_ = 0;
-    SpaceLine curve_;           // The midrib in the frame,
-    std::vector<double> along_; // and its length so far.
+    SpaceLine curve_;           // The midrib's curve in the blade's frame.
+    std::vector<double> along_; // Arc length at each point of that curve.
     double size_ = 0;
     double mirror_ = 1;
 };

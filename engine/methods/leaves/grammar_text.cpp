@@ -30,7 +30,8 @@ GrammarText::GrammarText(std::string_view text, std::string name)
     skip();
 }
 
-// Comments stand between two @; what follows the last one that nothing closes is left.
+// Skips blanks and comments, which are enclosed in two @. A last @ without a partner is not
+// skipped.
 void GrammarText::skip()
 {
     while (at_ < text_.size()) {
@@ -163,7 +164,7 @@ struct Operator {
     int rank;
 };
 
-// Longer signs first.
+// Longer operators come before their prefixes.
 constexpr std::array kOperators {
     Operator { "||", Operation::Kind::Or, 1 },
     Operator { "&&", Operation::Kind::And, 2 },
@@ -181,8 +182,8 @@ constexpr std::array kOperators {
     Operator { "^", Operation::Kind::Power, 8 },
 };
 constexpr int kComparisonRank = 4;
-constexpr int kSignRank = 7;    // -a ^ b is -(a ^ b).
-constexpr int kHighestRank = 9; // Above all operators.
+constexpr int kSignRank = 7;    // -a ^ b means -(a ^ b).
+constexpr int kHighestRank = 9; // Higher than the rank of any operator.
 constexpr int kDeepest = 200;
 
 class ExpressionReader {
@@ -214,7 +215,7 @@ private:
             TRY(text_.expect(":"));
             auto const over = add_skip(Kind::Skip);
             land(test);
-            ++depth_; // Choices without end call each other, too.
+            ++depth_; // Counted here, too, because choices can nest without parentheses.
             TRY(choice());
             --depth_;
             land(over);
@@ -227,7 +228,7 @@ private:
         add({ .kind = kind });
         return made_.operations.size();
     }
-    // Moves what was added as that skip behind what was added last.
+    // Sets the target of a skip to the operation that is added next.
     void land(std::size_t skip)
     {
         made_.operations[skip - 1].target = made_.operations.size() - skip;

@@ -50,10 +50,9 @@ private:
     bool stays_in_line_ = false;
 };
 
-// Reads a C-like expression as in cpfg: ?:
-//
-// && == != < <= > >= + - * / % ^ ! and function calls. `in_angles`: it is enclosed in < and >, so
-// comparisons need parentheses.
+// Reads a C-like expression as in cpfg, with the operators ?: || && == != < <= > >= + - * / % ^ !
+// and function calls. If `in_angles`, the expression is enclosed in < and >, so comparisons need
+// parentheses.
 Result<Expression> read_expression(GrammarText& text, NameTable& names, bool in_angles = false);
 
 } // namespace tractus::leaf

@@ -9,9 +9,9 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr double kMostEdges = 9'999; // Limit for one face.
+constexpr double kMostEdges = 9'999; // Largest number of edges of a face.
 constexpr std::size_t kMostDarts = 2'000'000;
-constexpr std::size_t kMostWork = 500'000'000; // Some seconds.
+constexpr std::size_t kMostWork = 500'000'000; // A few seconds of work.
 
 Vec3 unit_or_x(Vec3 const& v)
 {
@@ -19,7 +19,7 @@ Vec3 unit_or_x(Vec3 const& v)
     return length > 1e-12 ? Vec3(v / length) : Vec3(Vec3::UnitX());
 }
 
-// The two turn about what is across them both, the first towards the second.
+// Rotates two unit vectors in their plane, the first towards the second.
 void turn_pair(Vec3& first, Vec3& second, double angle_deg)
 {
     double const c = std::cos(radians(angle_deg));
@@ -31,7 +31,7 @@ void turn_pair(Vec3& first, Vec3& second, double angle_deg)
 
 } // namespace
 
-// Gamma about z, then beta about the new y, then alpha about the new x.
+// Rotates by gamma about z, then by beta about the new y axis, then by alpha about the new x axis.
 void Leaf::Frame::turn(double alpha_deg, double beta_deg, double gamma_deg)
 {
     turn_pair(x, y, gamma_deg);
@@ -87,7 +87,7 @@ tl::unexpected<Error> Leaf::fail_at(TextPlace const& place, std::string const& w
                             step_, what));
 }
 
-// Refuses what takes longer than anybody waits.
+// Fails if the derivation takes unreasonably long.
 Result<void> Leaf::spend(std::size_t work)
 {
     work_ += work;
@@ -115,7 +115,8 @@ Result<Attributes> Leaf::attributes_of(char face, Fields const& fields, TextPlac
     return attributes;
 }
 
-// The child's O runs against the parent's edge; x points out of it, z as the parent's.
+// Placement of a child face on an edge. Its edge O runs opposite to the parent's edge; x points
+// away from the parent, and z is the parent's.
 Leaf::Stand Leaf::stand_on(Dart edge, Shape shape) const
 {
     auto const& parent = faces_[static_cast<std::size_t>(map_.face(edge))];
@@ -152,7 +153,8 @@ Leaf::Stand Leaf::stand_for(Attributes const& attributes, std::optional<Dart> on
     return stand;
 }
 
-// Counter-clockwise from where O starts: O's ends, the right side's corners, the left side's.
+// Corners of a face, counter-clockwise from the start of edge O: the ends of O, then the corners of
+// the right and of the left side.
 std::vector<Vec3> Leaf::corners_of(Attributes const& attributes, Stand const& stand) const
 {
     auto const [count, along, alpha, beta, gamma, length, width] = attributes;
@@ -163,7 +165,7 @@ std::vector<Vec3> Leaf::corners_of(Attributes const& attributes, Stand const& st
     Vec3 const left = middle + 0.5 * width * stand.frame.y;
     Vec3 const right = middle - 0.5 * width * stand.frame.y;
     std::vector<Vec3> corners { stand.left, stand.right };
-    if (lefts == 0) // A triangle's right side ends at its tip.
+    if (lefts == 0) // The right side of a triangle ends at its tip.
         corners.push_back(left);
     for (int i = 1; i <= rights && lefts > 0; ++i)
         corners.push_back(stand.right + double(i) / rights * (right - stand.right));
@@ -172,7 +174,7 @@ std::vector<Vec3> Leaf::corners_of(Attributes const& attributes, Stand const& st
     return corners;
 }
 
-// Makes a face on the free edge that `on` starts; without it, on the axiom's.
+// Makes a face on the free edge that starts at `on`; without a value, the axiom's face.
 Result<FaceId> Leaf::make_face(char name, Fields const& fields, std::optional<Dart> on,
                                TextPlace const& place)
 {
@@ -226,7 +228,7 @@ Vec2 Leaf::Blade::to_flat(Vec2 const& on_outline) const
     return base + scale * (on_outline.x() * Vec2(axis.y(), -axis.x()) + on_outline.y() * axis);
 }
 
-// Begins a blade as large as the grammar's variable `blade` says by now.
+// Begins a blade; its size is the current value of the grammar's variable `blade`.
 void Leaf::begin_blade(FaceId stalk)
 {
     auto& face = faces_[static_cast<std::size_t>(stalk)];
@@ -258,7 +260,7 @@ void Leaf::pose(Attributes& attributes, std::optional<Dart> on)
     }
 }
 
-// How far the outline is from where a face starts.
+// Distance of a face's start from the outline in the face's direction.
 Result<double> Leaf::reach(Stand const& start, std::size_t blade)
 {
     if (blades_.empty())
@@ -271,19 +273,20 @@ Result<double> Leaf::reach(Stand const& start, std::size_t blade)
     return on.scale * outline_.reach(from, way);
 }
 
-// A vein that goes on at another's end is of its order, and so are those round a hub.
+// Order of a vein on an edge. A vein that continues another one at its end, or begins at a hub, has
+// the same order.
 int Leaf::order_on(std::optional<Dart> edge) const
 {
     if (!edge)
         return 1;
-    constexpr int kLeastHub = 5; // Edges.
+    constexpr int kLeastHub = 5; // A face with at least this many edges is a hub.
     auto const& parent = faces_[static_cast<std::size_t>(map_.face(*edge))];
     bool const goes_on
         = map_.label(*edge) == EdgeLabel::Extremity || parent.edge_count >= kLeastHub;
     return goes_on ? parent.order : parent.order + 1;
 }
 
-// No value for a part that has no end.
+// The vein along a face; no value for a face without an extremity edge.
 std::optional<Leaf::Vein> Leaf::vein_of(Face const& face) const
 {
     auto const half_width
@@ -309,7 +312,7 @@ std::vector<Leaf::Vein> Leaf::veins() const
     return made;
 }
 
-// The first one counter-clockwise from the face's first edge.
+// Finds the first free edge with a label, counter-clockwise from the face's first edge.
 std::optional<Dart> Leaf::free_edge(FaceId face, EdgeLabel label) const
 {
     auto const first = faces_[static_cast<std::size_t>(face)].first;
@@ -331,8 +334,8 @@ void Leaf::run(std::vector<Statement> const& block)
     }
 }
 
-// Whether the rule fitted. Names that are not the grammar's variables are the rule's own: they and
-// the face's attributes have values while it is at work.
+// Applies a rule to a face; returns false if it does not match. While it runs, its local names and
+// the face's attributes have values.
 Result<bool> Leaf::apply(Rule const& rule, FaceId face)
 {
     auto const& attributes = faces_[static_cast<std::size_t>(face)].attributes;
@@ -362,7 +365,7 @@ Result<bool> Leaf::apply(Rule const& rule, FaceId face)
 
 Result<void> Leaf::grow(Rule const& rule, Growing const& growing, FaceId face)
 {
-    // Fields that overload the parent's own attributes are what its formal names read later.
+    // Fields that override the parent's attributes define the values that later rules read.
     auto own = faces_[static_cast<std::size_t>(face)].attributes;
     for (std::size_t i = 0; i < growing.fields.size(); ++i)
         if (!growing.fields[i].empty())

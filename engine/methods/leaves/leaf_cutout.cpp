@@ -12,13 +12,13 @@ namespace tractus::leaf {
 
 namespace {
 
-// Whether the insides of two segments cross.
+// True if two segments cross at inner points of both.
 bool do_cross(Vec2 const& a, Vec2 const& b, Vec2 const& c, Vec2 const& d)
 {
     return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
 }
 
-// Corners of squares of pixels along the edge of what is there; y upwards.
+// Corners of pixel squares along the edge of the opaque area; y upwards.
 std::vector<Vec2> edge_points(std::span<float const> alpha, int side, float least)
 {
     int const block = std::max(1, side / 128);
@@ -47,8 +47,8 @@ std::vector<Vec2> edge_points(std::span<float const> alpha, int side, float leas
     return points;
 }
 
-// Counter-clockwise (Andrew, "Another efficient algorithm for convex hulls in two dimensions",
-// 1979).
+// Convex hull, counter-clockwise (Andrew, "Another efficient algorithm for convex hulls in two
+// dimensions", 1979).
 std::vector<Vec2> convex_hull(std::vector<Vec2> points)
 {
     auto const is_before = [](Vec2 const& a, Vec2 const& b) {
@@ -64,7 +64,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points)
                 hull.pop_back();
             hull.push_back(point);
         }
-        hull.pop_back(); // Removed, as the other half begins with it.
+        hull.pop_back(); // The other half begins with this point.
         if (half == 0)
             std::ranges::reverse(points);
     }
@@ -96,7 +96,7 @@ private:
     Vec2 const& corner(std::size_t i) const { return corners_[i % corners_.size()]; }
 
     struct Bay {
-        std::size_t behind = 0; // The corner before it.
+        std::size_t behind = 0; // Index of the corner before it.
         Vec2 at = Vec2::Zero();
         double area = 0;
     };
@@ -113,7 +113,7 @@ private:
         return true;
     }
 
-    // How a point is seen from a side's two ends: cotangents of the angles to the side.
+    // Cotangents of the angles at which a point is seen from the two ends of a side.
     struct Seen {
         double from_start = 0;
         double from_end = 0;
@@ -138,7 +138,7 @@ private:
         return seen;
     }
 
-    // The largest triangle on a side with nothing of the leaf in it.
+    // Finds the largest triangle on a side that contains nothing of the leaf.
     std::optional<Bay> bay_on(std::size_t i) const
     {
         Vec2 const& a = corner(i);
@@ -146,7 +146,8 @@ private:
         double const length = (b - a).norm();
         auto seen = seen_from(a, b);
         std::ranges::sort(seen, std::ranges::greater(), &Seen::from_start);
-        // Ways rise from the start; towards the end, none may rise above a point that was passed.
+        // Points are visited in the order of their angle at the side's start; at its end, the angle
+        // must stay above those of all visited points.
         double steepest = -std::numeric_limits<double>::infinity();
         Bay best { .behind = i };
         for (auto const& [from_start, from_end] : seen) {
@@ -175,7 +176,8 @@ private:
         return false;
     }
 
-    // The side whose neighbours meet soonest beyond it is replaced by the place where they do.
+    // Removes a side: the one whose neighbours, when extended, meet with the smallest added area.
+    // Their intersection replaces it.
     bool leave_side_out()
     {
         std::optional<Bay> best;

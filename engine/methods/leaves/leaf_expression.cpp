@@ -125,7 +125,8 @@ FunctionName const* find_function(std::string_view name)
 
 double Expression::value(std::span<double const> values, Random& random) const
 {
-    constexpr std::size_t kUsual = 64; // Operations; there are never more values than those.
+    // Number of operations; the stack never holds more values than that.
+    constexpr std::size_t kUsual = 64;
     if (operations.size() <= kUsual) {
         std::array<double, kUsual> stack;
         return value_on(stack.data(), values, random);

@@ -1,4 +1,4 @@
-// The limb between the veins.
+// This file makes the limb, the blade's surface between the veins.
 #include "engine/methods/leaves/leaf.h"
 
 #include <algorithm>
@@ -24,7 +24,8 @@ Result<void> Leaf::fill()
     for (std::size_t i = 0; i < border.size(); ++i)
         if (map_.label(border[i]) == EdgeLabel::Extremity)
             tips.push_back(i);
-    if (grammar_->has_base && !tips.empty()) { // The stalk's end counts as a tip on both sides.
+    // With a base, the end of the stalk counts as a tip on both sides.
+    if (grammar_->has_base && !tips.empty()) {
         tips.insert(tips.begin(), 0);
         tips.push_back(border.size());
     }
@@ -36,7 +37,7 @@ Result<void> Leaf::fill()
         auto const first_bare = std::ranges::find_if(way, is_bare);
         if (first_bare == way.end()) {
             TRY(fill_way(way));
-        } else if (grammar_->has_base) { // Leaflets each have a limb of their own.
+        } else if (grammar_->has_base) { // Leaflets have separate limbs.
             auto const behind_last = std::find_if(way.rbegin(), way.rend(), is_bare).base();
             TRY(fill_way({ way.begin(), first_bare }));
             TRY(fill_way({ behind_last, way.end() }));
@@ -46,7 +47,8 @@ Result<void> Leaf::fill()
     return {};
 }
 
-// Where the way bulges out of the chord between its ends, it is parted at the vertex farthest out.
+// Fills a chain of edges with limb faces. Where the chain bulges beyond the chord of its ends, it
+// is divided at the farthest vertex.
 Result<void> Leaf::fill_way(std::vector<Dart> const& way)
 {
     constexpr double kInside = -1e-9;
@@ -57,7 +59,7 @@ Result<void> Leaf::fill_way(std::vector<Dart> const& way)
         if (part.size() < 2 && (outline_.empty() || part.empty()))
             continue;
         TRY(spend(part.size()));
-        // An outline counts in the flat leaf, where it lies: leaves that curl keep their limb.
+        // The outline is defined in the flat leaf, so curled leaves are compared there.
         auto const shape = outline_.empty() ? Shape::Grown : Shape::Flat;
         Vec3 const from = place_of(part.front(), shape);
         Vec3 const chord = place_of(LeafMap::a0(part.back()), shape) - from;
@@ -77,8 +79,8 @@ Result<void> Leaf::fill_way(std::vector<Dart> const& way)
             pending.push_back(part.first(worst));
             continue;
         }
-        // Where tips have crossed, as they do beside a heart-shaped base, the outline from one to
-        // the other is all of it, and a part of the way would follow it somewhere else.
+        // If tips have crossed, as beside a heart-shaped base, the outline between them belongs to
+        // the whole chain; a part of the chain would follow the wrong piece of it.
         bool const follows = part.size() == way.size() || is_along_outline(way);
         add_limb_face(part, follows ? Margin::Outline : Margin::Straight);
     }
@@ -93,12 +95,13 @@ bool Leaf::is_along_outline(std::span<Dart const> way) const
                                  blade.to_outline(map_.flat_of(LeafMap::a0(way.back()))));
 }
 
-// Follows the outline from one end of the way to the other. In space the outline keeps its place
-// beside the line between the two.
+// Adds the part of the outline between the ends of a chain. In space, the outline keeps its
+// position relative to the line between these ends.
 void Leaf::add_margin(std::span<Dart const> way, std::vector<Vertex>& corners,
                       std::vector<EdgeLabel>& labels)
 {
-    constexpr double kTolerance = 0.03; // Share of the blade's length: tips have a width.
+    // Tolerance as a share of the blade's length, because tips have a width.
+    constexpr double kTolerance = 0.03;
     auto const& line = outline_.line();
     if (line.empty())
         return;
@@ -133,7 +136,7 @@ void Leaf::add_limb_face(std::span<Dart const> way, Margin margin)
     if (margin == Margin::Outline)
         add_margin(way, corners, labels);
     corners.push_back(map_.vertex(LeafMap::a0(way.back())));
-    if (corners.size() + way.size() < 4) // Nothing lies between a single edge and its chord.
+    if (corners.size() + way.size() < 4) // A single edge and its chord enclose nothing.
         return;
     auto const closing = static_cast<Dart>(labels.size());
     for (std::size_t i = way.size(); i-- > 0;) {

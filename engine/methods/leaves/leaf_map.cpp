@@ -8,7 +8,7 @@ namespace tractus::leaf {
 
 namespace {
 
-// Maps that lead from dart to dart of a cell, as bits.
+// Bits for the involutions a0, a1 and a2, which lead from dart to dart of a cell.
 constexpr unsigned kA0 = 1;
 constexpr unsigned kA1 = 2;
 constexpr unsigned kA2 = 4;
@@ -48,7 +48,7 @@ Vertex LeafMap::add_vertex(Vec3 const& position, Vec2 const& flat)
     return static_cast<Vertex>(positions_.size() - 1);
 }
 
-// Adds an edge whose sides are free and that is not yet next to any other.
+// Adds an isolated edge with free sides.
 Dart LeafMap::add_edge(Vertex start, Vertex end, FaceId face, EdgeLabel label)
 {
     auto const first = static_cast<Dart>(dart_count());
@@ -105,7 +105,7 @@ template<typename Visit> void LeafMap::visit_cell(Dart d, unsigned maps, Visit c
     }
 }
 
-// The vertices of d and e become one, halfway between them.
+// Merges the vertices of d and e to one at their midpoint.
 void LeafMap::merge(Dart d, Dart e)
 {
     auto const kept = vertex(d);
@@ -141,8 +141,8 @@ void LeafMap::unsew(Dart d)
     }
 }
 
-// d's pair of darts becomes the half at d, a new pair the rest. Gives the new pair's dart at the
-// middle.
+// Halves an edge on one side: d's pair of darts keeps the half at d, and a new pair takes the rest.
+// Returns the new pair's dart at the middle.
 Dart LeafMap::halve(Dart d, Vertex middle)
 {
     auto const far = a0(d);
@@ -273,7 +273,7 @@ MapCounts LeafMap::counts() const
     return counts;
 }
 
-// Every map leads from a dart that starts an edge to one that ends one: so darts have two colours.
+// True if each involution links darts that start edges with darts that end them.
 bool LeafMap::is_oriented() const
 {
     for (Dart d = 0; index(d) < dart_count(); ++d)

@@ -12,7 +12,7 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr int kCut = 128; // Alpha from which on a pixel is there.
+constexpr int kCut = 128; // Pixels with at least this alpha are opaque in an alpha test.
 
 std::size_t bytes(int value)
 {
@@ -32,7 +32,7 @@ std::array<double, 256> const& linear_table()
     return table;
 }
 
-// The sRGB byte that is nearest to a mean of four bytes' light.
+// The sRGB byte nearest to the linear mean of four sRGB bytes.
 std::uint8_t mean_color(std::array<std::uint8_t, 4> const& bytes)
 {
     auto const& table = linear_table();
@@ -88,8 +88,8 @@ CellPage half_page(CellPage const& page, PageKind kind)
 
 namespace {
 
-// Passes each cell's alphas, one cell after another: work(number of the cell, alphas). What it does
-// to them is put back.
+// Calls work(cell index, alphas) for each cell of a page; changes of the alphas are written to
+// `back`.
 void for_cells(CellPage const& page, std::vector<std::uint8_t>* back,
                std::function<void(std::size_t, std::vector<std::uint8_t>&)> const& work)
 {
@@ -111,8 +111,8 @@ void for_cells(CellPage const& page, std::vector<std::uint8_t>* back,
         }
 }
 
-// Scales them so that `count` are there. Of those that are as opaque as the last one that is, some
-// have to be left out, evenly.
+// Scales alphas so that exactly `count` pixels pass the alpha test. Ties at the threshold are
+// broken evenly.
 void scale_to_keep(std::vector<std::uint8_t>& alphas, std::size_t count)
 {
     auto const there = std::ranges::count_if(alphas, [](int alpha) { return alpha >= kCut; });
@@ -120,7 +120,7 @@ void scale_to_keep(std::vector<std::uint8_t>& alphas, std::size_t count)
         return;
     auto sorted = alphas;
     std::ranges::sort(sorted, std::ranges::greater());
-    while (count > 0 && sorted[count - 1] == 0) // More than there are at all.
+    while (count > 0 && sorted[count - 1] == 0) // There are fewer non-zero pixels than requested.
         --count;
     if (count == 0)
         return;

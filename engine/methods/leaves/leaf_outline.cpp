@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPerSpan = 10; // Points of the line for each span of the outline.
 
-// Catmull and Rom's curve; at corners it leaves towards the next point.
+// A Catmull-Rom curve; at corners its tangent points towards the next point.
 std::vector<Vec2> curve_through(std::vector<HalfOutline::Point> const& points)
 {
     auto const slope
@@ -25,7 +25,7 @@ std::vector<Vec2> curve_through(std::vector<HalfOutline::Point> const& points)
         Vec2 const chord = b.at - a.at;
         bool const is_straight_at_a = a.is_corner || i == 0;
         bool const is_straight_at_b = b.is_corner || i + 2 == points.size();
-        // Neighbours that are far away must not throw a short span out of its way.
+        // Tangents are limited, so that distant neighbours do not distort a short span.
         auto const held = [&](Vec2 const& tangent) -> Vec2 {
             double const most = 1.5 * chord.norm();
             return tangent.norm() > most ? Vec2(tangent * (most / tangent.norm())) : tangent;
@@ -55,7 +55,7 @@ public:
 
     struct At {
         Vec2 place;
-        Vec2 outwards; // To the right of the way from base to tip.
+        Vec2 outwards; // Unit normal to the right of the direction from base to tip.
     };
     At at(double share) const
     {
@@ -81,7 +81,7 @@ std::vector<Vec2> with_margin(std::vector<Vec2> const& line, HalfOutline const& 
     ByLength const by_length(line);
     bool const has_teeth = half.margin == HalfOutline::Margin::Teeth;
     double const peak = 0.5 + 0.4 * std::clamp(half.lean, 0.0, 1.0);
-    std::vector<double> phases; // Phases of a tooth: its foot, its point, and what is between.
+    std::vector<double> phases; // Positions within a tooth: its foot, its point and those between.
     if (has_teeth)
         phases = { 0, 0.35 * peak, 0.7 * peak, peak, 0.5 + 0.5 * peak };
     else
@@ -113,9 +113,9 @@ HalfOutline varied(HalfOutline half, Outline::Variation const& variation, double
         auto& at = half.points[i].at;
         at.x() *= width;
         double const spread = variation.point * size;
-        if (i + 1 < half.points.size()) { // The halves meet at both ends.
-            double const y
-                = random.normal(); // By itself: compilers differ in the order of arguments.
+        if (i + 1 < half.points.size()) { // The ends are fixed, because both halves meet there.
+            // A separate statement: compilers evaluate arguments in different orders.
+            double const y = random.normal();
             at += spread * Vec2(random.normal(), y);
         }
         at.x() = std::max(0.0, at.x());
@@ -208,7 +208,8 @@ double Outline::span(Place const& from, Place const& to) const
                                  : to.along - from.along + static_cast<double>(line_.size());
 }
 
-// Most of the line is rather a step back.
+// True if the way from one place to another is forward; more than this share of the line counts as
+// a step back.
 bool Outline::is_forward(Place const& from, Place const& to) const
 {
     constexpr double kMost = 0.7;
@@ -231,7 +232,7 @@ std::vector<Vec2> Outline::between(Vec2 const& from, Vec2 const& to, double tole
         return made;
     for (double i = std::floor(a.along) + 1; i < a.along + span(a, b); ++i)
         made.push_back(line_[static_cast<std::size_t>(i) % line_.size()]);
-    double const least = 1e-6; // Points on the ends themselves would make edges without length.
+    double const least = 1e-6; // Points at the ends themselves would cause edges of zero length.
     std::erase_if(made, [&](Vec2 const& point) {
         return (point - from).norm() < least || (point - to).norm() < least;
     });

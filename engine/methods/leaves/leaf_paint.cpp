@@ -13,20 +13,21 @@
 
 namespace tractus::leaf {
 
-// Memory that a painter keeps from leaf to leaf: nothing in it is read before it is written.
+// Buffers that a painter reuses for each leaf; all are written before they are read.
 struct LeafPainter::Canvas {
     LeafPicture picture;
     CoverageRaster raster;
     TileGrid tiles;
-    std::vector<float> profile;      // V of the veins, and their order:
-    std::vector<std::uint8_t> order; // VeinMaps has them.
+    std::vector<float> profile;      // Profile V of the veins (VeinMaps).
+    std::vector<std::uint8_t> order; // Order of the nearest vein (VeinMaps).
     std::vector<float> net;          // Net of the smallest veins, 0 to 1.
-    std::vector<float> eaten; // 1 in holes, fading along their rims. Empty: nothing has eaten.
-    // How far a pixel is in a spot, in its ring, in a mine. Empty: there are none.
+    // 1 in holes, decreasing across their rims. Empty: nothing has been eaten.
+    std::vector<float> eaten;
+    // Opacity of spots, of their rings and of mines at each pixel. Empty: there are none.
     std::vector<float> spots;
     std::vector<float> rings;
     std::vector<float> mines;
-    std::vector<double> sums; // Sums of rows of tiles.
+    std::vector<double> sums; // Sums over rows of tiles.
 };
 
 namespace {
@@ -96,7 +97,7 @@ struct ColorRow {
     }
 };
 
-// The law for a row; the numbers are age_at()'s.
+// Age of each pixel in a row, by the law of age_at().
 Row ages(double age, Row const& closeness, Row const& mask, PaintOptions const& options)
 {
     auto const veins = static_cast<float>(options.near_veins);
@@ -166,7 +167,8 @@ private:
             });
     }
 
-    // The pixels of a tile's row that the picture has; work(first pixel's index, their count, y).
+    // Calls work(index of the first pixel, number of pixels, y) for each row of pixels of a tile,
+    // clipped to the picture.
     template<typename Work> void for_rows(int column, int row, Work const& work) const
     {
         int const x = column * kTile;
@@ -175,7 +177,7 @@ private:
             work(index(x, y), std::min(kTile, side_ - x), y);
     }
 
-    // A row of a map; what is outside of the picture is 0.
+    // Reads a row of a map; pixels outside the picture are 0.
     static Row read(std::vector<float> const& from, std::size_t at, int count)
     {
         Row made;
@@ -233,7 +235,8 @@ private:
             veins_);
     }
 
-    // D is 1 halfway between veins: for parallel ones the mean distance is a quarter of the gap.
+    // Finds the scale of the closeness D, which is 1 half-way between veins: for parallel veins the
+    // mean distance is a quarter of their gap.
     void measure_closeness()
     {
         auto const& distance = veins_.distance;
@@ -280,7 +283,7 @@ private:
             add_spots();
     }
 
-    // One in each square of a grid, perhaps, somewhere in it.
+    // Adds at most one spot per square of a grid, at a random position.
     void add_spots()
     {
         constexpr int kSquares = 16;
@@ -314,7 +317,8 @@ private:
             }
     }
 
-    // Veins stand out, the limb between them is vaulted, and small veins make a closed net.
+    // Computes heights: veins are raised, the limb between them is vaulted, and small veins form a
+    // closed net.
     void find_heights()
     {
         picture_.height.assign(count_, 0);
@@ -362,7 +366,7 @@ private:
         });
     }
 
-    // 0 to 1: how much later places grow old.
+    // Delay of ageing for each pixel, 0 to 1.
     Row masks(int column, int y) const
     {
         Row const patches = smooth(Row(1.6f * sample(patches_, column, y) - 0.3f));
@@ -371,7 +375,7 @@ private:
         return (1 - tip) * patches + tip * from_tip;
     }
 
-    // Mottles each leaf a little, and makes it paler along its veins.
+    // Mottles the leaf slightly and makes it paler along its veins.
     static void mottle(ColorRow& color, Row const& clouds, Row const& d)
     {
         Row const share = 0.82f + 0.36f * clouds + 0.08f * (d - 0.5f);
@@ -391,7 +395,7 @@ private:
         color.mix(tint, kTinted * (strength * v + (1 - v) * 0.14f * net));
     }
 
-    // How white mildew is there.
+    // Adds spots, mines, holes and mildew; returns the opacity of the mildew.
     Row add_damage(ColorRow& color, std::size_t at, int count, int column, int y) const
     {
         static Vec3f const spot = linear({ 0.26, 0.13, 0.06 });
@@ -428,7 +432,7 @@ private:
         }
     }
 
-    // Paler, and its veins paler still.
+    // Stores the colour of the underside, which is paler, especially along veins.
     void store_under_color(ColorRow color, Row const& v, std::size_t at, int count)
     {
         static Vec3f const pale = linear({ 0.74, 0.80, 0.66 });
@@ -497,13 +501,13 @@ private:
     int side_;
     VeinMaps veins_;
     std::size_t count_;           // Number of pixels.
-    std::array<Vec3f, 3> colors_; // Young, old, dead; linear.
+    std::array<Vec3f, 3> colors_; // Young, old and dead colour, linear.
     Noise patches_;
     Noise mottle_;
     Noise mildew_;
-    std::vector<Vec2> pixels_; // Pixels of the leaf's vertices.
+    std::vector<Vec2> pixels_; // Pixel coordinates of the leaf's vertices.
     Vec2 base_ = Vec2::Zero();
-    double radius_ = 1; // The distance at which D is 1, in pixels.
+    double radius_ = 1; // Distance in pixels at which D is 1.
 };
 
 PictureFrame::PictureFrame(LeafTriangles const& leaf, int side, PictureStand const& stand)

@@ -16,7 +16,8 @@
 #include <optional>
 #include <utility>
 
-// A sketch's plant: polygons on a stalk, or stems along lines that are no leaf yet.
+// This file builds the plant of a leaf sketch: polygons on a stalk, or stems along the lines if
+// they are not a leaf yet.
 namespace tractus::leaf {
 
 namespace {
@@ -27,7 +28,7 @@ constexpr MaterialId kStalk = 0;
 constexpr MaterialId kVeins = 1;
 constexpr MaterialId kLimb = 2;
 
-// From the paper, (x, y, depth), to the plant's frame.
+// Converts paper coordinates (x, y, depth) to the plant's frame.
 class PaperToPlant {
 public:
     PaperToPlant(Vec2 const& foot_mm, double scale)
@@ -79,7 +80,7 @@ std::vector<Material> materials()
 
 struct DerivedLeaf {
     Grammar grammar;
-    std::optional<Leaf> leaf {}; // Set; it refers to the grammar.
+    std::optional<Leaf> leaf {}; // Always set; it refers to the grammar.
     LeafTriangles triangles {};
 };
 
@@ -100,7 +101,7 @@ Result<std::unique_ptr<DerivedLeaf const>> derived(LeafSketch const& sketch, Dra
     return made;
 }
 
-// The vertex that is nearest to a place of the flat leaf.
+// The vertex nearest to a place in the flat leaf.
 Vec3 vertex_at(LeafTriangles const& leaf, Vec2 const& flat)
 {
     auto const nearest = std::ranges::min_element(
@@ -108,7 +109,7 @@ Vec3 vertex_at(LeafTriangles const& leaf, Vec2 const& flat)
     return leaf.positions[static_cast<std::size_t>(nearest - leaf.flat.begin())];
 }
 
-// Axes along, and across out of the upper side.
+// Frame with y along the leaf and z out of its upper side.
 Eigen::Matrix3d frame_of(Vec3 const& along, Vec3 const& up)
 {
     Vec3 const y = along.normalized();
@@ -136,7 +137,7 @@ void add_triangles(Plant& plant, std::span<Triangle const> triangles,
     }
 }
 
-// Lays a grown leaf into its drawing: its blade reaches from base to tip there.
+// Maps a grown leaf to its drawing, so that its blade extends from the drawn base to the drawn tip.
 class LeafToPaper {
 public:
     LeafToPaper(BladePlace const& place, DrawnLeaf const& drawn, LeafTriangles const& leaf)
@@ -185,7 +186,7 @@ Result<scene::BuiltSource> leaf_plant(LeafSketch const& sketch, DrawnLeaf const&
 
 Result<scene::BuiltSource> stems_along(LeafSketch const& sketch)
 {
-    constexpr double kRadius_mm = 0.4; // On the paper.
+    constexpr double kRadius_mm = 0.4; // Radius on the paper.
     constexpr std::size_t kMostNodes = 65;
     auto const drawing = TRY(drawing_of(sketch));
     PaperToPlant const to_plant(TRY(foot_of(sketch)), sketch.scale);
@@ -226,7 +227,7 @@ Result<std::vector<std::vector<Vec3>>> lines_of_leaf(LeafSketch const& sketch)
     auto const& triangles = made->triangles;
     LeafToPaper const to_paper(sketch.seen->fit.place, *drawn, triangles);
     std::vector<std::vector<Vec3>> lines(1);
-    Dart const start = 0; // The first face is the stalk, whose first edge is free.
+    Dart const start = 0; // The first face is the stalk, and its first edge is free.
     for (auto const dart : leaf.map().border(start))
         lines[0].push_back(to_paper(leaf.map().position_of(dart)));
     lines[0].push_back(lines[0].front());

@@ -27,14 +27,14 @@ Result<void> check_number(double value, double least, double greatest, char cons
         fmt::format("a leaf's {} cannot be {:g}: give {:g} to {:g}", what, value, least, greatest));
 }
 
-// A line that ends about where it began.
+// True for a line that ends near its beginning.
 bool is_closed(Points const& line)
 {
-    constexpr double kWidestGap = 0.15; // Of its length.
+    constexpr double kWidestGap = 0.15; // Largest gap, as a share of the line's length.
     return (line.back() - line.front()).norm() < kWidestGap * polyline_length_mm(line);
 }
 
-// Distance from a place to a line.
+// Distance from a point to a line.
 double distance_to(Points const& line, Vec3 const& place)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -54,8 +54,8 @@ double mean_distance(Points const& from, Points const& to)
     return sum / static_cast<double>(from.size());
 }
 
-// The line with depths from where it began, since it is drawn again at another height, too, and
-// with no more places than it has bends: a pen gives far more.
+// Makes depths relative to the line's start, because lines are redrawn at other heights, and thins
+// out the points of the pen.
 Points from_its_begin(Points const& line)
 {
     constexpr std::size_t kMostPoints = 500;
@@ -68,7 +68,7 @@ Points from_its_begin(Points const& line)
     return made;
 }
 
-// Whether the middle of one closed line lies in the other.
+// True if the centre of one closed line is inside the other.
 bool lie_on_each_other(Points const& line, Points const& other)
 {
     auto const flat = [](Points const& of) {
@@ -88,7 +88,7 @@ bool lie_on_each_other(Points const& line, Points const& other)
     return is_inside(two, middle_of(one)) || is_inside(one, middle_of(two));
 }
 
-// Whether one line draws the other again: along all of it, in whichever direction.
+// True if one line traces the other along its whole length, in either direction.
 bool draws_again(Points const& line, Points const& other)
 {
     constexpr double kNear_mm = 2.5;
@@ -104,7 +104,7 @@ bool draws_again(Points const& line, Points const& other)
         && mean_distance(other, line) <= kNear_mm;
 }
 
-// The midrib that the longest line has as an outline; no value: it is none.
+// Guesses a midrib if the longest line is an outline; no value if it is not.
 std::optional<Points> guessed_midrib(LeafDrawing const& drawing)
 {
     constexpr int kPieces = 32;
@@ -142,7 +142,8 @@ Result<SeenLeaf> seen_in(LeafDrawing drawing)
     return guessed;
 }
 
-// A line after which a leaf is none is the likeliest to be wrong.
+// Tries to read the drawing without one of its newest lines, newest first, because the newest line
+// is most likely wrong.
 std::optional<SeenLeaf> seen_without_one(LeafDrawing const& drawing, std::string const& why)
 {
     constexpr std::size_t kNewest = 4;
@@ -299,7 +300,7 @@ Result<std::string> grammar_text(LeafSketch const& sketch, std::string const& ti
     auto const leaf = formed_leaf(sketch);
     if (leaf)
         return print_grammar(*leaf, title);
-    TRY(see_leaf(sketch)); // Says what is missing.
+    TRY(see_leaf(sketch)); // see_leaf() fails with a message about what is missing.
     return fail(Fault::User, "the lines are no leaf yet");
 }
 

@@ -45,8 +45,8 @@ Result<LeafSketch> find_leaf(scene::DocumentState const& state, scene::ItemId pl
     return *sketch;
 }
 
-// The plant stays under its ink: where its foot has moved on the paper, it moves. A form with which
-// there is no leaf is refused here.
+// Replaces the plant's leaf sketch. The plant moves with its foot on the paper, so it stays under
+// its ink. Fails if the new form gives no leaf.
 Result<scene::DocumentState> with_leaf(scene::DocumentState state, scene::ItemId plant,
                                        LeafSketch sketch)
 {

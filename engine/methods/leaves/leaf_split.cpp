@@ -1,4 +1,4 @@
-// Splitting faces and gluing edges.
+// This file splits faces and glues edges.
 #include "engine/methods/leaves/leaf.h"
 
 #include <algorithm>
@@ -6,8 +6,9 @@
 
 namespace tractus::leaf {
 
-// The label of the near part's new edge: E for O, O for E, else that half way round the face. No
-// value where the face cannot be split so: it has fewer than four sides, or none straight across.
+// Label for the new edge of the near part: E for O, O for E, otherwise the label half-way around
+// the face. No value if the face cannot be split in this way: it has fewer than four sides, or no
+// opposite side.
 std::optional<EdgeLabel> Leaf::opposite(FaceId face, EdgeLabel label) const
 {
     std::vector<EdgeLabel> sides;
@@ -29,11 +30,11 @@ std::optional<EdgeLabel> Leaf::opposite(FaceId face, EdgeLabel label) const
     return sides[(at + sides.size() / 2) % sides.size()];
 }
 
-// The dart that ends the first half of a side, a chain of edges. A vertex near its middle serves,
-// so that neighbours which are split alike share it.
+// Returns the dart that ends the first half of a side, which is a chain of edges. A vertex near the
+// middle is reused, so that neighbours that are split alike share it.
 Dart Leaf::end_of_first_half(std::vector<Dart> const& chain)
 {
-    constexpr double kNear = 0.05; // Share of the side's length.
+    constexpr double kNear = 0.05; // Tolerance as a share of the side's length.
     std::vector<double> lengths;
     double whole = 0;
     for (auto const d : chain) {
@@ -47,11 +48,13 @@ Dart Leaf::end_of_first_half(std::vector<Dart> const& chain)
         if (std::abs(done + lengths[i] - half) <= kNear * whole && i + 1 < chain.size())
             return LeafMap::a0(d);
         if (done + lengths[i] > half) {
-            auto const start = LeafMap::a0(map_.a2(d)); // Start of the edge on the other side.
+            // Start of the same edge on the neighbouring face.
+            auto const start = LeafMap::a0(map_.a2(d));
             bool const is_sewn = !map_.is_free(d);
             auto const end = map_.insert_vertex(d, (half - done) / lengths[i]);
             auto& other = faces_[static_cast<std::size_t>(map_.face(start))];
-            if (is_sewn && other.first == start) // It goes on beginning where it did.
+            // Keeps the neighbouring face's first edge at the same start.
+            if (is_sewn && other.first == start)
                 other.first = LeafMap::a0(map_.a1(start));
             return end;
         }
@@ -60,8 +63,8 @@ Dart Leaf::end_of_first_half(std::vector<Dart> const& chain)
     return LeafMap::a0(chain.front());
 }
 
-// Whether the face could be split. The sides before and behind the edge are cut at half their
-// length and a new edge joins the cuts.
+// Splits a face: the two sides next to the edge are cut in half and a new edge joins the cuts.
+// Returns false if the face cannot be split.
 Result<bool> Leaf::split(Splitting const& splitting, FaceId face, TextPlace const& place)
 {
     auto const near_label = opposite(face, splitting.edge);
@@ -111,7 +114,8 @@ Result<bool> Leaf::split(Splitting const& splitting, FaceId face, TextPlace cons
     return true;
 }
 
-// The axiom's O; where something has grown on it, the first edge of the border that was made.
+// The axiom's edge O, or, if something has grown on it, the first edge of the border in order of
+// creation.
 Dart Leaf::border_start() const
 {
     for (auto const d : map_.cycle(faces_.front().first))
@@ -123,7 +127,8 @@ Dart Leaf::border_start() const
     return d;
 }
 
-// One pair of edges that follow each other on the border, the first from the axiom's O on.
+// Glues one pair of consecutive edges on the border, the first match from the axiom's edge O on.
+// Returns false if there is none.
 bool Leaf::glue_one(Gluing const& gluing)
 {
     auto const border = map_.border(border_start());
@@ -147,7 +152,7 @@ bool Leaf::glue_one(Gluing const& gluing)
     return false;
 }
 
-// Applies each rule in turn, until none fits.
+// Applies the gluing rules in turn until none matches.
 Result<void> Leaf::glue()
 {
     for (bool is_any = true; std::exchange(is_any, false);)

@@ -18,7 +18,7 @@ bool is_in_triangle(Vec2 const& point, Vec2 const& a, Vec2 const& b, Vec2 const&
     return turn(a, b, point) > 0 && turn(b, c, point) > 0 && turn(c, a, point) > 0;
 }
 
-// Cuts one face after another into triangles.
+// Triangulates faces, one after another.
 class Cutter {
 public:
     explicit Cutter(LeafTriangles const& leaf)
@@ -26,10 +26,11 @@ public:
     {
     }
 
-    // False if the face overlaps itself.
+    // Returns false if the face overlaps itself.
     bool cut(Corners const& corners, std::vector<Triangle>& to)
     {
-        constexpr std::size_t kMostCorners = 2000; // Ears are looked for among all corners.
+        // Ear clipping would take too long for more corners.
+        constexpr std::size_t kMostCorners = 2000;
         if (corners.size() == 4)
             return cut_quad(corners, to);
         if (corners.size() > kMostCorners) {
@@ -57,7 +58,8 @@ private:
 
     double turn_of(Triangle const& t) const { return turn(flat(t[0]), flat(t[1]), flat(t[2])); }
 
-    // Along the diagonal that is shorter in space, if both halves of the flat face turn as it does.
+    // Splits a quadrilateral along the diagonal that is shorter in space, provided that both
+    // triangles have the flat face's orientation.
     bool cut_quad(Corners const& q, std::vector<Triangle>& to) const
     {
         std::array<Triangle, 2> const first { { { q[0], q[1], q[2] }, { q[0], q[2], q[3] } } };
@@ -75,15 +77,16 @@ private:
         return fits_first || fits_second || std::max(worst(first), worst(second)) == 0;
     }
 
-    // A corner of what is left of a face.
+    // A corner of the remaining polygon.
     struct Corner {
         std::uint32_t vertex = 0;
         Vec2 at = Vec2::Zero();
         std::size_t before = 0;
         std::size_t after = 0;
-        bool is_hollow = false; // The face turns the other way there: it may lie in others' ears.
+        // True for a reflex corner, which may lie inside other corners' ears.
+        bool is_hollow = false;
     };
-    // Marks in place of a triangle's shape that say what became of its corner.
+    // Special values that replace a triangle's shape.
     static constexpr double kNoEar = -1;
     static constexpr double kCut = -2;
 
@@ -136,7 +139,8 @@ private:
         return left;
     }
 
-    // Where a hollow corner is hollow no more, what it lay in may have become an ear.
+    // Updates the neighbours of a cut ear: if a reflex corner becomes convex, triangles that
+    // contained it may have become ears.
     void judge_again(std::size_t before, std::size_t after)
     {
         bool is_filled = false;
@@ -171,7 +175,7 @@ private:
         shapes_[i] = !is_ear ? kNoEar : longest > 0 ? area / longest : 0;
     }
 
-    // No value if there is none.
+    // Returns no value if there is no ear.
     std::optional<std::size_t> widest_ear() const
     {
         auto const best = std::ranges::max_element(shapes_);
@@ -181,7 +185,8 @@ private:
     }
 
     std::vector<Corner> ring_;
-    std::vector<double> shapes_; // Shape of each corner's triangle: how wide for its sides.
+    // Quality of each corner's triangle: area divided by the longest side.
+    std::vector<double> shapes_;
     std::vector<Vec2> hollows_;
     LeafTriangles const& leaf_;
 };
@@ -204,7 +209,8 @@ LeafTriangles triangles_of(Leaf const& leaf)
     };
     Cutter cutter(made);
     std::vector<bool> is_seen(map.dart_count());
-    // Vertices first: a face is cut by the places of all its corners.
+    // All vertices are numbered before any face is cut, because cutting needs the positions of all
+    // corners.
     for (Dart d = 0; d < static_cast<Dart>(map.dart_count()); d += 2)
         number_of(d);
     Corners corners;

@@ -47,7 +47,8 @@ public:
     void mine(std::uint64_t seed, int number, std::span<float> mined) const
     {
         constexpr int kSteps = 110;
-        constexpr double kLastShare = 0.011; // Share of the side: half the way's width at its end.
+        // Half-width of the mine at its end, as a share of the picture's side.
+        constexpr double kLastShare = 0.011;
         Random random({ .seed = seed,
                         .stream = kLarvaStream,
                         .substream = static_cast<std::uint32_t>(number) });
@@ -94,8 +95,7 @@ private:
         return !is_spared(at);
     }
 
-    // Returns a place on the margin, seen from a random place in a random direction; or that place
-    // itself.
+    // Returns a random place on the leaf, or the place on the margin in a random direction from it.
     Vec2 find_start(Random& random) const
     {
         Vec2 at(0, 0);
@@ -108,7 +108,8 @@ private:
         return at;
     }
 
-    // Ahead, or as little aside as veins allow. False where they allow no way.
+    // Moves straight ahead, or with the least turn that veins allow. Returns false if all
+    // directions are blocked.
     bool move(Vec2& at, double& heading, double radius, bool must_stay) const
     {
         for (int turn = 0; turn <= 16; ++turn) {
@@ -162,11 +163,12 @@ private:
 
     struct Bite {
         double radius = 0;
-        std::complex<double> wobble; // How far its edge swings, three times round, and from where.
+        std::complex<double> wobble; // Amplitude and phase of the threefold wave of its edge.
     };
     void bite_pixel(std::size_t i, Vec2 const& away, double distance, Bite const& bite)
     {
-        // Sines of three and seven times the angle, without finding the angle.
+        // Computes the sines of three and seven times the angle by complex powers, without the
+        // angle itself.
         std::complex<double> const z
             = distance > 0 ? std::complex(away.x(), away.y()) / distance : std::complex(1.0);
         auto const z3 = z * z * z;
@@ -215,7 +217,7 @@ void keep_connected(LarvaGround const& ground, Vec2 const& base, std::span<float
         if (is_kept[i] || alpha[i] <= 0)
             return;
         is_kept[i] = 1;
-        // Pixels that are as good as eaten stay as an edge, and hold nothing.
+        // Pixels that are mostly eaten stay as an edge but do not connect other pixels.
         if (alpha[i] >= 0.5f * ground.coverage[i])
             pending.push_back(at);
     };

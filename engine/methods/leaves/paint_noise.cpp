@@ -7,7 +7,8 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr int kCells = 16; // Cells in a row of a table: of the first octave, or the larger meshes.
+// Number of cells in a row of a table: of the first octave, or of the larger meshes.
+constexpr int kCells = 16;
 
 double eased(double x)
 {
@@ -15,7 +16,7 @@ double eased(double x)
     return x * x * (3 - 2 * x);
 }
 
-// The number of a grid of `cells` cells that repeats.
+// Random value at a point of a periodic grid of `cells` cells.
 double lattice(std::uint64_t seed, std::int64_t x, std::int64_t y, std::int64_t cells)
 {
     return grid_hash(seed, (x + cells) % cells, (y + cells) % cells);
@@ -33,7 +34,7 @@ double value_noise(std::uint64_t seed, Vec2 const& at, std::int64_t cells)
     return std::lerp(low, high, v);
 }
 
-// `at`: 0 to 1 on the table.
+// Sum of three octaves of value noise. `at` is from 0 to 1 across the table.
 double cloud(Vec2 const& at)
 {
     constexpr std::int64_t kSecond = 34;
@@ -43,8 +44,8 @@ double cloud(Vec2 const& at)
         / 7;
 }
 
-// How far from the border between two cells round points thrown one to a square: 0 on it, about
-// 0.5 in a cell's middle.
+// Distance from the border between Voronoi cells of random points, one per square: 0 on the border,
+// about 0.5 in the middle of a cell.
 double border(std::uint64_t seed, Vec2 const& at, std::int64_t cells)
 {
     double first = 1e9;

@@ -11,7 +11,7 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr int kBlock = 4; // Pixels.
+constexpr int kBlock = 4; // Size of a block in pixels.
 constexpr int kBlocks = TileGrid::kTile / kBlock;
 
 std::size_t pixels(int value)
@@ -25,7 +25,7 @@ void TileGrid::find(std::span<float const> coverage, int side)
 {
     side_ = side;
     columns_ = (side + TileGrid::kTile - 1) / TileGrid::kTile;
-    auto const blocks = pixels(columns_ * kBlocks) + 2; // One more all round.
+    auto const blocks = pixels(columns_ * kBlocks) + 2; // With a margin of one block on all sides.
     blocks_.assign(blocks * blocks, 0);
     for (int y = 0; y < side; ++y) {
         auto const* const row = coverage.data() + pixels(y) * pixels(side);
@@ -62,7 +62,7 @@ void CoverageRaster::add_triangle(Vec2 const& a, Vec2 const& b, Vec2 const& c)
 
 void CoverageRaster::finish(std::vector<float>& coverage) const
 {
-    constexpr double kRounding = 1e-3; // Sums end that near to 0 and 1.
+    constexpr double kRounding = 1e-3; // Sums within this distance of 0 or 1 are rounded.
     coverage.resize(pixels(side_) * pixels(side_));
     auto* to = coverage.data();
     for (int y = 0; y < side_; ++y) {
@@ -94,8 +94,8 @@ void CoverageRaster::add_line(Vec2 const& a, Vec2 const& b)
     }
 }
 
-// A line within a row: `height` of it, from x0 to x1. Its share of each pixel that it crosses goes
-// to that pixel, and the rest of the row to the next one.
+// Adds a line segment of height `height` within a row, from x0 to x1. Each pixel that it crosses
+// gets its exact share, and the next pixel gets the rest.
 void CoverageRaster::add_in_row(int y, double height, double x0, double x1)
 {
     double const last = side_;
@@ -125,7 +125,7 @@ namespace {
 
 using TileRow = Eigen::Array<float, TileGrid::kTile, 1>;
 
-// A vein as the rows of a tile take it.
+// A vein, prepared for rendering rows of a tile.
 struct Stroke {
     float x = 0;
     float y = 0;
@@ -193,8 +193,8 @@ public:
     }
 
 private:
-    // Chooses the veins that may be the nearest to a pixel of the tile, or so near that it sees
-    // their profile.
+    // Selects the veins that may be nearest to a pixel of the tile, or close enough for their
+    // profile to matter.
     void choose(float x, float y)
     {
         constexpr float kHalfDiagonal = 0.7072f * TileGrid::kTile;
@@ -257,7 +257,7 @@ private:
 
     std::span<Stroke const> strokes_;
     int side_;
-    float fade_; // Pixels over which a vein's protection ends.
+    float fade_; // Number of pixels over which a vein's protection fades.
     float reach_;
     VeinMaps const& maps_;
     int x0_ = 0;

@@ -10,8 +10,8 @@ namespace tractus::leaf {
 
 namespace {
 
-// Colour, occlusion, roughness, translucency, colour from below; weighted by the leaf's part in
-// them.
+// Weighted means of colour, occlusion, roughness, translucency and underside colour; the weight is
+// the leaf's coverage.
 struct Mean {
     std::array<float, 9> sum {};
     float weight = 0;
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    // Index of a tile's row of pixels, and how many there are.
+    // Calls work(index of the first pixel, number of pixels) for each row of pixels of a tile.
     template<typename Work> void for_rows(int column, int row, Work const& work) const
     {
         constexpr int kWidth = TileGrid::kTile;
@@ -61,7 +61,8 @@ private:
 
     Mean mean_of(int column, int row) const
     {
-        constexpr std::size_t kEach = 4; // Pixels: some of them are enough for a mean.
+        // Step between sampled pixels: a part of the pixels is enough for a mean.
+        constexpr std::size_t kEach = 4;
         Mean mean;
         std::size_t y = 0;
         for_rows(column, row, [&](std::size_t at, std::size_t count) {
@@ -138,7 +139,7 @@ private:
     LeafPicture& picture_;
     TileGrid const& tiles_;
     bool has_underside_;
-    std::vector<std::vector<Mean>> levels_; // Means of squares of 1, 2, 4 … tiles.
+    std::vector<std::vector<Mean>> levels_; // Means of squares of 1, 2, 4 ... tiles.
 };
 
 } // namespace

@@ -9,12 +9,13 @@ namespace tractus::leaf {
 
 namespace {
 
-// Faces of main veins beside the midrib that bear veins of their own; P bears none.
+// Names of faces for main veins, other than the midrib, that bear side veins; P is for those
+// without.
 constexpr std::string_view kBearingFaces = "QTVWXYZABDFGIJ";
 constexpr char kPlainFace = 'P';
 constexpr double kKnot = 0.008; // Length of a knot.
 
-// As few digits as tell it, at most four behind the point.
+// Formats a number with as few decimals as necessary, at most four.
 std::string text_of(double value)
 {
     auto text = fmt::format("{:.4f}", value);
@@ -66,7 +67,7 @@ private:
     bool has_hub() const { return leaf_.mains.size() > 1; }
     bool is_curved() const { return leaf_.side_curve_deg != 0 || leaf_.side_curve_at_tip_deg != 0; }
 
-    // A remark ends with the next @, and is one line here.
+    // Replaces @, which would end the comment, and line ends.
     static std::string without_signs(std::string title)
     {
         std::ranges::replace_if(
@@ -190,7 +191,7 @@ private:
         }
     }
 
-    std::size_t hub_sides() const // On each side of it.
+    std::size_t hub_sides() const // Number of sides of the hub on each side of the midrib.
     {
         return std::max<std::size_t>(rights().size(), lefts().size());
     }
@@ -232,7 +233,7 @@ private:
                                    [](auto const& main) { return !main.knots.empty(); });
     }
 
-    // Where a main vein's first piece ends, as statements: `to` and the share of the way there.
+    // Statements that set the range `from` to `to` of a main vein's first piece.
     std::string first_piece(std::size_t main) const
     {
         auto const begin = main == 0 && has_hub() ? "hub" : "0";
@@ -285,7 +286,7 @@ private:
             is_plain ? "" : fmt::format("share{}", main), side);
     }
 
-    // One for each knot.
+    // Prints one rule for each knot.
     void print_rules(std::size_t main)
     {
         auto const& knots = leaf_.mains[main].knots;
@@ -320,7 +321,7 @@ private:
                              main == 0 ? "bent" : "", main == 0 ? "" : "turn", taper);
     }
 
-    // A bent main vein turns halfway before and halfway behind each knot.
+    // Statement that turns a bent main vein half-way before and half-way after each knot.
     static std::string turning(std::size_t main, std::size_t i)
     {
         auto const before = i == 0 ? std::string("0") : fmt::format("main{}_at{}", main, i);
@@ -342,11 +343,11 @@ private:
     }
 
     DrawnLeaf const& leaf_;
-    std::string faces_; // A letter for each main vein.
+    std::string faces_; // Letter of the face for each main vein.
     std::string text_;
 };
 
-// Reads variables by name; notes whether one was missing.
+// Reads variables by name, and records whether one was missing.
 class NumberReader {
 public:
     explicit NumberReader(Grammar const& grammar)
@@ -380,7 +381,7 @@ public:
 
 private:
     Grammar const& grammar_;
-    NameTable names_; // A copy: asking for a name adds it.
+    NameTable names_; // A copy, because looking up a name adds it.
     bool lacks_one_ = false;
 };
 

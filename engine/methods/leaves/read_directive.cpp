@@ -9,7 +9,8 @@ namespace tractus::leaf {
 
 namespace {
 
-// "#define A(4,1)", "#axiom : A" and what else a grammar says outside of its rules.
+// Parses a directive such as "#define A(4,1)" or "#axiom : A": the lines of a grammar that are not
+// rules.
 class Directive {
 public:
     explicit Directive(GrammarReader& reader)
@@ -111,7 +112,7 @@ private:
         return {};
     }
 
-    // A margin shapes the outline; where there is none it changes nothing.
+    // Parses the shape of the margin; it has no effect without an outline.
     Result<void> margin()
     {
         TRY(text_.expect(":"));
@@ -132,7 +133,8 @@ private:
         return {};
     }
 
-    // "(0.1,0.2) (0.3,0.5,1)": from the stalk's end, which is (0,0), to the tip; 1 is a corner.
+    // Parses the points of an outline, from the stalk's end at (0,0) to the tip, such as "(0.1,0.2)
+    // (0.3,0.5,1)"; a third number of 1 makes a corner.
     Result<void> outline(std::vector<HalfOutline::Point>& points)
     {
         constexpr std::size_t kMostPoints = 500;
@@ -171,7 +173,7 @@ private:
         return {};
     }
 
-    // Reads properties of the adult leaf: "#steps(9)", "#size(80)".
+    // Parses a property of the adult leaf, such as "#steps(9)" or "#size(80)".
     Result<void> adult(std::string_view what)
     {
         constexpr double kMost = 1000;

@@ -10,7 +10,7 @@ namespace {
 constexpr int kDeepestChild = 100;
 constexpr std::size_t kMostRules = 10'000;
 
-// A rule: growing, splitting or gluing (Peyrat et al. 2008, section 3).
+// Parses a rule: growing, splitting or gluing (Peyrat et al. 2008, section 3).
 class RuleText {
 public:
     explicit RuleText(GrammarReader& reader)
@@ -98,7 +98,8 @@ private:
         return made;
     }
 
-    // "OBC": an edge and two faces; or the face itself, with what grows on it.
+    // Parses a successor: an edge and two faces, such as "OBC", or the face itself with what grows
+    // on it.
     Result<void> successor(Rule& rule)
     {
         auto const place = text_.place();
@@ -145,7 +146,7 @@ private:
                     child.edge_place,
                     fmt::format("\"{}\" is no edge: they are O, E, C1, C2 and so on", word));
             child.edge = *edge;
-            // An overloaded number of edges is looked at when it is known.
+            // A number of edges that the rule overrides is checked later, when its value is known.
             if (parent_fields.empty() || parent_fields[kEdgeCount].empty())
                 reader_.named_edges.push_back(
                     { parent, *edge, std::string(word), false, child.edge_place });
@@ -154,7 +155,7 @@ private:
         return made;
     }
 
-    // "B_C2"
+    // Parses an edge of a face, such as "B_C2".
     Result<FaceEdge> face_edge()
     {
         auto const place = text_.place();
@@ -169,7 +170,7 @@ private:
         return FaceEdge { word[0], *edge };
     }
 
-    // "A_C1 < B_C2 -> A_C1 | B_C2", behind the colon.
+    // Parses a gluing rule after its colon, such as "A_C1 < B_C2 -> A_C1 | B_C2".
     Result<Gluing> gluing()
     {
         Gluing made;

@@ -38,7 +38,7 @@ constexpr std::size_t kMostStrokes = 300;
 constexpr double kLeastStroke_mm = 2;
 constexpr double kStep_mm = 0.5;
 
-// The plane that lies nearest to the drawing, seen from above or by its viewer.
+// Least-squares plane of the drawing; its normal points up or, for an upright plane, to the viewer.
 struct DrawingPlane {
     Vec3 center = Vec3::Zero();
     Vec3 right = Vec3::UnitX();
@@ -61,7 +61,7 @@ struct DrawingPlane {
         normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
         constexpr double kUpright = 0.2;
         bool const is_upright = std::abs(normal.z()) < kUpright;
-        if (is_upright ? normal.y() > 0 : normal.z() < 0) // The viewer sits towards -y.
+        if (is_upright ? normal.y() > 0 : normal.z() < 0) // The viewer is on the side of -y.
             normal = -normal;
         Vec3 const rough = std::abs(normal.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
         up = normal.cross(rough).normalized();
@@ -108,12 +108,13 @@ private:
     struct Attached {
         double distance = std::numeric_limits<double>::infinity();
         std::size_t parent = 0;
-        bool by_its_end = false; // It was drawn towards its parent.
+        // True if the end of the stroke, not its beginning, is at the parent.
+        bool by_its_end = false;
     };
 
     bool is_free(std::size_t stroke) const { return !roles_[stroke]; }
 
-    // Names a stroke and where it begins.
+    // Describes a stroke by its number and its starting point.
     std::string name_stroke(std::size_t stroke) const
     {
         auto const& at = drawn_[stroke].front();
@@ -121,7 +122,7 @@ private:
                            at.x(), at.y(), at.z());
     }
 
-    // A half is closed by its mirror image.
+    // Closes the outline; a single half is closed by its mirror image.
     void close_ring()
     {
         for (auto const& [stroke, point] : outline_.line)
@@ -139,7 +140,7 @@ private:
 
     double tolerance_mm() const { return std::max(3.0, 0.035 * extent_); }
 
-    // A stroke outside that ends at the outline.
+    // Finds the stalk: a stroke outside the outline that ends at it.
     void find_stalk()
     {
         for (std::size_t i = 0; i < flat_.size() && !stalk_; ++i) {
@@ -164,7 +165,7 @@ private:
                         nearest_on(std::vector { ring_.back(), ring_.front() }, at).distance);
     }
 
-    // Whether the other stroke begins or ends there.
+    // True if the other stroke begins or ends on this line.
     bool touches(std::size_t other, FlatLine const& line) const
     {
         return std::min(nearest_on(line, flat_[other].front()).distance,
@@ -172,7 +173,8 @@ private:
             < tolerance_mm();
     }
 
-    // A midrib bears many veins, halves the leaf and is long.
+    // Score of a stroke as midrib: a midrib is long, divides the leaf in halves and touches many
+    // veins.
     double midrib_score(std::size_t stroke) const
     {
         double touching = 0;
@@ -195,7 +197,8 @@ private:
     Result<void> find_midrib()
     {
         constexpr double kMostImbalance = 0.5;
-        constexpr double kLeastLength = 0.35; // Share of the outline's extent.
+        // Smallest length, as a share of the outline's extent.
+        constexpr double kLeastLength = 0.35;
         auto found = outline_.midrib;
         double best = -std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < flat_.size() && !outline_.midrib; ++i)
@@ -213,7 +216,7 @@ private:
         return {};
     }
 
-    // How much of the midrib lies outside the outline before it is first inside.
+    // Number of points of a line before it first enters the outline.
     std::size_t points_outside(FlatLine const& line) const
     {
         auto const first
@@ -234,7 +237,7 @@ private:
 
     double hub_radius_mm() const { return std::max(2.0, 0.025 * extent_); }
 
-    // How far side veins lean towards the midrib's end, less how far they lean back.
+    // Lean of the side veins: positive towards the line's end, negative towards its beginning.
     double lean_forward(FlatLine const& rib) const
     {
         double sum = 0;
@@ -251,7 +254,7 @@ private:
         return sum;
     }
 
-    // From the base to the tip.
+    // Orients the midrib from base to tip.
     void orient_midrib()
     {
         auto const& rib = flat_[midrib_];
@@ -284,8 +287,8 @@ private:
         std::ranges::reverse(lines_[stroke]);
     }
 
-    // Where main veins meet: where the midrib enters the blade, or where three and more veins begin
-    // a little above that.
+    // Finds the hub, where the main veins meet: where the midrib enters the blade, or a little
+    // above that if at least three veins begin there.
     Vec2 find_hub() const
     {
         auto const& rib = flat_[midrib_];
@@ -394,7 +397,7 @@ private:
     std::vector<RecognisedLeaf::Vein> sides_;
 };
 
-// A stroke as points at even distances.
+// Resamples a stroke at even distances.
 Result<std::vector<Vec3>> even_line(std::vector<Vec3> const& stroke, std::size_t number)
 {
     constexpr double kMostPoints = 4000;
