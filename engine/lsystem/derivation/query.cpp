@@ -48,7 +48,7 @@ private:
 
     // Only the turtle's frame is needed: the drawing is discarded whenever it exceeds this size.
     static constexpr std::size_t kMaxParts = 65'536;
-    // Each kept turtle needs as much memory as many modules.
+    // Limit on stored turtle states; each needs as much memory as many modules.
     static constexpr std::size_t kMaxKept = 1'000'000;
 
     Model const& model_;
@@ -111,7 +111,7 @@ void Questioning::answer(char query, std::span<float> parameters) const
     auto const& frame = turtle_.state().frame;
     Vec3 const heading = to_model(frame.heading);
     Vec3 const left = to_model(frame.left);
-    Vec3 const up = to_model(frame.down); // cpfg calls this vector up.
+    Vec3 const up = to_model(frame.down); // The frame's `down` is what cpfg calls up.
     std::array<double, 4> values {};
     std::size_t count = 3;
     if (query == 'Q') {

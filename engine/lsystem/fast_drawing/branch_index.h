@@ -72,8 +72,8 @@ private:
     struct Block {
         std::size_t parameter = 0; // Parameter index before the block's first module.
         std::int64_t depth = 0;    // Depth before the block's first module.
-        std::int64_t floor = 0;    // Least depth in the block.
-        // Least depth of a branch that begins in the block; greater than any depth if none does.
+        std::int64_t floor = 0;    // Lowest bracket depth in the block.
+        // Lowest depth of a branch that begins in the block; greater than any depth if none does.
         // opens_long is computed from it: true if the branch may be long.
         std::int64_t opening = 2 * kBeyond;
         bool opens_long = false;
@@ -90,7 +90,7 @@ private:
     std::array<Step, 256> steps_ {}; // Indexed by kind.
     std::vector<Pair> pairs_;        // Indexed by first kind * kind_count_ + second kind.
     std::vector<Block> blocks_;
-    std::vector<std::int64_t> floors_; // Least depth in each superblock.
+    std::vector<std::int64_t> floors_; // Lowest bracket depth in each superblock.
 };
 
 // Selects the branches of a piece of the string that become pieces of their own: long branches that

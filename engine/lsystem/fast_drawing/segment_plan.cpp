@@ -45,7 +45,7 @@ Effect effect_of(ModuleKind const& kind)
         return Effect::Push;
     case SymbolDoes::Pop:
         return Effect::Pop;
-    case SymbolDoes::BeginPath: // With parameters, a generalised cylinder may begin.
+    case SymbolDoes::BeginPath: // A `{` with parameters may begin a generalised cylinder.
         return kind.parameter_count == 0 ? Effect::BeginPolygon : Effect::Unclear;
     case SymbolDoes::EndPath:
         return kind.parameter_count == 0 ? Effect::EndPolygon : Effect::Unclear;
@@ -145,7 +145,7 @@ private:
     BranchIndex const& index_;
     BranchCutter cutter_;
     std::array<Step, 256> steps_ {};
-    // By the second kind: an @ followed by it is a symbol of two modules without effect on
+    // Indexed by kind: true if an @ followed by this kind is a two-module symbol without effect on
     // segments.
     std::array<bool, 256> is_plain_second_ {};
     Column<std::uint32_t> lengths_; // Number of segments of each axis of the piece.
@@ -242,7 +242,7 @@ template<StepLengths kLengths> bool SegmentCounter::apply(Effect effect, Walk& w
     }
 }
 
-// Has the effect of Turtle::step() on the counts.
+// Updates the counts as Turtle::step() would change the drawing.
 template<StepLengths kLengths> void SegmentCounter::step(bool draws, Walk& walk)
 {
     if (kLengths == StepLengths::Any) {

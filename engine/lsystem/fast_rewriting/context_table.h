@@ -20,7 +20,8 @@ namespace tractus::lsystem {
 // pieces.
 class ContextTable {
 public:
-    // No value if the model has other rules or no context at all. The model must outlive the table.
+    // Makes a table for a model; no value if the model has other rules or no context at all. The
+    // model must outlive the table.
     static std::optional<ContextTable> create(Model const& model);
 
     // Rewrites all of `in`, in parallel if it has more than two pieces of `piece` modules. Stops

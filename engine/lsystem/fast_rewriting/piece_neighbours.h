@@ -14,7 +14,8 @@ namespace tractus::lsystem {
 
 // The roles of each kind of module when neighbours are searched for.
 struct NeighbourRoles {
-    // In a row of Seen modules, each module's neighbours are the ones next to it.
+    // Role of a kind: an ordinary module, one that contexts ignore, or an opening or closing
+    // bracket.
     enum class Role : std::uint8_t { Seen, Ignored, Opening, Closing };
 
     std::array<Role, 256> of_kind {};

@@ -393,7 +393,7 @@ void RangeRewriter::decompose_successor(Surroundings const& around, std::size_t 
         else
             append_one(rest);
         if (count == 0)
-            return; // There are too many modules; the caller reports it.
+            return; // The string has too many modules; the caller reports it.
         for (std::size_t k = 0; k < count; ++k)
             parameter += model_.alphabet[rest.kinds[k]].parameter_count;
         i += count;

@@ -25,11 +25,12 @@ public:
     Model const& model() const { return model_; }
     LSystem const& system() const { return system_; }
 
-    // How modules of a kind are rewritten.
+    // The way in which modules of a kind are rewritten.
     enum class Way : std::uint8_t {
         Copy,  // The module stays as it is.
         Fixed, // The module always has the same successor.
-        // Like Chance; in addition, the programs of all rules can run for many modules at once.
+        // The same as Chance; in addition, the programs of all rules can run for many modules at
+        // once.
         Batch,
         Chance, // Chance alone chooses among rules without contexts and conditions.
         Search, // Rules must be tried one after another.
@@ -138,7 +139,7 @@ public:
     std::size_t rewrite_module(Task const& task, std::size_t at, std::size_t parameter);
 
 private:
-    // Whether a wide move may write parameters past the end of the range.
+    // Room after the range: ForWideRuns if a wide move may write parameters past its end.
     enum class Room : std::uint8_t { Tight, ForWideRuns };
 
     void rewrite_bounded(Range const& range);

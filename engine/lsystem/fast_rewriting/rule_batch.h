@@ -44,7 +44,7 @@ private:
     void execute(Instruction const& instruction);
 
     Rule const& rule_;
-    FixedSuccessor successor_; // Only its kinds are used.
+    FixedSuccessor successor_; // Successor of the rule; only its kinds are used.
     std::size_t count_ = 0;
     std::array<float const*, kSize> from_ {}; // Not owned.
     std::array<float*, kSize> to_ {};         // Not owned.

@@ -66,7 +66,7 @@ Result<void> SubsystemRewriter::rewrite(RangeRewriter::Task const& task, bool is
     auto const* parameters = in_->parameters.data();
     for (std::size_t i = 0; i < in_->size();) {
         auto const system = stack_.current();
-        // Such runs are most of a string.
+        // Most of a string consists of runs that stay unchanged.
         if (auto const run = staying(system, i); run.modules > 0) {
             out_->kinds.append(in_->kinds.data() + i, run.modules);
             out_->parameters.append(parameters, run.parameters);

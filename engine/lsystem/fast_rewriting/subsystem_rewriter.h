@@ -60,7 +60,7 @@ private:
     CallStack stack_;
     std::vector<std::unique_ptr<RulePlan>> plans_;
     std::vector<std::unique_ptr<RangeRewriter>> rewriters_;
-    // For each L-system, the kinds of modules that form such runs.
+    // Kinds of modules that stay unchanged, for each L-system.
     std::vector<std::array<bool, 256>> stays_ {};
     std::array<std::uint8_t, 256> parameter_counts_ {}; // Number of parameters of each kind.
     // Index in out_->calls, for each active sub-L-system, of the call that receives its variables

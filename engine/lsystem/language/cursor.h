@@ -41,7 +41,7 @@ public:
     // Consumes the rest of the line.
     std::string_view take_line();
 
-    // In a block of statements, line ends have no meaning.
+    // Line ends have no meaning in a block of statements.
     void enter_block() { ++block_depth_; }
     void leave_block() { --block_depth_; }
     // True: from here on, an arrow on a line of its own begins another rule.

@@ -311,7 +311,7 @@ Result<Register> ExpressionCompiler::derivation_length(std::string const& functi
     constexpr auto kIndex = static_cast<std::uint16_t>(GlobalIndex::DerivationLength);
     bool const sets = function.front() == 'S';
     auto target = sets ? TRY(expression(program)) : TRY(frame_.temporary());
-    if (!sets && cursor_.peek() != ')') // cpfg requires an argument here and ignores it.
+    if (!sets && cursor_.peek() != ')') // The argument that cpfg requires here is ignored.
         frame_.release(TRY(expression(program)));
     if (!cursor_.take(")"))
         return cursor_.unexpected("')'");

@@ -21,7 +21,8 @@ namespace tractus::lsystem {
 // All binary operators are left-associative, so -2^2 is 4 and 2^3^2 is 64.
 class ExpressionCompiler {
 public:
-    // Where an assignment creates a new variable: global in an L-system's blocks, local in rules.
+    // Scope of new variables created by assignments: global in an L-system's blocks, local in
+    // rules.
     enum class NewNames { Global, Local };
 
     ExpressionCompiler(Cursor& cursor, Names& names, NewNames new_names)

@@ -20,10 +20,10 @@ FunctionEntry const* find_function(std::string_view name);
 struct MissingFunction {
     enum class About {
         Files,  // File access: a model of unknown origin must not read or change the user's files.
-        Window, // cpfg's window: its viewpoint, animation and sounds.
+        Window, // Functions of cpfg's window: its viewpoint, animation and sounds.
         Blobs,  // Implicit surfaces.
     };
-    // As in cpfg, some of these functions return their first argument.
+    // Value of a call. As in cpfg, some of these functions return their first argument.
     enum class Value { Given, FirstArgument };
 
     std::string_view name;

@@ -307,7 +307,7 @@ Result<bool> Parser::section()
     cursor_.take(":");
     if (!take_word("no warnings"))
         take_word("warnings");
-    // It is a rule, for example one whose predecessor begins with an h.
+    // The line is a rule after all, for example one whose predecessor begins with an h.
     if (!cursor_.at_line_end()) {
         cursor_.set_position(begin);
         return false;

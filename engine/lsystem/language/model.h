@@ -38,7 +38,7 @@ struct ModuleKind {
 // Index into Alphabet::kinds: the one byte that a string stores per module.
 using KindId = std::uint8_t;
 
-// All kinds of modules that occur in a model.
+// The kinds of modules that occur in a model.
 struct Alphabet {
     static constexpr std::size_t kMaxKinds = 255;
 
@@ -47,7 +47,7 @@ struct Alphabet {
     ModuleKind const& operator[](KindId id) const { return kinds[id]; }
 };
 
-// No value for a kind that does not occur in the model.
+// Finds a kind; no value if it does not occur in the model.
 std::optional<KindId> find_kind(Alphabet const& alphabet, ModuleKind const& kind);
 
 // A string of modules with new parameters: kinds are copied, parameters are read from registers, in

@@ -124,7 +124,7 @@ struct ModuleString {
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;
     std::vector<SubsystemCall> calls; // One for each ?(...) of the string, in order.
-    std::vector<KeptCut> cuts;        // In the order of the string.
+    std::vector<KeptCut> cuts;        // Cuts in the order of the string.
     std::vector<KeptTurtle> turtles;  // Turtle states; %(x,i) continues with turtle i.
     std::uint64_t seed = 0;           // Seed of the random numbers in homomorphism rules.
 

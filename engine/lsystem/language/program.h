@@ -41,7 +41,7 @@ enum class Op : std::uint8_t {
     Log,
     Floor,
     Ceil,
-    Round, // cpfg's trunc(), which rounds to the nearest integer, halves upwards.
+    Round, // Rounds to the nearest integer, halves upwards; cpfg calls it trunc().
     Abs,
     Sign,
     Sqrt,
@@ -56,10 +56,10 @@ enum class Op : std::uint8_t {
     CurveZ,
     CurveLength, // Length of the model's curve number `left`, from 1.
     Print,       // Prints `right` registers from `left` on by the model's format number `target`.
-    LoadGlobal,  // target <- global left.
-    StoreGlobal, // global target <- left.
-    LoadArray,   // target <- array left at index right.
-    StoreArray,  // array target at index left <- right.
+    LoadGlobal,  // register target <- global left.
+    StoreGlobal, // global target <- register left.
+    LoadArray,   // register target <- array left at index right.
+    StoreArray,  // array target at index left <- register right.
     Jump,        // Jumps to instruction `target`.
     JumpIfZero,  // Jumps to instruction `target` if register `left` is 0.
 };

@@ -24,7 +24,7 @@ Result<KindId> RuleParser::kind(char symbol, std::size_t parameter_count)
                         Alphabet::kMaxKinds));
     kinds.push_back(wanted);
     auto const result = static_cast<KindId>(kinds.size() - 1);
-    // Also add %(x,i), which rewriting puts before a branch that %(x) cuts off.
+    // The kind %(x,i) is also needed: rewriting puts it before a branch that %(x) cuts off.
     if (wanted == ModuleKind { '%', 1 })
         TRY(kind('%', 2));
     return result;
@@ -160,8 +160,8 @@ Result<void> RuleParser::successor(Rule& rule, ExpressionCompiler& compiler)
     return {};
 }
 
-// As in cpfg, a local variable keeps its value from one match to the next. Warns of undefined
-// variables, and marks rules that may depend on such values: for them the order of matches matters.
+// Warns of undefined variables, and marks rules that depend on the values of their last match. As
+// in cpfg, local variables keep these values; the order of matches then matters.
 void RuleParser::check_locals(Rule& rule, ExpressionCompiler const& compiler)
 {
     for (auto const& [name, local] : compiler.locals()) {

@@ -155,7 +155,7 @@ double VirtualMachine::draw(Op op, double left, double right)
     }
 }
 
-// As in cpfg, an index out of range selects the nearest element.
+// Returns an element of an array. As in cpfg, an index out of range selects the nearest element.
 double& VirtualMachine::array_element(std::uint16_t array, double index)
 {
     auto& values = arrays[array];

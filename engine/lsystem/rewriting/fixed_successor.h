@@ -20,7 +20,8 @@ struct FixedSuccessor {
     std::uint32_t parameter_count = 0;      // Number of parameters of the successor.
     std::uint32_t read_parameter_count = 0; // Number of parameters of the module.
     KindId const* kinds = nullptr;
-    Register const* parameters = nullptr; // nullptr: the module's parameters, in order.
+    // Registers of the successor's parameters; nullptr: the module's parameters, in order.
+    Register const* parameters = nullptr;
     double const* frame = nullptr;
 
     // The module itself, which is its successor if no rule applies.

@@ -183,7 +183,7 @@ std::optional<Rewriter::Place> Rewriter::next_right(Place at, int& rounds,
     }
 }
 
-// Matches the right context. `=` in it stands for the rest of the branch.
+// Matches the right context; the symbol `=` in it matches the rest of the branch.
 bool Rewriter::matches_right(Rule const& rule, double* parameters, Surroundings const& around)
 {
     auto const& string = *around.string;

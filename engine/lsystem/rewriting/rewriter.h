@@ -22,7 +22,7 @@ struct Modules {
 
 // Matching brackets of a string, so that contexts can skip branches at once.
 struct Branches {
-    // For each bracket, the index of the matching one; the string's size if there is none.
+    // Index of the matching bracket for each bracket; the string's size if there is none.
     std::vector<std::uint32_t> partner;
     // Index of each module's first parameter; empty for strings without parameters.
     std::vector<std::uint32_t> parameters;
@@ -39,7 +39,7 @@ std::size_t cut_end(Model const& model, ModuleString const& string, std::size_t 
 // Fills `branches` for a string of fewer than 2^32 modules and parameters.
 void find_branches(Model const& model, ModuleString const& string, Branches& branches);
 
-// Where contexts are matched in `string`: to the left from before module `left`, and to the right
+// The positions at which contexts are matched: to the left from before module `left`, to the right
 // from module `right`, with the indices of their first parameters.
 struct Surroundings {
     ModuleString const* string = nullptr;
@@ -122,7 +122,7 @@ private:
     RuleSet const& rules_;
     VirtualMachine& machine_;
     std::vector<RegisterFile> frames_;
-    std::vector<FixedSuccessor> successors_; // Only their kinds are used.
+    std::vector<FixedSuccessor> successors_; // Successors of the rules; only their kinds are used.
     struct Candidate {
         Rule const* rule = nullptr;
         double weight = 0;

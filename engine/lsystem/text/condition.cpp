@@ -47,7 +47,7 @@ bool is_less(Value const& a, Value const& b)
     return a.is_unsigned || b.is_unsigned ? bits(a) < bits(b) : a.number < b.number;
 }
 
-// As in gcc, a negative shift count shifts in the other direction.
+// Bitwise shifts. As in gcc, a negative shift count shifts in the other direction.
 std::int64_t shifted_left(Value const& value, Value const& by);
 
 std::int64_t shifted_right(Value const& value, Value const& by)

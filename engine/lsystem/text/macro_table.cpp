@@ -69,7 +69,7 @@ Result<std::string_view> MacroTable::set_parameters(Macro& macro, PlacedText con
         auto parameter = written;
         macro.is_variadic
             = parameter.size() >= 3 && parameter.substr(parameter.size() - 3) == "...";
-        if (macro.is_variadic) // As in gcc, the variable arguments may have a name.
+        if (macro.is_variadic) // A name for the variable arguments is allowed, as in gcc.
             parameter = trimmed_line(parameter.substr(0, parameter.size() - 3));
         if (macro.is_variadic && parameter.empty())
             parameter = "__VA_ARGS__";

@@ -39,8 +39,9 @@ public:
     // Appends the text with macros replaced.
     Result<void> expand(PlacedText const& text, PlacedText& out);
 
-    // Like expand(), unless the text ends inside a macro call or possibly before its parentheses.
-    // In that case the following text is needed: nothing is appended and the result is false.
+    // Expands a text like expand(), unless it ends inside a macro call or possibly before its
+    // parentheses. In that case the following text is needed: nothing is appended and the result is
+    // false.
     Result<bool> expand_whole(PlacedText const& text, PlacedText& out);
 
 private:

@@ -20,7 +20,8 @@ public:
         "if", "ifdef", "ifndef", "elif", "else", "elifdef", "elifndef", "endif"
     };
 
-    // Both must outlive this object; `files` holds the names of the files for error positions.
+    // The arguments must outlive this object; `files` holds the names of the files for error
+    // positions.
     OpenConditions(MacroTable& macros, std::vector<std::string> const& files)
         : macros_(macros)
         , files_(files)

@@ -100,7 +100,7 @@ public:
     bool is_complete() const { return depth_ == 0 && polygons_.empty() && !has_unpaired_; }
 
 private:
-    static constexpr double kMinWidth = 1e-7; // The same minimum as in cpfg.
+    static constexpr double kMinWidth = 1e-7; // Minimum line width, the same as in cpfg.
     static constexpr double kMaxReachMm = 1e12;
 
     // A symbol with its parameters.
@@ -136,7 +136,7 @@ private:
 
     // The cases that draw_quick() handles.
     enum class Quick : std::uint8_t {
-        Other, // Not handled by draw_quick().
+        Other, // A symbol that draw_quick() does not handle.
         Nothing,
         Step,
         Turn,

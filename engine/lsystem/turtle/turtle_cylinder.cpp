@@ -136,7 +136,7 @@ void Turtle::draw_piece(Cylinder::Piece const& piece)
     };
     Vec3 base_mm = from.position_mm;
     double radius_mm = from.radius_mm;
-    // As in cpfg, the colour changes after the first section: from there on it is the colour of the
+    // The colour changes after the first section, as in cpfg: from there on it is the colour of the
     // control point at the end of the piece.
     auto color = from.color;
     for (auto const& section : piece.sections) {

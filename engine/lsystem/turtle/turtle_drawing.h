@@ -11,8 +11,8 @@
 
 namespace tractus::lsystem {
 
-// What the turtle has drawn along one piece of a string, in drawing order. Segments and axes are
-// numbered within the piece; plant_assembly.h assembles the pieces.
+// The drawing of one piece of a string, in drawing order. Segments and axes are numbered within the
+// piece; plant_assembly.h assembles the pieces.
 //
 // A piece is attached to a segment of another piece (kBelow) or stands on the ground (kNone).
 // Branches that are left out, as pieces of their own, are its gaps.
@@ -20,7 +20,7 @@ struct TurtleDrawing {
     // Stands for the segment to which the piece is attached.
     static constexpr std::uint32_t kBelow = kNone - 1;
 
-    // Where the next segment is attached: at the end of `segment`, which belongs to `axis`.
+    // Place where the next segment is attached: the end of `segment`, which belongs to `axis`.
     struct Place {
         std::uint32_t segment = kNone;
         std::uint32_t axis = kNone;

@@ -84,8 +84,8 @@ struct TurtleFrame {
     // by parallel transport from the frame `before`.
     void bend_by(Vec3 const& torque, TurtleFrame const& before);
 
-    // cpfg's older kind of tropism: pitches and turns towards `direction`, in proportion to its
-    // components across the heading.
+    // The older kind of tropism in cpfg: pitches and turns towards `direction`, in proportion to
+    // its components across the heading.
     void bend_towards(Vec3 const& direction, double elasticity);
 
     // Carries the sides by parallel transport from the frame `before` to this heading. Does nothing

@@ -50,7 +50,7 @@ void Turtle::add_organ(char letter, Symbol const& symbol)
     drawing_->organs.push_back(organ);
     if (!surface)
         return;
-    // As in cpfg, all three coordinates of the end point are scaled by the first scale.
+    // The first scale applies to all three coordinates of the end point, as in cpfg.
     Vec3 const end_mm = static_cast<double>(organ.scale[0]) * options_.unit_mm * surface->end_point;
     Vec3 const position_mm = state_.frame.position_mm + axes * end_mm;
     if (end_mm.squaredNorm() > 0 && position_mm.cwiseAbs().maxCoeff() < 1e12) {

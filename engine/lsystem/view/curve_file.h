@@ -12,7 +12,7 @@ namespace tractus::lsystem {
 
 // A space curve from a curve file of cpfg, read by curveX, curveY and curveZ.
 struct CurveTable {
-    // How the control points define the curve.
+    // The kind of curve that the control points define.
     enum class Kind {
         Uniform, // A cubic B-spline with equal knots, which begins and ends near its end points.
         Clamped, // A cubic B-spline that begins and ends at its end points.

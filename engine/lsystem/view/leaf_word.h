@@ -13,7 +13,7 @@ struct LeafDamage {
     double mildew = 0; // Share of the leaf with white mildew, 0 to 1.
     double mines = 0; // Number of pale leaf mines, tunnels that larvae eat under the skin, 0 to 20.
     double larvae = 0;   // Number of larvae that have eaten holes, 0 to 20.
-    double withered = 0; // How far old leaves have taken the colour of dead ones, 0 to 1.
+    double withered = 0; // Degree to which old leaves have taken the colour of dead ones, 0 to 1.
 
     bool operator==(LeafDamage const&) const = default;
 };

@@ -165,7 +165,8 @@ Result<BezierSurface> SurfaceParser::placed(double size) const
     Vec3 const heading = header_.heading.normalized();
     Vec3 const left = heading.cross(header_.up.normalized()).normalized();
     Vec3 const up = left.cross(heading);
-    // cpfg multiplies by the frame's vectors as columns, in its own frame of left, heading and up.
+    // The frame's vectors are the columns of cpfg's matrix; cpfg's own frame is left, heading and
+    // up.
     auto const place = [&](Vec3 const& point) -> Vec3 {
         Vec3 const offset = scale * (point - header_.contact);
         Vec3 const turned = offset.x() * left + offset.y() * heading + offset.z() * up;

@@ -149,7 +149,7 @@ Result<void> read_angle_factor(ViewReader& reader, std::string_view value)
     return {};
 }
 
-// As in cpfg, a scale of 0 is ignored.
+// Reads a scale. As in cpfg, a scale of 0 is ignored.
 template<double View::*Target> Result<void> read_scale(ViewReader& reader, std::string_view value)
 {
     auto const read = first_number(reader, value);
@@ -212,7 +212,7 @@ constexpr std::array kStatements {
     Statement { "polygonization level", read_polygonization_level },
     Statement { "twist of cylinders", read_switch<&View::twist_of_cylinders> },
     Statement { "surface", read_surface },
-    Statement { "line", read_surface }, // In cpfg, too, this statement defines a surface.
+    Statement { "line", read_surface }, // The statement `line:` also defines a surface, as in cpfg.
     Statement { "tsurface", read_triangle_surface },
     Statement { "color", read_color },
     Statement { "material", read_material },

@@ -92,8 +92,8 @@ struct View {
     double elasticity = 0;
     double elasticity_step = 0;
     std::vector<Tropism> tropisms;
-    std::vector<FunctionTable> functions; // func(1, x) is the first.
-    std::vector<CurveTable> curves;       // curveX(1, t) is the first.
+    std::vector<FunctionTable> functions; // Functions; func(1, x) evaluates the first.
+    std::vector<CurveTable> curves;       // Curves; curveX(1, t) evaluates the first.
     std::map<int, Contour> contours;      // Keyed by the number after @#.
     int contour_sides = 8;
     bool twist_of_cylinders = false; // True: generalised cylinders follow the turtle's rolls.

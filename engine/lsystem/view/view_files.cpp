@@ -29,7 +29,7 @@ Result<void> define_surface(ViewReader& reader, std::string_view value, ParseSur
     auto const letter = parts[0][0];
     auto const name = std::string(parts[1]);
     auto size = std::min(TRY(reader.number(parts[2])), 1e6);
-    if (!(size > 0)) // cpfg treats an invalid size in the same way.
+    if (!(size > 0)) // An invalid size counts as 1, as in cpfg.
         size = 1;
     if (reader.view.surfaces.count(letter) > 0)
         reader.warn(fmt::format("the surface {} is defined before; {} is left out", letter, name));

@@ -45,20 +45,20 @@ struct SizesAside {
     double low = 0; // Sizes at both boundaries.
     double high = 0;
     double gap_deg = 360; // Azimuth difference between the two; above 0, as the other gaps.
-    // The boundary before the first one and (`after`) the one behind the second; may be the same
-    // two.
+    // Sizes of the boundary before the first one and of the one after the second, and the gaps to
+    // them; the neighbours may be the same two boundaries.
     double before = low;
     double before_gap_deg = 360;
     double behind = high;
     double behind_gap_deg = 360;
 };
 
-// Returns the size at a share, 0 to 1, of the gap. For gaps up to a right angle it is a quarter of
-// an ellipse whose half-axes are the two sizes. From half a turn on it is two quarters that share
-// their mean as a half-axis in the middle of the gap, so that around two opposite boundaries there
-// are two half-ellipses. Gaps in between are interpolated. If three boundaries stand within less
-// than half a turn, the curve blends into the ellipse about the stem through all three, so that
-// many boundaries reproduce a cross-section wherever they are.
+// Returns the size at a share, 0 to 1, of the gap. For gaps up to a right angle it is on a quarter
+// of an ellipse whose half-axes are the two sizes. From half a turn on it is on two quarters that
+// share their mean as a half-axis in the middle of the gap, so that around two opposite boundaries
+// there are two half-ellipses. Gaps in between are interpolated. If three boundaries are within
+// less than half a turn, the curve blends into the ellipse about the stem through all three, so
+// that many boundaries reproduce a cross-section at any azimuth.
 double size_between(SizesAside const& sizes, double share);
 
 } // namespace tractus::lines

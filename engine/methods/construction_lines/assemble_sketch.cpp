@@ -39,7 +39,7 @@ struct Drawn {
 struct Across {
     enum class Reach { Both, Left, Right };
     Reach reach = Reach::Both;
-    double at = 0; // Where it crosses the stem, as a share of the stem's length.
+    double at = 0; // Position of its crossing with the stem, as a share of the stem's length.
     MadeLine made;
 };
 
@@ -161,7 +161,8 @@ private:
             boundary = on_paper(on_side(made_of(drawn).line, axis_, side));
     }
 
-    // Where the line is nearest to the stem, as a share of the stem's length.
+    // Returns the position on the stem where a line is nearest to it, as a share of the stem's
+    // length.
     double at_stem(Polyline const& line) const
     {
         auto const foot
@@ -196,7 +197,8 @@ private:
         return across;
     }
 
-    // Where a half line that begins beside the stem would begin if extended to the stem.
+    // Returns the position on the stem where a half line that begins beside it would begin if
+    // extended to it.
     double foot_of(Polyline const& half) const
     {
         auto const near = axis_.place(half.front().head<2>());
@@ -313,7 +315,8 @@ private:
             auto& left = is_left ? half : rest;
             auto& right = is_left ? rest : half;
             Polyline line(left.rbegin(), left.rend());
-            // Both halves begin beside the stem, at different places because the hand is not exact.
+            // The two halves begin beside the stem, at different places because the hand is not
+            // exact.
             if (is_half(across))
                 across.at = (across.at + other->at) / 2;
             Vec2 const foot = axis_.point(across.at);

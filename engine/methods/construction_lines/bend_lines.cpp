@@ -149,7 +149,7 @@ Ray ray_at(Construction const& of, double x, StemSide side)
     return { stem.at, direction(stem.heading_deg + sign_of(side) * angle_deg) };
 }
 
-// For each place, how far along the boundary its ray meets it; no value if it misses.
+// Returns, for each place, how far along the boundary its ray meets it; no value if it misses.
 std::vector<std::optional<double>> hits(Construction const& of, DrawnLine const& boundary,
                                         StemSide side)
 {

@@ -47,7 +47,7 @@ Result<BentLine> with_size(PenSketch const& whole, std::size_t place, StemSide s
 
 // Positions along a stem at which its heading can be set, as shares of its length from foot to top.
 inline constexpr std::array kHeadingPlaces { 0.0, 1.0 / 3, 2.0 / 3, 1.0 };
-constexpr double kGreatestHeading_deg = 90; // To either side.
+constexpr double kGreatestHeading_deg = 90; // Maximum heading to either side.
 
 // Bends a stem so that at one of those positions it has this heading as seen on the sheet: from up,
 // positive to the left. The heading at the neighbouring positions is unchanged. The sheet bends

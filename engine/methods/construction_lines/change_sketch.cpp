@@ -14,8 +14,8 @@ namespace tractus::lines {
 
 Vec2 foot_on_sheet(PenSketch const& sketch)
 {
-    // In a sketch that is read as a whole, the stem may be reversed, composed of several strokes,
-    // or cleaned of hooks.
+    // The stem may be reversed, composed of several strokes, or cleaned of hooks if the sketch is
+    // read as a whole.
     if (is_read_together(sketch))
         if (auto const reading = read_pen_sketch(sketch); reading && !reading->stems.empty())
             if (auto const& stem = reading->stems.front().sketch.stem; !stem.empty())
@@ -73,7 +73,7 @@ void put_sketch(scene::DocumentState& state, FoundSketch found)
 
 void list(scene::Fields& fields, Pattern& pattern)
 {
-    // In the order of the enumeration's values.
+    // Names in the order of the enumeration's values.
     constexpr std::array kPatterns { "distichous", "decussate", "spiral",
                                      "alternate",  "whorled",   "bare" };
     fields.word("pattern", pattern.kind, kPatterns);

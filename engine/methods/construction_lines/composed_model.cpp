@@ -20,10 +20,10 @@ namespace {
 
 // A sketch as one of the L-systems of a composed model.
 struct SubModel {
-    Construction construction; // With its sizes around the stem.
+    Construction construction; // The measured sketch, with its sizes around the stem.
     Pattern pattern {};
     std::vector<LineOrgan> organs {};
-    // For each organ that is a sketch, the index of that sketch in the model.
+    // Index in the model of each organ's sketch; 0 for other organs.
     std::vector<std::size_t> called {};
     std::vector<LayerOrgans> layers {}; // Organs of all layers, from below.
     OrganSurface leaf {};

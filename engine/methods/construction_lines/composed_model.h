@@ -24,7 +24,8 @@ struct LineOrgan {
 // A measured sketch whose layers may have different organs: leaves, surfaces, and plants of other
 // sketches (2008, section 5).
 struct ComposedSketch {
-    std::vector<MeasuredStem> stems; // At least one. Their layers refer to organs by number.
+    // Stems of the sketch, at least one. Their layers refer to organs by number.
+    std::vector<MeasuredStem> stems;
     Pattern pattern {};
     std::vector<LineOrgan> organs {};
     OrganSurface leaf {}; // Surface of its leaves; without patches: plain blades.

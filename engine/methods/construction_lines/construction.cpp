@@ -61,8 +61,8 @@ struct CrossingLine {
     }
 };
 
-// Where the line meets a boundary: the nearest point on the boundary's side of the stem. No value
-// if it does not reach the boundary.
+// Returns where the line meets a boundary: the nearest point on the boundary's side of the stem. No
+// value if it does not reach the boundary.
 Result<std::optional<Vec2>> boundary_point(CrossingLine const& of, DrawnLine const& boundary,
                                            Side side)
 {

@@ -20,13 +20,13 @@ struct LineSketch {
     // Boundaries; empty if not drawn. A missing one is the mirror image of the other.
     std::vector<Vec2> left;
     std::vector<Vec2> right;
-    // In any order. If there are none: two, at a tenth of the stem and near its top, with organs at
-    // 45 degrees.
+    // Inclination lines in any order. If there are none, two are assumed, at a tenth of the stem
+    // and near its top, with organs at 45 degrees.
     std::vector<std::vector<Vec2>> inclinations;
     // Number of nodes of each layer between two neighbouring inclination lines, from below; the
     // topmost line has one additional node.
     std::vector<int> nodes_per_layer;
-    // If not empty, replaces nodes_per_layer: the number of nodes between each inclination line, in
+    // Replaces nodes_per_layer unless empty: the number of nodes between each inclination line, in
     // the order of the list, and the next one above it. A single number if there are fewer than two
     // lines.
     std::vector<int> nodes_above {};
@@ -38,7 +38,7 @@ struct LineSketch {
     // Organs of each layer, from below; the last entry also applies to all layers above. Empty: the
     // plant's organs.
     std::vector<LayerOrgans> organs_per_layer {};
-    // If not empty, replaces organs_per_layer: indexed like nodes_above.
+    // Replaces organs_per_layer unless empty; indexed like nodes_above.
     std::vector<LayerOrgans> organs_above {};
 };
 
@@ -76,15 +76,16 @@ struct OrganNode {
 // The organs' sizes at one azimuth around the stem.
 struct AzimuthSizes {
     double azimuth_deg = 0;
-    std::vector<double> sizes; // By node: shares of the stem's length.
+    std::vector<double> sizes; // Size at each node, as a share of the stem's length.
 };
 
 // A sketch as measured: the parameters of a plant.
 struct Construction {
     DrawnStem stem;
-    std::vector<Inclination> inclinations; // From below: layer i is between i and i + 1.
+    // Inclination lines from below: layer i is between lines i and i + 1.
+    std::vector<Inclination> inclinations;
     std::vector<int> nodes_per_layer;
-    std::vector<OrganNode> nodes;   // From below; at least one.
+    std::vector<OrganNode> nodes;   // Nodes from below, at least one.
     std::vector<std::string> notes; // Assumptions made for missing lines, one sentence each.
     // Sizes at the boundaries in space, in ascending azimuths; between them sizes follow
     // size_between(). Empty if all boundaries are on the sheet: sizes between left and right are
@@ -124,9 +125,9 @@ Reach as_seen(Reach const& organ, double pitch_deg);
 // Size of a node's organs at an azimuth around the stem.
 double size_at(Construction const& construction, std::size_t node, double azimuth_deg);
 
-// How missing lines are treated.
+// Treatment of missing lines.
 enum class Missing {
-    Refused, // Measuring fails with a message that says what to draw.
+    Refused, // A missing line is an error; the message tells the user what to draw.
     // Default values until they are drawn: without boundaries the stem has no organs
     // (Pattern::Bare, sizes 0), and a single inclination line applies to the whole stem.
     Guessed,

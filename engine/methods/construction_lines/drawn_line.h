@@ -40,7 +40,7 @@ std::vector<double> values_at_points(std::span<double const> piece_values);
 // A line on the sheet, parametrised by arc length.
 class DrawnLine {
 public:
-    // At least two points, all finite, with no two equal neighbours.
+    // The points, at least two, must be finite, with no two equal neighbours.
     explicit DrawnLine(std::vector<Vec2> points);
 
     std::span<Vec2 const> points() const { return points_; }
@@ -74,7 +74,7 @@ public:
 private:
     std::vector<Vec2> points_;
     std::vector<double> at_mm_;
-    std::vector<double> heading_deg_; // By point.
+    std::vector<double> heading_deg_; // Heading at each point.
 };
 
 // Finds the interval of the ascending numbers (at least two) that contains a value, and its

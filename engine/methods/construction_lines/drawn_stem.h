@@ -58,7 +58,7 @@ private:
     DrawnLine seen_;
     std::vector<double> depth_mm_;
     std::vector<double> at_mm_;     // Arc length in space at each point.
-    std::vector<double> pitch_deg_; // By point.
+    std::vector<double> pitch_deg_; // Pitch at each point.
     // Integrals of the segments' values from the base to each point.
     std::vector<double> heading_sum_;
     std::vector<double> pitch_sum_;

@@ -14,13 +14,13 @@ namespace tractus::lines {
 
 // A stroke of a sketch to be interpreted.
 struct StrokeToExplain {
-    std::vector<Vec3> points; // In the format of LineRecogniser::add().
+    std::vector<Vec3> points; // Points in the format of LineRecogniser::add().
     // The role that the user has assigned. Without a value the role is to be found.
     std::optional<Role> said {};
     // Drawn by hand even if its points are far apart: its tremor is removed.
     bool is_by_hand = false;
     bool is_clean = false;   // Hooks and tremor have already been removed.
-    bool turn_round = false; // For a stem: it begins where it would be assumed to end.
+    bool turn_round = false; // True for a stem that begins where it would be assumed to end.
 };
 
 // Interpretation of a stroke.
@@ -31,15 +31,16 @@ struct ExplainedStroke {
     std::optional<std::size_t> of {};
     bool is_replaced = false;     // Another stroke has replaced it completely.
     bool is_turned_round = false; // The stem was drawn from its top to its foot.
-    std::string reason {}; // For Unsure: one sentence that says why, and what to draw instead.
+    // Reason why a stroke is Unsure: one sentence, with what to draw instead.
+    std::string reason {};
 };
 
 // An interpretation of all strokes of a sketch with one stem.
 struct Explanation {
     std::vector<ExplainedStroke> strokes; // One for each stroke.
     LineSketch sketch {}; // Consists of the strokes that have an effect; without numbers of nodes.
-    // For each of the sketch's inclination lines the index of its stroke, or of the first of its
-    // halves or pieces.
+    // Index of the stroke of each inclination line of the sketch, or of the first of its halves or
+    // pieces.
     std::vector<std::size_t> inclination_strokes {};
     // Lower is better; 0 if every stroke is drawn exactly as intended for its role.
     double cost = 0;

@@ -12,7 +12,7 @@ namespace tractus::lines {
 // A positional function in the form of cpfg's function editor: a polyline y(x) for x from 0 to 1.
 struct FunctionCurve {
     std::string name;         // Name of its file in the model, such as heading.
-    std::vector<Vec2> points; // At least 4, with x ascending from 0 to 1.
+    std::vector<Vec2> points; // Points, at least 4, with x ascending from 0 to 1.
 };
 
 // Number of samples at which a model tabulates them.

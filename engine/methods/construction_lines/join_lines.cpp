@@ -83,7 +83,7 @@ Junction junction_of(Polyline const& first, Polyline const& second, double most_
 
 Polyline joined(Polyline const& first, Polyline const& second, Junction const& at)
 {
-    // If the pieces overlap, the first is cut where the second begins beside it.
+    // Overlapping pieces: the first is cut where the second begins beside it.
     auto const head = at.at_end_of_first ? first : backwards(first);
     auto const tail = at.at_end_of_second ? backwards(second) : second;
     DrawnLine const seen(on_sheet(head));
@@ -107,8 +107,8 @@ Polyline drawn_over(Polyline const& line, Polyline const& over, StemAxis const& 
 {
     // Overlap, as a share of the shorter line, up to which two lines are pieces of one.
     constexpr double kSmallOverlap = 0.35;
-    // If less than this share of a line is left outside a new line beside it, the new line replaces
-    // it.
+    // A new line replaces an old one beside it if less than this share of the old one is left
+    // outside.
     constexpr double kRestatedShare = 0.2;
     double const meets_mm = std::max(0.04 * axis.length_mm(), 2.5);
     auto const old = range_of(line, axis);

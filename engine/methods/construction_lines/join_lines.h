@@ -10,7 +10,7 @@ namespace tractus::lines {
 
 using Polyline = std::vector<Vec3>; // (u, v, depth) in millimetres.
 
-// How well one line continues another.
+// Quality of the continuation of one line by another.
 struct Junction {
     double quality = 0; // 1: without gap and turn; 0: not at all.
     bool at_end_of_first = true;

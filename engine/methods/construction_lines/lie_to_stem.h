@@ -17,15 +17,16 @@ struct Lie {
     double lean_deg = 0;      // Angle between its chord and the stem's, 0 to 90.
 };
 
-// Both lines must be sampled densely, with points at most a few millimetres apart.
+// Computes a stroke's position relative to the stem. Both lines must be sampled densely, with
+// points at most a few millimetres apart.
 Lie lie_of(DrawnLine const& stroke, DrawnLine const& stem);
 
 // Roles that are possible for a stroke in this position. Several may apply: the caller decides.
 bool is_inclination(Lie const& lie);
 bool is_boundary(Lie const& lie);
-bool is_boundary_in_space(Lie const& lie); // If it also leaves the sheet.
+bool is_boundary_in_space(Lie const& lie); // Assumes that the stroke also leaves the sheet.
 
-// For half an inclination line; `length` is the stroke's, as a share of the stem's.
+// True for half an inclination line; `length` is the stroke's, as a share of the stem's.
 bool is_half(Lie const& lie, double length);
 
 // True if it runs along most of the stem.

@@ -17,7 +17,7 @@ using scene::name_of; // Formats the number of an item.
 
 namespace {
 
-// In the order of the enumeration's values.
+// Names in the order of the enumeration's values.
 constexpr std::array kRoles {
     "stem", "left", "right", "inclination", "half_inclination", "unsure", "around", "closed_outline"
 };

@@ -25,8 +25,8 @@ struct AddLine {
     // Sessions from before lines were interpreted together do not contain this field.
     Reading reading = Reading::OneByOne;
     int nodes = 8; // Number of nodes in the layer above the line, if it bounds one; see SketchLine.
-    // For a new plant: its pattern and scale. Scale as in sketch::GrowAlongStroke: world
-    // millimetres per plant millimetre, kept by a document whose scale has not been set.
+    // Pattern and scale of a new plant. The scale, in world millimetres per plant millimetre, is
+    // adopted by a document whose scale has not been set.
     Pattern pattern {};
     double scale = 0.1;
     Vec3 stands_at_mm = Vec3::Zero(); // World frame.

@@ -7,8 +7,8 @@
 
 namespace tractus::lines {
 
-// Whether a model has one stem, several (their numbers are then parameters of its modules), or
-// organs that may be models of their own (composed_model.h).
+// Kind of model: one stem, several stems, whose numbers are then parameters of modules, or one stem
+// with organs that may be models of their own (composed_model.h).
 enum class Stems { One, Several, Composed };
 
 // Returns the rules of a model after its axiom: for apex, stem and organs. They use the macros LEN,

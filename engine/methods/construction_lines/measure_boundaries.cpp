@@ -56,8 +56,8 @@ std::vector<Vec2> laid_flat(std::vector<Vec3> const& points)
     return result;
 }
 
-// If the only boundaries are one on the left and one on the right, moves boundaries in space onto
-// the sheet.
+// Moves boundaries in space onto the sheet if the only boundaries are one on the left and one on
+// the right.
 void lay_on_sheet(LineSketch const& sketch, std::vector<AroundLine>& around,
                   std::vector<Vec2>& left, std::vector<Vec2>& right)
 {

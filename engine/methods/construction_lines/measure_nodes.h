@@ -24,7 +24,7 @@ double signed_on(Side side, double value);
 // misses the boundary.
 struct SideNode {
     double x = 0;
-    double angle_deg = 0; // In space.
+    double angle_deg = 0; // Angle between organ and stem in space.
     std::optional<double> size {};
 };
 
@@ -40,8 +40,8 @@ std::vector<OrganNode> nodes_without_sizes(Construction const& of);
 
 // The name of a side, for messages.
 struct SideName {
-    std::string where;    // Such as "on the left".
-    std::string boundary; // Such as "the left boundary".
+    std::string where;    // Position in words, such as "on the left".
+    std::string boundary; // Name of its boundary, such as "the left boundary".
 };
 SideName side_named(Side side);
 SideName azimuth_named(double azimuth_deg);

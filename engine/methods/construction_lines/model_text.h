@@ -29,12 +29,13 @@ double longest_piece(DrawnStem const& stem);
 // The properties of a stem that the rules use (line_rules.h), as expressions in cpfg's language.
 struct StemDefinitions {
     std::string length;
-    char const* of = ""; // Which stem's length it is, for a comment.
+    char const* of = ""; // Names the stem of this length, for a comment in the model.
     std::string width;
     std::string layers;
     double longest_piece = 0;
-    std::string sides {};        // If sizes follow half-ellipses.
-    bool rolls_by_layer = false; // If true, ROLL is not defined.
+    // Number of boundaries around the stem; used if sizes follow half-ellipses.
+    std::string sides {};
+    bool rolls_by_layer = false; // True: layers have their own rolls, so ROLL is not defined.
 };
 std::string definitions_text(StemDefinitions const& stem, Pattern const& pattern);
 

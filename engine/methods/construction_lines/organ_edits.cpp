@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostOrgans = kMostSurfaces;
 
-// In the order of the enumerations' values.
+// Names in the order of the enumerations' values.
 constexpr std::array kViews { "side", "midrib", "section" };
 constexpr std::array kColors { "leaf",   "white", "yellow", "pink",
                                "violet", "red",   "brown",  "picture" };

@@ -42,8 +42,8 @@ struct SetLayerOrgan {
     scene::ItemId plant = 0;
     scene::ItemId line = 0;  // Line that owns the layer (see Layer); 0: all layers.
     scene::ItemId organ = 0; // 0: plain leaves.
-    // If not 0, the organ is one of this plant's, or, if `organ` is 0, the plant itself, in its
-    // present form. A copy is added to the organs of the sketch.
+    // Id of a plant, 0 for none, from which the organ is taken: one of its organs or, if `organ` is
+    // 0, the plant itself, in its present form. A copy is added to the organs of the sketch.
     scene::ItemId of_plant = 0;
     scene::ItemId id = 0; // Id of the added organ.
 };

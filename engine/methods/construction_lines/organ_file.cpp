@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view kFirstLine = "tractus-organ 1";
 constexpr std::size_t kMostPoints = 2000; // Maximum number of points of a line.
 
-// In the order in which they are written.
+// Lines of the file in the order in which they are written.
 struct NamedLine {
     char const* name;
     std::vector<Vec2> OrganViews::*points;
@@ -189,7 +189,8 @@ std::string print_organ(OrganFile const& organ)
 
 Result<OrganFile> organ_file(SketchOrgan const& organ)
 {
-    constexpr std::size_t kPoints = 4 * kAlong + 1; // More points than the surface has.
+    // Number of points of a line in the file, more than the surface has.
+    constexpr std::size_t kPoints = 4 * kAlong + 1;
     OrganFile file { .views = TRY(views_of(organ)) };
     if (organ.color == OrganColor::Picture)
         file.picture = organ.picture;

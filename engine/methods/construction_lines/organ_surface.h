@@ -14,14 +14,13 @@ namespace tractus::lines {
 // An organ drawn in three views (2008, section 6; Figure 2 c), millimetres. Each line has at least
 // two points; a midrib or section without points is straight.
 struct OrganViews {
-    // From above: the boundaries from the organ's base to its tip, (right, up) on the sheet. One
+    // Boundaries seen from above, from the organ's base to its tip, (right, up) on the sheet. One
     // without points is the mirror image of the other.
     std::vector<Vec2> left {};
     std::vector<Vec2> right {};
-    // From the side: height of the midrib, (along, height) from base to tip. `along` never
-    // decreases.
+    // Midrib seen from the side, (along, height) from base to tip. `along` never decreases.
     std::vector<Vec2> midrib {};
-    // From the front: the section, (across, height) from left to right. `across` never decreases.
+    // Section seen from the front, (across, height) from left to right. `across` never decreases.
     std::vector<Vec2> section {};
 };
 

@@ -75,7 +75,7 @@ std::string surface_text(std::vector<BezierPatch> const& patches)
         }
     double const length
         = (patches[patches.size() - kAcross].control[12] + patches.back().control[15]).y() / 2;
-    // With UP along -z, z in the file points to the lower side, as in cpfg's editor.
+    // UP along -z makes z in the file point to the lower side, as in cpfg's editor.
     auto text = fmt::format(
         "{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\nCONTACT POINT  X: 0 Y: 0 Z: 0\n"
         "END POINT  X: 0 Y: 0 Z: 0\nHEADING  X: 0 Y: 1 Z: 0\nUP  X: 0 Y: 0 Z: -1\nSIZE: {:.6g}\n",

@@ -17,7 +17,8 @@ namespace {
 // A number or list in a model's text that comes from the sketch: its name and the position of its
 // value.
 struct Value {
-    std::string name; // For example "array at", "#define LEN" or "derivation length:".
+    // Name of the value, such as "array at", "#define LEN" or "derivation length:".
+    std::string name;
     std::size_t begin = 0;
     std::size_t end = 0;
 };

@@ -7,20 +7,20 @@ namespace tractus::lines {
 // Arrangement of organs around the stem (phyllotaxis).
 struct Pattern {
     enum class Kind {
-        Distichous, // At each node one on the left and one on the right.
+        Distichous, // Two organs per node, one on the left and one on the right.
         Decussate,  // Pairs, each at right angles to the one below.
         Spiral,     // One per node, rotated by the divergence angle from the one below.
         Alternate,  // One per node; with a divergence of 0 alternately left and right.
         // Several per node, evenly spaced; each whorl is rotated by half a spacing from the one
         // below.
         Whorled,
-        Bare, // No organs: the stem alone.
+        Bare, // A stem without organs.
     };
 
-    // How sizes change around the stem between left and right. Between boundaries in space they
+    // Law of the sizes around the stem between left and right. Between boundaries in space they
     // follow half-ellipses in any case.
     enum class Sizes {
-        Linear, // As in the paper.
+        Linear, // Linear in the azimuth, as in the paper.
         HalfEllipses,
     };
 
@@ -33,8 +33,8 @@ struct Pattern {
     };
 
     Kind kind = Kind::Distichous;
-    double divergence_deg = 137.5; // For Spiral and Alternate; -360 to 360.
-    int whorl = 3;                 // For Whorled: organs per node, 2 to 24.
+    double divergence_deg = 137.5; // Divergence angle for Spiral and Alternate, -360 to 360.
+    int whorl = 3;                 // Number of organs per node for Whorled, 2 to 24.
     Sizes sizes = Sizes::Linear;
     Face face = Face::Pattern;
 

@@ -25,7 +25,8 @@ namespace tractus::lines {
 // It may have several stems, each with lines of its own; a stem without a boundary has the organs
 // of another (several_stems.h). Functions below that concern one stem say so.
 struct PenSketch {
-    // In drawing order; a line drawn again takes the place of the earlier one. At least the stem.
+    // Lines in drawing order, at least the stem; a line drawn again takes the place of the earlier
+    // one.
     std::vector<SketchLine> lines;
     Pattern pattern {};
     double scale = 0.1; // World millimetres per plant millimetre for lines whose sheet has size 1.

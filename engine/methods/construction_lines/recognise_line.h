@@ -19,9 +19,9 @@ enum class Role {
     // Half an inclination line, from the stem to one side; valid for both sides until the other
     // half is drawn.
     HalfInclination,
-    Unsure,  // Not recognised: no effect until the user assigns a role.
+    Unsure,  // A stroke that was not recognised; it has no effect until the user assigns a role.
     Around,  // Boundary in space, at its azimuth around the stem.
-    Outline, // Both boundaries in one stroke, around the stem's top (explain_sketch.h).
+    Outline, // Outline: both boundaries in one stroke, around the stem's top (explain_sketch.h).
 };
 
 // Name of the role, in lower case.
@@ -30,9 +30,10 @@ std::string name_of(Role role);
 struct RecognisedLine {
     Role role = Role::Unsure;
     std::optional<std::size_t> replaces {}; // The earlier stroke that it replaces.
-    bool is_drawn_again = false;            // It lies on the stroke that it replaces.
+    bool is_drawn_again = false;            // True if the stroke lies on the one that it replaces.
     bool is_along_stem = false;             // A boundary that runs along most of the stem.
-    std::string reason {}; // For Unsure: one sentence that says what to draw instead.
+    // Advice for an Unsure stroke: one sentence that says what to draw instead.
+    std::string reason {};
 };
 
 // Finds the roles of a sketch's strokes from their position relative to the stem, which must be the
@@ -64,8 +65,8 @@ public:
     // Returns all strokes in use, without numbers of nodes.
     LineSketch sketch() const;
 
-    // For each of the sketch's inclination lines, the index of its stroke, or of the first of its
-    // two halves.
+    // Indices of the strokes of the sketch's inclination lines; for a line of two halves, of the
+    // first half.
     std::vector<std::size_t> inclination_strokes() const;
 
 private:

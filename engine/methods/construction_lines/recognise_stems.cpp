@@ -6,8 +6,8 @@ namespace tractus::lines {
 
 namespace {
 
-// How well a stroke fits to a stem; lower is better. A stroke along the whole stem is its boundary,
-// even if it crosses another stem.
+// Quality of a stroke's fit to a stem, the best first. A stroke along the whole stem is its
+// boundary, even if it crosses another stem.
 enum class Rank { DrawnAgain, AlongStem, AtStem, OpenSide, TakenSide, Unknown };
 
 Rank rank_of(RecognisedLine const& line)

@@ -14,7 +14,7 @@ namespace tractus::lines {
 struct KnownLine {
     RecognisedLine line {};               // `replaces`: index among all strokes of the sketch.
     std::size_t stem = 0;                 // Number of its stem; for a stem, its own.
-    std::optional<std::size_t> parent {}; // For a stem: see StemLines.
+    std::optional<std::size_t> parent {}; // Parent of a stem, see StemLines.
 };
 
 // Finds the roles of strokes in a sketch that may have several stems. Each stem has a
@@ -22,8 +22,8 @@ struct KnownLine {
 // it redraws a line, one that it crosses or begins at, or else one that lacks such a boundary.
 class StemRecogniser {
 public:
-    // What is known of a stroke in advance: nothing, that it is another stem, or that its depth is
-    // used (LineRecogniser).
+    // Advance knowledge about a stroke: nothing, that it is another stem, or that its depth is used
+    // (LineRecogniser).
     enum class Says { Nothing, AnotherStem, InSpace };
 
     // Adds the next stroke, as for LineRecogniser. A stroke begins another stem only with
@@ -39,7 +39,7 @@ public:
     // Returns the stems without numbers of nodes. A stem without strokes has an empty sketch.
     std::vector<StemLines> stems() const;
 
-    // For each inclination line of a stem, the index of its stroke: see LineRecogniser.
+    // Indices of the strokes of a stem's inclination lines, see LineRecogniser.
     std::vector<std::size_t> inclination_strokes(std::size_t stem) const;
 
 private:

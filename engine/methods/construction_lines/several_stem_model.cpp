@@ -20,7 +20,8 @@ namespace {
 
 constexpr double kLengthByWidth = 60; // Ratio of a stem's length to its diameter at the foot.
 constexpr double kTaper = 0.7;        // Share of its diameter that a stem loses towards its top.
-constexpr double kForked = 0.4; // The same share for a stem that bears other stems on its top.
+// Share of its diameter lost by a stem that bears other stems on its top.
+constexpr double kForked = 0.4;
 
 // A stem as numbered in the model: the stems attached to the same parent are consecutive, from
 // below.
@@ -181,7 +182,7 @@ struct Lines {
 void add_layers(LayerTables& tables, Construction const& construction)
 {
     auto layers = construction.organs_per_layer;
-    layers.resize(construction.nodes_per_layer.size() + 1); // As many as there are lines.
+    layers.resize(construction.nodes_per_layer.size() + 1); // One entry for each inclination line.
     for (auto const& layer : layers)
         tables.add(layer);
 }

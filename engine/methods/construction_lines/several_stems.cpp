@@ -23,7 +23,8 @@ std::optional<DrawnStem> drawn_stem(LineSketch const& sketch)
     return DrawnStem(points);
 }
 
-// Where a stem is attached to another one, as a share of its length; 1 if it begins near the top.
+// Returns where a stem is attached to another one, as a share of the other's length; 1 near its
+// top.
 double foot_on(DrawnStem const& parent, Vec2 const& foot_mm)
 {
     double const at_mm = parent.seen().nearest_mm(foot_mm);

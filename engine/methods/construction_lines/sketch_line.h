@@ -26,15 +26,16 @@ struct SheetPlacement {
 
 // Source of a line's depth.
 enum class DepthBy {
-    StemsHeight, // For stems the surface's height; all other lines are on the sheet.
+    StemsHeight, // The surface's height, for stems only; all other lines are on the sheet.
     Height,      // The surface's height, also for boundaries: see Role::Around.
-    Pressure,    // For stems the pen's pressure, if there is no height sensor.
+    Pressure,    // The pen's pressure, for stems only, if there is no height sensor.
 };
 
-// How the roles of lines are found.
+// Method of finding the roles of lines.
 enum class Reading {
-    OneByOne, // Each when it is drawn (LineRecogniser): the default for older sketches.
-    Together, // All lines again with each new one (explain_sketch.h).
+    // Each line is read when it is drawn (LineRecogniser): the default for older sketches.
+    OneByOne,
+    Together, // All lines are read again with each new one (explain_sketch.h).
 };
 
 // A line of a sketch as drawn with the pen.
@@ -43,11 +44,11 @@ struct SketchLine {
     Stroke stroke {};        // World frame.
     SheetPlacement sheet {}; // Placement of the sheet when it was drawn.
     Role role = Role::Unsure;
-    // For an inclination line, the number of nodes in the layer above it, 0 to kMostNodesInLayer;
-    // for a stem, in the only layer of a sketch with fewer than two inclination lines.
+    // Number of nodes in the layer above an inclination line, 0 to kMostNodesInLayer; for a stem,
+    // in the only layer of a sketch with fewer than two inclination lines.
     int nodes = 0;
     std::size_t stem = 0; // Number of the stem to which it belongs; for a stem, its own.
-    std::optional<std::size_t> parent {}; // For a stem: see StemLines.
+    std::optional<std::size_t> parent {}; // Parent of a stem, see StemLines.
     DepthBy depth_by = DepthBy::StemsHeight;
     // Height of the surface that corresponds to depth 0, the height at which its stem begins, mm on
     // the tablet. No value if the line lies on the sheet or is a stem.
@@ -58,7 +59,7 @@ struct SketchLine {
     std::optional<scene::ItemId> organ {};
     // A sketch is interpreted together if this is Together for all of its lines.
     Reading reading = Reading::OneByOne;
-    bool is_said = false;    // For Reading::Together: the user has assigned this role.
+    bool is_said = false;    // True if the user has assigned the role; used with Reading::Together.
     bool turn_round = false; // The direction of the line, as drawn or as interpreted, is reversed.
 };
 

@@ -29,8 +29,8 @@ Vec2 middle(Line const& line)
     return sum / static_cast<double>(line.size());
 }
 
-// Twice the area of the triangle of base, tip and the line's middle: positive if the middle is to
-// the left.
+// Signed distance of a line's middle from the line through base and tip, times their distance;
+// positive on the left.
 double leftwards(Line const& line, Vec2 const& base, Vec2 const& tip)
 {
     Vec2 const way = tip - base;

@@ -15,9 +15,9 @@ struct PenSketch;
 
 // The view in which a line of a leaf is drawn (OrganViews).
 enum class OrganView {
-    Side,    // From above: one of its two boundaries, from base to tip.
-    Midrib,  // From the side.
-    Section, // From the front.
+    Side,    // Boundary seen from above, from base to tip.
+    Midrib,  // Midrib seen from the side.
+    Section, // Section seen from the front.
 };
 
 // Colour of a drawn leaf. Picture: that of its picture, or as Leaf if it has none yet.
@@ -41,7 +41,7 @@ struct SketchOrgan {
     // A PNG file, see OrganSurface::picture; used if the colour is Picture. Shared with earlier
     // states.
     std::shared_ptr<std::string const> picture {};
-    // If not null, the organ is the plant of this sketch.
+    // Sketch whose plant is the organ; null: the organ is a leaf.
     std::shared_ptr<PenSketch const> sketch {};
 };
 

@@ -12,7 +12,7 @@ namespace tractus::lines {
 // A candidate for the stem of a sketch.
 struct StemCandidate {
     std::vector<std::size_t> strokes; // One, or pieces that continue each other.
-    Polyline line;                    // In the direction in which the first of them was drawn.
+    Polyline line; // The joined line, in the direction in which the first stroke was drawn.
     // Higher if it is short relative to the sketch, bends back, is nearly horizontal, or was not
     // drawn first.
     double cost = 0;
@@ -26,7 +26,7 @@ std::vector<StemCandidate> stem_candidates(std::span<Polyline const> lines,
 // The candidate with the strokes that correct it applied in drawing order.
 struct CorrectedStem {
     Polyline line;
-    std::vector<std::size_t> strokes;  // All of them, in drawing order.
+    std::vector<std::size_t> strokes;  // All strokes of the stem, in drawing order.
     std::vector<std::size_t> replaced; // Strokes of which nothing is left.
 };
 CorrectedStem corrected_stem(StemCandidate const& stem, std::span<Polyline const> lines,

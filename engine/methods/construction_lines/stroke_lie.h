@@ -33,7 +33,7 @@ public:
 
 private:
     double length_mm_ = 0;
-    DrawnLine line_; // With both ends extended.
+    DrawnLine line_; // The stem's line with both ends extended.
 };
 
 // Position of a stroke relative to the axis; lengths in stem lengths.
@@ -47,7 +47,8 @@ struct StrokeLie {
     double reach_right = 0;
     double left_share = 0; // Share of its points on the left.
     double run = 0;        // Share of its length that runs along the axis, 0 to 1.
-    // The same for the part that is more than half as far from the axis as its farthest point.
+    // Value of `run` for the part of the stroke that is more than half as far from the axis as its
+    // farthest point.
     double run_outside = 0;
     double climb = 0;    // Difference along the axis between its last and its first point.
     double lean_deg = 0; // Angle between its chord and the axis there, 0 to 90.
@@ -60,7 +61,8 @@ struct StrokeLie {
 };
 StrokeLie lie_to_axis(DrawnLine const& stroke, StemAxis const& axis);
 
-// From 0 to 1: how clearly the stroke is too short along the axis to be a boundary by itself.
+// Returns, from 0 to 1, how clearly the stroke is too short along the axis to be a boundary by
+// itself.
 double small_piece(StrokeLie const& lie);
 
 // The part of a sketch that a stroke can represent.

@@ -34,8 +34,9 @@ struct DrawnLeaf {
 
     double size_mm = 0; // Length of the blade along its midrib.
     double stalk = 0;
-    Half right {}; // From the petiole's end at (0, 0) to the tip.
-    Half left {};  // x is positive to the left; empty: mirror image of the right half.
+    Half right {}; // Right half outline, from the petiole's end at (0, 0) to the tip.
+    // Left half outline, with x positive to the left; empty: mirror image of the right half.
+    Half left {};
     HalfOutline::Margin margin = HalfOutline::Margin::Entire;
     int tooth_count = 0; // Number of teeth on each half.
     double tooth_depth = 0;
@@ -48,10 +49,11 @@ struct DrawnLeaf {
     // its end; negative: away from it.
     double side_curve_deg = 0;
     double side_curve_at_tip_deg = 0;
-    double bend_deg = 0;  // Total downward bend of the midrib.
-    double droop_deg = 0; // Twice the difference between the bend of the upper and the lower half.
-    double rise_deg = 0;  // Upward angle of the blade on both sides of the midrib.
-    double width = 0.014; // Width of the midrib at its beginning; other veins are proportional.
+    double bend_deg = 0; // Total downward bend of the midrib.
+    // Difference between the bends of the midrib's upper and lower half, times two.
+    double droop_deg = 0;
+    double rise_deg = 0;     // Upward angle of the blade on both sides of the midrib.
+    double width = 0.014;    // Width of the midrib at its beginning; other veins are proportional.
     double spread_deg = 2.5; // Standard deviation of vein angles between leaves.
 
     bool operator==(DrawnLeaf const&) const = default;
@@ -72,7 +74,7 @@ struct LeafFit {
         double fitted_length_mm = 0; // Length to the margin.
     };
     DrawnLeaf leaf;
-    std::vector<Vein> veins {}; // In the drawing's order.
+    std::vector<Vein> veins {}; // Veins in the drawing's order.
     // The outline as drawn, but with a straight midrib, in units of the blade's length;
     // counter-clockwise.
     FlatLine outline {};

@@ -15,10 +15,10 @@ double tremor_of(FlatBlade const& blade);
 
 // Parameters of the main and side veins.
 struct FittedVeins {
-    std::vector<DrawnLeaf::Main> mains {}; // In the order of DrawnLeaf::mains.
+    std::vector<DrawnLeaf::Main> mains {}; // Main veins in the order of DrawnLeaf::mains.
     double hub = 0;
-    double side_curve_deg = 0;        // Curve of side veins at the beginning of their parents,
-    double side_curve_at_tip_deg = 0; // and at their ends.
+    double side_curve_deg = 0;        // Curve of side veins at the beginning of their parents.
+    double side_curve_at_tip_deg = 0; // Curve of side veins at the end of their parents.
     // First the main, then the side veins, in the order of RecognisedLeaf.
     std::vector<LeafFit::Vein> veins {};
 };

@@ -105,7 +105,7 @@ std::optional<double> first_on_ring(FlatLine const& ring, Vec2 const& from, Vec2
     return found;
 }
 
-// Where a line from inside a closed one leaves it, or would leave it if extended.
+// Returns where a line from inside a closed one leaves it, or would leave it if extended.
 double exit_of(FlatLine const& ring, FlatLine const& outwards)
 {
     constexpr double kMost = 0.15; // Largest part of its length that a midrib may be too short by.

@@ -11,7 +11,7 @@ namespace tractus::leaf {
 
 // Position of a blade in its drawing, in the drawing's millimetres.
 struct BladePlace {
-    Vec3 base_mm = Vec3::Zero(); // At the petiole.
+    Vec3 base_mm = Vec3::Zero(); // Base of the blade, at the petiole.
     Vec3 tip_mm = Vec3::UnitY();
     // Normal of the upper side, perpendicular to the line from base to tip.
     Vec3 normal = Vec3::UnitZ();
@@ -28,8 +28,8 @@ struct FlatBlade {
     FlatLine left {};   // Empty: only one half was drawn and is stored as the right one.
     std::vector<FlatLine> mains {};
     std::vector<FlatLine> sides {};
-    double bend_low_deg = 0;  // Downward bend of the midrib over its lower half,
-    double bend_high_deg = 0; // and over its upper half.
+    double bend_low_deg = 0;  // Downward bend of the midrib over its lower half.
+    double bend_high_deg = 0; // Downward bend of the midrib over its upper half.
     double rise_deg = 0;      // Upward angle of the blade on both sides of the midrib.
     double sweep_deg = 0;     // Sideways turn of the midrib.
     BladePlace place {};

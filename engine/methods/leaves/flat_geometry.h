@@ -10,7 +10,7 @@ inline double cross(Vec2 const& a, Vec2 const& b)
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// Twice the signed area of a triangle, positive if its corners are counter-clockwise.
+// Signed area of a triangle times two, positive if its corners are counter-clockwise.
 inline double turn(Vec2 const& a, Vec2 const& b, Vec2 const& c)
 {
     return cross(b - a, c - a);

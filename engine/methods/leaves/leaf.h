@@ -113,8 +113,8 @@ private:
     // Attachment of a child face to its parent: its frame and the ends of the shared edge.
     struct Stand {
         Frame frame;
-        Vec3 left = Vec3::Zero();  // Left end of edge O, where it starts,
-        Vec3 right = Vec3::Zero(); // and its right end.
+        Vec3 left = Vec3::Zero();  // Left end of edge O, where it starts.
+        Vec3 right = Vec3::Zero(); // Right end of edge O.
     };
 
     Leaf(Grammar const& grammar, Options const& options);

@@ -12,7 +12,7 @@ namespace tractus::leaf {
 // A flat polygon that shows a leaf's picture. It contains all visible pixels of the leaf and little
 // else, to reduce overdraw.
 struct Cutout {
-    // In pixels from the picture's upper left corner; within the picture.
+    // Corners in pixels from the picture's upper left corner; within the picture.
     std::vector<Vec2> corners;
     // Counter-clockwise as seen by a viewer of the picture.
     std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -44,7 +44,7 @@ struct RecognisedLeaf {
     // The midrib first; it begins at the petiole's end, outside the blade.
     std::vector<Vein> mains {};
     std::vector<Vein> sides {};
-    std::vector<Vec3> stalk {}; // Only if drawn as a separate stroke.
+    std::vector<Vec3> stalk {}; // Petiole; empty unless it was drawn as a separate stroke.
 };
 
 // Recognises strokes in any order and direction: an outline (closed to within a few millimetres, as

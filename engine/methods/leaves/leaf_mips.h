@@ -16,7 +16,7 @@ struct CellPage {
 
 // Type of content, which determines how four pixels are averaged.
 enum class PageKind {
-    Color,  // sRGB, averaged in linear light; an optional fourth channel is alpha.
+    Color,  // Colours in sRGB, averaged in linear light; an optional fourth channel is alpha.
     Normal, // Unit vectors, renormalised.
     Plain,
 };

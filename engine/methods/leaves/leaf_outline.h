@@ -24,7 +24,7 @@ struct HalfOutline {
     Margin margin = Margin::Entire;
     int count = 0;    // Number of teeth or scallops on this half.
     double depth = 0; // Depth of the teeth, as a length; they fade towards both ends.
-    double lean = 0;  // How far teeth point towards the tip, 0 to 1.
+    double lean = 0;  // Lean of the teeth towards the tip, 0 to 1.
 };
 
 // The whole margin of one leaf: a closed polyline, counter-clockwise from the petiole's end.
@@ -32,11 +32,13 @@ class Outline {
 public:
     // Standard deviations of the variation between leaves.
     struct Variation {
-        double width = 0.06;  // Of the factor on x.
-        double point = 0.012; // Of each point's position, as a share of the blade's length.
+        double width = 0.06; // Standard deviation of the factor on x.
+        // Standard deviation of each point's position, as a share of the blade's length.
+        double point = 0.012;
     };
 
-    // Without points there is no outline for veins to reach. The two halves vary independently.
+    // Makes an outline of two equal halves, which vary independently. Without points there is no
+    // outline for veins to reach.
     Outline(HalfOutline const& half, Variation const& variation, Random& random)
         : Outline(half, half, variation, random)
     {

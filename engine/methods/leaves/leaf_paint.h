@@ -15,8 +15,8 @@ namespace tractus::leaf {
 struct PictureStand {
     double margin = 0.03; // Empty border, as a share of the picture's side.
     enum class Middle {
-        Box, // Horizontally centred by the leaf's bounding box,
-        Stem // or by the petiole's end, the middle of the first face's edge O.
+        Box, // The leaf's bounding box is centred horizontally.
+        Stem // The petiole's end, the middle of the first face's edge O, is centred horizontally.
     };
     Middle middle = Middle::Box;
 };
@@ -24,9 +24,9 @@ struct PictureStand {
 struct PaintOptions {
     int side = 512; // Side of the square pictures, in pixels.
     PictureStand stand {};
-    bool has_underside = false;      // Also paint the underside.
+    bool has_underside = false;      // True: also paint the underside.
     double age = 0;                  // Colour age, 0 young to 1 old.
-    Vec3 young { 0.36, 0.54, 0.22 }; // sRGB, 0 to 1.
+    Vec3 young { 0.36, 0.54, 0.22 }; // Colour of a young leaf, sRGB, 0 to 1.
     Vec3 old { 0.72, 0.50, 0.16 };
     Vec3 dead { 0.35, 0.24, 0.14 };
     double dead_age = 0; // Progress from the old to the dead colour, 0 to 1, by the same law.
@@ -40,7 +40,7 @@ struct PaintOptions {
     double mildew = 0; // Share of the leaf with white mildew, 0 to 1.
     int mines = 0;     // Number of leaf mines, pale tunnels of larvae under the epidermis.
     Larvae larvae {};
-    bool is_skeleton = false; // Only the veins are left.
+    bool is_skeleton = false; // True: only the veins are left.
     std::uint64_t seed = 1;
 };
 
@@ -48,9 +48,9 @@ struct PaintOptions {
 // the colours of the nearest parts continue, so that mipmaps only mix colours of the leaf.
 struct LeafPicture {
     int side = 0;
-    std::vector<std::array<std::uint8_t, 4>> color;  // sRGB with straight alpha.
-    std::vector<std::array<std::uint8_t, 3>> normal; // As in glTF: green is up.
-    // As in glTF: red is occlusion, green roughness, blue metalness (0).
+    std::vector<std::array<std::uint8_t, 4>> color;  // Colour in sRGB with straight alpha.
+    std::vector<std::array<std::uint8_t, 3>> normal; // Normals as in glTF: green is up.
+    // Roughness map as in glTF: red is occlusion, green roughness, blue metalness (0).
     std::vector<std::array<std::uint8_t, 3>> roughness;
     std::vector<std::uint8_t> translucency;
     // Textures of the underside at the same texture coordinates; empty unless requested. Veins that
@@ -61,12 +61,12 @@ struct LeafPicture {
     // Intermediate maps, one value per pixel. Outside the leaf and its edge only coverage, alpha
     // and protection have values.
     std::vector<float> coverage; // Share of the pixel covered by the leaf, before larvae.
-    std::vector<float> alpha;    // The same after larvae.
+    std::vector<float> alpha;    // Share of the pixel covered by the leaf, after larvae.
     // Distance to the nearest vein's side, in pixels; 0 inside, at most reach.
     std::vector<float> distance;
     std::vector<float> closeness;  // D of the colour law: 0 at veins, 1 between them.
     std::vector<float> protection; // P: 1 where larvae spare a vein.
-    std::vector<float> age;        // m of the colour law: 0 young, 1 old.
+    std::vector<float> age;        // Local age m of the colour law: 0 young, 1 old.
     std::vector<float> height;     // Height of the relief, in units of twice a vein's height.
     float reach = 0;
 };
@@ -79,8 +79,9 @@ struct PictureFrame {
     {
         return { x0 + scale * (flat.x() - origin.x()), y0 - scale * (flat.y() - origin.y()) };
     }
-    Vec2 origin = Vec2::Zero(); // The point of the flat leaf that is at the horizontal middle,
-    double x0 = 0;              // and its pixel column.
+    // The point of the flat leaf at the horizontal middle of the picture.
+    Vec2 origin = Vec2::Zero();
+    double x0 = 0; // Pixel column of that point.
     double y0 = 0;
     double scale = 1; // Pixels per unit of length.
 };

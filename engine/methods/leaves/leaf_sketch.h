@@ -22,8 +22,9 @@ struct LeafForm {
     double vein_curve_deg = 0; // Added to the side veins' turn towards the tip, -90 to 90.
     double vein_width = 1;     // Factor on the width of veins, 0.2 to 5.
     int teeth = 0;             // Teeth on each half, at most 60; 0: the margin is as drawn.
-    double tooth_depth = 0.02; // As a share of the blade's length, 0 to 0.2; only used with teeth.
-    double variation = 1;      // Factor on the variation between the leaves of a plant, 0 to 4.
+    // Depth of the teeth as a share of the blade's length, 0 to 0.2; only used with teeth.
+    double tooth_depth = 0.02;
+    double variation = 1; // Factor on the variation between the leaves of a plant, 0 to 4.
 
     bool operator==(LeafForm const&) const = default;
 };
@@ -54,7 +55,7 @@ struct SeenLeaf {
 struct LeafSketch {
     static scene::SourceKind const kKind;
 
-    std::vector<LeafLine> lines {}; // At least one, in order of drawing.
+    std::vector<LeafLine> lines {}; // Lines in order of drawing, at least one.
     LeafForm form {};
     double scale = 0.1; // World millimetres per plant millimetre.
     // Result of see_leaf(), kept up to date by with_line(); null: no leaf yet.

@@ -11,7 +11,7 @@ namespace tractus::leaf {
 // Damage by larvae. Lengths are shares of the picture's side.
 struct Larvae {
     int count = 0;
-    double least_radius = 0.008; // Smallest and largest radius of a bite,
+    double least_radius = 0.008; // Smallest radius of a bite; the next field is the largest.
     double most_radius = 0.025;
     int least_bites = 15;
     int most_bites = 90;

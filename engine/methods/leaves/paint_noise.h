@@ -59,7 +59,7 @@ class Noise {
 public:
     Noise(NoiseTable const& table, std::uint64_t seed, double cells);
 
-    // x and y from 0 to 1 over the picture.
+    // Value at x and y, each from 0 to 1 over the picture.
     float at(float x, float y) const { return table_->at(x0_ + scale_ * x, y0_ + scale_ * y); }
 
 private:

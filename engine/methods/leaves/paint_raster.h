@@ -19,7 +19,7 @@ public:
     void find(std::span<float const> coverage, int side);
 
     int side() const { return side_; }
-    int columns() const { return columns_; } // Also the number of rows.
+    int columns() const { return columns_; } // Number of columns, which is also the number of rows.
     bool is_near(int column, int row) const { return is_near_[index(column, row)] != 0; }
 
 private:
@@ -32,7 +32,7 @@ private:
     int side_ = 0;
     int columns_ = 0;
     std::vector<std::uint8_t> is_near_;
-    // For each block of 4 by 4 pixels, whether it contains a pixel of the leaf.
+    // True for each block of 4 by 4 pixels that contains a pixel of the leaf.
     std::vector<std::uint8_t> blocks_;
 };
 
@@ -53,7 +53,7 @@ private:
     void add_part(int x, int y, double height, double middle);
 
     int side_ = 0;
-    std::vector<float> sums_; // side + 2 values per row.
+    std::vector<float> sums_; // Running sums, side + 2 values per row.
 };
 
 // Output maps of map_veins(). Pixels in unmarked tiles only get protection.

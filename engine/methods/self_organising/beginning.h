@@ -26,9 +26,8 @@ using SharedBeginning = std::shared_ptr<Beginning const>;
 Result<SharedBeginning> beginning_from(scene::DocumentState const& state, std::size_t number,
                                        scene::SceneBuilder& builder);
 
-// Builds the growing tree that a beginning stands for. A self-organising tree keeps its buds; the
-// axes of any other plant become wood (tree_of_wood()). Fails if the plant cannot be built or has
-// no branches.
+// Builds the growing tree of a beginning. A self-organising tree keeps its buds; the axes of any
+// other plant become wood (tree_of_wood()). Fails if the plant cannot be built or has no branches.
 Result<GrowingTree> wood_of(Beginning const& beginning, Habit const& habit, std::uint64_t seed,
                             scene::LoadOptions const& options);
 

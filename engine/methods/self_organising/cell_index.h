@@ -40,7 +40,7 @@ private:
 
     double side_;
     std::size_t mask_; // Number of slots, a power of two, minus 1.
-    // Where each slot begins in numbers_, and the total at the end.
+    // Start of each slot in numbers_, and the total at the end.
     std::vector<std::uint32_t> starts_;
     // Point numbers grouped by slot, ascending within each slot.
     std::vector<std::uint32_t> numbers_;

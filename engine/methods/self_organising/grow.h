@@ -32,7 +32,7 @@ struct Region {
 // The environment of a growing tree.
 struct Surroundings {
     std::vector<Vec3> markers {}; // Markers of free space; those that are used up are removed.
-    // Points that cast shade besides the tree's own buds; for Laws::Environment::Light.
+    // Points that cast shade in addition to the tree's own buds; for Laws::Environment::Light.
     std::span<Vec3 const> shading {};
     std::uint64_t seed = 1; // Seed of all random variation.
     // The region in which buds compete for markers; no value: everywhere. Ignored for

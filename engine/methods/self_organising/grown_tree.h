@@ -46,7 +46,7 @@ struct PlantTree {
 
     Habit habit {};
     std::uint64_t seed = 1;
-    // Scale that a document adopts if nobody has set its scale. 0: the document's first plant is
+    // Scale that a document adopts if its scale has not been set. 0: the document's first plant is
     // fitted into the drawing volume instead.
     double scale = 0;
     LifePart first {};
@@ -82,8 +82,7 @@ struct ChangeHabit {
     std::uint64_t seed = 1;
 };
 
-// These fail, as the user's fault, for a period whose values are out of range and for a tree that
-// would become too old.
+// Checks of a period's values and of the tree's total age. Both fail as the user's fault.
 Result<void> check_life(LifePart const& part);
 Result<void> check_age(GrownTree const& tree);
 

@@ -8,9 +8,9 @@
 
 namespace tractus::self_organising {
 
-// How a species grows: the numbers of a habit file (app/habits). Lengths are in millimetres at
-// natural size, angles in degrees. A value ending in _old holds from `old_years` on; in earlier
-// years it is interpolated from the seedling's value.
+// The growth habit of a species: the numbers of a habit file (app/habits). Lengths are in
+// millimetres at natural size, angles in degrees. A value ending in _old holds from `old_years` on;
+// in earlier years it is interpolated from the seedling's value.
 struct Habit {
     std::string name = "tree"; // Common name, such as "oak".
     std::string latin {};      // Botanical name, such as "Quercus robur".
@@ -19,10 +19,10 @@ struct Habit {
 
     // Annual shoots.
     double internode_mm = 100;
-    // Most internodes of an annual shoot of the trunk.
+    // Maximum number of internodes of an annual shoot of the trunk.
     double most_internodes = 4, most_internodes_old = 4;
-    // Most internodes of an annual shoot on axes of order 1, and on axes of order 2 and above;
-    // never more than the trunk's.
+    // Maximum number of internodes of an annual shoot on axes of order 1, and on axes of order 2
+    // and above; never more than the trunk's.
     double branch_internodes = 4, twig_internodes = 4;
     double longest = 1.5; // Length of the longest internode, as a multiple of internode_mm.
     double vigour = 2, vigour_old = 2;

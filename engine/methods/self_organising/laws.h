@@ -51,7 +51,7 @@ struct Laws {
 
     double cell = 1;       // Side of the cubic cells in which shade is recorded.
     double shade = 0.2;    // Shade that a bud casts on its own cell.
-    double shade_fall = 2; // Each lower layer of cells gets this many times less shade.
+    double shade_fall = 2; // Ratio of the shade in one layer of cells to that in the layer below.
     int shade_depth = 5;   // Number of layers below a bud that it shades.
     double full_light = 1; // Light that an unshaded bud receives.
     // Buds below this height receive no light. Default: no limit.
@@ -66,7 +66,7 @@ struct Laws {
     // Weight of tropism_direction in the same sum; negative: away from it.
     ByOrder<double> tropism_weight = 0.1;
     Vec3 tropism_direction = Vec3::UnitZ();
-    ByOrder<int> most_internodes = 4; // Most internodes of a shoot in one step.
+    ByOrder<int> most_internodes = 4; // Maximum number of internodes of a shoot in one step.
     double longest = 1.5;             // Longest internode, as a multiple of `internode`.
 
     ByOrder<double> divergence_deg = 137.5; // Divergence angle between successive nodes of an axis.

@@ -9,7 +9,7 @@
 
 namespace tractus::self_organising {
 
-// What each bud of a tree perceives of its surroundings.
+// The light or space that each bud of a tree perceives.
 struct Perceived {
     std::vector<double> quality; // Q of each bud: 0 if the bud has no reason to grow.
     // V of each bud: unit vector of the direction to grow in; zero if there is none.

@@ -81,7 +81,8 @@ private:
 
     GrowingTree const& tree_;
     Laws const& laws_;
-    // What each node's main axis, and each lateral, receives; replaced later by its vigour.
+    // Light or space received by each node's main axis and by each lateral; replaced later by their
+    // vigour.
     std::vector<double> terminal_;
     std::vector<double> lateral_;
     std::vector<double> given_; // Vigour that arrives at each node.

@@ -180,7 +180,7 @@ private:
 
     struct FoundArray {
         std::size_t begin;       // Offset of the '[' after the array's name.
-        std::size_t end;         // Offset behind the closing '}'.
+        std::size_t end;         // Offset of the character after the closing '}'.
         std::string_view values; // Text between the braces.
     };
 

@@ -34,15 +34,15 @@ struct TextSpan {
 // The places in a text that keep the contract, in the order of the text.
 struct AxisContract {
     std::string count_name {}; // Name of the segment count in the text: "SEGMENTS" or "N".
-    TextSpan count {};         // The number behind that name.
+    TextSpan count {};         // Span of the number after that name.
     TextSpan length {}; // The length array, from its '[' to its '}'; likewise plane and bend.
     TextSpan plane {};
     TextSpan bend {};
     std::vector<double> lengths {}; // Values of the length array, in the model's unit.
 };
 
-// Result of checking a text against the contract. `lacks` has one sentence for each violation that
-// the text shows, with file and line; empty: the contract is kept.
+// Result of checking a text against the contract. `lacks` has one sentence for each violation found
+// in the text, with file and line; empty: the contract is kept.
 struct ContractReading {
     AxisContract contract {}; // Complete only if `lacks` is empty.
     std::vector<std::string> lacks {};
@@ -55,7 +55,7 @@ Result<AxisContract> contract_of(std::string const& name, std::string_view text)
 // Values to be written to the places of a contract, as text.
 struct ContractValues {
     std::size_t count = 0;
-    std::string length {}; // For example "{9, 8.8}".
+    std::string length {}; // Value such as "{9, 8.8}".
     std::string plane {};
     std::string bend {};
 };

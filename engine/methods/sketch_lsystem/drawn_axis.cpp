@@ -217,7 +217,8 @@ static std::string lateral_definitions(Rule const& rule)
     return text;
 }
 
-// cpfg does not allow an empty array, so an axis without segments gets arrays of one zero.
+// Returns the arrays of turns. An axis without segments gets arrays of one zero, because cpfg does
+// not allow empty arrays.
 static std::string arrays_of(DrawnAxis const& axis)
 {
     if (axis.turns.empty())
@@ -266,8 +267,8 @@ static std::string rules_of(Rule const& rule)
                               "d - 1"));
 }
 
-// All leaves of a plant have about the same length. Rules that call each other end in finer twigs
-// and get smaller leaves.
+// Returns the homomorphism rules for leaves. All leaves of a plant have about the same length;
+// rules that call each other end in finer twigs and get smaller leaves.
 static std::string leaves_of(Rule const& rule)
 {
     bool const is_fine = std::ranges::any_of(rule.lateral_rules, &LateralRule::laterals_by);

@@ -49,7 +49,7 @@ std::vector<Vec3> nodes_of(DrawnAxis const& axis, Rule const& rule);
 // Formats one angle of all turns as an array of a model's text: "{0, 12.5}".
 std::string array_of(std::vector<Turn> const& turns, double Turn::*angle_deg);
 
-// Whether leaves are placed at the top apex and at live lateral apices.
+// Presence of leaves at the top apex and at live lateral apices.
 enum class Leaves { Bare, Leafy };
 
 // Writes the plant as a model in cpfg's language, with its view file. A turtle unit is a millimetre

@@ -23,12 +23,12 @@ struct GrowAlongStroke {
     Stroke stroke {};                             // The drawn stroke, world frame.
     StrokeSurface surface = StrokeSurface::Space; // Must not be Decided.
     Leaves leaves = Leaves::Leafy;
-    // World millimetres per plant millimetre. A document whose scale nobody has set adopts this
+    // World millimetres per plant millimetre. A document whose scale has not been set adopts this
     // value.
     double scale = 0.1;
     scene::ItemId id = 0; // Id of the new plant; 0: not yet assigned.
-    // If set, this model grows instead of the rule. Only the rule's limit is used then, and the
-    // model decides about leaves.
+    // Model that grows instead of the rule, if it is set. Only the rule's limit is used then, and
+    // the model decides about leaves.
     ModelRule model {};
 };
 

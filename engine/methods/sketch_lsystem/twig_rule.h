@@ -14,7 +14,7 @@ namespace tractus::sketch {
 // 0.
 struct DrawnTwig {
     std::vector<Vec3> axis_mm;
-    std::vector<std::vector<Vec3>> laterals_mm; // From 1 to kMostTwigLaterals laterals.
+    std::vector<std::vector<Vec3>> laterals_mm; // Laterals, 1 to kMostTwigLaterals.
 };
 constexpr std::size_t kMostTwigLaterals = 200;
 
