@@ -32,8 +32,8 @@ static std::string describe_pen(PenTraits const& traits)
     return text;
 }
 
-// Text for a serial port or analogue input that was not named as a height sensor, and for a pen
-// without read permission; empty for other devices.
+// Describes a serial port or analogue input that was not named as a height sensor, or a pen that
+// may not be read. Empty for other devices.
 static std::string describe_unnamed(DeviceInfo const& info)
 {
     if (has_event_pen_reports(info) && info.report_descriptor.empty())

@@ -8,9 +8,9 @@ namespace tractus::drivers {
 
 // Role of a device in the station.
 enum class DeviceKind {
-    Pen,    // Supported by make_pen_decoder().
-    Height, // Supported by make_height_decoder().
-    Other,  // Supported by neither.
+    Pen,    // Accepted by make_pen_decoder().
+    Height, // Accepted by make_height_decoder().
+    Other,  // Accepted by neither decoder.
 };
 
 struct DeviceDescription {

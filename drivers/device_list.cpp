@@ -75,7 +75,8 @@ static Result<DeviceInfo> find_at_address(std::string_view text)
 
 Result<DeviceInfo> find_device(std::string_view text)
 {
-    // A GPIO chip's label may contain an @, and its converters have no settings.
+    // A GPIO chip's label may contain an @, and GPIO converters have no settings, so the text is
+    // not split.
     auto const at = text.starts_with("gpio:") ? text.size() : std::min(text.find('@'), text.size());
     auto info = TRY(find_at_address(text.substr(0, at)));
     info.settings = text.substr(std::min(at + 1, text.size()));

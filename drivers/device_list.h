@@ -20,23 +20,23 @@ std::vector<DeviceInfo> list_devices();
 // node and, at the end of the list, also under its "libusb:" address (list_usb_tablets()).
 std::vector<DeviceInfo> list_device_addresses();
 
-// Returns what is known of the device at an address (see drivers/device_address.h). A GPIO
-// converter is known by its address alone. Fails, as the user's fault, if the text is no address or
-// nothing is there.
+// Describes the device at an address (see drivers/reports/device_address.h). A device on GPIO lines
+// is described by its address alone. Fails, as the user's fault, if the text is not an address or
+// there is no device.
 //
-// Behind an @ may stand settings, of which height sensors know some:
+// An @ may be followed by settings, which some height sensors have:
 //   /dev/hidraw3@GP2,4.096V   MCP2221A: the wiper's pin, GP1 to GP3, and the reference,
-//                             VDD, 1.024V, 2.048V or 4.096V; GP1 and VDD by itself
-//   usb:1-2@AIN3              LabJack U3: the wiper's input, AIN0 to AIN15; AIN0 by itself
+//                             VDD, 1.024V, 2.048V or 4.096V; default: GP1 and VDD
+//   usb:1-2@AIN3              LabJack U3: the wiper's input, AIN0 to AIN15; default: AIN0
 //   usb:1-2@2000us,internal   the station's own kind: the time between readings, and the reference,
-//                             supply or internal; what the sensor has by itself
-//   /dev/ttyACM0@9600,max=1023  a line of numbers: drivers/sensors/serial_line.h
-//   iio:ads1015:voltage0@max=2047  drivers/sensors/iio_channel.h
+//                             supply or internal; default: the sensor's settings
+//   /dev/ttyACM0@9600,max=1023     serial sensor: drivers/sensors/serial_line.h
+//   iio:ads1015:voltage0@max=2047  industrial I/O: drivers/sensors/iio_channel.h
 Result<DeviceInfo> find_device(std::string_view address);
 
 // Opens a device with the driver for its location and ids. Thread-safe: devices are opened one at a
-// time, because the underlying libraries are not thread-safe there. Fails with a user error for a
-// malformed location or for settings of a device that has none, and as the driver does.
+// time, because the underlying libraries are not thread-safe there. Fails, as the user's fault, for
+// a malformed location or for settings of a device that has none, and as the driver does.
 Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info);
 
 } // namespace tractus::drivers

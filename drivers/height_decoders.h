@@ -8,7 +8,7 @@
 
 namespace tractus::drivers {
 
-// Makes the decoder for a height sensor, chosen by the device's description alone, so that a log of
+// Makes the decoder for a height sensor, chosen only by the device's description, so that a log of
 // any sensor replays as it was recorded.
 //
 // Fails with a user error if the device is no height sensor, and with a device error if its

@@ -112,7 +112,7 @@ std::string ReconnectingSource::refusal() const
     return refusal_;
 }
 
-// An empty reason means that nothing prevents opening.
+// Records why the device cannot be opened; an empty reason clears the record.
 void ReconnectingSource::refuse(std::string reason)
 {
     if (reason.empty()) {
@@ -134,7 +134,7 @@ RawReport ReconnectingSource::lose()
     refuse({});
     reconnection_.open_locations->release(location_);
     is_connected_.store(false, std::memory_order_relaxed);
-    // Listens before the first search, so that no event is missed in between.
+    // Listens for events before the first search, so that no event is missed in between.
     if (reconnection_.events)
         events_ = reconnection_.events();
     next_try_ = reconnection_.now();
@@ -144,7 +144,7 @@ RawReport ReconnectingSource::lose()
 Result<std::optional<RawReport>> ReconnectingSource::read(Duration timeout)
 {
     if (source_) {
-        // Tolerance, because the two clocks are not read at the same instant.
+        // Tolerance in the comparison, because the two clocks are not read at the same instant.
         constexpr Duration kSleep = 500ms;
         auto const slept = reconnection_.slept();
         if (std::exchange(slept_, slept) + kSleep < slept)

@@ -18,11 +18,11 @@
 
 namespace tractus::drivers {
 
-// Locations opened by the program's sources, so that of two identical tablets a returning one is
-// not confused with the other, which is still open. Thread-safe.
+// Locations opened by the program's sources, so that a returning tablet is not confused with an
+// identical one that is still open. Thread-safe.
 class OpenLocations {
 public:
-    // False if another source has it open.
+    // Claims a location. Returns false if another source has it open.
     bool take(std::string const& location);
     void release(std::string const& location);
 
@@ -40,12 +40,12 @@ struct Reconnection {
     // Total time that the machine has been suspended since boot.
     std::function<Duration()> slept;
 
-    // Opens a listener for device events. Null, or returning null: there are no events and the
-    // source only polls.
+    // Opens a listener for device events. If this is null, or returns null, there are no events and
+    // the source only polls.
     std::function<std::unique_ptr<DeviceEvents>()> events {};
 
-    // Polling interval without events, and while a present device cannot be opened yet; and the
-    // longer interval beside events, since events can be lost.
+    // Polling interval without events, or while a present device cannot be opened yet. With events,
+    // a longer interval is used as a fallback, since events can be lost.
     Duration retry_every = std::chrono::milliseconds(300);
     Duration retry_beside_events = std::chrono::seconds(5);
 
@@ -56,17 +56,17 @@ struct Reconnection {
 // Uses list_device_addresses(), open_device() and listen_to_udev().
 Reconnection system_reconnection();
 
-// Index of the device that was lost, if it is in `found`. It must have the same kind of address,
-// ids, interface, serial number and report descriptor; of several, the one at the same port is
-// taken. A single candidate without a serial number may be at another port, because people change
-// sockets.
+// Returns the index in `found` of the device that was lost. It must have the same kind of address,
+// ids, interface, serial number and report descriptor; of several candidates, the one at the same
+// port is taken. A single candidate without a serial number may be at another port, because people
+// change sockets.
 std::optional<std::size_t> find_again(DeviceInfo const& lost, std::vector<DeviceInfo> const& found);
 
-// A source for a device that can disappear and return. When it is lost, by unplugging or because
-// the machine was suspended (many tablets forget their mode then), read() returns one empty report
-// with the time. From then on the device is searched, after device events or every
-// Reconnection::retry_every, and its reports continue once it is back, under whatever node. read()
-// never fails.
+// A source for a device that can disappear and return. When the device is lost, by unplugging or
+// because the machine was suspended (many tablets forget their mode then), read() returns one empty
+// report with the time. From then on the device is searched for, after device events or every
+// Reconnection::retry_every, and its reports continue once it is back, under any node. read() never
+// fails.
 //
 // Used from one thread, except is_connected(), which any thread may call.
 class ReconnectingSource final : public ReportSource {
@@ -86,8 +86,8 @@ public:
 
     bool is_connected() const { return is_connected_.load(std::memory_order_relaxed); }
 
-    // Why the device, present again, cannot be opened; empty while it is absent or in use. Empty
-    // during the first kPatience, in which udev may still be setting permissions. Thread-safe.
+    // Explains why the device, present again, cannot be opened; empty while it is absent or in use,
+    // and during the first kPatience, in which udev may still be setting permissions. Thread-safe.
     std::string refusal() const;
     static constexpr Duration kPatience = std::chrono::seconds(2);
 
@@ -103,12 +103,12 @@ private:
     bool is_told_of_it() const;
     void try_to_open(DeviceInfo const& info);
 
-    DeviceInfo listed_; // As it was listed; opening can add more information.
+    DeviceInfo listed_; // The device as it was listed; opening it can add information.
     Reconnection reconnection_;
     std::unique_ptr<ReportSource> source_; // Null while the device is away.
     DeviceInfo info_;
-    std::string location_;                 // Location at which it is open.
-    std::unique_ptr<DeviceEvents> events_; // Only set while the device is away.
+    std::string location_;                 // Location at which the device is open.
+    std::unique_ptr<DeviceEvents> events_; // Set only while the device is away.
     Timestamp next_try_ {};
     Duration slept_ {};
     std::uint64_t too_long_before_ = 0;

@@ -15,7 +15,7 @@ namespace tractus::drivers {
 
 namespace {
 
-// The lines of evemu's src/evemu.c, by their first letter.
+// Reads the lines of an evemu recording (src/evemu.c in evemu), chosen by their first letter.
 class EvemuReader {
 public:
     explicit EvemuReader(std::string_view name)
@@ -66,7 +66,8 @@ private:
             builder_.warn(line_, "no bus, vendor and product id: skipped");
     }
 
-    // "B: 01 00 00 …": the next bits of the codes of one type, eight to a byte.
+    // Reads a line "B: 01 00 00 …": the next part of the bit set of event codes of one type, eight
+    // codes to a byte.
     void read_event_bits(LogLine& line)
     {
         unsigned type = 0;
@@ -90,7 +91,7 @@ private:
             || !line.integer(axis.maximum, 10) || !line.integer(fuzz, 10) || !line.integer(flat, 10)
             || code >= ABS_CNT)
             return builder_.warn(line_, "not the range of an axis: skipped");
-        line.integer(axis.resolution, 10); // Version 1.0 has none.
+        line.integer(axis.resolution, 10); // Evemu 1.0 writes no resolution.
         abilities_.axes[code] = axis;
     }
 
@@ -111,7 +112,7 @@ private:
         return {};
     }
 
-    // The description has ended.
+    // Ends the description: checks that the device is a pen, and prepares to convert its events.
     Result<void> begin()
     {
         if (pen_)
@@ -133,8 +134,9 @@ private:
     ForeignLogBuilder builder_;
     DeviceInfo info_;
     EventAbilities abilities_;
-    std::map<unsigned, unsigned> next_bit_; // By type: the code of the first bit of its next line.
-    std::optional<EventPen> pen_;           // Once the first event has come.
+    std::map<unsigned, unsigned>
+        next_bit_;                // Event type → code of the first bit on the type's next line.
+    std::optional<EventPen> pen_; // Set when the first event has been read.
     std::size_t line_ = 0;
 };
 
@@ -145,7 +147,8 @@ bool begins_evemu_recording(std::string_view line)
     constexpr std::string_view kHead = "# EVEMU ";
     if (line.starts_with(kHead))
         return true;
-    // The oldest have no such line. hid-recorder's ids are three, evemu's four.
+    // The oldest evemu recordings have no version line. Their I line has four ids, hid-recorder's
+    // has three.
     LogLine words(line.starts_with("I:") ? line.substr(2) : std::string_view());
     unsigned id = 0;
     int count = 0;

@@ -13,7 +13,7 @@
 
 namespace tractus::drivers {
 
-// What is looked at to tell a format.
+// Number of bytes at a text's start in which its format is looked for.
 static constexpr std::size_t kHeadBytes = std::size_t { 1 } << 16;
 
 std::optional<LogFormat> guess_log_format(std::string_view text)
@@ -63,7 +63,7 @@ std::optional<LogFormat> guess_file_format(std::filesystem::path const& path)
 
 namespace {
 
-// A recording from a pipe. It cannot be read again once its format is known.
+// A recording read from a pipe, which cannot be read a second time once its format is known.
 class PipedRecording {
 public:
     explicit PipedRecording(std::string name)
@@ -110,8 +110,9 @@ private:
 
     std::string name_;
     LogText log_;
-    std::optional<LogFormat> format_; // No value until enough has come to tell it.
-    std::string text_;                // What came until then, and all of another program's.
+    std::optional<LogFormat> format_; // No value until the format has been recognised.
+    std::string text_; // The text read before the format was recognised. For formats other than
+                       // ours, the whole text.
 };
 
 } // namespace

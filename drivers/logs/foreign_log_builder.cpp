@@ -57,7 +57,8 @@ void ForeignLogBuilder::remove_device(std::size_t device)
             --record.device;
 }
 
-// A report whose time goes back stays behind those of its device that came before it.
+// Sorts the records by time. A report whose time goes back keeps its place behind the earlier
+// reports of its device.
 void ForeignLogBuilder::sort_by_time()
 {
     std::vector<Timestamp> latest(log_.devices.size(), Timestamp::min());

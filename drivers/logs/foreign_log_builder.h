@@ -8,31 +8,31 @@
 
 namespace tractus::drivers {
 
-// Puts what another program has recorded together as a log.
+// Assembles a log from the recording of another program.
 class ForeignLogBuilder {
 public:
     explicit ForeignLogBuilder(std::string_view name) { log_.name = name; }
 
     Log& log() { return log_; }
 
-    // Counts something odd in a line.
+    // Adds a warning about something odd in a line.
     void warn(std::size_t line, std::string message);
 
-    // Skips, with a warning, what no device sends. Fails, as the user's fault, if more has come
-    // than there is memory for.
+    // Appends a report. A report that no device could have sent is skipped with a warning. Fails,
+    // as the user's fault, if the recording exceeds the memory limit.
     Result<void> append_report(std::size_t line, std::size_t device, Timestamp time,
                                std::span<std::byte const> bytes);
 
-    // Adds another device and returns its index. Fails, as the user's fault, for more than a
-    // computer has.
+    // Adds a device and returns its index. Fails, as the user's fault, beyond the number of devices
+    // that a computer can have.
     Result<std::size_t> add_device(DeviceInfo info);
 
-    // Takes a device and its reports away; the indices of those behind it go down by one.
+    // Removes a device and its reports; the indices of later devices decrease by one.
     void remove_device(std::size_t device);
 
-    // The log, with its first report at 0. Reports of several devices, which some programs write
-    // one device after another, stand in the order of their times; those of one device as they
-    // came.
+    // Returns the log, with its first report at time 0. Reports of different devices, which some
+    // programs write one device after another, are sorted by time; reports of one device keep their
+    // order.
     Log take();
 
 private:

@@ -14,10 +14,10 @@ namespace {
 
 using ReportIdSet = std::bitset<256>;
 
-// What an interface says that it sends.
+// The input reports that an interface's report descriptor declares.
 struct DescribedReports {
-    ReportIdSet ids;     // Of all input reports; id 0 where no ids are used.
-    ReportIdSet pen_ids; // Of those that carry a pen.
+    ReportIdSet ids;     // Ids of all input reports; id 0 if the device uses no ids.
+    ReportIdSet pen_ids; // Ids of the reports that carry pen data.
 };
 
 DescribedReports described_reports(DeviceInfo const& info)
@@ -34,7 +34,7 @@ DescribedReports described_reports(DeviceInfo const& info)
     return described;
 }
 
-// An interface's path without its number; empty where it has none.
+// Returns an interface's path without its interface number; empty if the path has no number.
 std::string device_path(DeviceInfo const& info)
 {
     return info.physical_path.substr(0, info.physical_path.rfind("/input"));

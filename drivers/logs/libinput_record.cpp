@@ -19,7 +19,7 @@ namespace tractus::drivers {
 
 namespace {
 
-// Passes a text on to libyaml as far as its lines are such as a text has.
+// Feeds a stream to libyaml as long as its lines are of a length that text has.
 class TextLines {
 public:
     explicit TextLines(std::istream& in)
@@ -61,15 +61,16 @@ Result<std::int64_t> number_in(std::string_view text)
     return value;
 }
 
-// The input events of the device that is read, should there be no raw reports.
+// The input events of the current device, used if it has no raw reports.
 struct RecordedEvents {
     EventAbilities abilities {};
-    std::optional<EventPen> pen {};       // Once an event has come, of a pen.
-    std::optional<std::size_t> device {}; // Index in the log's devices, once it has sent one.
-    std::vector<std::int64_t> numbers {}; // Those of the list that is read.
+    std::optional<EventPen> pen {}; // Set when an event of a pen has been read.
+    std::optional<std::size_t>
+        device {}; // Index in the log's devices; set when the device has sent an event.
+    std::vector<std::int64_t> numbers {}; // Numbers of the list being read.
 };
 
-// Walks through the recording value by value, so that none of it stays in memory but the reports.
+// Reads the recording value by value, so that only reports stay in memory.
 class RecordReader {
 public:
     explicit RecordReader(std::string_view name)
@@ -77,7 +78,8 @@ public:
     {
     }
 
-    // Fails at what is no recording; the message lacks the place.
+    // Handles one YAML event. Fails if it cannot belong to a recording; the caller adds the place
+    // to the message.
     Result<void> take_event(yaml_event_t const& event)
     {
         line_ = event.start_mark.line + 1;
@@ -106,10 +108,10 @@ public:
     }
 
 private:
-    // One list or map that is open.
+    // An open list or map.
     struct Level {
         enum class Kind { List, Map } kind = Kind::List;
-        std::string key {}; // Key in a map, of the value that comes; in a list empty.
+        std::string key {}; // In a map, the key of the next value. Empty in a list.
         bool has_key = false;
     };
 
@@ -148,7 +150,7 @@ private:
             levels_.back().has_key = false;
     }
 
-    // The names of the open maps' keys, "" for lists, up to the innermost list or map itself.
+    // True if the innermost list or map is reached by these keys, where "" means a list.
     bool is_at(std::initializer_list<std::string_view> path) const
     {
         if (levels_.size() != path.size() + 1)
@@ -163,7 +165,7 @@ private:
         return true;
     }
 
-    // Whether the innermost list is a value in the map there, whatever its key is.
+    // True if the innermost list is a value of the map at this path, under any key.
     bool is_in_map_of(std::initializer_list<std::string_view> path) const
     {
         auto const depth = path.size() + 1;
@@ -212,7 +214,7 @@ private:
         return {};
     }
 
-    // Leaves out values beyond `most`.
+    // Appends a number to a list. Values beyond the `most` first ones are ignored.
     template<typename Value>
     static Result<void> append(std::vector<Value>& values, std::string_view text, std::size_t most,
                                std::int64_t largest, std::int64_t least = 0)
@@ -225,7 +227,8 @@ private:
         return {};
     }
 
-    // A hidraw node's reports stand among the events of one of the input devices it feeds.
+    // Ends an event that carries raw reports. A hidraw node's reports are listed under one of the
+    // input devices that it feeds.
     Result<void> end_report()
     {
         time_.resize(2);
@@ -241,7 +244,7 @@ private:
         return {};
     }
 
-    // "1: [320, 330]": a type of events and the codes of it that the device has.
+    // Reads "1: [320, 330]": an event type, and the codes of that type that the device has.
     Result<void> end_codes(std::string const& type)
     {
         auto const codes = std::exchange(events_.numbers, {});
@@ -251,7 +254,8 @@ private:
         return {};
     }
 
-    // "0: [0, 15200, 4, 0, 100]": an axis and its minimum, maximum, fuzz, flat and resolution.
+    // Reads "0: [0, 15200, 4, 0, 100]": an axis, and its minimum, maximum, fuzz, flat and
+    // resolution.
     Result<void> end_axis(std::string const& code)
     {
         auto numbers = std::exchange(events_.numbers, {});
@@ -312,8 +316,8 @@ private:
         events_ = {};
     }
 
-    // Raw reports count for more than the events that the kernel made of them, which may stand with
-    // another of the input devices that a hidraw node feeds.
+    // Removes pens made of input events if raw reports of the same device exist. A hidraw node
+    // feeds several input devices, so both can be listed under different ones.
     void remove_seen_twice()
     {
         auto const& devices = builder_.log().devices;
@@ -335,12 +339,13 @@ private:
     RecordedEvents events_;
     ForeignLogBuilder builder_;
     std::vector<Level> levels_;
-    DeviceInfo info_; // The device that is read.
+    DeviceInfo info_; // The device being read.
     std::vector<std::uint16_t> ids_;
-    std::map<std::string, std::size_t> nodes_; // Its hidraw nodes → index in the log's devices.
-    std::vector<std::int64_t> time_; // Time of the report that is read: seconds, microseconds.
+    std::map<std::string, std::size_t>
+        nodes_;                      // The device's hidraw nodes → indices in the log's devices.
+    std::vector<std::int64_t> time_; // Time of the report being read: seconds, microseconds.
     std::map<std::string, std::vector<std::byte>> reports_;
-    std::size_t line_ = 0; // Line of the event that is taken.
+    std::size_t line_ = 0; // Line of the YAML event being handled.
     std::size_t report_line_ = 0;
 };
 

@@ -8,7 +8,7 @@
 
 namespace tractus::drivers {
 
-// Reads the reports that are not in memory, a piece of the file at a time.
+// Reads the reports that are not in memory, one piece of the file at a time.
 class LogCursor::Rest {
 public:
     Rest(std::string_view name, LogRest const& rest)
@@ -18,7 +18,7 @@ public:
     {
     }
 
-    // Null after the last one.
+    // Returns the next record; null after the last one.
     Result<LogRecord const*> peek()
     {
         while (next_ == text_.log().records.size() && !has_ended_)
@@ -52,7 +52,7 @@ private:
     LogRest const& rest_;
     LogText text_;
     std::uint64_t offset_;
-    std::size_t next_ = 0; // Index in the text's records.
+    std::size_t next_ = 0; // Index of the next record in the text's log.
     bool has_ended_ = false;
     std::string piece_ = std::string(std::size_t { 1 } << 16, '\0');
 };

@@ -53,7 +53,7 @@ bool LogLine::time(Timestamp& time)
 bool LogLine::plain_bytes(std::size_t size, std::vector<std::byte>& bytes)
 {
     auto const left = static_cast<std::size_t>(end_ - at_);
-    if (left % 3 != 0 || left / 3 != size) // A product could wrap around.
+    if (left % 3 != 0 || left / 3 != size) // Dividing avoids the overflow that 3 * size could have.
         return false;
     auto const old_size = bytes.size();
     bytes.resize(old_size + size);

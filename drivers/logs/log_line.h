@@ -31,20 +31,21 @@ public:
         return true;
     }
 
-    // Seconds with a fraction of any length; what is finer than a nanosecond is cut off.
+    // Reads seconds with any number of decimals; digits beyond nanoseconds are cut off.
     bool time(Timestamp& time);
 
-    // Appends the `size` bytes of a line written as LogWriter does: each a blank and two digits,
-    // and nothing else. False, and nothing appended, if it is not.
+    // Appends `size` bytes written as LogWriter does: a blank and two digits for each, up to the
+    // line's end. Returns false, and appends nothing, for any other text.
     bool plain_bytes(std::size_t size, std::vector<std::byte>& bytes);
 
-    // Appends every byte up to the line's end. False if something else than bytes is there.
+    // Appends all bytes up to the line's end. Returns false if anything else follows.
     bool hex_bytes(std::vector<std::byte>& bytes);
 
     std::string_view word();
     std::string_view rest();
 
-    // The rest, with what LogWriter wrote as "\xHH". A backslash that begins none stays.
+    // Returns the rest of the line with the "\xHH" escapes of LogWriter decoded. A backslash that
+    // begins no escape is kept.
     std::string unescaped_rest();
 
 private:

@@ -24,7 +24,8 @@ Result<Log> parse_log(std::string_view text, std::string_view name)
 
 Result<Log> read_log_file(std::filesystem::path const& path)
 {
-    // Opened before it is read, so that what takes its name meanwhile is not taken for it.
+    // The file is opened before it is read, so that later reads get the same file even if its name
+    // is reused.
     auto rest = std::make_shared<LogRest>(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     LogText text(path.string(), kMostLogBytes);
     std::error_code no_file;

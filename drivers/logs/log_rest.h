@@ -6,7 +6,7 @@
 
 namespace tractus::drivers {
 
-// The part of a log that is not in memory: its file, and where that part begins.
+// The part of a log that is not in memory: its file, and the position where that part begins.
 struct LogRest {
     explicit LogRest(int open_file)
         : file(open_file)

@@ -7,8 +7,8 @@
 
 namespace tractus::drivers {
 
-// One device of a log as a source: its reports with the log's times, as fast as they are read.
-// It never waits, and gives no value from the log's end on. The log must outlive it.
+// A source that gives the reports of one device of a log, with their recorded times. It never
+// waits, and returns no value after the log's end. The log must outlive it.
 class LogSource final : public ReportSource {
 public:
     // `device` is an index in Log::devices.

@@ -17,13 +17,14 @@ constexpr std::size_t kMaxReportBytes = sizeof(RawReport::storage);
 constexpr std::size_t kMaxDescribedBytes = std::size_t { 16 } << 20;
 constexpr std::size_t kMaxDevices = 1024;
 
-// Devices' reports may stand in a log in another order than they came, by less than this.
+// Reports of different devices may be out of order in a log by less than this.
 constexpr Duration kMostDisorder = std::chrono::milliseconds(100);
-// Between two recordings in one file: a pause, but not so long that a sensor would count as silent.
+// Pause inserted between two recordings in one file: long enough to end a stroke, and too short for
+// a sensor to count as silent.
 constexpr Duration kBetweenParts = std::chrono::milliseconds(200);
 
-// The USB interface's number, from the kernel's path: "usb-0000:00:14.0-2/input1"; -1 if it names
-// none.
+// Returns the USB interface number in the kernel's path, such as 1 in "usb-0000:00:14.0-2/input1";
+// -1 if there is none.
 int interface_in(std::string_view physical_path)
 {
     constexpr std::string_view kInput = "/input";
@@ -74,7 +75,7 @@ void LogText::warn(std::string message)
 
 void LogText::expect(std::size_t bytes)
 {
-    // A report of ten bytes takes some fifty characters: one allocation for most logs.
+    // A report of ten bytes takes about 48 characters, so most logs need one allocation.
     log_.records.reserve(bytes / 48);
     log_.bytes.reserve(bytes / 4);
 }
@@ -135,12 +136,13 @@ Result<void> LogText::read_line(std::string_view line)
     return read_described_line(line[0], content);
 }
 
-// Reads what stays in memory, however large the log is.
+// Reads a line that is neither report nor disconnection. Its content stays in memory, however long
+// the log is.
 Result<void> LogText::read_described_line(char kind, std::string_view content)
 {
     if (std::string_view("RDNPMUASITC").find(kind) == std::string_view::npos)
         return {};
-    if (kind != 'D' && kind != 'I') // Letters D and I only say which device it is.
+    if (kind != 'D' && kind != 'I') // D and I lines add nothing that stays in memory for each line.
         described_bytes_ += content.size() + sizeof(LogTool);
     if (described_bytes_ > kMaxDescribedBytes)
         return broken(fmt::format("more than {} bytes that describe devices, the rig and tools: "
@@ -220,7 +222,7 @@ Result<void> LogText::read_departure(std::string_view content)
     return {};
 }
 
-// The record's bytes are the last ones, from there on.
+// Adds a record whose bytes are those in log_.bytes from `offset` to the end.
 void LogText::take_record(Timestamp time, std::size_t offset)
 {
     if (place_.latest && *place_.latest - time > kMostDisorder)
@@ -244,8 +246,8 @@ void LogText::add_record(Timestamp time, std::size_t device, std::size_t offset)
                                  .device = static_cast<std::uint16_t>(device) });
 }
 
-// Another recording begins: all devices go away, and its times count on after a pause in which
-// nothing that was under way goes on.
+// Begins the next of several recordings in one file: disconnects all devices, and lets the times
+// continue after a pause, so that no stroke or gesture spans two recordings.
 void LogText::begin_part(Timestamp time)
 {
     auto const back = *place_.latest - time;
@@ -254,7 +256,8 @@ void LogText::begin_part(Timestamp time)
                      to_seconds(back)));
     auto const end = *place_.latest + place_.shift;
     auto const count_before = totals_.count;
-    // The new record's bytes have been read already: a departure has none.
+    // The new record's bytes have been appended already. They are set aside, because a
+    // disconnection has no bytes.
     std::vector<std::byte> bytes;
     bytes.swap(log_.bytes);
     for (std::size_t i = 0; i < place_.numbered.size(); ++i)
@@ -267,8 +270,8 @@ void LogText::begin_part(Timestamp time)
     place_.latest.reset();
 }
 
-// Changes of tool that stand between the last record of a part and the first of the next, and
-// belong to the next by their times.
+// Shifts the changes of tool that are written between two recordings and belong, by their times, to
+// the second.
 void LogText::move_last_tools(Timestamp time, Duration shift, std::size_t count_before)
 {
     for (auto tool = log_.tools.rbegin();
@@ -344,8 +347,8 @@ void LogText::read_device_number(std::string_view content)
         place_.device = static_cast<std::size_t>(found - place_.numbered.begin());
 }
 
-// The device that the lines are about. The last one takes what exceeds the number of devices that
-// a sane file has.
+// Returns the device that the current lines describe. All devices beyond kMaxDevices share the last
+// one.
 DeviceInfo& LogText::device()
 {
     if (!place_.device) {
@@ -395,7 +398,7 @@ void LogText::read_size(std::string_view content)
 
 void LogText::read_string(std::string_view content)
 {
-    constexpr int kMaxIndex = 255; // USB 2.0 table 9-8: a byte.
+    constexpr int kMaxIndex = 255; // An index is one byte (USB 2.0, table 9-8).
     LogLine cursor(content);
     int index = 0;
     if (!is_whole_)

@@ -18,63 +18,65 @@ namespace tractus::drivers {
 struct LogDeviceNumber {
     std::size_t number = 0;
     bool has_descriptor = false;
-    bool is_there = false; // It has reported in this part of the log, and not gone away since.
+    bool is_there = false; // True if the device has reported in this part of the log and has not
+                           // been disconnected since.
 };
 
-// Where a line begins in a log's text, and what the lines before it said that matters to those from
-// there on.
+// A position at a line's start in a log's text, and the state that reading on from there needs.
 struct LogPlace {
     std::uint64_t offset = 0;
-    std::size_t line = 0;                     // How many come before.
-    std::vector<LogDeviceNumber> numbered {}; // Beside Log::devices.
-    std::size_t number = 0;                   // As the last D line says.
-    std::optional<std::size_t> device {};     // Its index; none until something is said of it.
-    Duration shift {};                        // From the file's times to those of the records.
-    bool has_second_rig = false;              // It has been warned of.
-    std::optional<Timestamp> latest {};       // Time in the file of the latest record of this part.
+    std::size_t line = 0;                     // Number of lines before this position.
+    std::vector<LogDeviceNumber> numbered {}; // Device numbers, parallel to Log::devices.
+    std::size_t number = 0;                   // Device number of the last D line.
+    std::optional<std::size_t>
+        device {};               // Index of the current device; no value until a line describes it.
+    Duration shift {};           // Added to times in the file to give the times of records.
+    bool has_second_rig = false; // True if a second calibration has been warned about.
+    std::optional<Timestamp>
+        latest {}; // Time in the file of the latest record of the current part.
 };
 
 // Totals over all records of a log.
 struct LogTotals {
     std::size_t count = 0;
-    Timestamp begin {}; // Time of the first and
-    Timestamp end {};   // of the last one.
+    Timestamp begin {}; // Time of the first record.
+    Timestamp end {};   // Time of the last record.
 };
 
-// Reads a log's text, which comes piece by piece. What it tolerates and refuses is parse_log()'s.
+// Reads a log's text, which arrives piece by piece. parse_log() documents what is tolerated and
+// refused.
 class LogText {
 public:
-    // Where the records in memory have so many bytes, those that follow are only counted.
+    // Once the records in memory exceed `most_bytes`, later records are only counted.
     explicit LogText(std::string_view name,
                      std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
 
-    // Reads on from there, with no more of the log than the records that come.
+    // Continues at `place`. The log then contains only the records from there on.
     LogText(std::string_view name, LogPlace place);
 
     LogText(LogText const&) = delete;
     LogText& operator=(LogText const&) = delete;
 
-    // Announces at most that many bytes.
+    // Reserves memory for a text of at most `bytes`.
     void expect(std::size_t bytes);
 
-    // The next piece of the text, cut anywhere. Fails, as the user's fault, for what parse_log()
-    // refuses.
+    // Adds the next piece of the text, which may end anywhere. Fails, as the user's fault, for what
+    // parse_log() refuses.
     Result<void> feed(std::string_view piece);
 
-    // The text has ended: a last line without a line break counts as far as it is whole. Fails
-    // likewise.
+    // Ends the text: a last line without a line break is used if it is complete. Fails like feed().
     Result<void> end();
 
     // Returns the log, after end(). Fails if no device was described.
     Result<Log> take_log();
 
-    // The records that came since the last forget_records(), and their bytes.
+    // The records read since the last forget_records(), and their bytes.
     Log const& log() const { return log_; }
     void forget_records();
 
     LogTotals const& totals() const { return totals_; }
 
-    // Where the records begin that are not in memory; no value where all are.
+    // Position of the first record that is not in memory; no value if all are.
     std::optional<LogPlace> const& rest() const { return rest_; }
 
 private:
@@ -102,15 +104,16 @@ private:
     Log log_;
     std::size_t most_bytes_;
     LineSplitter lines_;
-    LogPlace place_; // Place of the line that is read.
+    LogPlace place_; // Position of the line being read.
     std::optional<LogPlace> rest_;
     LogTotals totals_;
-    std::size_t described_bytes_ = 0; // Bytes of lines that are neither reports nor departures.
-    bool is_begin_ = true;            // Nothing has come.
-    bool is_whole_ = true;            // Does the line end with a line break?
+    std::size_t described_bytes_
+        = 0;               // Total length of the lines that are neither reports nor disconnections.
+    bool is_begin_ = true; // True until the first text arrives.
+    bool is_whole_ = true; // True if the line being read ends with a line break.
 };
 
-// Reads the log in a regular file, as read_log() does.
+// Reads the log in a regular file; see read_log().
 Result<Log> read_log_file(std::filesystem::path const& path);
 
 } // namespace tractus::drivers

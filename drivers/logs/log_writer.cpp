@@ -10,7 +10,7 @@
 
 namespace tractus::drivers {
 
-// A line break in a name would begin a line of its own.
+// Replaces line breaks, since one inside a name would begin another line of the log.
 static std::string one_line(std::string_view text)
 {
     std::string line(text);
@@ -19,7 +19,7 @@ static std::string one_line(std::string_view text)
     return line;
 }
 
-// Returns any text as one line that read_log makes the same text of again.
+// Escapes any text to a single line, which read_log() decodes again.
 static std::string escaped(std::string_view text)
 {
     std::string line;

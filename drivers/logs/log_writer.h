@@ -13,30 +13,30 @@
 
 namespace tractus::drivers {
 
-// Contents of the top of a log.
+// Contents of a log's header.
 struct LogHeader {
     std::vector<DeviceInfo> devices {};
-    std::string rig_text {}; // The rig's calibration, any text; empty for none.
-    Timestamp start {};      // Times in the log count from here; earlier ones become 0.
+    std::string rig_text {}; // The rig's calibration, as any text; empty if there is none.
+    Timestamp start {};      // Time that becomes 0 in the log; earlier times become 0, too.
 };
 
-// Writes a log (see drivers/log.h) that hid-replay can play as well: report by report, so that
-// what was written is of use even if the program does not come to its end.
+// Writes a log (see drivers/logs/log.h) that hid-replay can also play. Each report is written at
+// once, so a log remains useful even if the program crashes.
 //
-// The stream must outlive the writer. Not thread-safe. What the stream could not take is told by
+// The stream must outlive the writer. Not thread-safe. Errors of the stream are returned by
 // flush().
 class LogWriter {
 public:
     LogWriter(std::ostream& out, LogHeader const& header);
 
-    // `device` is an index in LogHeader::devices. Times are cut to microseconds. No bytes: the
-    // device went away.
+    // Writes one report. `device` is an index in LogHeader::devices; times are truncated to
+    // microseconds. Empty `bytes` mean that the device was disconnected.
     void write_report(std::size_t device, Timestamp time, std::span<std::byte const> bytes);
 
-    // `tool` is one word, `arguments` the rest of its line.
+    // Writes a change of tool: `tool` is one word, `arguments` is the rest of the line.
     void write_tool(Timestamp time, std::string_view tool, std::string_view arguments = {});
 
-    // Hands everything to the operating system. Fails, as the user's fault, if the disk is full.
+    // Flushes the stream to the operating system. Fails, as the user's fault, if the disk is full.
     Result<void> flush();
 
 private:
@@ -48,8 +48,8 @@ private:
     std::ostream& out_;
     Timestamp start_;
     std::size_t device_count_;
-    std::size_t current_device_ = 0; // The one that the last D line names.
-    std::string line_;               // The line that write_line() sends next; kept for its memory.
+    std::size_t current_device_ = 0; // Device index of the last D line written.
+    std::string line_;               // Buffer for the line that write_line() writes next.
 };
 
 } // namespace tractus::drivers

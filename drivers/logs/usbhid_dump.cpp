@@ -26,7 +26,7 @@ template<typename Integer> bool take_number(std::string_view& text, Integer& val
     return true;
 }
 
-// "SECONDS.MICROSECONDS"
+// Parses "SECONDS.MICROSECONDS".
 std::optional<Timestamp> parse_time(std::string_view text)
 {
     constexpr std::int64_t kMaxSeconds = 9'000'000'000;
@@ -41,7 +41,7 @@ std::optional<Timestamp> parse_time(std::string_view text)
     return timestamp_ns((seconds * 1'000'000 + microseconds) * 1000);
 }
 
-// The head of one of usbhid-dump's blocks.
+// The head of a block written by usbhid-dump.
 struct DumpHead {
     std::string interface_name {}; // "003:005:001": bus, device, interface.
     int interface_number = 0;
@@ -70,7 +70,7 @@ std::optional<DumpHead> parse_dump_head(std::string_view line)
     return head;
 }
 
-// A line without the blanks and the CR at its end.
+// Returns a line without trailing blanks and CR.
 std::string_view without_end(std::string_view line)
 {
     while (line.ends_with('\r') || line.ends_with(' '))
@@ -155,7 +155,7 @@ private:
     ForeignLogBuilder builder_;
     std::map<std::string, std::size_t> devices_; // Interface name → index in the log's devices.
     std::size_t line_ = 0;
-    std::optional<DumpHead> head_; // Head of the block that is read.
+    std::optional<DumpHead> head_; // Head of the block being read.
     std::size_t head_line_ = 0;
     std::vector<std::byte> bytes_;
 };

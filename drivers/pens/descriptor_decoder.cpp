@@ -20,7 +20,7 @@ bool is_set(std::optional<HidField> const& field, std::span<std::byte const> rep
 {
     if (!field)
         return false;
-    // Most switches are one bit. All bytes are there: see PenLayout::bytes_needed.
+    // Fast path: most switches are one bit. The report has enough bytes (PenLayout::bytes_needed).
     if (field->bit_size == 1)
         return has_bit(report, field->bit_offset / 8, field->bit_offset % 8);
     return read_field(*field, report) != 0;
@@ -64,7 +64,7 @@ PenTraits describe(std::vector<PenLayout> const& layouts, PenHabits const& habit
     return traits;
 }
 
-// One kind of pen report, ready to be read.
+// A kind of pen report that the descriptor declares, with the factors to decode it.
 struct DescribedPen {
     PenLayout layout;
     PenScale scale;
@@ -116,7 +116,8 @@ PenFields read_fields(DescribedPen const& pen, std::span<std::byte const> report
     return fields;
 }
 
-// Returns what the pens' reports have among them; a mouse's do not count.
+// Returns which buttons occur in the pens' reports; layouts without an in-range field are mice and
+// do not count.
 PenButtons buttons_of(std::vector<PenLayout> const& layouts)
 {
     PenButtons buttons;
@@ -132,7 +133,7 @@ PenButtons buttons_of(std::vector<PenLayout> const& layouts)
     return buttons;
 }
 
-// Decodes what the report descriptor describes.
+// Decodes pen reports by the report descriptor.
 class HidPenDecoder final : public PenDecoder {
 public:
     HidPenDecoder(HidReportDescriptor const& descriptor, std::vector<PenLayout> const& layouts,
@@ -157,14 +158,16 @@ public:
 private:
     Result<DescribedPen const*> pen_of(std::span<std::byte const> report) const;
 
-    std::vector<DescribedPen> pens_; // One for each report id that carries a pen.
+    std::vector<DescribedPen> pens_; // One entry for each report id that carries pen data.
     PenTraits traits_;
-    // Indexed by report id: those of touches, pads and batteries, too.
+    // True for each report id that the descriptor declares, including those of touches, pads and
+    // batteries.
     std::bitset<256> is_described_;
     PenState state_;
 };
 
-// Null for a report that is no pen's. Fails if it is not in the descriptor or too short.
+// Returns the pen that a report describes; null if the report is not about a pen. Fails if the
+// report's id is not in the descriptor or the report is too short.
 Result<DescribedPen const*> HidPenDecoder::pen_of(std::span<std::byte const> report) const
 {
     if (report.empty())
@@ -196,7 +199,7 @@ Result<void> HidPenDecoder::decode(Timestamp received, std::span<std::byte const
     return {};
 }
 
-// Why a descriptor gives no layout, for a person to read.
+// Explains to the user why a descriptor describes no usable pen.
 std::string explain_no_pen(DeviceInfo const& info, HidReportDescriptor const& descriptor)
 {
     bool const is_vendor

@@ -11,50 +11,51 @@
 
 namespace tractus::drivers {
 
-// State that a format's reports leave to be remembered from one to the next. Each device has its
-// own.
+// State that a decoder keeps between the reports of one device.
 struct FamilyState {
     std::uint32_t tool_serial = 0;
     std::uint32_t tool_type = 0;
     std::uint32_t buttons = 0;
     bool is_eraser = false;
     bool is_pen = true;     // False for a mouse on the tablet.
-    bool is_inside = false; // The pen is in range.
+    bool is_inside = false; // True while the pen is in range.
 
-    std::size_t frame = 0; // The state of a report that is asked for; see PenFamily::frames.
+    std::size_t frame
+        = 0; // Index of the requested pen state within a report; see PenFamily::frames.
 
-    std::int32_t x_maximum = 0; // The tablet's, which does not change; 0: not known.
+    std::int32_t x_maximum
+        = 0; // The tablet's maximum x in counts; 0 if not known. It never changes.
 
-    // The tool has left, and the next may be another.
+    // Resets the state when the tool leaves, since the next tool may be a different one.
     void forget_tool() { *this = { .x_maximum = x_maximum }; }
 };
 
-// One report format of a maker's own, which no report descriptor tells; many tablets share each.
-// Sizes and maxima are the tablet's, not the format's: see TabletShape.
+// A maker's own report format, which no report descriptor describes. Many tablets share each
+// format; sizes and maxima belong to the tablet (TabletShape).
 struct PenFamily {
-    std::string_view name; // "wacom-intuos4".
+    std::string_view name; // Unique name, such as "wacom-intuos4".
 
-    // A pure function. `report` begins with its report id and may be of any length. No value if it
-    // is too short, or none of the pen's.
+    // Decodes a report, without side effects except on `state`. `report` begins with its report id
+    // and may have any length. Returns no value if the report is too short or not about the pen.
     std::optional<PenFields> (*decode)(std::span<std::byte const> report, FamilyState& state)
         = nullptr;
 
     bool has_tilt = false;
     bool has_eraser = false;
-    bool reports_leaving = true; // See PenHabits.
+    bool reports_leaving = true; // See PenHabits::reports_leaving.
     unsigned button_count = 2;
-    std::int32_t touch_above = 0; // See PenScale.
+    std::int32_t touch_above = 0; // See PenScale::touch_above.
 
-    // How many states of the pen a report has room for, oldest first; FamilyState::frame chooses
-    // one. The tablet measures them `frame_interval` apart, and says no more of their times.
+    // Number of pen states in one report, oldest first; FamilyState::frame selects one. The tablet
+    // samples them `frame_interval` apart; reports contain no times.
     std::size_t frames = 1;
     Duration frame_interval {};
 };
 
-// Returns all formats that are known. Their names are unique.
+// Returns all known formats.
 std::span<PenFamily const> pen_families();
 
-// Null if there is none of that name.
+// Returns the format with this name; null if there is none.
 PenFamily const* find_pen_family(std::string_view name);
 
 } // namespace tractus::drivers

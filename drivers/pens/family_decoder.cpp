@@ -63,8 +63,8 @@ private:
     PenScale scale_;
     FamilyState format_;
     PenState pen_;
-    std::vector<PenFields> frames_; // Frames of the newest report.
-    // Time of the pen's newest report, or when it left after that.
+    std::vector<PenFields> frames_; // Pen states of the newest report.
+    // Time of the newest report, or of the pen's leaving if that was later.
     std::optional<Timestamp> last_time_;
 };
 
@@ -90,7 +90,7 @@ Result<void> FamilyDecoder::decode(Timestamp received, std::span<std::byte const
     return {};
 }
 
-// States that come later in one report are not dated back to before the pen left.
+// Remembers the time, so that later states are not dated before the pen left.
 std::optional<PenSample> FamilyDecoder::leave(Timestamp time)
 {
     last_time_ = last_time_ ? std::max(*last_time_, time) : time;

@@ -10,8 +10,7 @@ struct KnownHabits {
     PenHabits habits {};
 };
 
-// Habits of pens that, as their second button is pressed, send that they are gone, and then that
-// they hover.
+// Pens that report leaving and then hovering when their second button is pressed.
 constexpr PenHabits kArtist24 {
     .second_button_is_eraser = true,
     .false_leave = std::chrono::milliseconds(20),
@@ -24,10 +23,10 @@ constexpr PenHabits kArtistProGen2 {
 
 constexpr PenHabits kKamvasPro19 { .third_button_is_invert = true };
 
-// Huion's and Gaomon's before a driver switches them.
+// Huion and Gaomon tablets before a driver switches their mode.
 constexpr PenHabits kHuion { .second_button_is_eraser = true };
 
-// Ours: a mouse held as a pen (app/controllers/mouse_rig.h).
+// A mouse used as a pen (app/controllers/mouse_rig.h).
 constexpr PenHabits kMouse { .rests_in_silence = true };
 
 constexpr KnownHabits kKnown[] = {

@@ -6,25 +6,27 @@
 
 namespace tractus::drivers {
 
-// Buttons and ends of a pen, as a report descriptor says.
+// Buttons and ends that a pen's report descriptor declares.
 struct PenButtons {
-    bool has_second = false;         // A second barrel button, under whatever name.
-    bool has_second_by_name = false; // Under its own.
-    bool has_second_as_tip = false;  // A secondary tip switch, under no other name.
+    bool has_second = false;         // A second barrel button, declared by any usage.
+    bool has_second_by_name = false; // A second barrel button, declared by its own usage.
+    bool has_second_as_tip
+        = false; // A secondary tip switch, and no other usage for a second button.
     bool has_eraser = false;
     bool has_invert = false;
 };
 
-// Our own pen that is a mouse: its product id, of vendor 0.
+// Product id, with vendor id 0, of a mouse used as a pen.
 inline constexpr std::uint16_t kMousePenProduct = 3;
 
-// Returns what is known of pens whose report descriptor misleads; the default for all others.
+// Returns the known habits of a pen whose report descriptor is misleading; the default for all
+// others.
 //
-// Linux can put such a descriptor right ("HID-BPF"): one that names a second barrel button has
-// been, and needs no habits. A pen that has one button and an eraser, but cannot be turned round,
-// has two buttons and no eraser: XP-Pen's and UGEE's are all so. Huion's and Gaomon's declare a
-// secondary tip switch that none of them ever sends; their upper button is the eraser's bit all the
-// same.
+// Linux can correct such a descriptor ("HID-BPF"): a descriptor that declares a second barrel
+// button by its own usage has been corrected, and its pen needs no habits. A pen with one button
+// and an eraser but no invert switch really has two buttons and no eraser: all pens by XP-Pen and
+// UGEE are so. Huion and Gaomon declare a secondary tip switch that their pens never send; the
+// upper button sends the eraser's bit instead.
 PenHabits known_habits(std::uint16_t vendor_id, std::uint16_t product_id,
                        PenButtons const& buttons);
 

@@ -7,26 +7,31 @@
 
 namespace tractus::drivers {
 
-// Content of one report of a pen, as the device counts. Where a report does not say, the member has
-// no value, and PenState knows what to make of that.
+// Content of one pen report in device counts. A member without a value was not in the report;
+// PenState fills it in.
 struct PenFields {
-    // Counts; y from the far edge towards the user. Not looked at if the report has no place in it.
+    // Position in counts; y from the far edge towards the user. Ignored if `carries_position` is
+    // false.
     bool carries_position = true;
     std::int32_t x = 0;
     std::int32_t y = 0;
 
-    std::optional<std::int32_t> pressure {}; // Counts. No value: as in the report before.
+    std::optional<std::int32_t>
+        pressure {}; // Pressure in counts. No value: unchanged since the previous report.
 
-    // Tilt to the right and towards the user, from upright. No value: as in the report before.
+    // Tilt to the right and towards the user, from upright. No value: unchanged since the previous
+    // report.
     std::optional<Vec2> tilt_deg {};
 
-    std::optional<bool> in_range {}; // No value: a pen that is reported is in range.
-    std::optional<bool> tip {};      // The pen's end is down. No value: the pressure tells.
-    bool invert = false;       // The eraser's end points at the tablet; with `tip` it is down.
-    bool eraser_touch = false; // The eraser's end is down, whatever `tip` and `invert` say.
+    std::optional<bool> in_range {}; // No value: a pen that reports is in range.
+    std::optional<bool>
+        tip {}; // True if the pen's tip is down. No value: derived from the pressure.
+    bool invert
+        = false; // The eraser end points at the tablet; if `tip` is set too, the eraser is down.
+    bool eraser_touch = false; // The eraser end is down, regardless of `tip` and `invert`.
     std::uint32_t buttons = 0; // Bit 0: first barrel button, bit 1: second, …
 
-    // Serial number and type of the pen, if the report tells them; else 0.
+    // Serial number and type of the pen; 0 if not in the report.
     std::uint32_t tool_serial = 0;
     std::uint32_t tool_type = 0;
 

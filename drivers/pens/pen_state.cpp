@@ -63,8 +63,8 @@ void PenState::read_pressure(PenSample& sample, PenFields const& fields,
     sample.pressure = std::clamp(above / range, 0.0, 1.0);
 }
 
-// Y and the tilt along it turn round: reports count from the far edge, the tablet frame from the
-// near one.
+// Converts the position and tilt. Y changes direction: reports count from the far edge, the tablet
+// frame from the near one.
 void PenState::place(PenSample& sample, PenFields const& fields, PenScale const& scale) const
 {
     if (scale.has_tilt)
@@ -87,14 +87,15 @@ void PenState::place(PenSample& sample, PenFields const& fields, PenScale const&
 
 bool PenState::is_other_tool(PenSample const& sample) const
 {
-    // No hand changes pens while it draws.
+    // A change of serial number during a stroke is ignored, because nobody changes pens while
+    // drawing.
     bool const other_pen = !last_.touching && sample.tool_serial != 0 && last_.tool_serial != 0
         && sample.tool_serial != last_.tool_serial;
     return last_.in_range && (sample.eraser != last_.eraser || other_pen);
 }
 
-// Whether it must wait until a sample counts, or the next one, since the device may be wrong in
-// saying that the pen is gone. Some say so, and then that it hovers, when a button is pressed.
+// True if a sample must be held back because the device may be wrong in reporting that the pen has
+// left. Some devices report leaving and then hovering when a button is pressed.
 bool PenState::is_in_doubt(PenSample const& sample)
 {
     if (habits_.false_leave == Duration::zero() || !last_.in_range)
@@ -108,7 +109,8 @@ bool PenState::is_in_doubt(PenSample const& sample)
     return maybe_left_.has_value();
 }
 
-// Learns how the tablet reports from a sample in range. The last one is still what came before.
+// Updates what is known of the tablet's reporting pace from a sample in range. `last_` is still the
+// previous sample.
 void PenState::follow_rhythm(Timestamp received, PenFields const& fields, PenSample const& sample)
 {
     constexpr double kSamePlace_mm = 1;
@@ -125,7 +127,7 @@ bool PenState::has_moved_unseen(PenSample const& sample) const
         && (sample.position_mm - last_.position_mm).norm() > kFarthestAfterRest_mm;
 }
 
-// The report's own leaving: no silence.
+// Handles a report that says that the pen has left, which is not a silence.
 std::optional<PenSample> PenState::leave_as_said(Timestamp time)
 {
     auto const left = leave(time);

@@ -11,63 +11,66 @@
 
 namespace tractus::drivers {
 
-// Scale that turns the counts of a report into units: the ranges that the device declares, and the
-// size of one count.
+// Scale and ranges that convert a report's counts into units.
 struct PenScale {
     std::int32_t x_minimum = 0;
-    std::int32_t y_maximum = 0; // Maximum at the edge near the user.
+    std::int32_t y_maximum = 0; // Y in counts at the edge near the user.
     Vec2 mm_per_count = Vec2::Ones();
 
     bool has_pressure = false;
     std::int32_t pressure_minimum = 0;
-    std::int32_t pressure_maximum = 1; // Above the minimum.
-    // Where no tip switch tells, the pen touches above this pressure.
+    std::int32_t pressure_maximum = 1; // Greater than pressure_minimum.
+    // Without a tip switch, the pen touches above this pressure, in counts.
     std::int32_t touch_above = 0;
 
     bool has_tilt = false;
 };
 
-// How a device differs from what its reports say. The default is a device that does not.
+// Deviations of a device from what its reports say. By default there are none.
 struct PenHabits {
-    // False: the format has no way to say that the pen has left, whatever its reports say of being
-    // in range; silence stands for it (PenState::silence_limit()).
+    // False: reports never say that the pen has left, even if they contain an in-range flag; a
+    // silence means it instead (PenState::silence_limit()).
     bool reports_leaving = true;
 
-    // The device always says that the pen leaves: silence has other reasons, such as a program that
-    // stalls.
+    // True: the device always reports that the pen leaves, so a silence has other causes, such as a
+    // stalled program.
     bool rests_in_silence = false;
 
-    bool second_button_is_eraser = false; // The eraser's bit is the second barrel button.
-    // The bit of the inverted pen is the third barrel button, unless the pen comes into range so.
+    bool second_button_is_eraser = false; // The eraser bit is the second barrel button.
+    // The invert bit is the third barrel button, unless it is already set when the pen comes into
+    // range.
     bool third_button_is_invert = false;
 
-    // The pen is reported as gone for a moment though it is there. It counts as gone if it does not
-    // come back as it was within this time; 0: believe each report.
+    // The device may report for a moment that the pen has left although it has not. A pen counts as
+    // gone only if it does not return in the same state within this time; 0: every report is
+    // believed.
     Duration false_leave {};
 
-    // The tablet sees a coil this far up the pen, so that a tilted pen seems to be beside its tip.
+    // Height of the sensed coil above the pen's tip; it displaces the reported position of a tilted
+    // pen.
     double coil_height_mm = 0;
 };
 
-// Follows a pen, as its device's reports tell of it one after another. It is the one state machine
-// for every format, and for what devices are known to do (PenDecoder says which samples come out).
+// State machine of a pen, fed with the reports of its device one after another. It serves all
+// report formats and applies the known deviations of devices (PenDecoder documents which samples
+// are produced).
 //
-// It reads no clock: the same reports give the same samples.
+// It reads no clock: equal reports give equal samples.
 class PenState {
 public:
-    // Formats that cannot say that the pen has left stop sending. A pen that hovers is away after
-    // this time, as with Linux's driver: nothing is lost if it only rested. One that touches and
-    // belongs to a tablet that streams is away after kSilentIntervals of the tablet's own, and no
-    // sooner than after this time, since the machine that reads may be late, too.
+    // In formats that cannot report that the pen leaves, the tablet stops sending. A hovering pen
+    // counts as gone after this time, as in Linux's driver; nothing is lost if it only rested. A
+    // touching pen of a streaming tablet counts as gone after kSilentIntervals of the tablet's
+    // report intervals, but not before this time, because the computer may read late.
     static constexpr Duration kSilence = std::chrono::milliseconds(100);
     static constexpr int kSilentIntervals = 16;
 
-    // A streaming tablet's format can say that the pen leaves, and it has stopped without saying
-    // so. No less: a reading machine that stalls for less loses nothing.
+    // Silence after which a pen counts as gone although the format can report leaving and has not.
+    // It is this long so that a computer that stalls for less loses nothing.
     static constexpr Duration kUnsaidSilence = std::chrono::seconds(1);
 
-    // A pen that touches, rests in silence, and is next reported farther away than this has been
-    // lifted and put down there: a hand that starts to move goes a millimetre until the next
+    // A touching pen that rested in silence and is next reported farther away than this was lifted
+    // and put down again: a hand that starts to move covers about a millimetre until the next
     // report.
     static constexpr double kFarthestAfterRest_mm = 5;
 
@@ -76,15 +79,15 @@ public:
     {
     }
 
-    // No value while the pen is away, before its first place is known, and while it is in doubt
-    // whether the pen has left.
+    // Returns the sample for a report. No value while the pen is out of range, before its first
+    // position is known, and while it is in doubt whether the pen has left.
     std::optional<PenSample> push(Timestamp received, PenFields fields, PenScale const& scale);
 
-    // The sample in which the pen leaves; no value if it is away already.
+    // Returns the sample with which the pen leaves; no value if it is already gone.
     std::optional<PenSample> leave(Timestamp time);
 
-    // How long after the last sample leave() is due. No value: the pen is away; or it touches, and
-    // nothing shows that its silence means more than rest, as on tablets that report changes only.
+    // Time after the last sample at which leave() is due. No value if the pen is gone, or if it
+    // touches and its silence may simply mean rest, as on tablets that report only changes.
     std::optional<Duration> silence_limit() const;
 
 private:
@@ -101,11 +104,12 @@ private:
     PenHabits habits_;
     ReportRhythm rhythm_;
     PenSample last_;
-    // The pen fell silent while it touched, and counts as away since then.
+    // True if the pen fell silent while touching, and has counted as gone since then.
     bool went_silent_touching_ = false;
     bool has_position_ = false;
-    bool says_in_range_ = false;          // The last report did, one way or the other.
-    std::optional<Timestamp> maybe_left_; // When the device said that the pen is gone.
+    bool says_in_range_ = false; // True if the last report contained an in-range flag.
+    std::optional<Timestamp>
+        maybe_left_; // Time at which the device reported that the pen had left.
 };
 
 } // namespace tractus::drivers

@@ -6,10 +6,12 @@ namespace tractus::drivers {
 
 namespace {
 
-constexpr std::size_t kRemembered = 64; // Intervals that the mean looks back on.
-constexpr std::size_t kProof = 3;       // Repetitions of a report in a row.
-constexpr int kOwnPace = 4;             // An interval up to this multiple of the mean is the pace.
-// A longer pause says nothing of the pace: the slowest tablets send 30 reports a second.
+constexpr std::size_t kRemembered = 64; // Number of intervals in the running mean.
+constexpr std::size_t kProof
+    = 3; // Number of consecutive repetitions of a report that proves streaming.
+constexpr int kOwnPace
+    = 4; // Intervals up to this multiple of the mean belong to the tablet's pace.
+// Longer pauses do not count towards the pace: the slowest tablets send 30 reports a second.
 constexpr Duration kLongestInterval = std::chrono::milliseconds(60);
 
 } // namespace

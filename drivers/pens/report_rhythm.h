@@ -8,26 +8,27 @@
 
 namespace tractus::drivers {
 
-// Learns from a pen's reports whether its tablet streams and how fast. A tablet streams if it
-// reports a pen that rests again and again; others report changes alone, and are silent for as long
-// as the pen rests. Only of a tablet that streams is silence a sign that the pen is gone.
+// Detects from a pen's reports whether its tablet streams, and at what interval. A streaming tablet
+// keeps reporting a pen that rests; others report only changes and are silent while the pen rests.
+// Only on a streaming tablet does a silence mean that the pen has left.
 //
 // The proof of streaming is a run of four equal reports at the tablet's own pace: in 40 public
-// recordings of 20 tablets all that stream send such runs within seconds, and of those that do not
-// none sends three. It is taken back for good when a pen that fell silent touches again where it
-// was, without having hovered: then it had only rested.
+// recordings of 20 tablets, all streaming tablets send such runs within seconds, and the others
+// never send even three. The proof is revoked for good when a pen that fell silent touches again at
+// the same place without having hovered: it had only rested.
 class ReportRhythm {
 public:
-    // The next report that tells of the pen in range.
+    // Adds a report of the pen in range.
     void push(Timestamp received, PenFields const& fields);
 
-    // The pen is away: the time until it is back is no interval between reports.
+    // Ends the run of reports when the pen leaves: the time until it returns is not a report
+    // interval.
     void break_off() { last_.reset(); }
 
-    // A pen that had fallen silent had only rested.
+    // Revokes the proof: a pen that had fallen silent had only rested.
     void disprove() { is_disproved_ = true; }
 
-    // The mean interval between the newest reports, if the tablet streams.
+    // Mean interval of the latest reports; no value if the tablet does not stream.
     std::optional<Duration> streaming_interval() const;
 
 private:
@@ -38,10 +39,10 @@ private:
 
     void count(Duration interval);
 
-    std::optional<Report> last_ {}; // No value: the pen has been away since.
-    Duration mean_ {};              // Mean interval of the newest reports.
-    std::size_t counted_ = 0;       // Intervals in it, at most kRemembered.
-    std::size_t equal_ = 0;         // Reports just before this one that are like it.
+    std::optional<Report> last_ {}; // The previous report; no value after the pen has left.
+    Duration mean_ {};              // Mean of the latest intervals.
+    std::size_t counted_ = 0;       // Number of intervals in the mean, at most kRemembered.
+    std::size_t equal_ = 0;         // Number of consecutive reports equal to the latest one.
     bool is_proved_ = false;
     bool is_disproved_ = false;
 };

@@ -20,8 +20,8 @@ bool has_id(Report report, std::int32_t id, std::size_t size)
     return report.size() >= size && u8(report, 0) == id;
 }
 
-// Report 10 (hexadecimal), which the tablets' own descriptors get wrong: flags, X, Y, pressure.
-// Report 11 is the tablet's mouse.
+// Decodes report 0x10, which the tablets' own descriptors get wrong: flags, X, Y, pressure. Report
+// 0x11 is the tablet's mouse.
 std::optional<PenFields> decode_genius(Report report, FamilyState&)
 {
     if (!has_id(report, 0x10, 8))
@@ -36,7 +36,7 @@ std::optional<PenFields> decode_genius(Report report, FamilyState&)
     };
 }
 
-// Waltop's "tablet mode": X, Y, then flags, then the pressure, which counts if the tip is down.
+// Decodes Waltop's "tablet mode": X, Y, flags, then pressure, which is valid while the tip is down.
 std::optional<PenFields> decode_waltop(Report report, FamilyState&)
 {
     if (!has_id(report, 0x02, 8))
@@ -51,8 +51,8 @@ std::optional<PenFields> decode_waltop(Report report, FamilyState&)
     };
 }
 
-// Decodes reports like the above without a bit for the tip; their tilt is an azimuth and an
-// altitude in bytes that are not known.
+// Decodes reports like Waltop's, but without a tip bit. Their tilt is an azimuth and an altitude at
+// unknown offsets, and is not decoded.
 std::optional<PenFields> decode_lifetec(Report report, FamilyState&)
 {
     if (!has_id(report, 0x02, 8))
@@ -65,8 +65,8 @@ std::optional<PenFields> decode_lifetec(Report report, FamilyState&)
     };
 }
 
-// Byte 1 is 42 while the pen is near. What is known of its button says that it is a bit of the
-// pressure; it is left out.
+// Decodes Robotpen's reports. Byte 1 is 0x42 while the pen is near. The button is said to be a bit
+// of the pressure, and is not decoded.
 std::optional<PenFields> decode_robotpen(Report report, FamilyState&)
 {
     if (report.size() < 12)
@@ -79,7 +79,7 @@ std::optional<PenFields> decode_robotpen(Report report, FamilyState&)
     };
 }
 
-// Bits 0 and 1 of the flags are set while the pen is near.
+// Decodes ViewSonic Woodpad reports. Bits 0 and 1 of the flags are set while the pen is near.
 std::optional<PenFields> decode_woodpad(Report report, FamilyState&)
 {
     if (report.size() < 14)
@@ -96,7 +96,7 @@ std::optional<PenFields> decode_woodpad(Report report, FamilyState&)
     };
 }
 
-// Tilt in hundredths of a degree.
+// Decodes Floogoo reports, whose tilt is in hundredths of a degree.
 std::optional<PenFields> decode_floogoo(Report report, FamilyState&)
 {
     if (!has_id(report, 0x01, 12))

@@ -6,7 +6,7 @@
 
 namespace tractus::drivers {
 
-// The formats of which few tablets are known: "genius" and "waltop" (Genius, Trust and Waltop),
+// Report formats that few known tablets use: "genius" and "waltop" (Genius, Trust and Waltop),
 // "lifetec", "robotpen", "woodpad" (ViewSonic), "floogoo".
 std::span<PenFamily const> small_makers_families();
 

@@ -23,8 +23,8 @@ PenFields base_fields(Report report)
     };
 }
 
-// Whatever begins like these formats, and says no more than its flags. Some of these tablets have
-// no tip bit.
+// Decodes any report that begins like UC-Logic's formats, using only its flags. Some of these
+// tablets have no tip bit.
 std::optional<PenFields> decode_generic(Report report, FamilyState&)
 {
     if (report.size() < 8)
@@ -35,12 +35,14 @@ std::optional<PenFields> decode_generic(Report report, FamilyState&)
     return fields;
 }
 
-bool is_pad_report(Report report) // Keys, dials and touch strips: E0, E3, F0, F1…
+bool is_pad_report(
+    Report report) // Pad keys, dials and touch strips: flags 0xE0, 0xE3, 0xF0, 0xF1, …
 {
     return (u8(report, kUclogicFlags) & 0xE0) == 0xE0;
 }
 
-// Version 1, after a string descriptor below 200 was read: 80 near, 81 down, C0 gone.
+// Decodes version 1, used after a string descriptor below 200 was read. Flags: 0x80 near, 0x81
+// down, 0xC0 gone.
 std::optional<PenFields> decode_v1(Report report, FamilyState&)
 {
     if (report.size() < 8 || u8(report, 0) != 0x07 || is_pad_report(report))
@@ -50,7 +52,7 @@ std::optional<PenFields> decode_v1(Report report, FamilyState&)
     return fields;
 }
 
-// Decodes reports with the bit the other way round.
+// Decodes version 1 reports whose in-range bit is not inverted.
 std::optional<PenFields> decode_v1_upright(Report report, FamilyState&)
 {
     if (report.size() < 8 || is_pad_report(report))
@@ -60,9 +62,9 @@ std::optional<PenFields> decode_v1_upright(Report report, FamilyState&)
     return fields;
 }
 
-// Version 2, after string descriptor 200 was read: 80 near, 81 down; A0 and A1 with the eraser's
-// end. Bytes 8 and 9 are the upper ones of X and Y. Some tablets send 00 when the pen leaves, some
-// nothing.
+// Decodes version 2, used after string descriptor 200 was read. Flags: 0x80 near, 0x81 down; 0xA0
+// and 0xA1 for the eraser. Bytes 8 and 9 are the upper bytes of X and Y. When the pen leaves, some
+// tablets send 0x00, others nothing.
 std::optional<PenFields> decode_v2(Report report, FamilyState&)
 {
     if (report.size() < 12 || u8(report, 0) != 0x08 || is_pad_report(report))
@@ -75,7 +77,7 @@ std::optional<PenFields> decode_v2(Report report, FamilyState&)
     return fields;
 }
 
-// Degrees to the right, and away from the user.
+// Decodes version 2 with tilt, in degrees to the right and away from the user.
 std::optional<PenFields> decode_v2_tilt(Report report, FamilyState& state)
 {
     auto fields = decode_v2(report, state);
@@ -84,7 +86,7 @@ std::optional<PenFields> decode_v2_tilt(Report report, FamilyState& state)
     return fields;
 }
 
-// Degrees to the left, and away from the user.
+// Decodes Huion Giano reports, with tilt in degrees to the left and away from the user.
 std::optional<PenFields> decode_giano(Report report, FamilyState& state)
 {
     auto fields = decode_v2(report, state);

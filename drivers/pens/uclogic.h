@@ -6,13 +6,13 @@
 
 namespace tractus::drivers {
 
-// The formats of UC-Logic's controllers and their kin, which tablets of Huion, Gaomon, Artisul,
-// Monoprice and many others send after they were switched: "uclogic-…" and "huion-giano". Offsets
-// below count from the report id.
+// Report formats of UC-Logic's controllers and their relatives, which tablets by Huion, Gaomon,
+// Artisul, Monoprice and many others send after their mode was switched: "uclogic-…" and
+// "huion-giano". Offsets include the report id.
 //
-// Reports of all of them begin alike: flags in byte 1, then X, Y and pressure, 16 bits each. Of the
-// flags, bit 0 is the tip and bits 1 to 3 are buttons; the upper bits tell pen, pad keys and dials
-// apart.
+// All these reports begin alike: flags in byte 1, then X, Y and pressure, 16 bits each. Bit 0 of
+// the flags is the tip and bits 1 to 3 are buttons; the upper bits distinguish pen, pad keys and
+// dials.
 std::span<PenFamily const> uclogic_families();
 
 } // namespace tractus::drivers

@@ -17,7 +17,7 @@ bool is_pen_report(Report report, std::size_t size)
     return report.size() >= size && u8(report, 1) == 0x41;
 }
 
-// A0 near, A1 down, C0 gone. Not all set the tip's bit.
+// Reads the flags: 0xA0 near, 0xA1 down, 0xC0 gone. Not all tablets set the tip bit.
 void read_flags(PenFields& fields, Report report)
 {
     fields.in_range = has_bit(report, kVeikkFlags, 5);
@@ -25,7 +25,7 @@ void read_flags(PenFields& fields, Report report)
     fields.buttons = static_cast<std::uint32_t>(u8(report, kVeikkFlags) >> 1 & 3);
 }
 
-// Version 1: 16 bits each. The same layout has the A15.
+// Decodes version 1 with 16-bit axes and pressure, which the A15 also uses.
 std::optional<PenFields> decode_16_bit(Report report, FamilyState&)
 {
     if (!is_pen_report(report, 9))

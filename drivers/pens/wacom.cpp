@@ -12,14 +12,15 @@ using Report = std::span<std::byte const>;
 using Fields = std::optional<PenFields>;
 
 constexpr std::uint8_t kPenReport = 0x02;
-constexpr std::uint8_t kSecondPenReport = 0x10; // A pen's report too, or IntuosV2's own.
+constexpr std::uint8_t kSecondPenReport
+    = 0x10; // Id of a second kind of pen report; also used by IntuosV2.
 constexpr std::uint8_t kLongPenReport = 0x1E;
 constexpr std::uint8_t kShortPenReport = 0x1F;
 
 PenFields const kAway { .carries_position = false, .in_range = false, .tip = false };
 
-// PenPartner, Graphire and the first Bamboos: 8 or 9 bytes. A mouse may lie on the tablet in the
-// pen's place. The same report tells of the tablet's keys when no pen is near.
+// Decodes reports of PenPartner, Graphire and the first Bamboos: 8 or 9 bytes. They can also report
+// a mouse on the tablet, and the tablet's keys when no pen is near; both are ignored.
 Fields decode_graphire(Report report, FamilyState&)
 {
     if (report.size() < 8 || u8(report, 0) != kPenReport)
@@ -39,8 +40,8 @@ Fields decode_graphire(Report report, FamilyState&)
     };
 }
 
-// Graphire over Bluetooth (CTE-630BT): as Graphire, but for the report's id and the pressure's
-// ninth bit, which stands among the flags (wacom_graphire_irq in Linux).
+// Decodes Graphire reports over Bluetooth (CTE-630BT), which differ from USB in the report id and
+// in the pressure's ninth bit, which is among the flags (wacom_graphire_irq in Linux).
 Fields decode_graphire_bluetooth(Report report, FamilyState&)
 {
     constexpr std::uint8_t kBluetoothPenReport = 0x03;
@@ -61,7 +62,8 @@ Fields decode_graphire_bluetooth(Report report, FamilyState&)
     };
 }
 
-// The Bamboo Pad: report 10, whose byte 1 tells the pen from its touch pad and its keys.
+// Decodes reports of the Bamboo Pad: report 0x10, in which byte 1 distinguishes the pen from the
+// touch pad and the keys.
 Fields decode_bamboo_pad(Report report, FamilyState&)
 {
     if (report.size() < 9 || u8(report, 0) != kSecondPenReport || u8(report, 1) != 0x01)
@@ -79,8 +81,8 @@ Fields decode_bamboo_pad(Report report, FamilyState&)
     };
 }
 
-// Intuos CTL and CTH, and the Bamboos before them: 8 to 10 bytes. At the surface's edge the place
-// is its edge. Longer reports with the same id are of fingers.
+// Decodes reports of Intuos CTL and CTH, and of the Bamboos before them: 8 to 10 bytes. Beyond the
+// surface's edge the position is clamped to it. Longer reports with the same id are about fingers.
 Fields decode_intuos(Report report, FamilyState&)
 {
     if (report.size() < 8 || report.size() > 10 || u8(report, 0) != kPenReport)
@@ -98,7 +100,7 @@ Fields decode_intuos(Report report, FamilyState&)
     };
 }
 
-// The tool comes, and says which it is: its kind in 20 bits, its serial number in 32.
+// Reads the report with which a tool arrives: its type in 20 bits, its serial number in 32.
 void enter_intuos_pro(Report report, FamilyState& state)
 {
     auto const byte = [&](std::size_t i) { return static_cast<std::uint32_t>(u8(report, i)); };
@@ -115,7 +117,8 @@ Vec2 intuos_pro_tilt_deg(Report report)
     return { ((u8(report, 7) << 1 & 0x7E) | u8(report, 8) >> 7) - 64, (u8(report, 8) & 0x7F) - 64 };
 }
 
-// Meaning of the four bits of a report's kind. A pen's own reports have its buttons there.
+// Meaning of the four-bit kind of a report. In reports of an ordinary pen these bits include the
+// buttons.
 enum class IntuosProKind { Pen, Rotation, Airbrush, Other };
 
 IntuosProKind kind_of(Report report)
@@ -127,11 +130,11 @@ IntuosProKind kind_of(Report report)
     case 0x02:
     case 0x03:
         return IntuosProKind::Pen;
-    case 0x05: // Every second report of the Art Pen; of its last pressure and tilt nothing changes.
+    case 0x05: // Every second report of the Art Pen; it does not change pressure or tilt.
         return IntuosProKind::Rotation;
-    case 0x0A: // Every second report of the airbrush: its wheel.
+    case 0x0A: // Every second report of the airbrush, with its wheel.
         return IntuosProKind::Airbrush;
-    default: // Mice and lens cursors.
+    default: // Reports of mice and lens cursors.
         return IntuosProKind::Other;
     }
 }
@@ -158,10 +161,11 @@ PenFields intuos_pro_fields(Report report, FamilyState& state)
     return fields;
 }
 
-// Whether an Intuos5 or Pro draws at its right edge, where these say that the pen is too high.
+// True if an Intuos5 or Pro draws at its right edge, where it falsely reports that the pen is too
+// high.
 bool presses_at_right_edge(Report report, FamilyState const& state)
 {
-    constexpr int kSurely = 10; // Above what the sensor reports of itself.
+    constexpr int kSurely = 10; // Pressure above the noise of the sensor, in counts.
     auto const x = u16_be(report, 2) << 1 | int { has_bit(report, 9, 1) };
     auto const pressure
         = u8(report, 6) << 3 | (u8(report, 7) & 0xC0) >> 5 | int { has_bit(report, 1, 0) };
@@ -169,9 +173,9 @@ bool presses_at_right_edge(Report report, FamilyState const& state)
         && x >= state.x_maximum;
 }
 
-// Intuos 1 to 5 and Pro, the Cintiqs of their time, CTL-490 and its kin: 10 bytes. A report for the
-// tool that comes, then what it does; its pressure tells whether it touches. Longer reports with
-// the same ids are of fingers.
+// Decodes reports of Intuos 1 to 5 and Pro, the Cintiqs of their time, CTL-490 and its relatives:
+// 10 bytes. One report announces a tool, the following ones its movements; pressure indicates
+// touch. Longer reports with the same ids are about fingers.
 Fields decode_intuos_pro(Report report, FamilyState& state)
 {
     if (report.size() != 10 || (u8(report, 0) != kPenReport && u8(report, 0) != kSecondPenReport))
@@ -181,7 +185,7 @@ Fields decode_intuos_pro(Report report, FamilyState& state)
         enter_intuos_pro(report, state);
         return std::nullopt;
     }
-    bool const is_near = has_bit(report, 1, 6); // Else it is too high for its place to count.
+    bool const is_near = has_bit(report, 1, 6); // False: the pen is too high for a valid position.
     if (!has_bit(report, 1, 7) || !(is_near || presses_at_right_edge(report, state))) {
         if ((flags & 0xFE) == 0x80)
             state.forget_tool();
@@ -195,7 +199,7 @@ Fields decode_intuos_pro(Report report, FamilyState& state)
     return intuos_pro_fields(report, state);
 }
 
-// Places in a report that differ between the second Intuos Pro and the third one.
+// Offsets that differ between reports of the second and of the third Intuos Pro.
 struct WideLayout {
     std::size_t flags = 0;
     unsigned eraser_bit = 0;
@@ -222,7 +226,8 @@ PenFields wide_fields(Report report, WideLayout const& at)
     };
 }
 
-// The second Intuos Pro (PTH-x60), CTL-4100 and its kin, One: 24-bit axes.
+// Decodes reports of the second Intuos Pro (PTH-x60), CTL-4100 and its relatives, and One: 24-bit
+// axes.
 Fields decode_intuos_v2(Report report, FamilyState&)
 {
     static constexpr WideLayout kPlain { .flags = 1,
@@ -249,7 +254,8 @@ Fields decode_intuos_v2(Report report, FamilyState&)
     return has_bit(report, at.flags, at.near_bit) ? wide_fields(report, at) : kAway;
 }
 
-// The third Intuos Pro, Movink, the second One. Short reports have 16-bit axes.
+// Decodes reports of the third Intuos Pro, Movink and the second One. Short reports have 16-bit
+// axes.
 Fields decode_intuos_v3(Report report, FamilyState&)
 {
     if (report.size() < 15)
@@ -278,7 +284,7 @@ Fields decode_intuos_v3(Report report, FamilyState&)
     return fields;
 }
 
-// PTU-600 and the DTU displays: 8 bytes.
+// Decodes reports of PTU-600 and the DTU displays: 8 bytes.
 Fields decode_dtu(Report report, FamilyState&)
 {
     if (report.size() < 8 || u8(report, 0) != kPenReport)
@@ -297,8 +303,8 @@ Fields decode_dtu(Report report, FamilyState&)
     };
 }
 
-// DTU-1031: report 11, whose axes and pressure begin with their highest byte; the tool's kind is a
-// number of two bits. Its keys come in report 15 (wacom_dtus_irq in Linux).
+// Decodes reports of the DTU-1031: report 0x11 with big-endian axes and pressure; the tool's kind
+// is a two-bit number. The tablet's keys are in report 0x15 (wacom_dtus_irq in Linux).
 Fields decode_dtus(Report report, FamilyState& state)
 {
     constexpr std::uint8_t kDtusPenReport = 0x11;
@@ -321,8 +327,8 @@ Fields decode_dtus(Report report, FamilyState& state)
     };
 }
 
-// The PL displays: 8 bytes, of which each has seven bits. The eraser's bit is the second button's,
-// too: a pen that comes with it is turned round.
+// Decodes reports of the PL displays: 8 bytes with seven bits each. The eraser and the second
+// button share one bit: a pen that arrives with the bit set is turned round.
 Fields decode_pl(Report report, FamilyState& state)
 {
     if (report.size() < 8 || u8(report, 0) != kPenReport)
@@ -336,7 +342,8 @@ Fields decode_pl(Report report, FamilyState& state)
         state.is_inside = true;
         state.is_eraser = eraser_or_second;
     }
-    state.is_eraser = state.is_eraser && eraser_or_second; // An eraser never loses its bit.
+    state.is_eraser
+        = state.is_eraser && eraser_or_second; // An eraser's bit stays set until it leaves.
     auto const flags = u8(report, 4);
     return PenFields {
         .x = (u8(report, 1) & 3) << 14 | u8(report, 2) << 7 | u8(report, 3),
@@ -349,8 +356,9 @@ Fields decode_pl(Report report, FamilyState& state)
     };
 }
 
-// Over Bluetooth a report holds what the pen did since the last one, in frames of one layout, and
-// behind them who it is; Linux's wacom driver reads them so (wacom_intuos_pro2_bt_pen).
+// Layout of a Bluetooth report: the pen's states since the previous report, in frames of one
+// layout, followed by the pen's serial number and type; Linux's wacom driver reads them so
+// (wacom_intuos_pro2_bt_pen).
 struct BluetoothLayout {
     std::size_t frames = 0;
     std::size_t frame_bytes = 0;
@@ -383,7 +391,8 @@ PenFields bluetooth_fields(Report report, Report frame, BluetoothLayout const& l
     return fields;
 }
 
-// No value for a frame that holds nothing: a report is sent before it is full.
+// Decodes one frame of a Bluetooth report. No value for an empty frame, since a report may be sent
+// before it is full.
 Fields decode_bluetooth(Report report, BluetoothLayout const& layout, std::size_t index)
 {
     constexpr std::uint8_t kBluetoothReport = 0x80;
@@ -398,25 +407,25 @@ Fields decode_bluetooth(Report report, BluetoothLayout const& layout, std::size_
 constexpr BluetoothLayout kIntuosProBluetooth { .frames = 7, .frame_bytes = 14, .has_tilt = true };
 constexpr BluetoothLayout kIntuosBluetooth { .frames = 4, .frame_bytes = 8 };
 
-// The second Intuos Pro over Bluetooth.
+// Decodes reports of the second Intuos Pro over Bluetooth.
 Fields decode_intuos_pro_bluetooth(Report report, FamilyState& state)
 {
     return decode_bluetooth(report, kIntuosProBluetooth, state.frame);
 }
 
-// CTL-4100WL and CTL-6100WL over Bluetooth.
+// Decodes reports of CTL-4100WL and CTL-6100WL over Bluetooth.
 Fields decode_intuos_bluetooth(Report report, FamilyState& state)
 {
     return decode_bluetooth(report, kIntuosBluetooth, state.frame);
 }
 
-// Decodes reports with a byte before what `decode` reads.
+// Skips one leading byte, then decodes the report with `decode`.
 template<auto decode> Fields after_one_byte(Report report, FamilyState& state)
 {
     return report.empty() ? std::nullopt : decode(report.subspan(1), state);
 }
 
-// Some report a little pressure even where nothing presses.
+// Pressure in counts that some tablets report although nothing presses.
 constexpr std::int32_t kIntuosProTouchAbove = 10;
 
 constexpr PenFamily kWacomFamilies[] = {
@@ -443,12 +452,12 @@ constexpr PenFamily kWacomFamilies[] = {
       .has_tilt = true,
       .has_eraser = true,
       .frames = kIntuosProBluetooth.frames,
-      .frame_interval = 5ms }, // 200 states a second.
+      .frame_interval = 5ms }, // 200 samples a second.
     { .name = "wacom-intuos-bluetooth",
       .decode = decode_intuos_bluetooth,
       .has_eraser = true,
       .frames = kIntuosBluetooth.frames,
-      .frame_interval = 7500us }, // 133 states a second.
+      .frame_interval = 7500us }, // 133 samples a second.
     { .name = "wacom-dtu", .decode = decode_dtu, .has_eraser = true },
     { .name = "wacom-dtus",
       .decode = decode_dtus,

@@ -13,7 +13,8 @@ using Report = std::span<std::byte const>;
 constexpr std::size_t kXpPenFlags = 1;
 constexpr std::int32_t kGone = 0xC0;
 
-// Flags, then X, Y and pressure; from 10 bytes on the tilt, from 12 on the upper bytes of X and Y.
+// Reads flags, X, Y and pressure. Reports from 10 bytes on also have tilt, and from 12 bytes on the
+// upper bytes of X and Y.
 PenFields xp_pen_fields(Report report)
 {
     PenFields fields {
@@ -32,8 +33,8 @@ PenFields xp_pen_fields(Report report)
     return fields;
 }
 
-// A0 near, A1 down; with bit 3 the eraser's end. Gone is C0, with some tablets 80. Bit 4 is in the
-// reports of keys, dials and batteries.
+// Decodes XP-Pen reports. Flags: 0xA0 near, 0xA1 down; bit 3 for the eraser; 0xC0, or 0x80 on some
+// tablets, when the pen leaves. Bit 4 marks reports of keys, dials and batteries.
 std::optional<PenFields> decode_xp_pen(Report report, FamilyState&)
 {
     if (report.size() < 8 || has_bit(report, kXpPenFlags, 4))
@@ -44,7 +45,7 @@ std::optional<PenFields> decode_xp_pen(Report report, FamilyState&)
     return fields;
 }
 
-// The pressure's upper bits mean something else.
+// Decodes reports in which the upper bits of the pressure have another meaning.
 std::optional<PenFields> decode_offset_pressure(Report report, FamilyState& state)
 {
     auto fields = decode_xp_pen(report, state);
@@ -53,7 +54,7 @@ std::optional<PenFields> decode_offset_pressure(Report report, FamilyState& stat
     return fields;
 }
 
-// 16,384 levels of pressure, whose highest bit is in byte 13.
+// Decodes reports with 16,384 levels of pressure, whose highest bit is in byte 13.
 std::optional<PenFields> decode_gen2(Report report, FamilyState& state)
 {
     if (report.size() < 14)
@@ -64,7 +65,7 @@ std::optional<PenFields> decode_gen2(Report report, FamilyState& state)
     return fields;
 }
 
-// 80 near, 81 down: here bit 5 is in the reports of keys.
+// Decodes reports with flags 0x80 near and 0x81 down, in which bit 5 marks reports of keys.
 std::optional<PenFields> decode_offset_keys(Report report, FamilyState&)
 {
     if (report.size() < 8 || has_bit(report, kXpPenFlags, 5))
@@ -76,7 +77,7 @@ std::optional<PenFields> decode_offset_keys(Report report, FamilyState&)
 
 std::optional<PenFields> decode_xencelabs(Report report, FamilyState&)
 {
-    if (report.size() < 10 || (u8(report, kXpPenFlags) & 0xF0) == 0xF0) // Keys.
+    if (report.size() < 10 || (u8(report, kXpPenFlags) & 0xF0) == 0xF0) // A report of keys.
         return std::nullopt;
     auto fields = xp_pen_fields(report);
     fields.in_range = has_bit(report, kXpPenFlags, 5);
@@ -85,12 +86,13 @@ std::optional<PenFields> decode_xencelabs(Report report, FamilyState&)
     return fields;
 }
 
-// Report 1; gone if it has no flags at all.
+// Decodes XENX reports: report 1; its flags are 0 when the pen has left.
 std::optional<PenFields> decode_xenx(Report report, FamilyState&)
 {
     if (report.size() < 8 || u8(report, 0) != 0x01)
         return std::nullopt;
-    auto fields = xp_pen_fields(report.first(8)); // The rest of 64 bytes says nothing of the pen.
+    auto fields
+        = xp_pen_fields(report.first(8)); // The remaining bytes (of 64) are not about the pen.
     fields.in_range = u8(report, kXpPenFlags) != 0;
     fields.tip = *fields.in_range && *fields.pressure > 0;
     fields.invert = has_bit(report, kXpPenFlags, 6);

@@ -6,9 +6,9 @@
 
 namespace tractus::drivers {
 
-// The formats of XP-Pen, and of UGEE, Parblo, Xencelabs and XENX tablets: "xp-pen…", "xencelabs"
-// and "xenx". They come in 8 to 14 bytes, the longer with tilt and with more bits of what the
-// shorter have.
+// Report formats of XP-Pen, UGEE, Parblo, Xencelabs and XENX tablets: "xp-pen…", "xencelabs" and
+// "xenx". Reports have 8 to 14 bytes; longer ones add tilt and further bits of position and
+// pressure.
 std::span<PenFamily const> xp_pen_families();
 
 } // namespace tractus::drivers

@@ -4,7 +4,7 @@
 
 namespace tractus::drivers {
 
-// The machine's monotonic clock, by which the times of reports are taken.
+// Returns the time of the machine's monotonic clock, which also stamps reports.
 inline Timestamp monotonic_now()
 {
     return Timestamp(std::chrono::steady_clock::now().time_since_epoch());

@@ -11,7 +11,7 @@ namespace tractus::drivers {
 
 namespace {
 
-constexpr std::size_t kMaxPorts = 7; // USB 2.0 section 4.1.1: seven tiers.
+constexpr std::size_t kMaxPorts = 7; // USB 2.0, section 4.1.1: at most seven tiers.
 constexpr std::string_view kNodes = "/dev/hidraw";
 constexpr std::string_view kEventNodes = "/dev/input/event";
 constexpr std::string_view kQuadrature = ":quadrature";
@@ -22,7 +22,7 @@ tl::unexpected<Error> not_an_address(std::string_view text, std::string_view exp
                 fmt::format("'{}' is not the address of a device: expected {}", text, expected));
 }
 
-// The whole text as a decimal number.
+// Parses the whole text as a decimal number that is not negative.
 std::optional<int> number(std::string_view text)
 {
     int value = 0;
@@ -44,7 +44,8 @@ std::vector<std::string_view> split(std::string_view text, char separator)
     }
 }
 
-// Takes what is behind the last separator off the text; empty if there is no separator.
+// Removes the part behind the last separator from the text and returns it; returns an empty text if
+// there is no separator.
 std::string_view take_last(std::string_view& text, char separator)
 {
     auto const at = text.rfind(separator);
@@ -88,7 +89,7 @@ Result<DeviceAddress> parse_usb(std::string_view text, std::string_view rest)
     return UsbAddress { *port };
 }
 
-// The numbers of lines that are parted by commas.
+// Parses `count` line numbers separated by commas.
 template<std::size_t count>
 std::optional<std::array<unsigned, count>> parse_lines(std::string_view text)
 {
@@ -116,7 +117,7 @@ Result<DeviceAddress> parse_encoder(std::string_view text, std::string_view rest
                                 .b_line = (*lines)[1] };
 }
 
-// Read from the right, since a chip's label may have colons of its own.
+// Parsed from the right, since a chip's label may contain colons.
 Result<DeviceAddress> parse_gpio(std::string_view text, std::string_view rest)
 {
     if (rest.ends_with(kQuadrature))

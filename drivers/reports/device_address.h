@@ -9,27 +9,27 @@
 
 namespace tractus::drivers {
 
-// Where a device is to be found, as it stands in DeviceInfo::location and as the command line takes
-// it.
+// Addresses of devices, as DeviceInfo::location contains them and the command line accepts them.
 
-// "/dev/hidraw3": a HID device through the kernel's hidraw. Other readers go on as before.
+// "/dev/hidraw3": a HID device through the kernel's hidraw driver. Other programs can read it at
+// the same time.
 struct HidrawAddress {
     std::string node {};
 
     bool operator==(HidrawAddress const&) const = default;
 };
 
-// The place of a USB device: the bus and the ports on the way to it, as in the names of
-// /sys/bus/usb/devices: "1-2.3".
+// Location of a USB device: its bus and the ports that lead to it, "1-2.3", as in the names of
+// /sys/bus/usb/devices.
 struct UsbPort {
     int bus = 0;               // Bus number, from 1.
-    std::vector<int> ports {}; // Port numbers from 1; at least one, at most seven.
+    std::vector<int> ports {}; // Port numbers from 1; one to seven of them.
 
     bool operator==(UsbPort const&) const = default;
 };
 
-// "libusb:1-2.3:0": one interface of a HID device through hidapi's libusb back end, which takes it
-// from the kernel's driver while it is open.
+// "libusb:1-2.3:0": one interface of a HID device through hidapi's libusb back end, which detaches
+// the kernel's driver while the interface is open.
 struct LibusbAddress {
     UsbPort port {};
     int interface_number = 0;
@@ -37,54 +37,56 @@ struct LibusbAddress {
     bool operator==(LibusbAddress const&) const = default;
 };
 
-// "usb:1-2.3": a USB device that is no HID device, through libusb.
+// "usb:1-2.3": a USB device that is not a HID device, through libusb.
 struct UsbAddress {
     UsbPort port {};
 
     bool operator==(UsbAddress const&) const = default;
 };
 
-// "gpio:gpiochip0:11,10,9,8:mcp3208:0": a converter behind four lines of a GPIO chip.
+// "gpio:gpiochip0:11,10,9,8:mcp3208:0": an analogue-to-digital converter on four lines of a GPIO
+// chip.
 struct GpioAddress {
-    std::string chip {}; // Its name ("gpiochip0") or label ("pinctrl-bcm2711").
+    std::string chip {}; // The chip's name ("gpiochip0") or label ("pinctrl-bcm2711").
 
-    // Offsets on the chip, by the converter's names of its pins: DIN is what the host sends.
+    // Line offsets on the chip, named after the converter's pins: DIN receives what the host sends.
     unsigned clk_line = 0;
     unsigned din_line = 0;
     unsigned dout_line = 0;
     unsigned cs_line = 0;
 
-    std::string converter {}; // "mcp3008" or "mcp3208"; whoever opens it knows which there are.
+    std::string
+        converter {}; // "mcp3008" or "mcp3208". Other names are refused when the device is opened.
     unsigned channel = 0;
 
     bool operator==(GpioAddress const&) const = default;
 };
 
-// "gpio:gpiochip0:17,27:quadrature": an encoder's two lines.
+// "gpio:gpiochip0:17,27:quadrature": a quadrature encoder on two lines of a GPIO chip.
 struct GpioEncoderAddress {
-    std::string chip {}; // Name or path of the chip, as above.
+    std::string chip {}; // The chip's name or label.
     unsigned a_line = 0;
     unsigned b_line = 0;
 
     bool operator==(GpioEncoderAddress const&) const = default;
 };
 
-// "/dev/ttyACM0", "/dev/serial/by-id/usb-…": a serial line, or a pseudo-terminal, "/dev/pts/3".
+// "/dev/ttyACM0", "/dev/serial/by-id/usb-…": a serial port; or a pseudo-terminal, "/dev/pts/3".
 struct SerialAddress {
     std::string node {};
 
     bool operator==(SerialAddress const&) const = default;
 };
 
-// "iio:device0:voltage1": a channel of the kernel's industrial I/O.
+// "iio:device0:voltage1": a channel of the kernel's industrial I/O (IIO).
 struct IioAddress {
-    std::string device {};  // Its number, "device0", or its own name, "ads1115".
-    std::string channel {}; // As its files in sysfs have it: "voltage1", "distance".
+    std::string device {};  // The device's number, "device0", or its name, "ads1115".
+    std::string channel {}; // The channel's name in sysfs, such as "voltage1" or "distance".
 
     bool operator==(IioAddress const&) const = default;
 };
 
-// "/dev/input/event5": a pen that Linux gives as input events alone.
+// "/dev/input/event5": a pen that Linux provides only as input events.
 struct EventAddress {
     std::string node {};
 
@@ -94,8 +96,8 @@ struct EventAddress {
 using DeviceAddress = std::variant<HidrawAddress, LibusbAddress, UsbAddress, GpioAddress,
                                    GpioEncoderAddress, SerialAddress, IioAddress, EventAddress>;
 
-// Whether such devices are read only where they are named: of a GPIO chip's lines nobody knows what
-// is on them, and a serial line or an analogue input may be anything.
+// True for devices that are read only if the user names them: what is connected to a GPIO chip's
+// lines is unknown, and a serial port or an analogue input can be anything.
 inline bool is_only_named(DeviceAddress const& address)
 {
     return !std::holds_alternative<HidrawAddress>(address)
@@ -104,18 +106,18 @@ inline bool is_only_named(DeviceAddress const& address)
         && !std::holds_alternative<UsbAddress>(address);
 }
 
-// Whether it is on lines of a GPIO chip: such devices cannot be found, only named.
+// True for devices on lines of a GPIO chip, which cannot be discovered, only named.
 inline bool is_on_gpio(DeviceAddress const& address)
 {
     return std::holds_alternative<GpioAddress>(address)
         || std::holds_alternative<GpioEncoderAddress>(address);
 }
 
-// Fails, as the user's fault, with the form that was expected.
+// Parses an address. Fails, as the user's fault, with the form that was expected.
 Result<DeviceAddress> parse_device_address(std::string_view text);
 
-// Prints what parse_device_address reads.
+// Prints an address as parse_device_address() reads it.
 std::string print_device_address(DeviceAddress const& address);
-std::string print_usb_port(UsbPort const& port); // "1-2.3"
+std::string print_usb_port(UsbPort const& port); // Prints "1-2.3".
 
 } // namespace tractus::drivers

@@ -17,13 +17,13 @@ namespace tractus::drivers {
 namespace {
 
 constexpr std::string_view kEventPath = "evdev:";
-constexpr std::byte kEventPenReport { 1 }; // Its report id.
+constexpr std::byte kEventPenReport { 1 }; // Report id.
 
-// Tools that draw; a puck does not.
+// Tools that draw. A puck is not one of them.
 constexpr std::array<std::uint16_t, 4> kDrawingTools { BTN_TOOL_PEN, BTN_TOOL_BRUSH,
                                                        BTN_TOOL_PENCIL, BTN_TOOL_AIRBRUSH };
 
-// A switch of the report, by its bit in the report's first byte after the id.
+// A switch in the report; `bit` counts in the first byte after the report id.
 struct PenSwitch {
     unsigned bit;
     std::uint16_t usage_page;
@@ -33,16 +33,17 @@ constexpr unsigned kTipBit = 0, kFirstButtonBit = 1, kEraserTouchBit = 4, kInver
                    kInRangeBit = 6;
 constexpr std::array<PenSwitch, 7> kPenSwitches { {
     { kTipBit, 0x0D, 0x42 },
-    { kFirstButtonBit, 0x0D, 0x44 },       // Barrel Switch.
-    { kFirstButtonBit + 1, 0x0D, 0x5A },   // Secondary Barrel Switch.
-    { kFirstButtonBit + 2, 0xFF0D, 0x5D }, // Wacom's; the usage tables have no third.
+    { kFirstButtonBit, 0x0D, 0x44 },     // Barrel Switch.
+    { kFirstButtonBit + 1, 0x0D, 0x5A }, // Secondary Barrel Switch.
+    { kFirstButtonBit + 2, 0xFF0D,
+      0x5D }, // Wacom's usage for a third barrel switch; the usage tables have none.
     { kEraserTouchBit, 0x0D, 0x45 },
     { kInvertBit, 0x0D, 0x3C },
     { kInRangeBit, 0x0D, 0x32 },
 } };
 constexpr std::array<std::uint16_t, 3> kPenButtons { BTN_STYLUS, BTN_STYLUS2, BTN_STYLUS3 };
 
-// A number of the report, in the order in which it stands there: 32 bits each.
+// A 32-bit number in the report. The table below has the order of the report.
 struct PenNumber {
     std::uint16_t code;
     std::uint8_t usage_page;
@@ -59,7 +60,7 @@ constexpr std::array<PenNumber, 5> kPenNumbers { {
 bool is_wide(EventAbilities const& abilities, std::uint16_t code)
 {
     auto const axis = abilities.axes.find(code);
-    // The keys of some tablets have a place of one count.
+    // On some tablets the pad keys report a position with a range of one count; they are not pens.
     return axis != abilities.axes.end()
         && std::int64_t { axis->second.maximum } - axis->second.minimum > 1;
 }
@@ -73,7 +74,7 @@ bool has_drawing_tool(EventAbilities const& abilities)
 // Writes the items of a report descriptor (HID 1.11 section 6.2.2).
 class DescriptorWriter {
 public:
-    // An item with the fewest bytes that hold the value as a signed one.
+    // Writes an item with the fewest bytes that hold the value as a signed number.
     void item(std::uint8_t prefix, std::int64_t value)
     {
         std::size_t const size = value == static_cast<std::int8_t>(value) ? 1
@@ -96,7 +97,7 @@ constexpr std::uint8_t kUsagePageItem = 0x04, kUsageItem = 0x08, kLogicalMinimum
                        kReportSizeItem = 0x74, kReportIdItem = 0x84, kReportCountItem = 0x94,
                        kInputItem = 0x80, kCollectionItem = 0xA0, kEndCollection = 0xC0;
 
-// A physical range and its unit.
+// A physical range and its unit, as HID descriptors declare them.
 struct PhysicalRange {
     std::int64_t minimum = 0;
     std::int64_t maximum = 0;
@@ -104,7 +105,8 @@ struct PhysicalRange {
     std::int64_t exponent = 0;
 };
 
-// Micrometres for a length, thousandths of a degree for a tilt; all 0 where it is not known.
+// Returns an axis's physical range in micrometres or, for a tilt, in thousandths of a degree; all
+// members are 0 if the resolution is not known.
 PhysicalRange physical_range(std::uint16_t code, EventAxis const& axis)
 {
     constexpr std::int64_t kCentimetres = 0x11, kDegrees = 0x14;
@@ -142,7 +144,7 @@ void write_switches(DescriptorWriter& out, EventAbilities const& abilities)
         }
         out.item(kInputItem, is_told ? kData : kConstant);
     }
-    out.item(kInputItem, kConstant); // The eighth bit.
+    out.item(kInputItem, kConstant); // Padding: the eighth bit.
 }
 
 } // namespace
@@ -198,15 +200,15 @@ struct EventPen::State {
     std::span<std::byte const> write_report();
 
     EventAbilities abilities;
-    std::set<std::uint16_t> pressed {}; // Codes of keys that are down.
+    std::set<std::uint16_t> pressed {}; // Codes of the keys that are down.
     std::array<std::int32_t, kPenNumbers.size()> numbers {};
-    std::bitset<kPenNumbers.size()> known {}; // Which of the numbers have been told.
+    std::bitset<kPenNumbers.size()> known {}; // Which numbers have been received.
     bool has_news = false;
     bool has_dropped = false;
     std::vector<std::byte> report {};
 };
 
-// False for an event that says nothing of the pen.
+// Handles one event. Returns false if it is not about the pen.
 bool EventPen::State::take(std::uint16_t type, std::uint16_t code, std::int32_t value)
 {
     if (type == EV_ABS) {
@@ -277,7 +279,8 @@ std::span<std::byte const> EventPen::push(std::uint16_t type, std::uint16_t code
     if (code != SYN_REPORT || std::exchange(state.has_dropped, false)
         || !std::exchange(state.has_news, false))
         return {};
-    bool const has_place = state.known[0] && state.known[1]; // Those of ABS_X and ABS_Y.
+    bool const has_place
+        = state.known[0] && state.known[1]; // ABS_X and ABS_Y are the first two numbers.
     return has_place ? state.write_report() : std::span<std::byte const>();
 }
 

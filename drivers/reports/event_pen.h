@@ -14,45 +14,45 @@
 
 namespace tractus::drivers {
 
-// Pens that Linux gives as input events alone (Documentation/input/event-codes.rst): those on I2C
-// and SPI, of the Surface, and what evemu and libinput record. Their events are put into reports of
-// a HID pen, whose report descriptor is made from what the device says of itself. So recordings,
-// decoders and other programs know no second kind of pen.
+// Converts pens that Linux provides only as input events (Documentation/input/event-codes.rst) into
+// HID pens: pens on I2C and SPI, those of Surface computers, and recordings by evemu and libinput.
+// The events become reports of a HID pen, whose report descriptor is made from the device's
+// declared abilities, so recordings, decoders and other programs need no second kind of pen.
 
 // The range of an absolute axis (struct input_absinfo).
 struct EventAxis {
     std::int32_t minimum = 0;
     std::int32_t maximum = 0;
-    std::int32_t resolution = 0; // Counts per mm, or per radian of tilt; 0: not known.
+    std::int32_t resolution = 0; // Counts per mm, or per radian of tilt; 0 if not known.
 };
 
-// What an event device says it sends.
+// Events that a device declares that it can send.
 struct EventAbilities {
-    std::set<std::uint16_t> keys {};            // Codes of EV_KEY.
-    std::map<std::uint16_t, EventAxis> axes {}; // By code of EV_ABS.
+    std::set<std::uint16_t> keys {};            // Codes of type EV_KEY.
+    std::map<std::uint16_t, EventAxis> axes {}; // Codes of type EV_ABS → ranges.
 };
 
-// Whether it is a pen: a place of two axes, a stylus or its button, and a touch or a pressure.
-// Touchscreens, touchpads, mice and the keys of a tablet are none.
+// True for a pen: two position axes, a stylus tool or its button, and touch or pressure.
+// Touchscreens, touchpads, mice and a tablet's keys are not pens.
 bool is_event_pen(EventAbilities const& abilities);
 
-// Describes such a pen's reports as HID 1.11 does, with a digitizer pen's usages. Lengths are
-// declared where the axes have a resolution.
+// Returns a HID 1.11 report descriptor for the pen's reports, with the usages of a digitizer pen.
+// Lengths are declared for axes with a known resolution.
 std::vector<std::byte> describe_event_pen(EventAbilities const& abilities);
 
-// Turns the events of one device into the reports that describe_event_pen() describes.
+// Converts the events of one device into the reports that describe_event_pen() describes.
 class EventPen {
 public:
-    // `abilities` must be a pen's.
+    // `abilities` must be those of a pen (is_event_pen()).
     explicit EventPen(EventAbilities abilities);
     ~EventPen();
     EventPen(EventPen&&) noexcept;
     EventPen& operator=(EventPen&&) noexcept;
 
-    // Takes one event: type, code and value of struct input_event. The report that it completes,
-    // valid until the next call; empty for events within a frame, for frames that say nothing of
-    // the pen, and until its place has been told. After SYN_DROPPED what comes is left out up to
-    // the end of its frame. What the device was like before its first event is pushed likewise.
+    // Handles one event, given as in struct input_event. Returns the report that it completes,
+    // valid until the next call; empty for events within a frame, for frames that are not about the
+    // pen, and until the pen's position is known. After SYN_DROPPED, events are ignored until the
+    // end of the frame. The device's state before its first event is pushed in the same way.
     std::span<std::byte const> push(std::uint16_t type, std::uint16_t code, std::int32_t value);
 
 private:
@@ -60,9 +60,9 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// The kernel's path to an event device, as DeviceInfo::physical_path has it and a log keeps it:
-// "evdev:" and the path of its own. It tells that the reports are an EventPen's, whatever the
-// device's ids would say.
+// Returns the path that is kept in DeviceInfo::physical_path and in logs for an event device:
+// "evdev:" and the kernel's path. It marks reports as made by an EventPen, whatever the device's
+// ids are.
 std::string event_pen_path(std::string_view kernel_path);
 bool has_event_pen_reports(DeviceInfo const& info);
 

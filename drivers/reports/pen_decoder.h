@@ -15,46 +15,47 @@
 
 namespace tractus::drivers {
 
-// Abilities of a pen device, known before its first report.
+// Properties of a pen device, known before its first report.
 struct PenTraits {
-    Vec2 size_mm = Vec2::Zero();  // Size of the active area.
-    bool is_size_assumed = false; // The device does not tell its size; see PenLayout::Size.
+    Vec2 size_mm = Vec2::Zero(); // Size of the active area.
+    bool is_size_assumed
+        = false; // True if the device does not report its size; see PenLayout::Size.
     bool has_pressure = false;
     bool has_tilt = false;
-    bool has_in_range = false; // If false, a hovering pen is in range until it is silent.
+    bool has_in_range = false; // If false, a hovering pen counts as in range until it has been
+                               // silent for a while.
     bool has_eraser = false;
     unsigned button_count = 0; // Buttons on the pen's barrel.
 
-    // The greatest values of PenSample's raw_x, raw_y and raw_pressure.
+    // Maxima of PenSample's raw_x, raw_y and raw_pressure.
     std::int32_t raw_x_maximum = 0;
     std::int32_t raw_y_maximum = 0;
     std::int32_t raw_pressure_maximum = 0;
 };
 
-// Turns one pen device's reports into samples, in order. It knows the pen's state, so each device
-// needs its own, and each replay a new one. It reads no clock: the same reports give the same
-// samples.
+// Decodes one pen device's reports, in order, into samples. A decoder keeps the pen's state, so
+// each device and each replay needs a new one. It reads no clock: equal reports give equal samples.
 //
-// Whatever the device sends, the samples tell of one tool at a time:
-// - a touch implies in range, even where the device's in-range bit says otherwise;
-// - the eraser's end touches if the device says "eraser", or "invert" and "tip";
-// - when the other end of the pen comes without the first having left, the report that says so
-//   becomes the sample in which the first one leaves, and the next report is the new end's first;
-// - the same when another pen comes, where pens have serial numbers;
-// - a pen that leaves keeps its last position and tilt, whatever the last report has there, and
-//   releases its buttons; after that nothing comes until it is back.
+// Whatever the device sends, the samples describe one tool at a time:
+// - a touch implies in range, even if the device's in-range bit says otherwise;
+// - the eraser end touches if the device reports "eraser", or both "invert" and "tip";
+// - if the pen's other end arrives before the first has left, that report becomes the sample in
+//   which the first end leaves, and the next report is the first sample of the new end;
+// - a change to another pen is handled in the same way, if the pens have serial numbers;
+// - a pen that leaves keeps its last position and tilt, whatever the last report contains, and
+//   releases its buttons; after that there are no samples until it returns.
 class PenDecoder {
 public:
     virtual ~PenDecoder() = default;
 
     virtual PenTraits const& traits() const = 0;
 
-    // Appends the report's samples to `out`, oldest first. None if the report says nothing of a
-    // pen: one of the device's other reports, or out of range as before. Several where a tablet
-    // collects what the pen did and sends it at once, as Wacom's do over Bluetooth; their times lie
-    // between the report before and this one. Fails, as the device's fault, if the report is
-    // shorter than its fields or not in the descriptor at all; then `out` is as it was, the decoder
-    // stays usable, and the report counts as not sent.
+    // Appends the report's samples to `out`, oldest first. There are none if the report is not
+    // about a pen, or the pen is still out of range. There are several if the tablet collects
+    // samples and sends them together, as Wacom's do over Bluetooth; their times lie between the
+    // previous report and this one. Fails, as the device's fault, if the report is too short for
+    // its fields or its id is not in the descriptor; then `out` is unchanged, the decoder stays
+    // usable, and the report is ignored.
     virtual Result<void> decode(Timestamp received, std::span<std::byte const> report,
                                 std::vector<PenSample>& out)
         = 0;
@@ -64,29 +65,31 @@ public:
         return decode(report.received, report.bytes(), out);
     }
 
-    // How long after its last sample the pen has left if no other comes, as things are now: some
-    // formats cannot say so, some tablets that stream stop without saying so, and some devices say
-    // so wrongly for a moment. No value: the device will say so itself, or the pen is away. A pen
-    // that touches has a limit only if its tablet has been found to stream (ReportRhythm): many
-    // tablets are silent about a pen that rests.
+    // Time without samples after which the pen counts as gone, in the present state. It is needed
+    // because some formats cannot report leaving, some streaming tablets stop without reporting it,
+    // and some devices report it wrongly for a moment. No value if the device will report leaving
+    // itself, or the pen is gone. A touching pen has a limit only if its tablet has been found to
+    // stream (ReportRhythm): many tablets are silent about a pen that rests.
     //
-    // Whoever feeds the decoder keeps the time: see PenSilence.
+    // The caller measures the time: see PenSilence.
     virtual std::optional<Duration> silence_limit() const = 0;
 
-    // The pen has been silent for so long. The sample in which it leaves, where it was last; no
-    // value if it is away already.
+    // Handles a silence of silence_limit(): returns the sample in which the pen leaves, at its last
+    // position. No value if it is already gone.
     virtual std::optional<PenSample> leave(Timestamp time) = 0;
 };
 
-// Keeps the time for one decoder: that of the data in a replay, that of the clock live.
+// Measures the silence of one decoder's pen, by the times of the data in a replay, or by the clock
+// with a live device.
 class PenSilence {
 public:
-    // The sample in which the pen leaves if it has been silent for too long at `now`, with the time
-    // at which that was so; else no value. Call it with the time of each report before decoding it,
-    // of other devices' as well, and live when no report is waiting.
+    // If the pen has been silent for too long at `now`, returns the sample in which it leaves, with
+    // the time at which the limit was reached; otherwise no value. Call it with the time of each
+    // report of any device before decoding that report and, with live devices, also whenever no
+    // report is waiting.
     std::optional<PenSample> leave_if_over(PenDecoder& pen, Timestamp now) const;
 
-    // The decoder has given a sample.
+    // Notes that the decoder has returned a sample.
     void heard(PenSample const& sample) { last_ = sample.time; }
 
 private:

@@ -8,7 +8,7 @@ namespace tractus::drivers {
 
 namespace {
 
-// HID Usage Tables 1.4: Generic Desktop (page 01), Button (09), Digitizers (0D).
+// Usages of HID Usage Tables 1.4: Generic Desktop (page 0x01), Button (0x09), Digitizers (0x0D).
 constexpr HidUsage kPointer = 0x0001'0001;
 constexpr HidUsage kMouse = 0x0001'0002;
 constexpr HidUsage kX = 0x0001'0030;
@@ -34,7 +34,8 @@ constexpr HidUsage kEraser = 0x000D'0045;
 constexpr HidUsage kTabletPick = 0x000D'0046;
 constexpr HidUsage kSecondaryBarrelSwitch = 0x000D'005A;
 constexpr HidUsage kTransducerSerialNumber = 0x000D'005B;
-constexpr HidUsage kWacomThirdBarrelSwitch = 0xFF0D'005D; // The usage tables have none.
+constexpr HidUsage kWacomThirdBarrelSwitch
+    = 0xFF0D'005D; // Wacom's own, since the usage tables define none.
 constexpr HidUsage kWacomToolType = 0xFF0D'0077;
 
 constexpr double kMinSide_mm = 20;
@@ -45,8 +46,8 @@ constexpr double kUsualProportions = 16.0 / 10;
 
 enum class Tool { None, Pen, Mouse };
 
-// Wacom's page 0xFF0D numbers what the digitizers' page has as there, and what Generic Desktop has
-// from 0x100 on.
+// Maps a usage of Wacom's page 0xFF0D to the standard one: it has the numbers of the Digitizers
+// page, and from 0x100 on those of Generic Desktop.
 HidUsage standard_usage(HidUsage usage)
 {
     constexpr HidUsage kWacomDigitizer = 0xFF0D, kDigitizers = 0x000D, kGenericDesktop = 0x0001;
@@ -63,8 +64,8 @@ HidUsage standard_usage(HidUsage usage)
     }
 }
 
-// Returns the kind of tool that a field in this collection belongs to: the innermost collection
-// that names one decides, since a pen may lie within a touch screen's collection and the reverse.
+// Returns the kind of tool that a collection's fields belong to: the innermost collection that
+// names a tool decides, since a pen's collection may lie within a touch screen's, and the reverse.
 Tool tool_of(HidReportDescriptor const& descriptor, std::optional<std::size_t> collection)
 {
     while (collection) {
@@ -84,7 +85,8 @@ Tool tool_of(HidReportDescriptor const& descriptor, std::optional<std::size_t> c
         case kMouse:
             return Tool::Mouse;
         default:
-            if (known > kLightPen && known < kStylus) // Touch pads, whiteboards, other digitizers.
+            if (known > kLightPen
+                && known < kStylus) // Touch pads, whiteboards and other digitizers.
                 return Tool::None;
             break;
         }
@@ -93,18 +95,18 @@ Tool tool_of(HidReportDescriptor const& descriptor, std::optional<std::size_t> c
     return Tool::None;
 }
 
-// A layout on its way: which fields its report has.
+// A layout being assembled from a report's fields.
 struct Draft {
     std::uint8_t report_id = 0;
     Tool tool = Tool::None;
     std::optional<HidField> x {};
     std::optional<HidField> y {};
-    std::optional<HidField> tablet_pick {};   // The second barrel button of some devices…
-    std::optional<HidField> secondary_tip {}; // … and of others.
+    std::optional<HidField> tablet_pick {};   // The second barrel button on some devices.
+    std::optional<HidField> secondary_tip {}; // The second barrel button on other devices.
     PenLayout layout {};
 };
 
-// The member that a usage stands for; null for those that say nothing of a pen.
+// Returns the member of the draft for a usage; null for usages that are not about a pen.
 std::optional<HidField>* slot(Draft& draft, HidUsage usage)
 {
     auto& layout = draft.layout;
@@ -159,7 +161,8 @@ bool is_usable(HidField const& field)
         || field.bit_size > 32)
         return false;
     auto const usage = standard_usage(field.usage);
-    if (usage == kTransducerSerialNumber || usage == kWacomToolType) // Numbers without a range.
+    if (usage == kTransducerSerialNumber
+        || usage == kWacomToolType) // These numbers have no logical range.
         return true;
     return field.logical_maximum > field.logical_minimum
         && field.logical_maximum <= std::numeric_limits<std::int32_t>::max();
@@ -179,7 +182,7 @@ std::vector<Draft> collect_drafts(HidReportDescriptor const& descriptor)
         });
         if (draft == drafts.end())
             draft = drafts.insert(draft, { .report_id = field.report_id, .tool = tool });
-        // The first field of a usage counts: a repeated last usage pads many a descriptor.
+        // The first field of a usage is used: many descriptors repeat the last usage as padding.
         if (auto* const member = slot(*draft, field.usage); member && !*member)
             *member = field;
     }
@@ -197,7 +200,8 @@ bool is_plausible(HidField const& field, std::optional<double> side_mm)
         && counts(field) / *side_mm <= kMaxCountsPerMm;
 }
 
-// Some makers give their physical range in thousandths of an inch, and forget to say so.
+// Returns a physical length that has no unit: some makers use thousandths of an inch and omit the
+// unit.
 std::optional<double> span_without_unit_mm(HidField const& field)
 {
     auto const span = field.physical_maximum - field.physical_minimum;
@@ -238,7 +242,7 @@ void find_size(PenLayout& layout)
     Vec2 const size_counts(counts(layout.x), counts(layout.y));
     Vec2 const size_mm = size_counts / assumed_counts_per_mm(size_counts.maxCoeff());
     set_size(layout, size_mm, PenLayout::Size::Assumed);
-    // No tablet is square: axes of the same range say nothing of its proportions.
+    // No tablet is square: axes with equal ranges do not give its proportions.
     if (layout.has_square_counts())
         layout.take_proportions(kUsualProportions);
 }
@@ -277,8 +281,8 @@ std::optional<PenLayout> finish(Draft draft, HidReportDescriptor const& descript
     auto& layout = draft.layout;
     if (!draft.x || !draft.y || !(layout.tip || layout.pressure))
         return std::nullopt;
-    if (draft.tool == Tool::Mouse
-        && !layout.pressure) // A touch screen or a virtual machine's mouse.
+    if (draft.tool == Tool::Mouse && !layout.pressure) // Reports of a touch screen or of a virtual
+                                                       // machine's mouse have no pressure.
         return std::nullopt;
     layout.report_id = draft.report_id;
     layout.report_size = descriptor.report_size(HidReportKind::Input, draft.report_id);
@@ -309,7 +313,7 @@ void PenLayout::take_proportions(double width_to_height)
         set_size(*this, { size_mm.x(), size_mm.x() / width_to_height }, Size::Assumed);
 }
 
-// Whether one is the other with its sides changed over, and not just about square.
+// True if the two sizes are equal with width and height exchanged, and not nearly square.
 static bool is_turned(Vec2 const& a, Vec2 const& b)
 {
     auto const is_near = [](double first, double second) {
@@ -346,8 +350,8 @@ std::vector<PenLayout> find_pen_layouts(HidReportDescriptor const& descriptor)
             pen_size_mm = layout->size_mm;
         layouts.push_back(*layout);
     }
-    // A tablet's mouse reports are of the same surface as its pen reports, and seldom say how large
-    // it is.
+    // A tablet's mouse reports refer to the same surface as its pen reports, but seldom declare its
+    // size.
     for (auto& layout : layouts)
         if (pen_size_mm && !layout.in_range && layout.size_source == PenLayout::Size::Assumed)
             set_size(layout, *pen_size_mm, PenLayout::Size::Assumed);

@@ -6,8 +6,8 @@
 
 namespace tractus::drivers {
 
-// Numbers in a report, by the offset of their first byte; the caller has checked the report's size.
-// Numbers of a pen are wide enough to shift and add, and fit std::int32_t.
+// Functions that read numbers from a report at a byte offset; the caller has checked the report's
+// size. Numbers of pens are returned as int, so that they can be shifted and added.
 
 inline int u8(std::span<std::byte const> report, std::size_t at)
 {
@@ -39,7 +39,7 @@ inline int u24_le(std::span<std::byte const> report, std::size_t at)
     return u16_le(report, at) | u8(report, at + 2) << 16;
 }
 
-// Numbers in sensors' frames are little-endian, as their protocols say.
+// Unsigned little-endian numbers, as the protocols of sensors have them.
 inline std::uint16_t u16(std::span<std::byte const> frame, std::size_t at)
 {
     return static_cast<std::uint16_t>(u16_le(frame, at));
@@ -50,7 +50,7 @@ inline std::uint32_t u32(std::span<std::byte const> frame, std::size_t at)
     return u16(frame, at) | static_cast<std::uint32_t>(u16(frame, at + 2)) << 16;
 }
 
-// `count` bits of one byte, from `first` on.
+// Returns `count` bits of one byte, beginning with bit `first`.
 inline std::uint32_t bits(std::span<std::byte const> report, std::size_t at, unsigned first,
                           unsigned count)
 {

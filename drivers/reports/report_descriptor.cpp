@@ -19,7 +19,7 @@ static constexpr std::size_t kMaxFields = std::size_t { 1 } << 16;
 
 namespace {
 
-// The items that are understood, as the prefix byte with the two size bits cleared.
+// The supported items: the prefix byte with its two size bits cleared.
 enum class Tag : std::uint8_t {
     Input = 0x80,
     Output = 0x90,
@@ -43,12 +43,12 @@ enum class Tag : std::uint8_t {
     UsageMaximum = 0x28,
 };
 
-// A short item (section 6.2.2.2): its prefix without the size bits, and its data.
+// A short item (section 6.2.2.2): prefix and data.
 struct Item {
     Tag tag {};
     std::uint8_t size = 0; // Bytes of data: 0, 1, 2 or 4.
     std::uint32_t data = 0;
-    std::size_t offset = 0; // Offset of the prefix, for error messages.
+    std::size_t offset = 0; // Offset of the prefix in the descriptor, for error messages.
 
     std::int64_t as_signed() const
     {
@@ -65,7 +65,7 @@ struct Item {
 
 constexpr std::uint8_t kLongItem = 0xFE;
 
-// A minimum or maximum whose sign is known only once both have been read.
+// A minimum or maximum whose signedness is known only when both have been read.
 struct Bound {
     std::int64_t as_signed = 0;
     std::int64_t as_unsigned = 0;
@@ -84,10 +84,11 @@ struct Globals {
 struct UsageRange {
     HidUsage first = 0;
     HidUsage last = 0;
-    bool has_own_page = false; // It was written with its page, in four bytes.
+    bool has_own_page = false; // True if the usage was written in four bytes, with its page.
 };
 
-// Walks over the usages of one main item in order; the last one repeats for the rest (6.2.2.8).
+// Iterates over the usages of one main item; the last one repeats for the remaining fields
+// (6.2.2.8).
 class UsageCursor {
 public:
     explicit UsageCursor(std::span<UsageRange const> ranges)
@@ -128,7 +129,7 @@ private:
     struct ReportLayout {
         HidReportKind kind {};
         std::uint8_t id = 0;
-        std::uint64_t bits = 0; // The id byte included.
+        std::uint64_t bits = 0; // Size in bits, including the report id.
     };
 
     Result<std::optional<Item>> next_item();
@@ -150,7 +151,7 @@ private:
     std::vector<Globals> pushed_;
     std::vector<UsageRange> usages_;
     std::optional<HidUsage> usage_minimum_;
-    std::optional<std::size_t> collection_; // The innermost open one.
+    std::optional<std::size_t> collection_; // The innermost open collection.
     std::vector<ReportLayout> layouts_;
     HidReportDescriptor result_;
 };
@@ -178,7 +179,7 @@ Result<HidReportDescriptor> Parser::parse()
     return std::move(result_);
 }
 
-// The next short item; long ones (6.2.2.3), of which none is defined, are stepped over.
+// Reads the next short item. Long items (6.2.2.3), none of which is defined, are skipped.
 Result<std::optional<Item>> Parser::next_item()
 {
     while (position_ < bytes_.size()) {
@@ -290,12 +291,12 @@ Result<void> Parser::apply_global(Item const& item)
         pushed_.pop_back();
         break;
     default:
-        break; // Designators, strings, delimiters and what later versions may add.
+        break; // Designators, strings, delimiters and additions of later versions are ignored.
     }
     return {};
 }
 
-// A usage of four bytes brings its own page (6.2.2.8).
+// Returns an item's usage with its page: a usage of four bytes contains it (6.2.2.8).
 HidUsage Parser::with_page(Item const& item) const
 {
     return item.size == 4 ? item.data : globals_.usage_page << 16 | item.data;
@@ -314,9 +315,9 @@ void Parser::apply_local(Item const& item)
     }
 }
 
-// It is the last page declared before the main item that counts (6.2.2.7), so usages may stand
-// before their page. Where usages of two pages meet in one item, each follows its own, as Linux
-// reads it.
+// Adds the page to usages that have none. The last page declared before the main item counts
+// (6.2.2.7), so usages may precede their page. If one item has usages of two pages, each keeps its
+// own page, as in Linux.
 void Parser::complete_usages()
 {
     for (auto range = usages_.rbegin(); range != usages_.rend(); ++range) {
@@ -357,8 +358,8 @@ Parser::ReportLayout& Parser::layout(HidReportKind kind, std::uint8_t id)
 
 HidField Parser::field_template(Item const& item, HidReportKind kind) const
 {
-    // A maximum after a minimum that is not negative cannot be negative either, though many a
-    // device writes 255 in one byte.
+    // A maximum is unsigned if the minimum is not negative, although many devices encode 255 in one
+    // byte.
     auto const maximum = [](Bound const& low, Bound const& high) {
         return low.as_signed < 0 ? high.as_signed : high.as_unsigned;
     };
@@ -417,7 +418,8 @@ double power_of_ten(int exponent)
     return std::pow(10.0, exponent);
 }
 
-// The physical range in the field's unit, or the logical one where there is none (6.2.2.7).
+// Returns the physical range in the field's unit; the logical range if the descriptor has no
+// physical one (6.2.2.7).
 std::optional<double> physical_span(HidField const& field)
 {
     auto span = field.physical_maximum - field.physical_minimum;
@@ -446,9 +448,11 @@ Result<HidReportDescriptor> parse_report_descriptor(std::span<std::byte const> b
 std::int64_t read_field(HidField const& field, std::span<std::byte const> report)
 {
     auto const first = field.bit_offset / 8;
-    auto const last = (field.bit_offset + field.bit_size + 7) / 8; // One past it.
+    auto const last = (field.bit_offset + field.bit_size + 7)
+        / 8; // End of the field: index of the byte after its last one.
     CHECK(field.bit_size >= 1 && field.bit_size <= 32 && last <= report.size());
-    // Little endian (8.4 of HID 1.11); five bytes at most, of eight where the report has so many.
+    // Little-endian (HID 1.11, section 8.4). At most five bytes are needed; eight are loaded if the
+    // report has them.
     std::uint64_t bits = 0;
     auto shift = field.bit_offset % 8;
     if (report.size() >= sizeof(bits)) {
@@ -469,7 +473,7 @@ std::int64_t read_field(HidField const& field, std::span<std::byte const> report
 
 std::optional<double> physical_span_mm(HidField const& field)
 {
-    // System in the lowest nibble, the power of length in the next.
+    // The lowest nibble of the unit is the system, the next one the power of length.
     if (field.unit != 0x11 && field.unit != 0x13)
         return std::nullopt;
     auto const span = physical_span(field);

@@ -12,11 +12,11 @@
 
 namespace tractus::drivers {
 
-// One report, exactly as it came off the wire, its report id first if the device uses ids. A source
-// refuses a longer one.
+// One report, exactly as received, beginning with its report id if the device uses ids. A source
+// refuses longer ones.
 //
-// An empty one (size 0) is no report: it says that the device went away at that time, and what it
-// was doing is over. Only a ReconnectingSource, and a log of one, hands out such.
+// Size 0 means that the device was disconnected at that time, and anything in progress is over.
+// Only a ReconnectingSource, or the log of one, returns this.
 struct RawReport {
     Timestamp received {};
     std::size_t size = 0;
@@ -25,20 +25,20 @@ struct RawReport {
     std::span<std::byte const> bytes() const { return { storage.data(), size }; }
 };
 
-// Anything that hands us reports: a tablet, the height ADC, a simulated one, a log being replayed.
-// Decoding is somebody else's work, so a log made from any source replays through the same decoder.
+// A source of reports: a tablet, a height sensor, a simulated device, a log being replayed.
+// Decoding is separate, so a log made from any source replays through the same decoder.
 class ReportSource {
 public:
     virtual ~ReportSource() = default;
 
     virtual DeviceInfo const& info() const = 0;
 
-    // Waits for the next report, at most `timeout`. No value means that nothing came in time.
-    // After an error the source is dead: destroy it. Called from one thread only.
+    // Waits at most `timeout` for the next report. Returns no value if none arrived in time. After
+    // an error the source is unusable and must be destroyed. Called from one thread only.
     [[nodiscard]] virtual Result<std::optional<RawReport>> read(Duration timeout) = 0;
 
-    // How many reports came, since the start, that are longer than a RawReport holds and were left
-    // out. Called from the thread that reads.
+    // Number of reports so far that were dropped because they exceed a RawReport. Called from the
+    // thread that reads.
     virtual std::uint64_t too_long_count() const { return 0; }
 };
 

@@ -12,23 +12,24 @@ namespace tractus::drivers {
 namespace {
 
 constexpr std::int64_t kWindowUs = 500'000;
-constexpr std::int64_t kShortestFitUs = 1'000'000; // Below it the slope would be noise.
+constexpr std::int64_t kShortestFitUs = 1'000'000; // Over shorter times the slope would be noise.
 constexpr std::int64_t kNewClockUs = 500'000;
-constexpr double kMaxSlope = 5; // 0.5 %: a worse clock is broken.
+constexpr double kMaxSlope = 5; // Nanoseconds per microsecond; a clock that is wrong by more than
+                                // 0.5 % is considered broken.
 
 std::int64_t to_us(Duration duration)
 {
     return duration.count() / 1000;
 }
 
-// `value`'s 32 bits, as near to `expected` as can be.
+// Extends a wrapping 32-bit value to the 64-bit value nearest to `expected`.
 std::int64_t unwrap(std::uint32_t value, std::int64_t expected)
 {
     auto const difference = value - static_cast<std::uint32_t>(expected);
     return expected + static_cast<std::int32_t>(difference);
 }
 
-// Whether b lies on the line from a to c or above it.
+// True if b lies on or above the line from a to c.
 template<typename Point> bool is_above_chord(Point const& a, Point const& b, Point const& c)
 {
     auto const run = [&](Point const& point) { return double(point.sent_us - a.sent_us); };
@@ -78,16 +79,16 @@ void ClockMap::begin(std::uint32_t device_us, Timestamp arrival)
     first_arrival_ = last_arrival_ = arrival;
     first_us_ = device_us;
     window_end_us_ = kWindowUs;
-    count_ = 1; // The first message is 0 us and 0 ns after itself.
+    count_ = 1; // The first message is the origin of both coordinates.
 }
 
-// Moves last_us_ on to `device_us`; false if that is the time of another clock.
+// Advances last_us_ to `device_us`. Returns false if the time must be from a restarted clock.
 bool ClockMap::advance(std::uint32_t device_us, Timestamp arrival, Order order)
 {
     auto const since_us = device_us - first_us_;
     auto const expected_us = last_us_ + to_us(arrival - last_arrival_);
     auto next_us = unwrap(since_us, expected_us);
-    if (order == Order::Follows) // However late it comes.
+    if (order == Order::Follows) // The order is known, so any delay is accepted.
         next_us = unwrap(since_us, last_us_);
     else if (std::abs(next_us - expected_us) > kNewClockUs)
         return false;
@@ -103,8 +104,9 @@ double ClockMap::above_line(Point const& point) const
     return double(point.delay_ns) - (offset_ns_ + slope_ * double(point.sent_us));
 }
 
-// The edge of the points' lower convex hull that spans their mean time: among the lines below all
-// of them it minimises the sum of distances (Moon, Skelly and Towsley 1999, section IV).
+// Fits the line: takes the edge of the points' lower convex hull that spans their mean time. Of all
+// lines below the points it minimises the sum of distances (Moon, Skelly and Towsley 1999, section
+// IV).
 void ClockMap::fit()
 {
     auto const points = std::span(lowest_).first(count_);

@@ -8,43 +8,44 @@
 
 namespace tractus::drivers {
 
-// Tells the host's time of what a device stamped with its own 32-bit microsecond clock, from the
-// times at which the device's messages arrived.
+// Converts time stamps of a device's 32-bit microsecond clock to the host's time, from the times at
+// which the device's messages arrived.
 //
-// A message is never early: it takes some least time, and then whatever USB and the scheduler add.
-// So the line under all arrivals is the device's clock in the host's time, and what lies above it
-// is jitter, which is forgotten. The line is the one that Moon, Skelly and Towsley choose
-// ("Estimation and removal of clock skew from network delay measurements", INFOCOM 1999): of all
-// lines that no arrival lies below, the one to which the arrivals of the last 32 s are closest in
-// sum. The least time itself stays in the result, as a constant latency.
+// A message takes a minimum transmission time plus whatever USB and the scheduler add; it is never
+// early. The line below all arrivals therefore represents the device's clock in the host's time,
+// and the distance above it is jitter, which is ignored. The line is chosen by the method of Moon,
+// Skelly and Towsley ("Estimation and removal of clock skew from network delay measurements",
+// INFOCOM 1999): of all lines with no arrival below, the one with the smallest sum of distances to
+// the arrivals of the last 32 s. The minimum transmission time remains in the result as a constant
+// latency.
 //
-// A pure function of what it was told: the same messages give the same times.
+// The result depends only on the messages added: equal messages give equal times.
 class ClockMap {
 public:
-    // Whether the device's own numbers say that a message is one of the next after the last one.
+    // Whether the device's sequence numbers show that a message follows the last one.
     enum class Order { Follows, Unknown };
 
-    // Adds a message: the device sent it at `device_us` of its clock, and it arrived at `arrival`.
-    // False if the device's clock has begun anew since the last message, and with it the map: where
-    // the order is not known, a clock is taken for a new one when it went back, or forward by half
-    // a second more or less than the host's. Gaps of more than the clock's 71 minutes are no
-    // reason.
+    // Adds a message that the device sent at `device_us` of its clock and that arrived at
+    // `arrival`. Returns false, and restarts the map, if the device's clock has restarted since the
+    // last message. If the order is unknown, a restart is assumed when the clock went back, or
+    // differs by half a second from the host's progress. Gaps longer than the clock's period of 71
+    // minutes are accepted.
     bool add(std::uint32_t device_us, Timestamp arrival, Order order);
 
-    // Forgets everything: the next message is the first.
+    // Forgets everything: the next message counts as the first.
     void restart() { is_empty_ = true; }
 
-    // The host's time at `device_us` of the device's clock, at most 35 minutes from the last
-    // message that was added; there must be one.
+    // Returns the host's time at `device_us` of the device's clock, which must be within 35 minutes
+    // of the last message. At least one message must have been added.
     Timestamp host_time(std::uint32_t device_us) const;
 
-    // How much the device's clock is slow, in parts of a million of its own time. 0 in the first
+    // Slowness of the device's clock in parts per million of its own time. 0 during the first
     // second.
     double drift_ppm() const { return slope_ * 1e3; }
 
 private:
-    // An arrival: when the device sent, and how much later than that the message came, both since
-    // the first message.
+    // An arrival: when the device sent the message, and its additional delay, both relative to the
+    // first message.
     struct Point {
         std::int64_t sent_us = 0;
         std::int64_t delay_ns = 0;
@@ -60,16 +61,16 @@ private:
     Timestamp first_arrival_ {};
     std::uint32_t first_us_ = 0;
     Timestamp last_arrival_ {};
-    std::int64_t last_us_ = 0; // Since the first message, without wrapping.
+    std::int64_t last_us_ = 0; // Device time since the first message, without wrapping.
 
-    // The lowest arrival of each half second, in order of time; the last one is of the present half
+    // The lowest arrival of each half second, oldest first; the last entry is for the current half
     // second.
     std::array<Point, kWindows> lowest_ {};
     std::size_t count_ = 0;
     std::int64_t window_end_us_ = 0;
 
-    double slope_ = 0;     // Nanoseconds of delay per microsecond.
-    double offset_ns_ = 0; // Height of the line at the first message.
+    double slope_ = 0;     // Slope of the line: nanoseconds of delay per microsecond.
+    double offset_ns_ = 0; // Delay of the line at the first message.
 };
 
 } // namespace tractus::drivers

@@ -45,7 +45,8 @@ private:
 
     std::uint16_t full_scale_;
     HeightFrameParser parser_;
-    std::vector<HeightFrame> frames_; // Frames of the report at hand; kept for its memory.
+    std::vector<HeightFrame>
+        frames_; // Frames of the current report; a member only to reuse its memory.
     ClockMap clock_;
     std::optional<std::uint16_t> last_sequence_;
     Timestamp last_time_ = Timestamp::min();
@@ -96,7 +97,7 @@ Result<void> HeightFrameDecoder::use(HeightFrame const& frame, Timestamp receive
     counts_.overruns += (frame.flags & kHeightFrameOverrun) != 0;
     counts_.reference_faults += (frame.flags & kHeightFrameReferenceFault) != 0;
     auto const order = count_sequence(frame);
-    // It is sent when its last reading is there.
+    // A frame is sent when its last reading has been taken.
     auto const steps = static_cast<std::uint32_t>(frame.count - 1);
     if (!clock_.add(frame.device_us + steps * frame.period_us, received, order))
         ++counts_.clock_restarts;
@@ -109,11 +110,14 @@ Result<void> HeightFrameDecoder::use(HeightFrame const& frame, Timestamp receive
     return {};
 }
 
-// Counts what is missing before the frame, and says whether it is one of the next.
+// Counts the frames missing before this one, and returns whether it is known to follow the last
+// one.
 ClockMap::Order HeightFrameDecoder::count_sequence(HeightFrame const& frame)
 {
-    constexpr std::uint16_t kNext = 64;        // Fewer than the clock's map could mistake.
-    constexpr std::uint16_t kForward = 0x8000; // Beyond it the numbers went back.
+    constexpr std::uint16_t kNext
+        = 64; // Fewer frames than the clock map could confuse with a restart.
+    constexpr std::uint16_t kForward
+        = 0x8000; // A difference from here on means that the numbers went back.
     bool const is_start = (frame.flags & kHeightFrameStart) != 0 || !last_sequence_;
     if (is_start) {
         counts_.clock_restarts += last_sequence_.has_value();

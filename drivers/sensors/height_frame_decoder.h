@@ -8,18 +8,17 @@
 
 namespace tractus::drivers {
 
-// Whether the device is the station's own height sensor: one of its strings says so.
+// True if one of the device's strings identifies it as the station's own height sensor.
 bool is_height_frame_device(DeviceInfo const&);
 
-// Makes a decoder for the station's own height sensor (firmware-notes/height-sensor-protocol.md):
-// for its frames, as they came over the wire, in pieces of any length. Each reading has the time at
-// which it was taken, by the sensor's clock mapped to the host's, so that a frame that comes late
-// does not move the height; of the latency only the least transmission time remains. Times never go
-// back.
+// Makes a decoder for the station's own height sensor (firmware-notes/height-sensor-protocol.md).
+// It accepts the sensor's frames in pieces of any length. Each reading gets the time at which it
+// was taken: the sensor's clock is mapped to the host's, so a late frame does not shift the height.
+// Of the latency only the minimum transmission time remains. Times never go back.
 //
-// Fails, as the device's fault, if its string does not tell the greatest reading. Decoding fails
-// for reports with corrupt frames, bytes between frames or impossible readings, and goes on with
-// the next frame.
+// Fails, as the device's fault, if the greatest reading is missing from the device's string.
+// Decoding fails for reports with corrupt frames, bytes between frames or impossible readings, and
+// continues with the next frame.
 Result<std::unique_ptr<HeightDecoder>> make_height_frame_decoder(DeviceInfo const&);
 
 } // namespace tractus::drivers

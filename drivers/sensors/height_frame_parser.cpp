@@ -11,7 +11,7 @@ namespace {
 
 using Bytes = std::span<std::byte const>;
 
-// Whether a frame may begin here, as far as the bytes at hand tell.
+// True if the bytes are, or may be the beginning of, a frame's head.
 bool may_be_frame(Bytes bytes)
 {
     auto const length = std::min(bytes.size(), kHeightFrameMagic.size());
@@ -41,7 +41,7 @@ HeightFrame read_frame(Bytes bytes)
 
 void HeightFrameParser::push(Bytes bytes, std::vector<HeightFrame>& out)
 {
-    if (unfinished_.empty()) { // Usually so: a transfer is one frame.
+    if (unfinished_.empty()) { // Usual case: a transfer is exactly one frame.
         auto const used = parse(bytes, out);
         unfinished_.assign(bytes.begin() + static_cast<std::ptrdiff_t>(used), bytes.end());
         return;
@@ -51,7 +51,7 @@ void HeightFrameParser::push(Bytes bytes, std::vector<HeightFrame>& out)
     unfinished_.erase(unfinished_.begin(), unfinished_.begin() + static_cast<std::ptrdiff_t>(used));
 }
 
-// How many bytes will not be needed again.
+// Parses complete frames. Returns the number of bytes that are no longer needed.
 std::size_t HeightFrameParser::parse(Bytes bytes, std::vector<HeightFrame>& out)
 {
     std::size_t at = 0;

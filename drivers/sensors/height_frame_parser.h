@@ -9,16 +9,19 @@
 
 namespace tractus::drivers {
 
-// Finds the frames of the station's own height sensor in whatever comes over the wire: pieces of
-// any length, with anything between the frames. A frame whose CRC is wrong is left out, and the
-// next one is looked for right behind its first byte. It holds back at most one unfinished frame.
+// Finds frames of the station's own height sensor in a byte stream that arrives in pieces of any
+// length, with anything between the frames. After a frame with a wrong CRC, the search continues
+// one byte behind its beginning. At most one unfinished frame is held back.
 class HeightFrameParser {
 public:
     // Appends the frames that end in `bytes` to `out`, in order.
     void push(std::span<std::byte const> bytes, std::vector<HeightFrame>& out);
 
-    std::uint64_t corrupt_frames() const { return corrupt_frames_; } // Their CRC was wrong.
-    // Includes those of corrupt frames.
+    std::uint64_t corrupt_frames() const
+    {
+        return corrupt_frames_;
+    } // Number of frames with a wrong CRC.
+    // Number of bytes outside valid frames, including those of corrupt frames.
     std::uint64_t garbage_bytes() const { return garbage_bytes_; }
 
 private:

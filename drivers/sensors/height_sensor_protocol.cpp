@@ -9,8 +9,8 @@ constexpr std::size_t kSlices = 4;
 
 using CrcTables = std::array<std::array<std::uint16_t, 256>, kSlices>;
 
-// Table k: the CRC of a byte that k zero bytes follow, so that four bytes take four look-ups that
-// do not wait for each other.
+// Table k has the CRC of each byte followed by k zero bytes, so that four bytes take four
+// independent look-ups.
 constexpr CrcTables make_tables()
 {
     CrcTables tables {};

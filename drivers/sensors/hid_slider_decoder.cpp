@@ -53,7 +53,7 @@ public:
 
 private:
     HidField field_;
-    std::size_t report_size_; // Size that the descriptor says.
+    std::size_t report_size_; // Report size declared by the descriptor.
 };
 
 Result<void> HidSliderDecoder::decode(Timestamp received, std::span<std::byte const> report,

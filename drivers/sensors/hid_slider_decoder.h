@@ -10,12 +10,12 @@ namespace tractus::drivers {
 
 // Makes a decoder for a HID device with one absolute Generic Desktop "Slider" (HID Usage Tables,
 // page 0x01, usage 0x36) whose logical range is 0 to the converter's full scale. See
-// firmware-notes/height-sensor.md for a descriptor and a report byte by byte. Without state: the
-// same report always gives the same sample.
+// firmware-notes/height-sensor.md for a descriptor and a report byte by byte. Stateless: equal
+// reports give equal samples.
 //
 // Fails, as the user's fault, if the device has no such field, and as the device's if its
-// descriptor is broken. Joysticks and game pads have sliders too, and are refused. Decoding passes
-// over reports with another id, and fails if the report is too short or its value lies outside 0
+// descriptor is broken. Joysticks and game pads, which have sliders too, are refused. Decoding
+// skips reports with another id, and fails if the report is too short or its value lies outside 0
 // to full scale.
 Result<std::unique_ptr<HeightDecoder>> make_hid_slider_decoder(DeviceInfo const&);
 

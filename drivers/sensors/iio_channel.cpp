@@ -27,7 +27,7 @@ namespace {
 constexpr std::string_view kIioKind = "iio-channel";
 constexpr std::string_view kRaw = "_raw";
 constexpr std::string_view kIn = "in_";
-constexpr int kUsualBits = 15; // Of a 16-bit converter that has a sign.
+constexpr int kUsualBits = 15; // Value bits of a signed 16-bit converter.
 
 struct IioSettings {
     NumberFormat numbers { .full_scale = (1 << kUsualBits) - 1 };
@@ -54,7 +54,7 @@ Result<IioSettings> parse_iio_settings(std::string_view text)
     return settings;
 }
 
-// The greatest value that a channel's type tells, such as "le:s16/16>>0" or "be:u12/16>>4".
+// Returns the greatest value for a channel's type, such as "le:s16/16>>0" or "be:u12/16>>4".
 std::optional<std::int32_t> greatest_of_type(std::string_view type)
 {
     constexpr int kMostBits = 31;
@@ -69,10 +69,10 @@ std::optional<std::int32_t> greatest_of_type(std::string_view type)
     return static_cast<std::int32_t>((std::int64_t { 1 } << value_bits) - 1);
 }
 
-// A channel's files.
+// Location of a channel's files.
 struct IioPlace {
     fs::path folder;
-    std::string device; // "device0"
+    std::string device; // Device folder's name, such as "device0".
     std::string channel;
 
     fs::path raw_file() const { return folder / fmt::format("in_{}_raw", channel); }
@@ -128,7 +128,8 @@ DeviceInfo describe_place(IioPlace const& place)
              .bus = 0 };
 }
 
-// Asks by reading the file again from its beginning, which converts anew.
+// A link whose request re-reads the channel's file from its beginning, which starts a new
+// conversion.
 class IioLink final : public RealPacketLink {
 public:
     IioLink(int file, std::string who)
@@ -155,7 +156,8 @@ public:
         report.received = now();
         if (size < 0 && (errno == ENODEV || errno == ENXIO || errno == EBADF))
             return fail(Fault::Device, fmt::format("{} is gone: {}", who_, std::strerror(errno)));
-        if (size <= 0) // Busy, or a conversion that failed: the next question may be answered.
+        if (size
+            <= 0) // The converter was busy or a conversion failed; the next request may succeed.
             return std::optional<RawReport>();
         report.size = static_cast<std::size_t>(size);
         while (report.size > 0 && report.storage[report.size - 1] == std::byte { '\n' })
@@ -212,7 +214,7 @@ Result<std::unique_ptr<ReportSource>> open_iio_channel(DeviceInfo info, fs::path
     auto const place = TRY(find_iio_channel(info.location, folder));
     auto const type = read_sysfs_line(place.folder / "scan_elements"
                                       / fmt::format("in_{}_type", place.channel));
-    // What the type tells comes first, so that what the user says counts.
+    // The maximum from the channel's type comes first, so that the user's setting overrides it.
     if (auto const greatest = greatest_of_type(type))
         info.settings
             = fmt::format("max={}{}{}", *greatest, info.settings.empty() ? "" : ",", info.settings);

@@ -12,19 +12,18 @@
 namespace tractus::drivers {
 
 // A channel of the kernel's industrial I/O (Documentation/ABI/testing/sysfs-bus-iio) as a height
-// sensor: any converter or distance sensor that Linux drives, such as the ADS1115 or the VL53L0X
+// sensor: any converter or distance sensor with a Linux driver, such as the ADS1115 or the VL53L0X
 // (firmware-notes/iio.md). Its address is "iio:DEVICE:CHANNEL", where DEVICE is "device0" or the
-// device's own name and CHANNEL what stands between in_ and _raw: "iio:ads1015:voltage0". It is
-// read only where its address names it.
+// device's own name, and CHANNEL is the part between in_ and _raw: "iio:ads1015:voltage0". It is
+// read only if the user names its address.
 //
-// A report is the text of the channel's file, whose value is in the converter's own counts.
-// Settings, behind the @ of the address: the greatest value, max=32767, by itself what the
-// channel's type file tells, else 32767; and the time between two readings, 2000us by itself, which
-// slower converters stretch.
+// A report is the text of the channel's file, a value in the converter's counts. Settings, after
+// the @ of the address: the greatest value, max=32767 (default: from the channel's type file, else
+// 32767); and the time between two readings, 2000us by default, which slower converters exceed.
 
 constexpr char const* kIioFolder = "/sys/bus/iio/devices";
 
-// The channels that may be a height sensor: voltages, distances, angles and positions.
+// Lists the channels that can be a height sensor: voltages, distances, angles and positions.
 std::vector<DeviceInfo> list_iio_channels(std::filesystem::path const& folder = kIioFolder);
 
 // Describes the channel at an address. Fails, as the user's fault, if there is none.
@@ -32,16 +31,16 @@ Result<DeviceInfo> describe_iio_channel(std::string const& address,
                                         std::filesystem::path const& folder = kIioFolder);
 
 // Opens the channel at `info.location`. Fails, as the user's fault, if there is none, it cannot be
-// read, or its settings are none. A read fails, as the device's fault, when the device is gone or
-// has not answered for a second.
+// read, or the settings are invalid. A read fails, as the device's fault, when the device is gone
+// or has not answered for a second.
 Result<std::unique_ptr<ReportSource>>
 open_iio_channel(DeviceInfo info, std::filesystem::path const& folder = kIioFolder);
 
-// Whether a device, opened or from a log, is one of these.
+// True if a device, live or from a log, is an industrial I/O channel.
 bool is_iio_channel(DeviceInfo const& info);
 
-// The decoder of its reports; `info` must be one of these. Fails, as the user's fault, if a log has
-// settings that are none.
+// Makes the decoder of a channel's reports; `info` must satisfy is_iio_channel(). Fails, as the
+// user's fault, if the settings in a log are invalid.
 Result<std::unique_ptr<HeightDecoder>> make_iio_channel_decoder(DeviceInfo const& info);
 
 } // namespace tractus::drivers

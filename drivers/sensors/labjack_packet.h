@@ -7,8 +7,8 @@
 
 namespace tractus::drivers {
 
-// The U3's extended packets (U3 user's guide, section 5.2): a checksum of the header, F8, the
-// number of 16-bit words of data, the command, a checksum of the data, the data.
+// The U3's extended packets (U3 user's guide, section 5.2): a checksum of the header, 0xF8, the
+// number of 16-bit data words, the command, a checksum of the data, the data.
 constexpr std::size_t kLabJackHeaderBytes = 6;
 
 enum class LabJackCommand : std::uint8_t {
@@ -18,13 +18,13 @@ enum class LabJackCommand : std::uint8_t {
     ReadMemory = 0x2D,
 };
 
-// A packet with both checksums. `data` is filled up to whole words.
+// Builds a packet with both checksums. `data` is padded to whole words.
 std::vector<std::byte> labjack_packet(LabJackCommand command, std::span<std::byte const> data);
 
-// Faults of a packet.
+// Reasons why a packet is invalid.
 enum class LabJackDefect {
     None,
-    TooShort, // Than its own header says, or than a header.
+    TooShort, // Shorter than a header, or than its header says.
     NotExtended,
     HeaderChecksum,
     DataChecksum,

@@ -22,24 +22,25 @@ constexpr std::uint16_t kLabjackProductId = 0x0003;
 constexpr std::uint8_t kCommandEndpoint = 0x01;
 constexpr std::uint8_t kAnswerEndpoint = 0x82;
 
-// The firmware does as much at ease.
+// Far slower than the firmware can answer.
 constexpr Duration kLabjackPeriod = std::chrono::milliseconds(4);
 constexpr int kLabjackAttempts = 5;
 constexpr std::int32_t kLabjackFullScale = 0xFFF0;
 
-constexpr std::byte kAnalogInput { 1 }; // IOType
+constexpr std::byte kAnalogInput { 1 }; // IOType of an analogue input.
 constexpr std::byte kAgainstGround { 31 };
 constexpr std::size_t kFeedbackBytes = 12;
 
 using Bytes = std::span<std::byte const>;
 
-// Signed, 32 bits before the point and 32 behind it.
+// Reads a signed fixed-point number with 32 bits before the point and 32 after it.
 double fixed_point(Bytes bytes, std::size_t at)
 {
     return static_cast<std::int32_t>(u32(bytes, at + 4)) + u32(bytes, at) / 4294967296.0;
 }
 
-// The U3's own "I did not understand", when a checksum of ours came over wrong, is no answer.
+// Matches the reply to a command. The U3's own "bad checksum" packet, sent if ours was corrupted,
+// is not a reply.
 PacketTest answers(LabJackCommand command)
 {
     return [command](Bytes packet) {
@@ -51,10 +52,10 @@ PacketTest answers(LabJackCommand command)
 struct Question {
     LabJackCommand command {};
     std::vector<std::byte> data {};
-    std::size_t answer_bytes = 0; // Size of its data.
+    std::size_t answer_bytes = 0; // Data size of the reply in bytes.
 };
 
-// The data of the answer, its error code first.
+// Sends a command and returns the data of the reply, which begins with the error code.
 Result<std::vector<std::byte>> ask(PacketLink& link, Question const& question,
                                    std::string const& who)
 {
@@ -81,7 +82,7 @@ struct Identity {
 
 Result<Identity> read_identity(PacketLink& link, std::string const& who)
 {
-    constexpr unsigned kHighVoltage = 18; // Both bits: a U3C with the front end of the HV.
+    constexpr unsigned kHighVoltage = 18; // Both bits set: a U3C with the front end of the HV.
     auto const told
         = TRY(ask(link, { LabJackCommand::ConfigU3, std::vector<std::byte>(20), 32 }, who));
     return Identity { .serial_number = u32(told, 9),
@@ -90,11 +91,11 @@ Result<Identity> read_identity(PacketLink& link, std::string const& who)
 }
 
 struct Calibration {
-    double volts_per_count = 0; // Counts are of 16 bits.
+    double volts_per_count = 0; // Volts per count of a 16-bit reading.
     double offset_volts = 0;
 };
 
-// 32 bytes behind the error code and a spare byte.
+// Reads a block of 32 bytes, which follows the error code and a spare byte.
 Result<std::vector<std::byte>> read_block(PacketLink& link, unsigned block, std::string const& who)
 {
     auto data = TRY(ask(
@@ -104,8 +105,8 @@ Result<std::vector<std::byte>> read_block(PacketLink& link, unsigned block, std:
     return data;
 }
 
-// Section 5.4: block 0 has slope and offset of the low-voltage inputs against ground, blocks 3 and
-// 4 the slopes and the offsets of the four high-voltage ones.
+// Reads the calibration (section 5.4): block 0 has slope and offset of the single-ended low-voltage
+// inputs; blocks 3 and 4 have the slopes and the offsets of the four high-voltage inputs.
 Result<Calibration> read_calibration(PacketLink& link, bool is_high_voltage, int channel,
                                      std::string const& who)
 {
@@ -119,11 +120,11 @@ Result<Calibration> read_calibration(PacketLink& link, bool is_high_voltage, int
     return Calibration { fixed_point(slopes, at), fixed_point(offsets, at) };
 }
 
-// Pins are digital when the U3 starts. Both bytes of analog pins are read first, and written with
-// one bit more.
+// Makes the channel an analogue input. All pins are digital when the U3 starts, so both bytes of
+// analogue pins are read first, and written with one more bit set.
 Result<void> set_up(PacketLink& link, int channel, std::string const& who)
 {
-    constexpr std::byte kWriteAnalog { 0x0C }; // FIO's and EIO's.
+    constexpr std::byte kWriteAnalog { 0x0C }; // Write masks for the analogue pins of FIO and EIO.
     Question question { LabJackCommand::ConfigIo, std::vector<std::byte>(6), 6 };
     auto const present = TRY(ask(link, question, who));
     question.data = { kWriteAnalog, {}, present[2], present[3], present[4], present[5] };
@@ -207,8 +208,8 @@ open_labjack_u3(DeviceInfo info, std::unique_ptr<PacketLink> link, LabJackU3Opti
     auto const identity = TRY(read_identity(*link, who));
     auto const calibration
         = TRY(read_calibration(*link, identity.is_high_voltage, options.channel, who));
-    // The name tells it, not info's serial number: that is USB's, by which the device is found
-    // again.
+    // The serial number of the U3 goes into the name. That in `info` stays: it is USB's, by which
+    // the device is found again.
     info.name
         = fmt::format("LabJack U3-{} {}, AIN{}, {}", identity.is_high_voltage ? "HV" : "LV",
                       identity.serial_number, options.channel,

@@ -11,36 +11,38 @@
 
 namespace tractus::drivers {
 
-// LabJack's U3, a finished USB device with a converter of 12 bits, as a height sensor (U3 user's
+// LabJack's U3, a ready-made USB device with a 12-bit converter, as a height sensor (U3 user's
 // guide, section 5).
 
 struct LabJackU3Options {
-    // The wiper is on AIN`channel`: 0 to 7 are FIO0 to FIO7, 8 to 15 are EIO0 to EIO7. Low-voltage
-    // inputs go from 0 to 2.44 V; AIN0 to AIN3 of a U3-HV from -10 to 10 V.
+    // Input of the wiper, AIN`channel`: 0 to 7 are FIO0 to FIO7, 8 to 15 are EIO0 to EIO7.
+    // Low-voltage inputs range from 0 to 2.44 V; AIN0 to AIN3 of a U3-HV from -10 to 10 V.
     int channel = 0;
 };
 
-// "AIN3", or nothing for the defaults. Fails, as the user's fault, for anything else.
+// Parses "AIN3", or an empty text for the defaults. Fails, as the user's fault, for anything else.
 Result<LabJackU3Options> parse_labjack_u3_options(std::string_view settings);
 
-// Whether the device is one, by its ids.
+// True if the ids are those of a U3.
 bool is_labjack_u3(DeviceInfo const&);
 
-// Opens the U3 at `info.location` ("usb:1-2.3") through libusb, with `info.settings` as options,
-// makes the channel an analog input, the other pins staying as they are, and reads it 250 times a
-// second: a report is the U3's answer to its Feedback command. Model, serial number, channel, and
-// the calibration constants of that input as the U3's memory has them, stand in info()'s name.
+// Opens the U3 at `info.location` ("usb:1-2.3") through libusb with the options in `info.settings`,
+// makes the channel an analogue input, leaving the other pins unchanged, and reads it 250 times a
+// second. A report is the U3's reply to its Feedback command. The name in info() contains the
+// model, the serial number, the channel, and the calibration constants of that input from the U3's
+// memory.
 //
-// Fails, as the user's fault, if it cannot be opened, and as the device's if it does not answer as
-// a U3 does.
+// Fails, as the user's fault, if the device cannot be opened, and as the device's if it does not
+// reply as a U3.
 Result<std::unique_ptr<ReportSource>> open_labjack_u3(DeviceInfo info);
 
-// Opens one over any link. Fails, as the device's fault, likewise.
+// Opens a U3 over any link. Fails, as the device's fault, if it does not reply as a U3.
 Result<std::unique_ptr<ReportSource>>
 open_labjack_u3(DeviceInfo info, std::unique_ptr<PacketLink> link, LabJackU3Options const& options);
 
-// Counts of 0 to 65520: the converter's 12 bits are the upper ones of 16. Decoding fails for
-// answers that are cut off, that a checksum refutes, or that report an error.
+// Makes the decoder for a U3's reports, with counts of 0 to 65520: the converter's 12 bits are the
+// upper ones of 16. Decoding fails for replies that are truncated, have a wrong checksum, or report
+// an error.
 Result<std::unique_ptr<HeightDecoder>> make_labjack_u3_decoder(DeviceInfo const&);
 
 } // namespace tractus::drivers

@@ -22,13 +22,13 @@ constexpr std::uint16_t kLinakProductId = 0x0002;
 constexpr std::size_t kDeskReportBytes = 64;
 using DeskReport = std::array<std::byte, kDeskReportBytes>;
 
-constexpr std::byte kDeskStatus { 0x04 };       // Asked for.
-constexpr std::byte kDeskStatusLength { 0x38 }; // Its second byte.
-// Bytes from here on are all zero until the desk is ready.
+constexpr std::byte kDeskStatus { 0x04 };       // Feature report of the desk's status.
+constexpr std::byte kDeskStatusLength { 0x38 }; // Second byte of a valid status.
+// All bytes from this offset on are zero until the desk is ready.
 constexpr std::size_t kDeskFirstValueAt = 2;
 constexpr std::size_t kDeskHeightAt = 4;
 
-// How often the cable stands to be asked is published nowhere.
+// The cable's maximum polling rate is not documented.
 constexpr Duration kLinakPeriod = 20ms;
 constexpr int kLinakAttempts = 3;
 constexpr int kLinakInitialisations = 3;
@@ -55,13 +55,14 @@ bool is_not_ready(std::span<std::byte const> packet)
     return is_desk_status(packet) && !is_desk_ready(packet);
 }
 
-// Set once after power-up; what it means nobody knows.
+// Feature report sent once after power-up; its meaning is not documented.
 DeskReport desk_initialisation()
 {
     return { std::byte { 0x03 }, std::byte { 0x04 }, std::byte { 0x00 }, std::byte { 0xfb } };
 }
 
-// The targets of four motors, all "stay where you are". The only command to motors there is here.
+// Returns the target positions of four motors, all meaning "stay where you are". It is the only
+// motor command in this program.
 DeskReport desk_stop()
 {
     DeskReport report { std::byte { 0x05 } };

@@ -11,34 +11,36 @@
 
 namespace tractus::drivers {
 
-// A motorised standing desk with LINAK's actuators, through their cable USB2LIN06: the desk itself
-// tells how high it is, in tenths of a millimetre. Nothing here ever moves it. What the cable says
-// was found by its users (firmware-notes/desk.md); there is no data sheet.
+// A motorised standing desk with LINAK actuators, connected through their cable USB2LIN06: the desk
+// itself reports its height in tenths of a millimetre. This code never moves the desk. The protocol
+// was found out by users (firmware-notes/desk.md); there is no data sheet.
 
-// A reading's counts are tenths of a millimetre above a place 10 mm below the desk's lowest
-// position, so that this is not an end of the range, where a reading would tell nothing.
+// Added to the desk's height in tenths of a millimetre, so that the lowest position is not at the
+// end of the range, where a reading would count as out of range.
 constexpr std::int32_t kLinakCountsBelow = 100;
-constexpr std::int32_t kLinakFullScale = 10'100; // 1,000 mm of travel; desks have 500 to 700.
+constexpr std::int32_t kLinakFullScale
+    = 10'100; // Covers 1,000 mm of travel; desks have 500 to 700 mm.
 
-// Whether the device is such a cable, by its ids.
+// True if the ids are those of such a cable.
 bool is_linak_desk(DeviceInfo const&);
 
-// Opens the cable at `info.location`, a hidraw node, and asks it 50 times a second. A report is the
-// cable's answer, feature report 4 of 64 bytes. A desk that has just got its power does not know
-// yet how high it is: then the cable is initialised as its maker's program does it, which tells the
-// motors to stop, at opening and again whenever that is so.
+// Opens the cable at `info.location`, a hidraw node, and polls it 50 times a second. A report is
+// the cable's reply, feature report 4 with 64 bytes. A desk that has just been powered up does not
+// know its height. In that case, at opening and later, the cable is initialised as its maker's
+// program does it, which tells the motors to stop.
 //
 // Fails, as the user's fault, if the node cannot be opened, or if the desk does not know its height
-// though it was initialised: it has to be set to its lowest position by its own keys.
+// even after the initialisation: it must then be moved to its lowest position with its own keys.
 Result<std::unique_ptr<ReportSource>> open_linak_desk(DeviceInfo info);
 
-// Opens one over any link on which a single byte asks for that feature report, and more bytes set
-// one (open_hid_feature_link). Fails if the desk does not know its height, likewise.
+// Opens the cable over any link in which a one-byte packet requests that feature report, and a
+// longer one sets a feature report (open_hid_feature_link()). Fails if the desk does not know its
+// height.
 Result<std::unique_ptr<ReportSource>> open_linak_desk(DeviceInfo info,
                                                       std::unique_ptr<PacketLink> link);
 
-// Decoding passes over other reports, and fails, as the device's fault, for an answer that is cut
-// off, that does not know the height, or that tells an impossible one.
+// Makes the decoder for the desk's reports. Decoding skips other reports, and fails, as the
+// device's fault, for a reply that is truncated, lacks the height, or contains an impossible one.
 std::unique_ptr<HeightDecoder> make_linak_desk_decoder();
 
 } // namespace tractus::drivers

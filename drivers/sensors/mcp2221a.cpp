@@ -21,35 +21,38 @@ constexpr std::uint16_t kMicrochipProductId = 0x00DD;
 constexpr std::size_t kPacketBytes = 64;
 using Packet = std::array<std::byte, kPacketBytes>;
 
-// Section 3.1 of the datasheet: a command's first byte; the answer repeats it.
+// Commands (datasheet, section 3.1): the first byte; the reply repeats it.
 constexpr std::byte kStatus { 0x10 };
 constexpr std::byte kSetSettings { 0x60 };
 constexpr std::byte kGetSettings { 0x61 };
 constexpr std::byte kDone { 0x00 };
 
 constexpr std::byte kChange { 0x80 };
-constexpr std::byte kConverterFunction { 0x02 }; // Function of GP1 to GP3.
-constexpr std::size_t kReferenceAt = 5;          // Place in the command that sets.
+constexpr std::byte kConverterFunction {
+    0x02
+};                                      // Pin function of GP1 to GP3: input of the converter.
+constexpr std::size_t kReferenceAt = 5; // Offset in the command that changes the settings.
 constexpr std::size_t kChangePinsAt = 7;
 constexpr std::size_t kSetPinsAt = 8;
-constexpr std::size_t kToldPinsAt = 22; // Place in the answer of the command that gets.
+constexpr std::size_t kToldPinsAt = 22; // Offset in the reply with the settings.
 constexpr std::size_t kPins = 4;
-constexpr std::size_t kReadingsAt = 50; // Place in the status: GP1, GP2, GP3.
+constexpr std::size_t kReadingsAt
+    = 50; // Offset of the readings in the status reply: GP1, GP2, GP3.
 
-// The fastest host controllers carry 500 questions and answers a second.
+// The fastest host controllers transfer 500 commands and replies a second.
 constexpr Duration kMcp2221aPeriod = std::chrono::milliseconds(2);
 constexpr int kMcp2221aAttempts = 5;
 constexpr std::int32_t kMcp2221aFullScale = 1023;
 constexpr std::string_view kPinMark = ", GP";
 
-// Bits 2 and 1: which voltage; bit 0: it and not the supply.
+// Bits 2 and 1 select the voltage; bit 0 selects it instead of the supply.
 std::byte reference_bits(Mcp2221aReference reference)
 {
     auto const index = static_cast<unsigned>(reference);
     return index == 0 ? std::byte {} : static_cast<std::byte>(index << 1 | 1);
 }
 
-// 0 for the supply, of which nobody knows.
+// Returns the reference voltage; 0 for the supply, whose voltage is not known.
 double volts(Mcp2221aReference reference)
 {
     constexpr std::array kVolts { 0.0, 1.024, 2.048, 4.096 };
@@ -78,8 +81,8 @@ Result<RawReport> ask(PacketLink& link, Packet const& command, std::string const
     return *answer;
 }
 
-// Setting the pins puts the reference back to the supply, so one command sets both (section
-// 1.8.1.1), and sets all four pins: the others as they are.
+// Configures the pin and the reference. Setting the pins resets the reference to the supply, so one
+// command sets both (section 1.8.1.1); it also sets the other pins, to their present state.
 Result<void> set_up(PacketLink& link, Mcp2221aOptions const& options, std::string const& who)
 {
     auto const settings = TRY(ask(link, Packet { kGetSettings }, who));

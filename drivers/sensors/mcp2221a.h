@@ -11,46 +11,50 @@
 
 namespace tractus::drivers {
 
-// Microchip's MCP2221A, a finished USB chip with a converter of 10 bits: a string potentiometer's
-// wiper on one of its pins is a height sensor (datasheet DS20005565).
+// Microchip's MCP2221A, a ready-made USB chip with a 10-bit converter, as a height sensor: the
+// wiper of a string potentiometer is connected to one of its pins (datasheet DS20005565).
 
-enum class Mcp2221aReference { Supply, Volts1024, Volts2048, Volts4096 }; // 1.024 V, …
+enum class Mcp2221aReference {
+    Supply,
+    Volts1024,
+    Volts2048,
+    Volts4096
+}; // The supply, or an internal 1.024 V, 2.048 V or 4.096 V.
 
 struct Mcp2221aOptions {
-    int pin = 1; // Wiper on GP1, GP2 or GP3.
-    // Voltage that full scale means. With the potentiometer between the chip's supply and ground,
-    // only the supply lets its drift cancel.
+    int pin = 1; // Pin of the wiper: GP1, GP2 or GP3.
+    // Voltage at full scale. With the potentiometer between the chip's supply and ground, drift of
+    // the supply cancels only if the supply is the reference.
     Mcp2221aReference reference = Mcp2221aReference::Supply;
 };
 
-// Options as words between commas, in any order: "GP2,4.096V"; none for the defaults. Fails, as the
-// user's fault, for other words.
+// Parses comma-separated options in any order, "GP2,4.096V"; an empty text gives the defaults.
+// Fails, as the user's fault, for unknown words.
 Result<Mcp2221aOptions> parse_mcp2221a_options(std::string_view settings);
 
-// Whether the device is one, by its ids; the chip's maker lets others change them.
+// True if the ids are those of the chip as delivered; its ids can be reprogrammed.
 bool is_mcp2221a(DeviceInfo const&);
 
-// Opens the chip at `info.location`, a hidraw node, with `info.settings` as options, makes the pin
-// an input of the converter, and reads 500 times a second: a report is the chip's 64-byte answer to
-// its status command. The other pins stay as they are. Other programs may go on using the chip,
-// and the kernel's driver where it leaves a hidraw node at all: the answers to them are dropped,
-// and the settings are made again when they have changed them, since that also changes the
-// reference.
+// Opens the chip at `info.location`, a hidraw node, with the options in `info.settings`, makes the
+// pin a converter input, and reads it 500 times a second: a report is the chip's 64-byte reply to
+// its status command. The other pins are left unchanged. Other programs, and a kernel driver that
+// leaves a hidraw node, can use the chip at the same time: replies to them are dropped, and if they
+// change the settings, the settings are made again, since such a change also resets the reference.
 //
-// The pin is added to the name in info(), where make_mcp2221a_decoder reads it, and what a count is
-// in volts, where the reference tells (drivers/sensors/sensor_volts.h).
+// The name in info() contains the pin, which make_mcp2221a_decoder() reads, and, if the reference
+// is a known voltage, the volts per count (drivers/sensors/sensor_volts.h).
 //
-// Fails, as the user's fault, if the node cannot be opened, and as the device's, if the chip does
-// not answer as such a chip does.
+// Fails, as the user's fault, if the node cannot be opened, and as the device's if the chip does
+// not reply as an MCP2221A.
 Result<std::unique_ptr<ReportSource>> open_mcp2221a(DeviceInfo info);
 
-// Opens one over any link. Fails, as the device's fault, likewise.
+// Opens the chip over any link. Fails, as the device's fault, if it does not reply as an MCP2221A.
 Result<std::unique_ptr<ReportSource>>
 open_mcp2221a(DeviceInfo info, std::unique_ptr<PacketLink> link, Mcp2221aOptions const& options);
 
-// Counts of 0 to 1023 from the pin that the device's name tells, GP1 if it tells none. Decoding
-// passes over the answers to other commands, and fails if the chip says that it could not do what
-// it was told, or if an answer is cut off.
+// Makes the decoder for the pin in the device's name (default: GP1), with counts of 0 to 1023.
+// Decoding skips replies to other commands, and fails if the chip reports that a command failed, or
+// if a reply is truncated.
 Result<std::unique_ptr<HeightDecoder>> make_mcp2221a_decoder(DeviceInfo const&);
 
 } // namespace tractus::drivers

@@ -22,7 +22,7 @@ void skip_line_blanks(std::string_view& text)
         text.remove_prefix(1);
 }
 
-// Takes "height:" or "d=" off the text; leaves it alone where it has neither.
+// Removes a label such as "height:" or "d=" from the text, if it has one.
 void skip_label(std::string_view& text)
 {
     auto rest = text;
@@ -37,7 +37,7 @@ void skip_label(std::string_view& text)
     text = rest;
 }
 
-// The one number of a line.
+// Parses a line that contains exactly one number.
 std::optional<double> parse_number_line(std::string_view text)
 {
     skip_line_blanks(text);

@@ -10,11 +10,12 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr Duration kAnswerTime = 50ms; // Devices take some 4 ms.
+constexpr Duration kAnswerTime = 50ms; // Devices take about 4 ms.
 constexpr Duration kSilenceLimit = 1s;
-constexpr int kMostStale = 128; // More than a kernel's queue holds.
+constexpr int kMostStale = 128; // More packets than a kernel queue can hold.
 
-// Answers that came too late to be taken for the answer to the next question.
+// Drops late replies, which would be taken for the reply to the next command. Returns true if one
+// of them shows that the settings were changed.
 Result<bool> drop_stale(PacketLink& link, PacketTest const& spoils)
 {
     bool is_spoilt = false;

@@ -14,29 +14,29 @@ namespace tractus::drivers {
 
 using PacketTest = std::function<bool(std::span<std::byte const> packet)>;
 
-// Sends `command` and waits for the packet that `is_reply` takes, passing over others: some devices
-// answer to several masters. Asks again when none comes in 50 ms, `attempts` times in all; no value
-// if none ever comes. Fails when the link does.
+// Sends `command` and waits for a packet that satisfies `is_reply`, skipping others, since some
+// devices reply to several hosts. Repeats the command after 50 ms without a reply, up to `attempts`
+// times in total; returns no value if there is no reply at all. Fails when the link does.
 Result<std::optional<RawReport>> exchange(PacketLink& link, std::span<std::byte const> command,
                                           PacketTest const& is_reply, int attempts);
 
-// How a sensor that speaks only when it is asked becomes a source.
+// Describes how a sensor that sends only on request is polled.
 struct Polling {
-    std::vector<std::byte> command {}; // Asks for one reading.
-    PacketTest is_reply {};            // Whether a packet is the answer to it.
-    Duration period {};                // Time between two questions; the answers may be slower.
+    std::vector<std::byte> command {}; // Requests one reading.
+    PacketTest is_reply {};            // True for a packet that is the reply to `command`.
+    Duration period {};                // Time between two requests; replies may be slower.
 
-    // Prepares the sensor: called first of all, and again after a packet that `spoils` takes, since
-    // somebody else has changed its settings.
+    // Prepares the sensor. Called first, and again after a packet that satisfies `spoils`, which
+    // shows that another program has changed the settings.
     std::function<Result<void>(PacketLink&)> set_up {};
-    PacketTest spoils {}; // Spoiling packets; none if it is empty.
+    PacketTest spoils {}; // Empty if there are no such packets.
 };
 
-// Asks in read(), so whoever reads from a thread of its own polls from that thread. An answer that
-// is lost is asked for again with the next reading; reading fails, as the device's fault, when none
-// has come for a second.
+// Opens a source that polls within read(), and therefore on the thread that reads. A lost reply is
+// followed by the next request; reading fails, as the device's fault, when there was no reply for a
+// second.
 //
-// Opening fails when the set-up does.
+// Opening fails when `set_up` does.
 Result<std::unique_ptr<ReportSource>> open_polled(DeviceInfo info, std::unique_ptr<PacketLink> link,
                                                   Polling polling);
 

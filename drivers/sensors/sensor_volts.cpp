@@ -25,7 +25,8 @@ std::optional<double> sensor_volts(std::string_view name, double counts)
     if (at == std::string_view::npos)
         return std::nullopt;
     auto const blank = name.substr(0, at).rfind(' ');
-    auto const slope = leading_number(name.substr(blank + 1)); // npos + 1 is the begin.
+    auto const slope
+        = leading_number(name.substr(blank + 1)); // Without a blank, npos + 1 is 0, the beginning.
     auto const offset = leading_number(name.substr(at + kPerCount.size()));
     return slope && offset ? std::optional(*slope * counts + *offset) : std::nullopt;
 }

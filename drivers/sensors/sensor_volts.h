@@ -6,14 +6,14 @@
 
 namespace tractus::drivers {
 
-// Meaning of a reading in volts, for converters whose reference is a voltage. It stands in the name
-// of the device (DeviceInfo::name), so that a log tells it, too.
+// The voltage of a reading, for converters with a reference of known voltage. It is kept in
+// DeviceInfo::name, so that logs contain it too.
 
-// "0.002 V per count from 0 V", to be put behind a name.
+// Prints "0.002 V per count from 0 V", to be appended to a name.
 std::string print_volts_per_count(double volts_per_count, double volts_at_zero);
 
-// Volts at `counts`; no value if the name does not tell, as that of a converter which measures what
-// share of its own supply there is.
+// Returns the voltage at `counts`. No value if the name does not contain it, as with converters
+// that measure relative to their own supply.
 std::optional<double> sensor_volts(std::string_view name, double counts);
 
 } // namespace tractus::drivers

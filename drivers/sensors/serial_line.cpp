@@ -69,7 +69,7 @@ Result<SerialSettings> parse_serial_settings(std::string_view text)
     return settings;
 }
 
-// An open file descriptor.
+// Owner of an open file descriptor.
 class SerialPort {
 public:
     explicit SerialPort(int file)
@@ -105,7 +105,7 @@ tl::unexpected<Error> cannot_open_line(std::string const& node, int error)
                                                  : ""));
 }
 
-// Eight bits, no parity, no flow control, and every byte as it comes.
+// Opens a serial port with eight bits, no parity, no flow control, and no processing of bytes.
 Result<SerialPort> open_port(std::string const& node, speed_t speed)
 {
     SerialPort port(::open(node.c_str(), O_RDONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
@@ -145,10 +145,10 @@ private:
 
     DeviceInfo info_;
     SerialPort port_;
-    std::deque<RawReport> lines_; // Whole ones that wait to be read.
-    RawReport line_ {};           // The one that has begun.
-    bool is_whole_ = false;       // It has been read from its beginning on …
-    bool is_too_long_ = false;    // … and fits no report.
+    std::deque<RawReport> lines_; // Complete lines waiting to be read.
+    RawReport line_ {};           // Line being received.
+    bool is_whole_ = false;       // The line was received from its beginning.
+    bool is_too_long_ = false;    // The line exceeds a report.
     std::uint64_t too_long_ = 0;
 };
 
@@ -208,7 +208,8 @@ Result<std::optional<RawReport>> SerialLineSource::read(Duration timeout)
     return std::optional(line);
 }
 
-// The USB device above a tty, whose folder is …/1-2/1-2:1.0/tty/ttyACM0 or …/1-2:1.0/ttyUSB0/tty/….
+// Returns the USB device of a tty, whose folder is …/1-2/1-2:1.0/tty/ttyACM0 or
+// …/1-2:1.0/ttyUSB0/tty/….
 std::optional<fs::path> usb_device_of(fs::path const& tty)
 {
     std::error_code error;

@@ -11,32 +11,32 @@
 
 namespace tractus::drivers {
 
-// A height sensor on a serial line: an Arduino, ESP32 or RP2040 that prints one number a line
-// (firmware-notes/serial.md; number_line.h has what a line may hold). It is read only where its
-// address names it, since whatever else may be on such a line.
+// A height sensor on a serial port: an Arduino, ESP32 or RP2040 that prints one number per line
+// (firmware-notes/serial.md; number_line.h specifies the lines). It is read only if the user names
+// its address, since any device may be on a serial port.
 //
-// Settings, behind the @ of its address: the baud rate, 115200 by itself, and the greatest number,
-// max=4095 by itself: "/dev/ttyACM0@9600,max=1023". Boards with USB of their own do not mind the
-// baud rate.
+// Settings, after the @ of the address: the baud rate, 115200 by default, and the greatest number,
+// max=4095 by default: "/dev/ttyACM0@9600,max=1023". Boards with native USB ignore the baud rate.
 
-// The serial lines over USB (ttyACM, ttyUSB) that the kernel has.
+// Lists the kernel's serial ports over USB (ttyACM, ttyUSB).
 std::vector<DeviceInfo> list_serial_lines(std::filesystem::path const& tty_folder
                                           = "/sys/class/tty");
 
-// Describes the line at a node, listed or not. Fails, as the user's fault, if there is no node.
+// Describes the serial port at a node, listed or not. Fails, as the user's fault, if the node does
+// not exist.
 Result<DeviceInfo> describe_serial_line(std::string const& node);
 
-// Opens the node at `info.location`, and takes it for itself. A report is a line, without its line
-// break, when it ended; the first one may have begun before and is left out, empty ones are, too.
-// Fails, as the user's fault, for settings that are none and for a node that cannot be opened. A
-// read fails, as the device's fault, when the device is gone.
+// Opens the node at `info.location` exclusively. A report is a line without its line break, with
+// the time at which it ended. The first line, which may be incomplete, and empty lines are dropped.
+// Fails, as the user's fault, for invalid settings and for a node that cannot be opened. A read
+// fails, as the device's fault, when the device is gone.
 Result<std::unique_ptr<ReportSource>> open_serial_line(DeviceInfo info);
 
-// Whether a device, opened or from a log, is one of these.
+// True if a device, live or from a log, is a serial height sensor.
 bool is_serial_line(DeviceInfo const& info);
 
-// The decoder of its reports; `info` must be one of these. Fails, as the user's fault, if a log has
-// settings that are none.
+// Makes the decoder of a serial sensor's reports; `info` must satisfy is_serial_line(). Fails, as
+// the user's fault, if the settings in a log are invalid.
 Result<std::unique_ptr<HeightDecoder>> make_serial_line_decoder(DeviceInfo const& info);
 
 } // namespace tractus::drivers

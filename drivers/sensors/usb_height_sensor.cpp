@@ -27,8 +27,8 @@ std::byte low(unsigned value)
     return static_cast<std::byte>(value & 0xFF);
 }
 
-// The interface of a device on which the sensor speaks: its number, and numbers of its endpoint and
-// its name.
+// The device's interface that belongs to the sensor: its number, its endpoint, and the index of its
+// string.
 struct SensorInterface {
     int interface_number = 0;
     std::uint8_t endpoint = 0;
@@ -97,7 +97,8 @@ private:
     UsbDevice device_;
     std::uint16_t interface_;
     std::string who_;
-    std::unique_ptr<UsbReader> reader_; // Goes before the device does.
+    std::unique_ptr<UsbReader>
+        reader_; // Declared last, since it must be destroyed before the device.
 };
 
 Result<std::vector<std::byte>> UsbHeightSensorLink::get(HeightSensorRequest request,
@@ -116,7 +117,8 @@ Result<std::vector<std::byte>> UsbHeightSensorLink::get(HeightSensorRequest requ
 
 Result<void> UsbHeightSensorLink::set(HeightSensorRequest request, std::uint16_t value, Bytes data)
 {
-    std::vector<std::byte> bytes(data.begin(), data.end()); // Libusb wants to be able to write.
+    std::vector<std::byte> bytes(
+        data.begin(), data.end()); // A copy, because libusb takes a pointer to mutable memory.
     int const code = libusb_control_transfer(
         device_.handle(), kVendorInterfaceOut, static_cast<std::uint8_t>(request), value,
         interface_, reinterpret_cast<unsigned char*>(bytes.data()),
@@ -135,7 +137,8 @@ public:
     }
     ~UsbHeightSensor() override
     {
-        (void)link_->set(HeightSensorRequest::SetStreaming, 0, {}); // If it is still there.
+        (void)link_->set(HeightSensorRequest::SetStreaming, 0,
+                         {}); // Fails for an unplugged sensor, which does not matter.
     }
 
     DeviceInfo const& info() const override { return info_; }
@@ -164,7 +167,8 @@ Result<void> check_identity(HeightSensorLink& link, std::string const& who)
     return {};
 }
 
-// Frames of before would be taken for fresh ones, since they arrive late.
+// Stops the stream and discards frames sent earlier, which would arrive late and be taken for new
+// ones.
 Result<void> stop_and_forget(HeightSensorLink& link)
 {
     constexpr int kMostFrames = 256;

@@ -15,43 +15,45 @@
 
 namespace tractus::drivers {
 
-// Wishes for the station's own height sensor; what has no value stays as the sensor has it.
+// Options of the station's own height sensor; members without a value leave the sensor's setting
+// unchanged.
 struct UsbHeightSensorOptions {
-    std::optional<std::uint16_t> period_us {};        // Time between readings.
-    std::optional<std::uint8_t> samples_per_frame {}; // 1 to kMaxHeightFrameSamples.
+    std::optional<std::uint16_t> period_us {}; // Time between readings.
+    std::optional<std::uint8_t>
+        samples_per_frame {}; // Number of readings, 1 to kMaxHeightFrameSamples.
     std::optional<HeightReference> reference {};
 };
 
-// "2000us,internal": the period, and supply or internal; nothing for the defaults. Fails, as the
-// user's fault, for other words.
+// Parses "2000us,internal": the period, and supply or internal; an empty text gives the defaults.
+// Fails, as the user's fault, for other words.
 Result<UsbHeightSensorOptions> parse_usb_height_sensor_options(std::string_view settings);
 
 // Opens the station's own height sensor (firmware-notes/height-sensor-protocol.md) at
-// `info.location` ("usb:1-2.3") through libusb, with `info.settings` as options, has it stop,
-// forgets what it had sent before, and has it start: a report is one transfer as it came, as a rule
-// one frame. It stops when the source goes.
+// `info.location` ("usb:1-2.3") through libusb with the options in `info.settings`, stops the
+// stream, discards earlier frames, and starts it. A report is one transfer, normally one frame.
+// Destroying the source stops the sensor.
 //
-// Fails, as the user's fault, if it cannot be opened or refuses the options, and as the device's if
-// it is no such sensor or speaks another version. A read fails, as the device's fault, when it was
-// unplugged, whatever libusb calls that.
+// Fails, as the user's fault, if the sensor cannot be opened or refuses the options, and as the
+// device's if it is no such sensor or has another protocol version. A read fails, as the device's
+// fault, when the sensor was unplugged, whatever error libusb reports.
 Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info);
 
-// The way to such a sensor. The requests are those to its interface.
+// Communication with such a sensor. Requests go to its interface.
 class HeightSensorLink {
 public:
     virtual ~HeightSensorLink() = default;
 
-    // Fail if the sensor stalls or is gone.
+    // Sends a control request. Fails if the sensor stalls or is gone.
     virtual Result<std::vector<std::byte>> get(HeightSensorRequest request, std::size_t bytes) = 0;
     virtual Result<void> set(HeightSensorRequest request, std::uint16_t value,
                              std::span<std::byte const> data)
         = 0;
 
-    // The next transfer of its endpoint, as a source reads.
+    // Reads the next transfer of the endpoint, like ReportSource::read().
     virtual Result<std::optional<RawReport>> read(Duration timeout) = 0;
 };
 
-// Opens one over any link. Fails likewise, but for opening the device.
+// Opens a sensor over any link. Fails like the function above, except for opening the device.
 Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info,
                                                              std::unique_ptr<HeightSensorLink> link,
                                                              UsbHeightSensorOptions const& options);

@@ -22,8 +22,8 @@ bool is_own(UsbInterface const& interface)
         && interface.protocol == kHeightSensorProtocol;
 }
 
-// The number of the interface's string, from the device's descriptors one after another (USB 2.0
-// section 9.6.5).
+// Returns the index of the interface's string, found in the device's concatenated descriptors (USB
+// 2.0, section 9.6.5).
 int string_index(fs::path const& device, int interface_number)
 {
     constexpr unsigned char kInterface = 4;

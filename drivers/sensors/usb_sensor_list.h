@@ -7,9 +7,10 @@
 
 namespace tractus::drivers {
 
-// Every height sensor on USB that is no HID device, in the order of their ports: the station's own
-// kind, known by its interface's class, and LabJack's U3, known by its ids. Whether they can be
-// opened or not: reads sysfs alone, for which no permission is needed. `location` is "usb:1-2.3".
+// Lists the USB height sensors that are not HID devices, sorted by port: the station's own kind,
+// recognised by its interface class, and LabJack's U3, recognised by its ids. Includes devices that
+// may not be opened, since only sysfs is read, which needs no permission. `location` is
+// "usb:1-2.3".
 std::vector<DeviceInfo> list_usb_height_sensors(std::filesystem::path const& folder
                                                 = "/sys/bus/usb/devices");
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-// The static library's functions under their changed names.
+// Functions of the static library under their changed names.
 extern "C" {
 int tractus_libusb_hid_init(void);
 int tractus_libusb_hid_exit(void);
@@ -25,8 +25,9 @@ namespace tractus::drivers {
 
 namespace {
 
-// The library has one context for all devices, which does not see those that came after it was
-// made where no udev tells it. So it is made anew whenever no device is open.
+// Owns hidapi's libusb back end. It has one context for all devices, which does not see devices
+// plugged in later if there is no udev. The context is therefore recreated whenever no device is
+// open.
 class Library {
 public:
     static std::mutex& mutex()
@@ -35,7 +36,7 @@ public:
         return mutex;
     }
 
-    // Requires that the mutex is locked.
+    // Requires the mutex to be locked.
     static void begin()
     {
         if (open_count == 0)
@@ -64,7 +65,8 @@ struct FreeEnumeration {
     void operator()(hid_device_info* list) const { tractus_libusb_hid_free_enumeration(list); }
 };
 
-// Paths begin with the port: "1-2.3:1.0" is port 2.3 of bus 1, configuration 1, interface 0.
+// Returns hidapi's path of an interface. Paths begin with the port: "1-2.3:1.0" is port 2.3 of bus
+// 1, configuration 1, interface 0.
 std::string find_path(LibusbAddress const& address, DeviceInfo const& info)
 {
     auto const port = print_usb_port(address.port) + ":";

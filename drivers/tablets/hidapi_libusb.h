@@ -12,25 +12,24 @@
 
 namespace tractus::drivers {
 
-// Hidapi's libusb back end beside its hidraw one. The two libraries have the same names for
-// everything, and call each other's functions if both are in a process: so this one is linked from
-// its static library, whose names are changed when the program is built (see the CMakeLists.txt
-// here). That also works under sanitizers, which refuse the ways there are to keep apart two
-// libraries that are loaded at run time.
+// Hidapi's libusb back end, used beside its hidraw back end. The two libraries use the same symbol
+// names and would call each other's functions, so this one is linked from its static library, with
+// symbols renamed at build time (see the CMakeLists.txt here). This also works with sanitizers,
+// which do not support separating two shared libraries at run time.
 //
-// The interface is taken from the kernel's driver while it is open. A program that crashes leaves
-// it without a driver, until the device is plugged in again.
+// The kernel's driver is detached from the interface while it is open. After a crash the interface
+// has no driver until the device is plugged in again.
 class LibusbHid {
 public:
     // Opens one interface of the device at info.location. Fails, as the user's fault, if there is
-    // none, or it may not be opened, or another program has it.
+    // none, it may not be opened, or another program uses it.
     static Result<LibusbHid> open(LibusbAddress const& address, DeviceInfo const& info);
 
-    // Whole reports, the report id first. Fail, as the device's fault.
+    // Sends a complete report, beginning with its report id. Fails as the device's fault.
     Result<void> send_feature(std::span<std::byte const> report);
     Result<void> send_output(std::span<std::byte const> report);
 
-    // Goes on reading.
+    // Turns the open interface into a source of its reports.
     std::unique_ptr<ReportSource> into_source(DeviceInfo info) &&;
 
 private:

@@ -36,7 +36,7 @@ public:
             ::close(number_);
     }
     int number() const { return number_; }
-    int error() const { return error_; } // Why it is not open; 0 if it is.
+    int error() const { return error_; } // Errno of opening; 0 if the file is open.
 
 private:
     int number_;
@@ -58,7 +58,7 @@ fs::path folder_of(fs::path const& class_folder, DeviceInfo const& info)
     return class_folder / fs::path(info.location).filename();
 }
 
-// Linux's drivers that switch the tablets they know.
+// True for Linux drivers that switch the mode of tablets that they know.
 bool is_switching_driver(std::string const& driver)
 {
     return driver == "wacom" || driver == "uclogic";
@@ -112,7 +112,8 @@ Result<void> HidrawPort::send(HostReportKind kind, std::span<std::byte const> re
     FileDescriptor const file(node);
     if (file.number() < 0)
         return fail(Fault::User, cannot_open_hidraw(receiver, file.error()));
-    std::vector<std::byte> buffer(report.begin(), report.end()); // The ioctl writes to it.
+    std::vector<std::byte> buffer(report.begin(),
+                                  report.end()); // A copy, because the ioctl writes to its buffer.
     auto const sent = kind == HostReportKind::Feature
         ? ::ioctl(file.number(), HIDIOCSFEATURE(buffer.size()), buffer.data())
         : ::write(file.number(), buffer.data(), buffer.size());

@@ -11,22 +11,22 @@
 
 namespace tractus::drivers {
 
-// Returns which of a tablet's interfaces takes a report: `own` if its descriptor has the report or
-// none of the others has, else the other one.
+// Returns the index of the tablet's interface that accepts a report: `own` if its descriptor
+// declares the report or no other does, else the one that declares it.
 enum class HostReportKind { Feature, Output };
 std::size_t find_receiver(std::vector<DeviceInfo> const& interfaces, std::size_t own,
                           HostReportKind kind, std::uint8_t report_id);
 
-// Speaks to a tablet through the kernel's hidraw nodes: to the one it is opened for and to the
-// others of the same tablet, where those take a report. Hidraw reads no strings; for those the USB
-// device itself is asked, whichever driver it has.
+// Communicates with a tablet through the kernel's hidraw nodes: the node it is opened for, or
+// another one of the same tablet if that accepts a report. String descriptors, which hidraw cannot
+// read, are requested from the USB device itself, whatever its driver.
 class HidrawPort final : public TabletPort {
 public:
-    // `all` are the HID devices that there are.
+    // `all` lists all HID devices of the computer.
     HidrawPort(DeviceInfo const& info, std::vector<DeviceInfo> const& all,
                std::filesystem::path const& class_folder = "/sys/class/hidraw");
 
-    bool is_open() const; // Whether the node may be read and written.
+    bool is_open() const; // True if the node could be opened for reading and writing.
     SwitchedBy switched_by() const { return switched_by_; }
 
     Result<void> send_feature(std::span<std::byte const> report) override;
@@ -37,7 +37,7 @@ private:
     Result<void> send(HostReportKind kind, std::span<std::byte const> report);
 
     std::vector<DeviceInfo> interfaces_; // Interfaces of this tablet.
-    std::size_t own_ = 0;                // Index of the one it is opened for.
+    std::size_t own_ = 0;                // Index of the interface it is opened for.
     SwitchedBy switched_by_ = SwitchedBy::Nobody;
     UsbStrings strings_;
 };

@@ -5,20 +5,20 @@
 
 namespace tractus::drivers {
 
-// Whether Linux's own driver for the tablet has switched it already; the reports that switch are
-// left out then, and nothing is warned of, since the driver's descriptor says all that matters.
+// Whether Linux's own driver has already switched the tablet's mode. In that case no switching
+// reports are sent and no warnings are given, since the driver's descriptor is sufficient.
 enum class SwitchedBy { Nobody, Kernel };
 
-// Finds out which tablet this is, and makes it leave the mode in which it powers up:
+// Identifies the tablet and switches it from its power-up mode to its full mode:
 //
-// 1. reads the strings that tell apart the tablets with its ids;
-// 2. looks it up;
-// 3. reads the strings, then sends the feature reports, then the output reports that the table
-//    names for it, in the table's order.
+// 1. reads the strings that distinguish tablets with these ids;
+// 2. looks the tablet up in the table;
+// 3. reads the strings, then sends the feature reports, then the output reports, that the table
+//    lists for it, in the table's order.
 //
-// Strings that were read go to `info.strings`, an empty text for one that the tablet does not have.
-// Failures go to `info.warnings`, one sentence for each of the three kinds at most; the tablet then
-// stays in the mode it is in, and its decoder will be the one for that mode.
+// The strings are stored in `info.strings`, as an empty text if the tablet lacks one. Failures are
+// stored in `info.warnings`, at most one sentence for each of the three kinds; the tablet then
+// stays in its mode, and its decoder will be the one for that mode.
 void switch_to_full_mode(DeviceInfo& info, TabletPort& port, SwitchedBy switched_by);
 
 } // namespace tractus::drivers

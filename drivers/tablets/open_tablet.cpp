@@ -14,7 +14,7 @@ namespace tractus::drivers {
 
 namespace {
 
-// Speaks to the interface that is open, and asks the device for its strings.
+// Communicates with the open interface, and requests string descriptors from the device.
 class LibusbPort final : public TabletPort {
 public:
     LibusbPort(LibusbHid& hid, std::string usb_address)
@@ -59,7 +59,7 @@ Result<std::unique_ptr<ReportSource>> open_through_hidraw(DeviceInfo info)
     HidrawPort port(info, enumerate_hid());
     if (port.is_open())
         switch_to_full_mode(info, port, port.switched_by());
-    return open_hid(std::move(info)); // Says why if the node cannot be opened.
+    return open_hid(std::move(info)); // Reports the reason if the node cannot be opened.
 }
 
 } // namespace

@@ -8,16 +8,16 @@
 
 namespace tractus::drivers {
 
-// Opens a HID device: at "/dev/hidraw3" through hidraw, at "libusb:1-2.3:0" through hidapi's libusb
-// back end (see drivers/tablets/hidapi_libusb.h). If the table knows it as a tablet, it is switched
-// to its full mode (see drivers/tablets/mode_switch.h) before its first report is read; a report
-// that another interface of the tablet takes is sent there. The source's info() has the strings
-// that were read, and in `warnings` what did not go well.
+// Opens a HID device: "/dev/hidraw3" through hidraw, "libusb:1-2.3:0" through hidapi's libusb back
+// end (see drivers/tablets/hidapi_libusb.h). A tablet in the table is switched to its full mode
+// (see drivers/tablets/mode_switch.h) before its first report is read; a report that another
+// interface of the tablet accepts is sent there. The source's info() contains the strings that were
+// read and, in `warnings`, what failed.
 //
-// The ids, the name and the report descriptor of a libusb address are read from the device, as it
-// has them itself, whatever Linux's driver has made of it.
+// For a libusb address, the ids, the name and the report descriptor are read from the device
+// itself, so they are not changed by Linux's driver.
 //
-// Fails as open_hid does.
+// Fails like open_hid().
 Result<std::unique_ptr<ReportSource>> open_tablet(DeviceInfo info);
 
 } // namespace tractus::drivers

@@ -6,7 +6,8 @@
 
 namespace tractus::drivers {
 
-// The kernel's driver has undone the habits of the device with these ids.
+// Clears the ids, so that no habits are looked up: the kernel's driver has already corrected the
+// events.
 static Result<std::unique_ptr<PenDecoder>> make_event_pen_decoder(DeviceInfo info)
 {
     info.vendor_id = 0;

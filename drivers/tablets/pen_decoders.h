@@ -8,9 +8,9 @@
 
 namespace tractus::drivers {
 
-// The decoder for a device, by its report descriptor. Fails, as the user's fault, with the reason
-// if the device is no pen or sends reports of its maker's own making, and as the device's fault if
-// its descriptor is broken.
+// Makes the decoder for a device from its report descriptor. Fails, as the user's fault, with the
+// reason if the device is no pen or sends reports in its maker's own format, and as the device's
+// fault if its descriptor is broken.
 Result<std::unique_ptr<PenDecoder>> make_pen_decoder(DeviceInfo const&);
 
 } // namespace tractus::drivers

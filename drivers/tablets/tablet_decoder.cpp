@@ -15,12 +15,12 @@ namespace {
 
 using ReportIds = std::bitset<256>;
 
-// The reports of Linux's hid-uclogic for keys and dials are its own invention: their id in a
-// descriptor tells that the driver wrote it (UCLOGIC_RDESC_V1_FRAME_ID in its source).
+// Report id that Linux's hid-uclogic invents for keys and dials: a descriptor with this id was
+// written by that driver (UCLOGIC_RDESC_V1_FRAME_ID in its source).
 constexpr std::uint8_t kKernelPadReport = 0xF7;
 
 struct NodeReports {
-    ReportIds described; // Fields of a known meaning.
+    ReportIds described; // Ids of reports with a field of known meaning.
     ReportIds makers_own;
     bool is_rewritten_by_kernel = false;
     bool use_ids = true;
@@ -28,7 +28,7 @@ struct NodeReports {
 
 NodeReports reports_of(HidReportDescriptor const& descriptor)
 {
-    // Pages of the makers' own, and usages that no page defines.
+    // Vendor-defined pages, and usages that no page defines.
     auto const says_nothing
         = [](HidUsage usage) { return usage >= 0xFF00'0000 || (usage & 0xFFFF) == 0; };
     NodeReports result;
@@ -41,7 +41,7 @@ NodeReports reports_of(HidReportDescriptor const& descriptor)
     return result;
 }
 
-// The strings whose reading is the switch have been read.
+// True if the strings whose reading switches the tablet have been read.
 bool is_switched_by_strings(DeviceInfo const& info, TabletIdentifier const& identifier)
 {
     auto const& strings = identifier.setup.strings;
@@ -55,8 +55,9 @@ class TabletDecoder final : public PenDecoder {
 public:
     struct Parts {
         PenFamily family;
-        std::unique_ptr<PenDecoder> own;       // Never null.
-        std::unique_ptr<PenDecoder> described; // Null if the descriptor describes no pen.
+        std::unique_ptr<PenDecoder> own; // Decoder of the maker's own reports; never null.
+        std::unique_ptr<PenDecoder>
+            described; // Decoder of the described reports; null if the descriptor describes no pen.
         ReportIds described_ids;
         bool own_comes_first = false;
         bool use_ids = true;
@@ -83,12 +84,12 @@ private:
     PenDecoder* decoder_for(std::span<std::byte const> report) const;
 
     Parts parts_;
-    PenDecoder* last_; // Whichever spoke last.
+    PenDecoder* last_; // The decoder that gave the last sample.
     PenTraits traits_;
-    RawReport with_id_; // A report that came without one.
+    RawReport with_id_; // Copy of a report that came without an id, with an id in front.
 };
 
-// Null for a report that is no pen's.
+// Returns the decoder for a report; null if it is not about a pen.
 PenDecoder* TabletDecoder::decoder_for(std::span<std::byte const> report) const
 {
     FamilyState ignored;
@@ -98,7 +99,8 @@ PenDecoder* TabletDecoder::decoder_for(std::span<std::byte const> report) const
     return parts_.described.get();
 }
 
-// Formats count from the report id: where a device uses none, 0 stands for it.
+// Decodes a report. Formats count offsets from the report id; for a device without ids, a 0 is put
+// in front.
 Result<void> TabletDecoder::decode(Timestamp received, std::span<std::byte const> report,
                                    std::vector<PenSample>& out)
 {
@@ -123,7 +125,8 @@ Result<void> TabletDecoder::decode_with_id(Timestamp received, std::span<std::by
     TRY(decoder->decode(received, as_it_came, out));
     if (out.size() == first || decoder == last_)
         return {};
-    // The one's leaving stands for the other's first sample, as it does where a pen is turned over.
+    // The first decoder's leaving replaces the first sample of the second, as when a pen is turned
+    // over.
     if (auto const left = std::exchange(last_, decoder)->leave(out[first].time))
         out[first] = *left;
     return {};
@@ -151,7 +154,9 @@ TabletShape tablet_shape(DeviceInfo const& info, TabletMatch const& match)
         }
     if (shape.is_size_assumed && info.size_mm) {
         shape.size_mm = *info.size_mm;
-        shape.is_size_assumed = match.identifier->is_any_product; // Its counts may be others.
+        shape.is_size_assumed
+            = match.identifier
+                  ->is_any_product; // An unknown model may have another number of counts.
     }
     return shape;
 }
@@ -174,7 +179,7 @@ Result<std::unique_ptr<PenDecoder>> make_tablet_decoder(DeviceInfo const& info,
         return described;
 
     auto const* const family = find_pen_family(match.identifier->family);
-    CHECK(family); // A test of the table sees to that.
+    CHECK(family); // A test of the table ensures that the family exists.
     return std::make_unique<TabletDecoder>(TabletDecoder::Parts {
         .family = *family,
         .own = make_family_decoder(*family, shape),

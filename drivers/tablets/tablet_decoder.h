@@ -10,24 +10,26 @@
 
 namespace tractus::drivers {
 
-// The size and ranges of a tablet: what it told itself in string 200 or 100, else the table's. The
-// size counts as assumed where the table doubts it or where other tablets would fit as well.
+// Returns the size and ranges of a tablet, from its string 200 or 100, or else from the table. The
+// size counts as assumed if the table marks it as doubtful or if other tablets would match as well.
 TabletShape tablet_shape(DeviceInfo const& info, TabletMatch const& match);
 
-// The decoder for a tablet that the table knows. One node may send both its maker's own reports and
-// some that its descriptor describes, before and after the tablet was switched, say:
+// Makes the decoder for a tablet in the table. One node may send both reports in its maker's own
+// format and reports that its descriptor describes, for instance before and after the tablet was
+// switched:
 //
-// - a report that the descriptor describes as a pen's is read so, since Linux's drivers rewrite
-//   descriptor and reports to fit; except after strings were read that switch the tablet, where
-//   no driver has touched the descriptor: then the family's reports are read as the family's;
-// - a report of which the descriptor says nothing, or only that it is the maker's own, is read as
-//   the family's;
-// - all others, mice, keys and touches, are no pen's.
+// - a report that the descriptor describes as a pen's is decoded by the descriptor, since Linux's
+//   drivers rewrite descriptor and reports together; but if strings that switch the tablet were
+//   read and no driver has rewritten the descriptor, the family's reports are decoded in the
+//   family's format;
+// - a report that the descriptor does not describe, or declares as vendor-defined, is decoded in
+//   the family's format;
+// - all other reports (mice, keys, touches) are not about a pen.
 //
-// When the pen goes on in reports of the other kind, it leaves first.
+// When the pen continues in reports of the other kind, it leaves first.
 //
-// Fails as make_descriptor_decoder does if the node carries no pen, and, as the user's fault, if it
-// would carry one in a format that is not known.
+// Fails like make_descriptor_decoder() if the node carries no pen data and, as the user's fault, if
+// its format is not known.
 Result<std::unique_ptr<PenDecoder>> make_tablet_decoder(DeviceInfo const& info,
                                                         TabletMatch const& match);
 

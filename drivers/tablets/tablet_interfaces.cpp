@@ -6,8 +6,8 @@
 
 namespace tractus::drivers {
 
-// Key of a tablet: all interfaces of a USB device have the same path but for the interface's
-// number.
+// Returns a key that is the same for all interfaces of a USB device: their paths differ only in the
+// interface number.
 static std::string tablet_key(DeviceInfo const& info)
 {
     auto const path = info.physical_path.substr(0, info.physical_path.rfind("/input"));

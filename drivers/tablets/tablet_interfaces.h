@@ -6,12 +6,13 @@
 
 namespace tractus::drivers {
 
-// Whether the device sends a pen's reports, of which we know what they say.
+// True if the device sends pen reports that the program can decode.
 bool carries_pen(DeviceInfo const& info);
 
-// HID devices by the physical device that they are interfaces of, in the order of their first ones.
-// A tablet may have one for the pen, one for its keys and one for its maker's own reports; which of
-// them carry a pen, and when, depends on its mode, so all that may are to be opened.
+// Groups HID devices by the physical device that they belong to, in the order of their first
+// members. A tablet may have separate interfaces for the pen, its keys and its maker's own reports.
+// Which of them carry pen data, and when, depends on its mode, so all that may do so must be
+// opened.
 std::vector<std::vector<DeviceInfo>> group_by_tablet(std::vector<DeviceInfo> const& devices);
 
 } // namespace tractus::drivers

@@ -20,9 +20,9 @@ struct Candidate {
     Tablet const* tablet = nullptr;
     TabletIdentifier const* identifier = nullptr;
     std::size_t conditions_held = 0;
-    bool is_refuted = false; // Proof that one of its strings is another.
+    bool is_refuted = false; // True if one of the tablet's strings contradicts the candidate.
 
-    // Candidates with the same shape are the same for whoever reads their reports.
+    // Returns what matters for decoding reports: candidates with equal shapes are interchangeable.
     auto shape() const
     {
         return std::tuple(tablet->size_mm.x(), tablet->size_mm.y(), tablet->x_maximum,
@@ -37,7 +37,7 @@ bool matches(std::string const& text, std::string const& pattern)
     return std::regex_search(text, std::regex(pattern));
 }
 
-// No value if the ids or the interface are others.
+// Compares a device with a table row. No value if the ids or the interface differ.
 std::optional<Candidate> weigh(Tablet const& tablet, TabletIdentifier const& identifier,
                                DeviceInfo const& info)
 {
@@ -60,7 +60,7 @@ std::optional<Candidate> weigh(Tablet const& tablet, TabletIdentifier const& ide
     return candidate;
 }
 
-// Keeps those that `is_better` is true for, if there are any.
+// Removes all candidates that are not better, provided that some are.
 template<typename Predicate> void prefer(Candidates& candidates, Predicate is_better)
 {
     if (std::any_of(candidates.begin(), candidates.end(), is_better))
@@ -85,7 +85,8 @@ void prefer_told_maxima(Candidates& candidates, DeviceInfo const& info)
             });
 }
 
-// Counts as TabletIdentifier does; no value if there is no such report.
+// Returns the length of the longest report, counted as in TabletIdentifier; no value if there is no
+// such report.
 std::optional<std::size_t> longest_report(HidReportDescriptor const& descriptor, HidReportKind kind)
 {
     std::optional<std::size_t> longest;
@@ -110,7 +111,8 @@ LongestReports longest_reports(DeviceInfo const& info)
              longest_report(*descriptor, HidReportKind::Output) };
 }
 
-// An interface is a tablet's pad if its reports have that length, and only then.
+// Separates pads from pens: an interface is a tablet's pad if, and only if, its reports have the
+// pad's lengths.
 void tell_pads_from_pens(Candidates& candidates, LongestReports const& longest)
 {
     auto const is_pad
@@ -125,7 +127,7 @@ void tell_pads_from_pens(Candidates& candidates, LongestReports const& longest)
     prefer(candidates, is_pad);
 }
 
-// A line for any product stands in for a model that is not known, and only if its reports fit.
+// Removes rows for unknown products if the length of their reports differs from the device's.
 void tell_unknown_products(Candidates& candidates, LongestReports const& longest)
 {
     std::erase_if(candidates, [&](auto const& candidate) {
@@ -153,7 +155,7 @@ std::string lower_case(std::string_view text)
     return result;
 }
 
-// Name without its maker: "HS610".
+// Returns the name without its maker: "HS610".
 std::string model_of(Tablet const& tablet)
 {
     auto const blank = tablet.name.find(' ');
@@ -176,7 +178,7 @@ void prefer_own_name(Candidates& candidates, DeviceInfo const& info)
 
 std::optional<double> common_proportions(Candidates const& candidates)
 {
-    constexpr double kAgree = 0.02; // Makers round the sides that they tell.
+    constexpr double kAgree = 0.02; // Tolerance, because makers round the sizes that they publish.
     double least = std::numeric_limits<double>::infinity();
     double greatest = 0;
     for (auto const& candidate : candidates) {

@@ -8,17 +8,19 @@
 
 namespace tractus::drivers {
 
-// How one speaks to a tablet: through hidraw, through libusb, or to one that a test plays.
+// Interface for communicating with a tablet: through hidraw, through libusb, or with a tablet
+// emulated by a test.
 class TabletPort {
 public:
     virtual ~TabletPort() = default;
 
-    // Whole reports, the report id first. Fail, as the device's fault, if it does not take them.
+    // Sends a complete report, beginning with its report id. Fails, as the device's fault, if the
+    // tablet does not accept it.
     virtual Result<void> send_feature(std::span<std::byte const> report) = 0;
     virtual Result<void> send_output(std::span<std::byte const> report) = 0;
 
-    // The text of a USB string descriptor (see string_descriptor_text); empty if the tablet has
-    // none of this index. Fails, as the user's fault, if it cannot be asked at all.
+    // Returns the text of a USB string descriptor (see string_descriptor_text()); empty if the
+    // tablet has none with this index. Fails, as the user's fault, if the tablet cannot be asked.
     virtual Result<std::string> read_string(int index) = 0;
 };
 

@@ -19,7 +19,7 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(' ') + 1 - first);
 }
 
-// Returns what stands before the separator; `text` is left with the rest.
+// Removes the part before the separator from the text, and the separator, and returns that part.
 std::string_view take(std::string_view& text, std::string_view separator)
 {
     auto const end = text.find(separator);
@@ -40,7 +40,7 @@ bool read_number(std::string_view text, double& value)
     return error == std::errc() && end == text.data() + text.size();
 }
 
-// "02 b0 04, 02 b0 02"
+// Parses "02 b0 04, 02 b0 02".
 bool read_reports(std::string_view text, std::vector<std::vector<std::byte>>& reports)
 {
     while (!text.empty()) {
@@ -66,7 +66,7 @@ bool read_indices(std::string_view text, std::vector<int>& indices)
     return !indices.empty();
 }
 
-// "254 x 158.75"
+// Parses "254 x 158.75".
 template<typename T> bool read_pair(std::string_view text, T& first, T& second)
 {
     return read_number(take(text, " x "), first) && read_number(trimmed(text), second);
@@ -80,7 +80,7 @@ bool read_sizes(std::string_view text, TabletIdentifier& identifier)
     return text.empty() || read_number(text, identifier.output_size.emplace());
 }
 
-// Clauses: "string 200", "if 201 HUION_…". An unknown word is a mistake.
+// Parses a clause such as "string 200" or "if 201 HUION_…". An unknown word is an error.
 bool read_clause(std::string_view clause, TabletIdentifier& identifier)
 {
     auto& setup = identifier.setup;

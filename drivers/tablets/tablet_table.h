@@ -13,11 +13,12 @@
 
 namespace tractus::drivers {
 
-// Steps that the host takes, in this order, so that a tablet leaves the mode in which it powers up,
-// which is often that of a mouse.
+// Steps, in this order, that switch a tablet from its power-up mode, which often is that of a
+// mouse.
 struct TabletSetup {
-    std::vector<int> strings {}; // USB string descriptors: reading them is the switch.
-    std::vector<std::vector<std::byte>> feature_reports {}; // Whole reports, the report id first.
+    std::vector<int> strings {}; // USB string descriptors; reading them switches the tablet.
+    std::vector<std::vector<std::byte>>
+        feature_reports {}; // Complete reports, each beginning with its report id.
     std::vector<std::vector<std::byte>> output_reports {};
 
     bool empty() const
@@ -26,37 +27,36 @@ struct TabletSetup {
     }
 };
 
-// A USB string descriptor by which tablets with the same ids are told apart.
+// A USB string descriptor that distinguishes tablets with the same ids.
 struct StringCondition {
     int index = 0;
-    std::string pattern {}; // ECMAScript regular expression, which part of the text matches.
+    std::string pattern {}; // ECMAScript regular expression; it may match a part of the text.
 };
 
-// One way in which a tablet presents itself. A tablet has several: other firmware, another cable,
-// another interface.
+// One way in which a tablet presents itself on the bus. A tablet has several, for different
+// firmware, cables or interfaces.
 struct TabletIdentifier {
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
-    // Whether it is any product that is not known otherwise, if its longest input report is of
-    // `input_size`.
+    // True: matches all otherwise unknown products whose longest input report has `input_size`.
     bool is_any_product = false;
-    // The longest of the interface's reports in bytes, the report id's included, which a device
-    // that uses no ids counts as well; 0: it has none. No value: not known.
+    // Length of the interface's longest report in bytes. A report id counts even if the device uses
+    // none. 0: it has no such report. No value: not known.
     std::optional<std::size_t> input_size {};
     std::optional<std::size_t> output_size {};
 
-    std::string family {};                      // See drivers/pens/families.h.
-    std::vector<StringCondition> conditions {}; // Conditions, all of which must hold.
+    std::string family {}; // Name of the report format; see drivers/pens/families.h.
+    std::vector<StringCondition> conditions {}; // Conditions that must all hold.
     TabletSetup setup {};
-    std::optional<int> interface_number {}; // Only on this USB interface.
+    std::optional<int> interface_number {}; // If set, matches only this USB interface.
 };
 
-// One model of a tablet.
+// A tablet model.
 struct Tablet {
-    std::string name {}; // "Huion HS610".
+    std::string name {}; // Name with its maker, such as "Huion HS610".
     Vec2 size_mm = Vec2::Zero();
-    // Whether its size and its maxima do not fit together: where the pen is may be wrong by some
-    // per cent, or altogether.
+    // True if the size and the maxima contradict each other, so that positions may be wrong by some
+    // per cent, or completely.
     bool is_size_in_doubt = false;
     std::int32_t x_maximum = 0;
     std::int32_t y_maximum = 0;
@@ -66,14 +66,14 @@ struct Tablet {
     std::vector<TabletIdentifier> identifiers {};
 };
 
-// The family of an interface of keys or touch, which carries no pen.
+// The family of an interface for keys or touch, which carries no pen data.
 inline constexpr std::string_view kPadFamily = "pad";
 
-// Returns all tablets that are known, in the order of drivers/tablets/tablets.txt.
+// Returns all known tablets, in the order of drivers/tablets/tablets.txt.
 std::span<Tablet const> known_tablets();
 
-// Reads the form that drivers/tablets/tablets.txt explains. Fails, as the station's fault, with the
-// line's number.
+// Parses the format that drivers/tablets/tablets.txt explains. Fails, as the station's fault, with
+// the line's number.
 Result<std::vector<Tablet>> parse_tablets(std::string_view text);
 
 } // namespace tractus::drivers

@@ -4,7 +4,7 @@
 
 namespace tractus::drivers {
 
-// drivers/tablets/tablets.txt, as it was when the program was built.
+// Returns the text of drivers/tablets/tablets.txt, as it was when the program was built.
 std::string_view tablets_text();
 
 } // namespace tractus::drivers

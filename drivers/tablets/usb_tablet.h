@@ -11,17 +11,18 @@
 
 namespace tractus::drivers {
 
-// The string descriptors of a USB device, asked for while its interfaces are in use by others: a
-// control transfer to the device needs none of them. Opens the device at the first one.
+// Reads the string descriptors of a USB device, even while other programs use its interfaces: a
+// control transfer to the device does not need an interface. The device is opened at the first
+// request.
 class UsbStrings {
 public:
-    // "1-2.3"; empty for a device that is not on USB.
+    // `usb_address` is like "1-2.3"; empty for a device that is not on USB.
     explicit UsbStrings(std::string usb_address)
         : address_(std::move(usb_address))
     {
     }
 
-    // Does as TabletPort::read_string.
+    // Behaves like TabletPort::read_string().
     Result<std::string> read(int index);
 
 private:
@@ -29,15 +30,15 @@ private:
     std::optional<UsbDevice> device_;
 };
 
-// Every HID interface on USB by its address for libusb, "libusb:1-2.3:0", in the order of the
-// ports. Reads sysfs alone, so the report descriptors, which a device tells only when it is opened,
-// are missing.
+// Lists all HID interfaces on USB with their libusb addresses, "libusb:1-2.3:0", sorted by port.
+// Reads only sysfs, so report descriptors, which are available only from an open device, are
+// missing.
 std::vector<DeviceInfo> list_usb_tablets(std::filesystem::path const& devices_folder
                                          = "/sys/bus/usb/devices");
 
-// The one at `info.location`, with its report descriptor, for which the interface is taken from the
-// kernel's driver for a moment; settings are kept. Fails, as the user's fault, if there is no such
-// device or it may not be opened.
+// Describes the device at `info.location`, including its report descriptor, for which the kernel's
+// driver is detached for a moment; settings are kept. Fails, as the user's fault, if there is no
+// such device or it may not be opened.
 Result<DeviceInfo> describe_usb_tablet(DeviceInfo info);
 
 } // namespace tractus::drivers

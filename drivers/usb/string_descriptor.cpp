@@ -28,7 +28,8 @@ void append_utf8(std::string& text, std::uint32_t point)
     }
 }
 
-// The next code point; `text` is left with the rest. What is no UTF-8 counts byte by byte.
+// Removes the next code point from the text and returns it. Bytes that are not valid UTF-8 count as
+// one code point each.
 std::uint32_t take_point(std::string_view& text)
 {
     auto const byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };

@@ -8,12 +8,13 @@
 
 namespace tractus::drivers {
 
-// The text in a USB string descriptor (USB 2.0 section 9.6.7), in UTF-8; `bytes` is what follows
-// its length and type. Never fails: tablets put numbers into such descriptors, so halves of UTF-16
-// pairs are kept as UTF-8 would write them, and a last odd byte is dropped.
+// Returns the text of a USB string descriptor (USB 2.0, section 9.6.7) in UTF-8; `bytes` is the
+// descriptor without its length and type. Never fails: tablets store numbers in such descriptors,
+// so unpaired UTF-16 surrogates are encoded like other code points, and an odd last byte is
+// dropped.
 std::string string_descriptor_text(std::span<std::byte const> bytes);
 
-// The bytes that string_descriptor_text made the text of.
+// Returns the descriptor bytes that string_descriptor_text() converts to `text`.
 std::vector<std::byte> string_descriptor_bytes(std::string_view text);
 
 } // namespace tractus::drivers

@@ -29,7 +29,7 @@ Result<UsbContext> make_usb_context()
 
 std::string usb_address(libusb_device* device)
 {
-    constexpr int kMaxDepth = 7; // USB 3.2 section 10: hubs in a row.
+    constexpr int kMaxDepth = 7; // USB 3.2, section 10: maximum number of hubs in a row.
     std::array<std::uint8_t, kMaxDepth> ports {};
     int const depth = libusb_get_port_numbers(device, ports.data(), kMaxDepth);
     auto address = fmt::format("{}-", libusb_get_bus_number(device));
@@ -47,7 +47,7 @@ std::string usb_error_text(int code)
 
 namespace {
 
-// The context's devices; they stay referenced for as long as this lives.
+// The list of a context's devices, which stay referenced during its lifetime.
 class DeviceList {
 public:
     explicit DeviceList(libusb_context* context)
@@ -136,7 +136,8 @@ void UsbDevice::close()
     if (handle_ == nullptr)
         return;
     for (int const interface_number : claimed_)
-        libusb_release_interface(handle_, interface_number); // Fails for an unplugged device.
+        libusb_release_interface(
+            handle_, interface_number); // Fails for an unplugged device, which does not matter.
     libusb_close(handle_);
     handle_ = nullptr;
 }
@@ -144,7 +145,8 @@ void UsbDevice::close()
 Result<void> UsbDevice::claim(int interface_number)
 {
     CHECK(handle_ != nullptr);
-    libusb_set_auto_detach_kernel_driver(handle_, 1); // Fails where no kernel driver can be bound.
+    libusb_set_auto_detach_kernel_driver(
+        handle_, 1); // Fails where the system cannot detach kernel drivers, which does not matter.
     if (int const code = libusb_claim_interface(handle_, interface_number); code != LIBUSB_SUCCESS)
         return fail(Fault::User,
                     fmt::format("cannot take interface {} of the USB device at {}: {} (does "
@@ -158,7 +160,7 @@ Result<std::vector<std::byte>> UsbDevice::string_bytes(std::uint8_t index) const
 {
     CHECK(handle_ != nullptr);
     constexpr std::uint16_t kUsEnglish = 0x0409;
-    std::array<unsigned char, 255> buffer {}; // The longest that bLength can say.
+    std::array<unsigned char, 255> buffer {}; // The maximum that bLength can express.
     int const size = libusb_get_string_descriptor(handle_, index, kUsEnglish, buffer.data(),
                                                   static_cast<int>(buffer.size()));
     if (size < 2)

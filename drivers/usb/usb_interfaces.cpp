@@ -35,7 +35,7 @@ static UsbInterface describe(fs::path const& folder)
     return interface;
 }
 
-// 1-10 after 1-9.
+// Sorts by port and interface number, with port 1-10 after 1-9.
 static bool comes_first(UsbInterface const& a, UsbInterface const& b)
 {
     auto const place = [](UsbInterface const& interface) {
@@ -48,7 +48,7 @@ static bool comes_first(UsbInterface const& a, UsbInterface const& b)
 std::vector<UsbInterface> list_usb_interfaces(fs::path const& folder)
 {
     std::vector<UsbInterface> interfaces;
-    std::error_code ignored; // No folder, no devices.
+    std::error_code ignored; // A missing folder means that there are no devices.
     for (fs::directory_iterator entry(folder, ignored); entry != fs::directory_iterator();
          entry.increment(ignored))
         if (entry->path().filename().string().find(':') != std::string::npos)

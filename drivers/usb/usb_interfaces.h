@@ -8,25 +8,26 @@
 
 namespace tractus::drivers {
 
-// One interface of a USB device that is plugged in.
+// One interface of a USB device.
 struct UsbInterface {
-    std::filesystem::path folder {}; // Folder in sysfs: ".../1-2.3:1.0".
-    std::string port {};             // "1-2.3"
+    std::filesystem::path folder {}; // Folder of the interface in sysfs: ".../1-2.3:1.0".
+    std::string port {};             // Port, such as "1-2.3".
 
-    // USB 2.0 section 9.6.5: what it is for. Class 3 is HID, 255 its maker's own.
+    // Class of the interface (USB 2.0, section 9.6.5): 3 is HID, 255 is vendor-specific.
     int usb_class = 0;
     int subclass = 0;
     int protocol = 0;
 
-    // Names, ids, the interface's number and its place; the location is for whoever reads it.
+    // Names, ids, interface number and physical path; the location is left to the driver that opens
+    // it.
     DeviceInfo info {};
 
-    // The device's folder, with what it says of itself.
+    // Returns the folder of the device in sysfs, with its names and ids.
     std::filesystem::path device_folder() const { return folder.parent_path() / port; }
 };
 
-// Every interface of every USB device, in the order of their ports and numbers. Reads sysfs alone,
-// for which no permission is needed: what cannot be read is left empty.
+// Lists every interface of every USB device, sorted by port and number. Reads only sysfs, which
+// needs no permission; fields that cannot be read stay empty.
 std::vector<UsbInterface> list_usb_interfaces(std::filesystem::path const& folder
                                               = "/sys/bus/usb/devices");
 

@@ -40,14 +40,14 @@ private:
 
 Result<void> UsbLink::write(std::span<std::byte const> packet)
 {
-    // Libusb wants memory that it may write to, whatever the direction.
+    // Libusb takes a pointer to mutable memory for either direction.
     std::vector<unsigned char> bytes(packet.size());
     std::transform(packet.begin(), packet.end(), bytes.begin(),
                    [](std::byte byte) { return std::to_integer<unsigned char>(byte); });
     int sent = 0;
     int const code = libusb_bulk_transfer(device_.handle(), pipes_.out_endpoint, bytes.data(),
                                           static_cast<int>(bytes.size()), &sent, kWriteTimeoutMs);
-    // A device that takes no commands for a while is silent, not gone.
+    // A timeout means that the device is busy, not that it is gone.
     if (code != LIBUSB_SUCCESS && code != LIBUSB_ERROR_TIMEOUT)
         return lost(code);
     return {};
@@ -57,7 +57,7 @@ Result<std::optional<RawReport>> UsbLink::read(Duration timeout)
 {
     RawReport report;
     int size = 0;
-    // To libusb 0 means for ever.
+    // A timeout of 0 would mean no limit to libusb.
     auto const timeout_ms
         = std::max<std::int64_t>(std::chrono::ceil<std::chrono::milliseconds>(timeout).count(), 1);
     int const code = libusb_bulk_transfer(device_.handle(), pipes_.in_endpoint,
@@ -67,7 +67,7 @@ Result<std::optional<RawReport>> UsbLink::read(Duration timeout)
     report.received = now();
     report.size = static_cast<std::size_t>(size);
     bool const is_late = code == LIBUSB_ERROR_TIMEOUT || code == LIBUSB_ERROR_INTERRUPTED;
-    // Unplugging shows as IO, NO_DEVICE, PIPE or another, by chance.
+    // Unplugging is reported as IO, NO_DEVICE, PIPE or another error, at random.
     if (code != LIBUSB_SUCCESS && !is_late)
         return lost(code);
     if (size == 0)

@@ -19,7 +19,8 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr std::size_t kTransfers = 8;
-constexpr std::size_t kTransferBytes = sizeof(RawReport::storage); // Whole packets at any speed.
+constexpr std::size_t kTransferBytes
+    = sizeof(RawReport::storage); // A multiple of the packet size at every speed.
 constexpr Duration kCancelLimit = 1s;
 
 struct FreeTransfer {
@@ -43,7 +44,7 @@ private:
         std::unique_ptr<libusb_transfer, FreeTransfer> handle {};
         std::array<unsigned char, kTransferBytes> bytes {};
         bool is_under_way = false;
-        Reader* reader = nullptr; // Null when it did not live to the transfer's end.
+        Reader* reader = nullptr; // Null after the reader was destroyed before the transfer ended.
     };
 
     static void LIBUSB_CALL ended(libusb_transfer* transfer);
@@ -55,7 +56,8 @@ private:
     std::string who_;
     std::array<std::unique_ptr<Transfer>, kTransfers> transfers_ {};
     std::deque<RawReport> ready_;
-    std::string failure_; // Why no more will come; empty while they do.
+    std::string
+        failure_; // Reason why no more transfers will be received; empty while there is none.
     bool is_stopping_ = false;
 };
 
@@ -86,8 +88,8 @@ void LIBUSB_CALL Reader::ended(libusb_transfer* transfer)
         own.reader->finish(own);
 }
 
-// Unplugging shows as an error, as no device, or in that the transfer cannot be submitted again, by
-// chance: whatever is no success is the end.
+// Handles a completed transfer. Unplugging is reported as an error, as no device, or by a failure
+// to submit the transfer again, at random, so anything but success ends the reading.
 void Reader::finish(Transfer& transfer)
 {
     if (transfer.handle->status != LIBUSB_TRANSFER_COMPLETED) {
@@ -121,7 +123,8 @@ void Reader::handle_events(Duration timeout)
 Result<std::optional<RawReport>> Reader::read(Duration timeout)
 {
     auto const end = monotonic_now() + timeout;
-    handle_events(0ms); // Stamps what has ended already as soon as can be.
+    handle_events(
+        0ms); // Gives transfers that have already ended their time stamps as early as possible.
     while (ready_.empty() && failure_.empty()) {
         auto const left = end - monotonic_now();
         if (left <= 0ms)
@@ -147,11 +150,12 @@ Reader::~Reader()
     is_stopping_ = true;
     for (auto const& transfer : transfers_)
         if (transfer && transfer->is_under_way)
-            libusb_cancel_transfer(transfer->handle.get()); // Fails for a device that is gone.
+            libusb_cancel_transfer(
+                transfer->handle.get()); // Fails for a device that is gone, which does not matter.
     auto const end = monotonic_now() + kCancelLimit;
     while (is_any_under_way() && monotonic_now() < end)
         handle_events(50ms);
-    // Libusb still has its hands on what did not end: better lost than freed.
+    // Libusb may still use transfers that have not ended, so they are leaked instead of freed.
     for (auto& transfer : transfers_)
         if (transfer && transfer->is_under_way) {
             transfer->reader = nullptr;
