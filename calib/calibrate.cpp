@@ -8,8 +8,8 @@ namespace tractus::calib {
 
 namespace {
 
-// Rounds to so many significant digits, by way of their decimal form, so that the file shows no
-// more.
+// Rounds to a number of significant digits, through the decimal form, so that the printed value has
+// no more digits.
 double rounded(double value, int digits)
 {
     return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
@@ -65,7 +65,7 @@ Rig with_height(Rig rig, HeightCalibration const& calibration, std::string const
     record.slipped = fit.slipped;
     record.rms_mm = rounded(fit.rms_mm, kErrorDigits);
     record.max_mm = rounded(fit.max_mm, kErrorDigits);
-    // Rounds to hundredths, and without a zero below zero.
+    // Rounds to hundredths; adding 0.0 turns a negative zero into 0.
     record.heights_mm
         = Vec2(std::round(fit.low_mm * 100) / 100 + 0.0, std::round(fit.high_mm * 100) / 100 + 0.0);
     record.mm_per_count = rounded(Vec2(worth_of_a_count(rig.height_model, fit.low_mm + 0.1),
@@ -76,7 +76,7 @@ Rig with_height(Rig rig, HeightCalibration const& calibration, std::string const
         record.hysteresis_mm
             = rounded(Vec2(fit.hysteresis->mm, fit.hysteresis->standard_error_mm), kErrorDigits);
     rig.calibration.height = std::move(record);
-    rig.calibration.check.reset(); // It was another fit that was checked.
+    rig.calibration.check.reset(); // The check belongs to the previous fit.
     return rig;
 }
 

@@ -14,15 +14,14 @@
 
 namespace tractus::calib {
 
-// Functions for what a fit changes in a rig, and for the record that it leaves there. Numbers are
-// rounded to what a reader of the rig file can take in, far below their errors. `date` is today's,
-// "2026-11-21".
+// Functions that apply the result of a fit to a rig and record it there. Numbers are rounded for
+// readers of the rig file, far below their errors. `date` is today's, "2026-11-21".
 
 SensorIdentity identity_of(drivers::DeviceInfo const& info);
 
 struct HeightCalibration {
     HeightFit fit {};
-    std::vector<HeightCapture> captures {}; // Captures that the fit was made from.
+    std::vector<HeightCapture> captures {}; // Captures used for the fit.
     HeightFitOptions options {};
     std::int32_t full_scale_counts = 0;
     SensorIdentity sensor {};
@@ -34,8 +33,8 @@ Rig with_latency(Rig rig, LatencyFit const& fit, std::string const& date);
 Rig with_tilt(Rig rig, TiltFit const& fit, std::string const& date);
 Rig with_check(Rig rig, HeightCheck const& check, std::string const& date);
 
-// The fit done again from a rig's own record, for its plots. Fails if the rig has no record, and as
-// fit_height does.
+// Repeats the height fit from the rig's record, for plots. Fails if the rig has no record, and like
+// fit_height().
 Result<HeightFit> refit_height(Rig const& rig);
 
 } // namespace tractus::calib

@@ -11,14 +11,14 @@
 
 namespace tractus::calib {
 
-// How a rig came to its numbers: kept with it for whoever asks how good they are, or wants to fit
-// them anew. Dates are "2026-11-21"; standard errors are named errors.
+// The origin of a rig's numbers, kept with the rig so that their accuracy can be judged and the fit
+// repeated. Dates are "2026-11-21"; standard errors are named errors.
 
-// Identity of a height sensor. Another one of the same make has another potentiometer.
+// Identity of a height sensor. Another sensor of the same model has another potentiometer.
 struct SensorIdentity {
     std::string name {};
-    std::string id {};     // "0003:1209:0001": bus, vendor, product, hexadecimal.
-    std::string serial {}; // Empty if it has none.
+    std::string id {};     // Bus, vendor and product id, hexadecimal: "0003:1209:0001".
+    std::string serial {}; // Empty if the sensor has none.
 
     bool operator==(SensorIdentity const&) const = default;
 };
@@ -27,27 +27,30 @@ struct HeightRecord {
     std::string date {};
     SensorIdentity sensor {};
 
-    // Input: enough to do the fit again.
+    // Input of the fit, sufficient to repeat it.
     std::vector<HeightCapture> captures {};
     double ruler_error_mm = 0.3;
-    double linearity_percent = 0; // Of the track, by its data sheet; 0: taken to be straight.
+    // Linearity of the potentiometer's track from its data sheet; 0: the track is taken to be
+    // straight.
+    double linearity_percent = 0;
     std::optional<HeightModelKind> asked_kind {};
 
     // Results.
     std::string reason {};
-    std::vector<double> errors {};       // Errors of the model's parameters, in their order.
-    std::vector<std::size_t> slipped {}; // Indices of captures.
-    double rms_mm = 0; // Root mean square of the residuals, slipped captures left out …
-    double max_mm = 0; // … and the greatest.
-    Vec2 heights_mm = Vec2::Zero();       // The calibrated range, lowest and highest …
-    Vec2 mm_per_count = Vec2::Zero();     // … and what a count is worth there.
-    double noise_counts = 0;              // Noise at rest.
-    std::optional<Vec2> hysteresis_mm {}; // Height from below less from above, and its error.
+    std::vector<double> errors {}; // Standard errors of the model's parameters, in their order.
+    std::vector<std::size_t> slipped {}; // Indices of captures that were left out as slipped.
+    double rms_mm = 0;              // Root mean square of the residuals, without slipped captures.
+    double max_mm = 0;              // Greatest residual, without slipped captures.
+    Vec2 heights_mm = Vec2::Zero(); // Lowest and highest height of the calibrated range.
+    Vec2 mm_per_count = Vec2::Zero(); // Height per count at the lowest and at the highest height.
+    double noise_counts = 0;          // Noise of a resting sensor.
+    // Height measured from below minus height measured from above, and its standard error.
+    std::optional<Vec2> hysteresis_mm {};
 
     // Millimetres by which re-zeroing has raised the model since the fit.
     double raised_mm = 0;
 
-    // Counts that each height reads more since the fit, by re-zeroing after the string slipped.
+    // Counts by which re-zeroing after a slip of the string has shifted the readings since the fit.
     double shifted_counts = 0;
 };
 
@@ -65,20 +68,22 @@ struct TravelRecord {
 // Results of a LatencyFit, rounded for the file.
 struct LatencyRecord {
     std::string date {};
-    double delay_ms = 0; // Tablet's less height sensor's.
+    double delay_ms = 0; // Latency of the tablet minus that of the height sensor.
     double error_ms = 0;
     double correlation = 0;
     double rms_mm = 0;
     std::size_t touches = 0;
 
-    // The pen's place on its way up less that on its way down, along the edge, and its error.
+    // Pen position on the way up minus that on the way down, measured along the edge, and its
+    // standard error.
     std::optional<Vec2> direction_mm {};
 };
 
 // Results of a TiltFit, rounded for the file.
 struct TiltRecord {
     std::string date {};
-    Vec2 coil_height_mm = Vec2::Zero(); // As found; the rig's is zero if that is next to nothing.
+    Vec2 coil_height_mm
+        = Vec2::Zero(); // Fitted values; the rig's own coil height is zero if these are negligible.
     Vec2 coil_height_error_mm = Vec2::Zero();
     Vec2 least_tilt_deg = Vec2::Zero();
     Vec2 most_tilt_deg = Vec2::Zero();
@@ -89,8 +94,8 @@ struct TiltRecord {
 // Results of a HeightCheck, rounded for the file.
 struct CheckRecord {
     std::string date {};
-    std::vector<double> heights_mm {}; // Heights by the ruler.
-    std::vector<double> errors_mm {};  // The rig's height less the ruler's.
+    std::vector<double> heights_mm {}; // Heights measured with the ruler.
+    std::vector<double> errors_mm {};  // Height by the rig minus height by the ruler.
     double within_mm = 0;
 };
 

@@ -13,11 +13,11 @@ namespace {
 
 using From = HeightCapture::From;
 
-// Words in the order of From.
+// Words in the order of HeightCapture::From.
 std::vector<std::string_view> const kFroms { "nowhere", "below", "above" };
 std::vector<std::string_view> const kKinds { "linear", "string", "monotone" };
 
-// A text in quotes, as TOML wants it.
+// Returns a text as a quoted TOML string.
 std::string quoted(std::string const& text)
 {
     std::ostringstream out;
@@ -44,7 +44,7 @@ Result<HeightCapture> parse_capture(TomlTable& table)
     return capture;
 }
 
-// Counted from 1 in the file.
+// Parses the indices of slipped captures, which are counted from 1 in the file.
 Result<std::vector<std::size_t>> parse_slipped(TomlTable& table, std::size_t captures)
 {
     std::vector<std::size_t> slipped;
@@ -266,7 +266,7 @@ errors_mm = [{}]   # … and the rig's height less that.
                        fmt::join(record.errors_mm, ", "));
 }
 
-// The table `key` where it is there.
+// Parses the table `key` if it exists.
 template<typename Record>
 Result<std::optional<Record>> parse_optional(TomlTable& table, std::string_view key,
                                              Result<Record> (*parse)(TomlTable&))

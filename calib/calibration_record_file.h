@@ -8,13 +8,13 @@
 
 namespace tractus::calib {
 
-// A rig's calibration record in its file: the table [calibration] with one table for each
-// procedure that was done.
+// A rig's calibration record in the rig file: the table [calibration] with one table for each
+// procedure performed.
 
-// Fails as the user's fault, naming file, line and key.
+// Parses the record. Fails, as the user's fault, naming file, line and key.
 Result<CalibrationRecord> parse_calibration_record(TomlTable& table);
 
-// The tables as text; parse_calibration_record() gives the same record back. Empty for an empty
+// Prints the tables; parse_calibration_record() restores an equal record. Empty for an empty
 // record.
 std::string print_calibration_record(CalibrationRecord const& record);
 

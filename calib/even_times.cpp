@@ -14,14 +14,16 @@ constexpr std::int64_t kMemory_ns = 8'000'000'000;
 constexpr std::int64_t kLongestLearning_ns = 4'000'000'000;
 constexpr std::size_t kFewestSamples = 32;
 constexpr std::size_t kFewestBursts = 8;
-constexpr std::size_t kOneInBurst = 150; // Of so many samples, one at least shares a burst.
+constexpr std::size_t kOneInBurst
+    = 150; // At least one sample in this many must arrive in a burst for bursts to be assumed.
 constexpr std::size_t kOneCountedAnew = 32;
-// Tenths of the time for learning that are kept where it failed: what was lost in it may be gone
-// soon.
+// Tenths of the learning time that are kept after a failure, since the samples that disturbed it
+// may soon be too old to count.
 constexpr std::int64_t kKeptTenths = 9;
-constexpr double kSurely = 1.1; // Periods that a burst's last sample is late only if one was lost.
+constexpr double kSurely
+    = 1.1; // A burst's last sample that is late by this many periods shows that one was lost.
 
-// A point of the line's plane.
+// A point in the plane of sample index and arrival time.
 struct HullPoint {
     double index = 0;
     double arrival_ns = 0;
@@ -69,7 +71,7 @@ Duration EvenTimes::burst_interval() const
         / static_cast<std::int64_t>(bursts_);
 }
 
-// The first sample, or the first one after a silence.
+// Restarts with the first sample, or the first one after a silence.
 void EvenTimes::begin(Timestamp arrival)
 {
     samples_.clear();
@@ -85,7 +87,7 @@ double EvenTimes::line_ns(std::int64_t index) const
     return offset_ns_ + period_ns_ * static_cast<double>(index);
 }
 
-// Mean spacing of what is remembered; 0 of too few.
+// Returns the mean spacing of the remembered samples; 0 if there are too few.
 double EvenTimes::rough_period_ns() const
 {
     if (samples_.size() < kFewestSamples / 2)
@@ -99,7 +101,7 @@ double EvenTimes::late_periods(Sample const& sample) const
     return (static_cast<double>(sample.arrival) - line_ns(sample.index)) / period_ns_;
 }
 
-// How many samples were lost, or too many where negative, before the last of a burst.
+// Returns how many samples were lost (negative: too many) before the last sample of a burst.
 std::int64_t EvenTimes::missed_at(Sample const& last) const
 {
     constexpr double kBarely = 0.1;
@@ -124,7 +126,7 @@ std::int64_t EvenTimes::missed_at(Sample const& last) const
     return agree == kAgree ? 1 : 0;
 }
 
-// The newest sample is the last of its burst.
+// Marks the newest sample as the last of its burst.
 void EvenTimes::end_burst()
 {
     auto& last = samples_.back();
@@ -142,8 +144,9 @@ void EvenTimes::end_burst()
     judge();
 }
 
-// How many bursts a line does not explain without another step. Where that is none, the period was
-// not quite right yet: bursts that nearly keep step with the samples show it only once in a while.
+// Returns how many bursts the line does not explain without another step. If there are any, the
+// period was slightly wrong: bursts whose rhythm is close to that of the samples reveal it only
+// occasionally.
 std::size_t EvenTimes::unexplained_bursts()
 {
     fit();
@@ -161,7 +164,7 @@ void EvenTimes::forget_oldest()
     samples_.pop_front();
 }
 
-// Whether times are to be moved; if so, finds the line.
+// Decides whether times are to be corrected, and finds the line if so.
 void EvenTimes::judge()
 {
     auto const count = samples_.size();
@@ -176,7 +179,8 @@ void EvenTimes::judge()
         fit();
     else if (is_evened_)
         is_evened_ = unexplained_bursts() == 0 && is_line_known_;
-    if (has_bursts && !is_evened_) { // Counting fails: it does not sample evenly, or lost some.
+    // Counting fails: the device does not sample evenly, or samples were lost.
+    if (has_bursts && !is_evened_) {
         is_line_known_ = false;
         if (was_evened)
             to_learn_ns_ = std::min(2 * to_learn_ns_, kLongestLearning_ns);
@@ -186,9 +190,9 @@ void EvenTimes::judge()
     }
 }
 
-// The line under the last samples of bursts, Moon, Skelly and Towsley's as in ClockMap::fit(): the
-// edge of their lower convex hull that spans their mean index. In too short a time the period stays
-// as it was.
+// Fits the line below the last samples of bursts by the method of Moon, Skelly and Towsley, as
+// ClockMap::fit(): the edge of their lower convex hull that spans their mean index. If too little
+// time has passed, the period stays unchanged.
 void EvenTimes::fit()
 {
     std::vector<HullPoint> hull;
@@ -199,7 +203,7 @@ void EvenTimes::fit()
         HullPoint const point { static_cast<double>(sample.index),
                                 static_cast<double>(sample.arrival) };
         if (!hull.empty() && point.index <= hull.back().index)
-            continue; // One too many.
+            continue; // Counting found one sample too many, so the index repeats.
         while (hull.size() >= 2 && is_above_chord(hull[hull.size() - 2], hull.back(), point))
             hull.pop_back();
         hull.push_back(point);

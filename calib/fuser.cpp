@@ -22,7 +22,7 @@ Fuser::Fuser(Rig const& rig, ScriptedHeight const& height)
     scripted_ = height;
 }
 
-// The hand's pressure in place of the device's.
+// Replaces the device's pressure by the rig's pressure response.
 drivers::PenSample Fuser::as_felt(drivers::PenSample pen)
 {
     if (!pen.pressure)
@@ -35,13 +35,13 @@ drivers::PenSample Fuser::as_felt(drivers::PenSample pen)
     return pen;
 }
 
-// Pens that report no pressure press fully while they touch.
+// Returns the pressure; pens that report none press fully while they touch.
 static double pressure(drivers::PenSample const& pen)
 {
     return pen.pressure ? std::clamp(*pen.pressure, 0.0, 1.0) : (pen.touching ? 1.0 : 0.0);
 }
 
-// The way the pen's shaft points, turned as the tablet is mounted.
+// Returns the tilt of the pen's shaft, turned by the mounting of the tablet.
 static std::optional<Vec2> tilt_rad(drivers::PenSample const& pen,
                                     Eigen::Affine3d const& T_world_tablet)
 {
@@ -93,7 +93,7 @@ bool Fuser::is_calibrated(double height_mm) const
             && height_mm <= calibrated_->high_mm + kCalibrationMargin_mm);
 }
 
-// Whether later readings, should they come in order, cannot change the height then any more.
+// True if later readings, arriving in order, can no longer change the height at this instant.
 bool Fuser::has_all_readings(Timestamp instant) const
 {
     return scripted_
@@ -142,7 +142,7 @@ void Fuser::believe(HeightJudge::Reading const& reading)
 void Fuser::doubt(Timestamp instant)
 {
     ++counts_.heights_doubted;
-    // Right readings are doubted, too, until enough of them have come.
+    // After a step, correct readings are doubted too, until there are enough of them.
     if (judge_.doubted_in_a_row() > HeightJudge::kMostWrong + HeightJudge::kFewInRun)
         heights_.end_bridge();
     else
@@ -153,7 +153,7 @@ void Fuser::doubt(Timestamp instant)
 void Fuser::follow_surface(Timestamp arrival)
 {
     if (gap_before_live_ || gap_before_settled_)
-        return; // A tip of the pen's own has to end the stroke first.
+        return; // The stroke must first be ended by a tip of the pen's own.
     for (auto const at : touch_.take_instants(arrival, heights_, rig_.max_height_age)) {
         Moment const moment { touch_.pen(), at, true, !is_silence_sure_ };
         auto const height = live_height_at(moment);
@@ -167,7 +167,7 @@ void Fuser::follow_surface(Timestamp arrival)
         keep_silence();
 }
 
-// What came in the silence is drawn.
+// Accepts the silence as rest: its tips are drawn.
 void Fuser::keep_silence()
 {
     is_silence_sure_ = true;
@@ -196,14 +196,15 @@ void Fuser::drop_silence()
     doubtful_.clear();
 }
 
-// Evened times of a sample may lie before the last tip of the silence that it ends.
+// Keeps tips in order: the corrected time of a sample may lie before the last tip of the silence
+// that it ends.
 static void put_after(TipSample& tip, Timestamp last_in_silence)
 {
     if (tip.time <= last_in_silence)
         tip.time = last_in_silence + std::chrono::microseconds(1);
 }
 
-// A stroke must not lead across samples that were left out.
+// Ends the stroke after a gap, since a stroke must not cross samples that were left out.
 static void lift_after_gap(TipSample& tip, bool& gap)
 {
     if (std::exchange(gap, false)) {
@@ -245,7 +246,8 @@ std::optional<TipSample> Fuser::push(drivers::PenSample const& reported)
 
 void Fuser::settle_ready()
 {
-    // What has waited so long has lost its heights. (Or the clock has jumped back.)
+    // Samples that have waited too long have lost their heights; the same is true if the clock has
+    // jumped back.
     auto const given_up = [&](Moment const& moment) {
         return std::chrono::abs(pending_.back().instant - moment.instant)
             > kPatience + rig_.max_height_age;

@@ -19,59 +19,59 @@
 
 namespace tractus::calib {
 
-// Stands in for the height sensor where a log has none.
+// Replaces the height sensor for logs without one.
 struct ScriptedHeight {
     HeightScenario scenario;
-    Timestamp first_pen {}; // PenSample::time of the log's first pen sample …
-    Timestamp last_pen {};  // … and of its last.
+    Timestamp first_pen {}; // PenSample::time of the log's first pen sample.
+    Timestamp last_pen {};  // PenSample::time of the log's last pen sample.
 };
 
-// Counts of what a fuser has seen, for reports and for telling why there are no strokes.
+// Statistics of a fuser, for reports and for explaining why there are no strokes.
 struct FuserCounts {
-    // Pen samples pushed; of them, settled to a tip; of them, given up because no reading lay
+    // Pen samples pushed; those of them settled to a tip; those given up because no reading lay
     // within Rig::max_height_age.
     std::size_t pens = 0;
     std::size_t settled = 0;
     std::size_t pens_without_height = 0;
 
-    // Height samples pushed; of them, refused because they are another converter's or out of the
-    // model's reach; of them, doubted when they came (height_judge.h), whatever became of it; of
-    // them, used although outside the calibrated range.
+    // Height samples pushed; those refused because they belong to another converter or are outside
+    // the model; those doubted on arrival (height_judge.h), whatever the later decision; those used
+    // although outside the calibrated range.
     std::size_t heights = 0;
     std::size_t heights_refused = 0;
     std::size_t heights_doubted = 0;
     std::size_t heights_uncalibrated = 0;
 
-    // Settled tips of readings, while a pen that touched was silent. Not among `settled`.
+    // Tips settled from readings while a touching pen was silent. Not included in `settled`.
     std::size_t settled_in_silence = 0;
 
-    // How many of the settled tips, of both kinds, are outside the calibrated range.
+    // Settled tips of both kinds that are outside the calibrated range.
     std::size_t settled_uncalibrated = 0;
 };
 
-// Joins the two sensors: a pen on the tablet and the height of the tablet's carriage.
+// Combines the two sensors: a pen on the tablet, and the height of the tablet's carriage.
 //
-// Each pen sample gives two tips, and so does each reading of the height while a pen that touches
-// is silent and the surface moves (silent_touch.h). One comes at once, for live ink; its height is
-// mostly carried on from the last readings (HeightTrack::newest_at). The other comes later and is
-// final: settled, once the readings around its instant have come, from a line fitted through them
-// (height_track.h). The instants are those of the samples less their sensor's latency; where the
-// rig has times evened, of the samples as EvenTimes tells them from their arrivals. Where the rig
-// knows how far up the pen the tablet sees it, the pen's lean is taken off its place
-// (lean_track.h), of settled tips with the leans after them known, too. Whether a tip touches, and
-// how strongly, is as the rig's PressureResponse has it.
+// Each pen sample gives two tips, and so does each height reading while a touching pen is silent
+// and the surface moves (silent_touch.h). The live tip comes at once, for drawing; its height is
+// usually extrapolated from the last readings (HeightTrack::newest_at()). The settled tip is final.
+// It comes when the readings around its instant have arrived, with a height from a line fitted
+// through them (height_track.h). The instant of a sample is its time minus the latency of its
+// sensor; if the rig asks for evened times, EvenTimes estimates them from the arrivals. If the rig
+// has a coil height, the displacement by the pen's lean is subtracted (lean_track.h); for settled
+// tips, later leans are used too. The rig's PressureResponse decides whether a tip touches, and how
+// strongly.
 //
-// Tips lie 0.1 mm from the truth in the mean, with heights 500 times a second of 12 bits and one
-// count of noise, and a hand at 300 mm/s in the plane and 200 mm/s in height; settled ones at most
-// 0.5 mm, live ones at most 1 mm.
+// Accuracy, with 12-bit heights 500 times a second, one count of noise, and a hand moving at 300
+// mm/s in the plane and 200 mm/s in height: tips are off by 0.1 mm on average; settled ones by at
+// most 0.5 mm, live ones by at most 1 mm.
 //
-// A tip more than kCalibrationMargin_mm above or below the rig's calibrated range is marked as
-// such: its height is a guess. (Within the margin it may be noise at either end of the travel.)
+// A tip more than kCalibrationMargin_mm outside the rig's calibrated range is marked, since its
+// height is extrapolated. (Within the margin it may be noise at an end of the travel.)
 //
-// Samples of one sensor should come in time order; a height that comes late is put in its place as
-// far as tips are not settled yet. The two sensors may interleave in any way, as long as neither
-// runs ahead of the other by more than kPatience. Not thread-safe: it lives on the main thread. No
-// clock and no randomness, so the same samples always give the same tips.
+// Samples of one sensor should arrive in time order; a late height is inserted in its place if it
+// can still affect unsettled tips. The two sensors may interleave in any way, as long as neither is
+// ahead of the other by more than kPatience. Not thread-safe: used on the main thread. It uses
+// neither clock nor random numbers, so equal samples give equal tips.
 class Fuser {
 public:
     static constexpr Duration kPatience = std::chrono::seconds(1);
@@ -79,60 +79,59 @@ public:
 
     explicit Fuser(Rig const& rig);
 
-    // Serves a log without a height sensor: heights are the scenario's, every tip is final at once,
-    // and height samples are ignored.
+    // For a log without a height sensor: heights come from the scenario, every tip is final at
+    // once, and height samples are ignored.
     Fuser(Rig const& rig, ScriptedHeight const& height);
 
-    // Readings that the surface cannot have are left out, also of live ink: see HeightJudge. Where
-    // they are few, the height goes on across them.
+    // Adds a height sample. Readings that the surface cannot have are ignored, also for live tips:
+    // see HeightJudge. If they are few, the height is interpolated across them.
     void push(drivers::HeightSample const& sample);
 
-    // The sensor gave a reading that tells no height.
+    // Notes that the sensor gave a reading without a usable height.
     void miss_height(Timestamp received);
 
-    // The live tip. No value until the first height has come, and while the last one is older than
-    // Rig::max_height_age. After such a gap the first tip is given as not touching, so that no
-    // stroke leads across it.
+    // Adds a pen sample and returns its live tip. No value before the first height, and while the
+    // last one is older than Rig::max_height_age. The first tip after such a gap does not touch, so
+    // that no stroke crosses the gap.
     //
-    // Every pen sample has its tip, those out of range too: they say that the pen is up, at the
-    // last position in range.
+    // Samples out of range have tips too, which report that the pen is up at its last position in
+    // range.
     [[nodiscard]] std::optional<TipSample> push(drivers::PenSample const& pen);
 
-    // Live tips that came of readings since the last call, while the pen was silent, in time order.
-    // They touch.
+    // Returns the live tips made from readings since the last call while the pen was silent, in
+    // time order. They all touch.
     [[nodiscard]] std::vector<TipSample> take_live() { return std::exchange(live_in_silence_, {}); }
 
-    // Whether the pen may leave without a word, so that a silence may mean that it has left. Tips
-    // in a silence then settle only with the next pen sample. At first it says so itself.
+    // Sets whether the pen may leave without reporting it, so that a silence may mean that it has
+    // left. Tips in a silence then settle only with the next pen sample. Initially false.
     void set_may_leave_silently(bool may) { may_leave_silently_ = may; }
 
-    // The pen is known to have left when it fell silent: forgets the tips since.
+    // Discards the tips since the pen fell silent, because it is known to have left then.
     void forget_silence();
 
-    // The tips that have settled since the last call, in the order of their instants. They are
-    // marked as interpolated, save where readings lay on one side alone (before the first, or once
-    // the sensor is lost: the movement is carried on for 5 ms, and its end held from there). A pen
-    // sample without a reading near it is left out, and the tip after it does not touch.
+    // Returns the tips that have settled since the last call, in the order of their instants. They
+    // are marked as interpolated unless readings exist on one side only (before the first reading,
+    // or after the sensor was lost: the movement is extrapolated for 5 ms and then held). A pen
+    // sample without a reading nearby is left out, and the tip after it does not touch.
     [[nodiscard]] std::vector<TipSample> take_settled();
 
-    // No more samples come, or none for a while: settles what is left from the readings at hand. A
-    // pen that touches is taken to have done so until now.
+    // Settles all remaining tips from the available readings, at the end of the samples or before a
+    // pause. A pen that touches is taken to have done so until now.
     void flush();
 
-    // The height sensor went away, after flush(): what it reads when it is back has nothing to do
-    // with what it read.
+    // Forgets all heights when the sensor was disconnected, after flush(): its later readings are
+    // unrelated to earlier ones.
     void forget_heights();
 
     FuserCounts const& counts() const { return counts_; }
 
 private:
-    // The pen at an instant: where a sample had it, or, while it was silent, where the sample
-    // before had it.
+    // The pen at an instant: at a sample, or in a silence after one, at that sample's position.
     struct Moment {
         drivers::PenSample pen;
         Timestamp instant {};
         bool is_in_silence = false;
-        bool is_in_doubt = false; // The silence may turn out as a loss of reports.
+        bool is_in_doubt = false; // True if the silence may turn out to be a loss of reports.
     };
 
     bool has_times_evened() const { return rig_.sample_times == SampleTimes::Evened && !scripted_; }
@@ -160,21 +159,22 @@ private:
     std::optional<HeightRange> calibrated_;
     std::optional<ScriptedHeight> scripted_;
     HeightJudge judge_;
-    std::vector<HeightJudge::Reading> believed_; // Kept for its memory.
+    std::vector<HeightJudge::Reading> believed_; // A member only to reuse its memory.
     HeightTrack heights_;
-    LeanTrack leans_; // Empty where the rig does not need it.
+    LeanTrack leans_; // Empty if the rig has no coil height.
     EvenTimes pen_times_;
     EvenTimes height_times_;
     SilentTouch touch_;
-    std::deque<Moment> pending_; // Not settled yet, in time order.
+    std::deque<Moment> pending_; // Moments that are not settled yet, in time order.
     std::vector<TipSample> settled_;
-    std::vector<TipSample> doubtful_; // Settled, of moments in doubt.
+    std::vector<TipSample> doubtful_; // Settled tips of moments in doubt.
     std::vector<TipSample> live_in_silence_;
     Timestamp last_live_in_silence_ = Timestamp::min();
     Timestamp last_settled_in_silence_ = Timestamp::min();
-    bool is_silence_sure_ = false; // The pen rests: further tips in the silence are in no doubt.
+    // True once the pen certainly rests, so that later tips in the silence are not in doubt.
+    bool is_silence_sure_ = false;
     bool may_leave_silently_ = false;
-    bool presses_ = false; // Above the rig's pressure threshold.
+    bool presses_ = false; // True while the pressure is above the rig's threshold.
     bool gap_before_live_ = false;
     bool gap_before_settled_ = false;
     FuserCounts counts_;

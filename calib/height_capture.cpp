@@ -30,13 +30,14 @@ namespace {
 constexpr std::size_t kLeastReadings = 20;
 constexpr Duration kLongestCaptureGap = std::chrono::milliseconds(250);
 constexpr std::size_t kBlocks = 8;
-constexpr int kScatterReach = 12; // Bins to either side of the middle one.
+constexpr int kScatterReach = 12; // Number of bins on either side of the middle one.
 
-// Statistics of readings at rest.
+// Statistics of readings from a resting carriage.
 struct Statistics {
     double mean = 0;
     double deviation = 0; // Standard deviation.
-    double noise = 0;     // Noise from differences of neighbours: free of slow movement.
+    // Noise estimated from differences of neighbours, so that slow movement does not count.
+    double noise = 0;
     std::array<double, kBlocks> block_means {};
     std::size_t on_low_rail = 0;
     std::size_t on_high_rail = 0;
@@ -47,7 +48,7 @@ Statistics statistics(std::span<drivers::HeightSample const> samples)
     Statistics result;
     auto const count = static_cast<double>(samples.size());
     for (auto const& sample : samples) {
-        result.mean += sample.counts; // Whole numbers: exact.
+        result.mean += sample.counts; // Sums of whole numbers are exact.
         result.on_low_rail += sample.counts <= 0;
         result.on_high_rail += sample.counts >= sample.full_scale;
     }
@@ -74,7 +75,7 @@ Statistics statistics(std::span<drivers::HeightSample const> samples)
     return result;
 }
 
-// How far the carriage went, in counts.
+// Returns how far the carriage moved, in counts.
 double movement(Statistics const& statistics)
 {
     auto const [least, greatest]
@@ -94,7 +95,7 @@ double allowed_noise(std::int32_t full_scale)
     return std::max(8.0, full_scale / 200.0);
 }
 
-// A reading at the converter's end now and then is noise near it; more is a reading on the rail.
+// True if more than 1 % of the readings are at the converter's limit; fewer can be noise near it.
 bool is_on_rail(std::size_t readings_there, std::size_t readings)
 {
     return readings_there * 100 > readings;
@@ -172,7 +173,7 @@ std::vector<int> scatter_about(double mean, std::span<drivers::HeightSample cons
     return { scatter.begin() + spare, scatter.end() - spare };
 }
 
-// Rounds for whoever reads them in a file; far below what a mean can tell.
+// Rounds for readers of the file, far below the accuracy of a mean.
 double to_thousandths(double counts)
 {
     return std::round(counts * 1000) / 1000;
@@ -218,7 +219,7 @@ Result<HeightCapture> capture_at_rest(std::span<drivers::HeightSample const> sam
 
 void RecentReadings::add(drivers::HeightSample const& sample)
 {
-    // A converter that changed is another one; times that go back are another recording.
+    // A changed full scale means another converter; times that go back mean another recording.
     if (!samples_.empty()
         && (samples_.back().full_scale != sample.full_scale || samples_.back().time > sample.time))
         samples_.clear();

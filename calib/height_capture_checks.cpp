@@ -15,8 +15,11 @@ using Captures = std::span<HeightCapture const>;
 
 constexpr double kLeastSpan_mm = 20;
 constexpr double kLeastCounts = 5;
-constexpr double kLeastStep_mm = 5; // Least difference of heights that must read differently.
-constexpr double kSlackPart = 0.05; // Part of the usual counts per millimetre.
+constexpr double kLeastStep_mm
+    = 5; // Heights that differ by at least this much must have different readings.
+// The string is slack where readings change by less than this share of the usual counts per
+// millimetre.
+constexpr double kSlackPart = 0.05;
 
 std::vector<std::size_t> by_height(Captures captures)
 {
@@ -50,7 +53,7 @@ tl::unexpected<Error> slack(HeightCapture const& low, HeightCapture const& high)
                             (low.counts + high.counts) / 2, low.ruler_mm, high.ruler_mm));
 }
 
-// Readings that do not follow the ruler, everywhere or between two neighbouring heights.
+// Fails if readings do not follow the ruler, in general or between two neighbouring heights.
 Result<void> check_slack(Captures captures, std::vector<std::size_t> const& order)
 {
     auto const [low, high]
@@ -90,7 +93,8 @@ Result<void> check_slack(Captures captures, std::vector<std::size_t> const& orde
     return {};
 }
 
-// The most captures, rising in height, whose readings all go one way; `sign` says which.
+// Returns the longest sequence of captures, in rising height, whose readings change in one
+// direction, given by `sign`.
 std::vector<std::size_t> longest_in_order(Captures captures, std::vector<std::size_t> const& order,
                                           double sign)
 {

@@ -18,33 +18,38 @@ namespace {
 
 using Captures = std::span<HeightCapture const>;
 
-constexpr double kGreatestChance = 0.01; // Chance of a monotone curve's gain.
-// Chance of a string's gain. A string where a line would do costs a tenth of a millimetre, and a
-// line where the string is aslant costs many, so that it takes less to believe in the string.
+constexpr double kGreatestChance = 0.01; // Significance level for preferring a monotone curve.
+// Significance level for preferring a string model. It is lenient, because a string where a line
+// would do costs a tenth of a millimetre, and a line where the string runs at an angle costs many.
 constexpr double kChanceOfAslant = 0.05;
 constexpr double kSlipDeviations = 4;
-constexpr double kRarityOfSlips = 9.2;       // -2 ln of one slip in a hundred captures.
-constexpr std::size_t kFreedomThatTells = 3; // Captures over, from which a variance can be told.
+constexpr double kRarityOfSlips
+    = 9.2; // Penalty for a slip, -2 ln(0.01): one capture in a hundred slips.
+constexpr std::size_t kFreedomThatTells
+    = 3; // Least number of surplus captures from which a variance can be estimated.
 constexpr std::size_t kMostKnots = 12;
-// A variance that one to three captures over tell is as often too small: by so much it is raised,
-// as Student's quantile for a standard error of three degrees is over the normal one's, squared.
+// Factor on a variance estimated from one to three surplus captures, which is as often too small:
+// the square of Student's quantile for one standard error at three degrees of freedom over the
+// normal one.
 constexpr double kFewOverTellTooLittle = 1.43;
-constexpr double kUsualLinearity_percent = 0.25; // Of a spool's potentiometer, by data sheets.
-constexpr std::size_t kFewestForBend = 5;        // Captures that tell a little of a bend.
+constexpr double kUsualLinearity_percent
+    = 0.25; // Linearity of a spool's potentiometer in usual data sheets.
+constexpr std::size_t kFewestForBend
+    = 5; // Least number of captures from which a bend can be estimated.
 constexpr std::array<std::string_view, 3> kNames { "linear", "string", "monotone" };
 
-// A model's fit with what it leaves out.
+// A model's fit and the captures that it leaves out.
 struct RobustFit {
     HeightModelKind kind = HeightModelKind::Linear;
     ModelFit fit {};
-    std::vector<std::size_t> slipped {}; // Rising.
+    std::vector<std::size_t> slipped {}; // Indices in rising order.
     std::size_t used = 0;
 
     std::size_t parameters() const
     {
         return static_cast<std::size_t>(parameters_of(fit.model).size());
     }
-    // How many captures are left to tell the error: a slipped one is a parameter, too.
+    // Returns the degrees of freedom; each slipped capture counts as a parameter.
     std::size_t freedom() const { return used - std::min(used, parameters()); }
     double variance_mm2() const
     {
@@ -55,7 +60,7 @@ struct RobustFit {
 
 using Fitter = std::function<std::optional<ModelFit>(Captures)>;
 
-// The fit without the capture whose absence makes the rest fit best.
+// Returns the best fit without one more capture.
 std::optional<RobustFit> leave_one_out(Captures captures, RobustFit const& present,
                                        Fitter const& fitter)
 {
@@ -107,9 +112,9 @@ std::size_t distinct_readings(Captures captures)
     return static_cast<std::size_t>(end - counts.begin());
 }
 
-// Fits with the number of knots that leaves the least variance. Where the captures are too few to
-// tell one (asked for all the same), through all of them. No curve tells what lies beyond its
-// captures, so that the lowest and the highest one are never left out.
+// Fits with the number of knots that gives the least variance. If a monotone curve was requested
+// but there are too few captures to determine that number, every capture becomes a knot. The lowest
+// and highest capture are never left out, since no curve is defined beyond its captures.
 std::optional<RobustFit> fit_best_monotone(Captures captures, HeightFitOptions const& options)
 {
     auto const kind = HeightModelKind::Monotone;
@@ -134,7 +139,7 @@ std::optional<RobustFit> fit_best_monotone(Captures captures, HeightFitOptions c
     return best;
 }
 
-// Fits a law to what a track measures that is as straight as was said.
+// Returns a fitter for a law and a track with the given linearity.
 Fitter law_fitter(std::optional<ModelFit> (*fit)(Captures), HeightFitOptions const& options)
 {
     return [fit, options](Captures some) -> std::optional<ModelFit> {
@@ -160,8 +165,8 @@ std::optional<RobustFit> fit_kind(HeightModelKind kind, Captures captures,
     return std::nullopt;
 }
 
-// The chance that a model without merit would gain as much over the simpler one. Residuals far
-// below what a ruler can tell are luck, and do not count as merit.
+// Returns the probability that a model without merit would improve on the simpler one as much.
+// Residuals far below the ruler's accuracy are chance, and do not count.
 double chance_of_gain(RobustFit const& simple, RobustFit const& rich, double ruler_error_mm)
 {
     double const least_variance = ruler_error_mm * ruler_error_mm / 9;
@@ -176,8 +181,8 @@ double chance_of_gain(RobustFit const& simple, RobustFit const& rich, double rul
     return boost::math::cdf(boost::math::complement(distribution, f));
 }
 
-// How ill a line or a string fits captures of a known error, in the measure of chi squared. A slip
-// is a parameter, and a rare thing besides.
+// Returns how badly a line or a string fits captures of known error, as a chi-squared value. A slip
+// counts as a parameter, and as a rare event besides.
 double misfit(RobustFit const& fit, double variance_mm2)
 {
     return fit.fit.sum_of_squares_mm2 / variance_mm2
@@ -185,8 +190,9 @@ double misfit(RobustFit const& fit, double variance_mm2)
         * (kSlipDeviations * kSlipDeviations + kRarityOfSlips);
 }
 
-// The chance that a string would gain as much over a line by the ruler's error alone. The ruler is
-// known better than a few captures tell it; where many are left over, they have their say, too.
+// Returns the probability that a string would improve on a line as much by the ruler's error alone.
+// The ruler's error is known better than a few captures can show; if many are left over, their
+// variance counts too.
 double chance_of_aslant(RobustFit const& line, RobustFit const& string, double ruler_error_mm)
 {
     double variance_mm2 = ruler_error_mm * ruler_error_mm;
@@ -238,7 +244,7 @@ Result<Choice> choose_model(Captures captures, HeightFitOptions const& options)
     std::vector<HeightCandidate> candidates;
     for (auto const kind :
          { HeightModelKind::Linear, HeightModelKind::String, HeightModelKind::Monotone }) {
-        // Models that leave no capture over cannot be told from simpler ones.
+        // A model without surplus captures cannot be compared with simpler ones.
         if (captures.size() < parameter_count(kind) + (kind == HeightModelKind::Linear ? 0 : 1))
             continue;
         auto const fit = fit_kind(kind, captures, options);
@@ -338,7 +344,7 @@ std::optional<Hysteresis> hysteresis_of(Captures captures, HeightFit const& fit,
         return std::nullopt;
     auto const up = mean_of(from_below);
     auto const down = mean_of(from_above);
-    // A few captures may agree by luck: no better than the ruler.
+    // A few captures may agree by chance, so the error is at least that of the ruler.
     double const least_variance = std::pow(std::max(fit.capture_error_mm, ruler_error_mm), 2)
         * (1 / static_cast<double>(up.count) + 1 / static_cast<double>(down.count));
     return Hysteresis { .mm = up.value - down.value,
@@ -365,13 +371,13 @@ void tell_range(Captures captures, HeightFit& fit)
     fit.high_counts = range.high;
     auto const one = height_mm(fit.model, fit.low_counts);
     auto const other = height_mm(fit.model, fit.high_counts);
-    fit.low_mm
-        = std::min(one.value_or(0), other.value_or(0)); // check_range() says if there is none.
+    fit.low_mm = std::min(one.value_or(0),
+                          other.value_or(0)); // A missing height is reported by check_range().
     fit.high_mm = std::max(one.value_or(0), other.value_or(0));
 }
 
-// What is known of the track before the captures: what was told, else what potentiometers usually
-// have, if the captures can tell and nobody asked for a law.
+// Returns the linearity to assume: the given one, else that of usual potentiometers, if there are
+// enough captures and no particular law was requested.
 double linearity_to_fit_percent(HeightFitOptions const& options, std::size_t captures)
 {
     bool const may_assume = !options.kind && captures >= kFewestForBend;
@@ -379,7 +385,7 @@ double linearity_to_fit_percent(HeightFitOptions const& options, std::size_t cap
                                                         : kUsualLinearity_percent;
 }
 
-// Gives the fit a track that may be bent.
+// Adds the bend of the potentiometer's track to the fit.
 void bend_track(Captures captures, HeightFitOptions const& options, HeightFit& fit)
 {
     auto const used = captures_without(captures, fit.slipped);

@@ -17,44 +17,43 @@
 namespace tractus::calib {
 
 struct HeightFitOptions {
-    // The model to fit; no value: the simplest that the captures support.
+    // The model to fit; no value: the simplest one that the captures support.
     std::optional<HeightModelKind> kind {};
 
-    // How exactly the person reads the ruler: the standard deviation of a capture. What a fit makes
-    // of its parameters' errors never rests on less than this, with a bend seven tenths of it.
+    // Standard deviation of a height read from the ruler. The standard errors of a fit never assume
+    // less than this or, with a bend, less than 70 % of it.
     double ruler_error_mm = 0.3;
 
-    // How far the potentiometer's track may be off a straight one, in percent, as its data sheet
-    // says: 0.1 to 2, with some tenths for a converter that loads it. The fit then has a bend
-    // (track_bend_fit.h), and its errors know of it; so do the choice of the law and of what
-    // slipped, which then bear with more. 0: nothing is known. Law and slips are then judged as of
-    // a straight track, so that a false capture stands out as ever, and only the curve that comes
-    // of them has a bend of some 0.25 %, as far as the captures make it likely: of five captures or
-    // more, unless a law was asked for.
+    // Linearity of the potentiometer's track in percent, as in its data sheet: 0.1 to 2, and some
+    // tenths more for a converter that loads it. The fit then includes a bend (track_bend_fit.h),
+    // and its errors, the choice of the law and the detection of slips allow for it. 0: unknown.
+    // Law and slips are then judged as for a straight track, so that a wrong capture still stands
+    // out, and only the resulting curve gets a bend of about 0.25 %, as far as the captures make it
+    // likely; this needs five captures or more, and no particular law must have been requested.
     double linearity_percent = 0;
 };
 
-// One number of a model with its standard error.
+// One parameter of a model with its standard error.
 struct FitParameter {
-    std::string_view name; // Key of the rig file: "mm_per_count".
+    std::string_view name; // Key in the rig file, such as "mm_per_count".
     double value = 0;
     double standard_error = 0;
 };
 
-// How one kind of model fared, for the person who wonders about the choice.
+// Result of one kind of model, which explains the choice to the user.
 struct HeightCandidate {
     HeightModelKind kind = HeightModelKind::Linear;
     std::size_t parameters = 0;
-    std::size_t slipped = 0; // Captures that it would leave out.
+    std::size_t slipped = 0; // Number of captures that it would leave out.
     double rms_mm = 0;
 
-    // How likely a gain over the simpler choice as great as this one would be by chance alone; no
-    // value for the simplest.
+    // Probability that an improvement over the simpler choice as great as this one arises by
+    // chance; no value for the simplest model.
     std::optional<double> p_value {};
 };
 
-// How much higher the model takes the carriage to be when it comes from below than when it comes
-// from above: slack, friction, play.
+// Height of the carriage by the model when it comes from below minus that when it comes from above,
+// caused by slack, friction or play.
 struct Hysteresis {
     double mm = 0;
     double standard_error_mm = 0;
@@ -62,81 +61,86 @@ struct Hysteresis {
 
 struct HeightFit {
     HeightModel model {};
-    std::string reason; // Why this model, in a sentence.
+    std::string reason; // Sentence that explains why this model was chosen.
     std::vector<HeightCandidate> candidates;
 
     std::vector<FitParameter> parameters;
     // Covariance of parameters_of(model), followed by the shifts of its track's bend.
     Eigen::MatrixXd covariance;
 
-    // Standard deviation of the bend that the captures make likely, in percent of their range; 0
-    // where the track was taken to be straight: see HeightFitOptions::linearity_percent.
+    // Standard deviation of the bend that the captures make likely, in percent of their range; 0 if
+    // the track was taken to be straight (HeightFitOptions::linearity_percent).
     double bend_percent = 0;
 
-    std::vector<double> residuals_mm; // Ruler less model, for each capture, slipped ones too.
-    std::vector<std::size_t> slipped; // Captures that were left out, rising.
-    double rms_mm = 0; // Root mean square over the captures that were used; as the next.
+    // Height by the ruler minus height by the model, for each capture, including slipped ones.
+    std::vector<double> residuals_mm;
+    std::vector<std::size_t> slipped; // Indices of captures that were left out, in rising order.
+    // Root mean square over the captures that were used; the next member covers the same ones.
+    double rms_mm = 0;
     double max_mm = 0;
-    double capture_error_mm = 0; // Standard deviation of a capture, on which the errors rest.
-    // How far captures lie beside the law and as little bend as the data sheet allows.
+    double capture_error_mm = 0; // Standard deviation of a capture, on which the errors are based.
+    // Distance of the captures from the law with as little bend as the data sheet allows.
     double apart_mm = 0;
 
-    std::optional<Hysteresis> hysteresis; // No value unless two captures came from either side.
-    double noise_counts = 0;              // Noise at rest, of all captures.
-    double low_counts = 0;                // The captures' range, slipped ones left out …
+    std::optional<Hysteresis>
+        hysteresis;          // No value unless at least two captures came from each side.
+    double noise_counts = 0; // Noise at rest over all captures.
+    double low_counts = 0;   // Range of the readings, without slipped captures.
     double high_counts = 0;
-    double low_mm
-        = 0; // … and the model's heights there: low_mm < high_mm, whichever way it counts.
+    // Heights by the model at the ends of that range; low_mm < high_mm, whichever way the sensor
+    // counts.
+    double low_mm = 0;
     double high_mm = 0;
 };
 
-// The standard error of a fit's height at a reading, as far as it comes from the parameters.
+// Returns the standard error of a fit's height at a reading, as far as it comes from the
+// parameters.
 double height_error_mm(HeightFit const& fit, double counts);
 
-// Fits the height sensor's model to captures, in the order in which they were made.
+// Fits the height sensor's model to captures, given in the order in which they were made.
 //
 // The model is the simplest that the captures support: linear (2 parameters), string (4), monotone
-// (as many as it has knots, 5 at least, and only where three captures more tell whether it is any
-// good). A string is taken before a line if the ruler's error alone would make so great a gain in
-// less than 1 of 20 cases: the sums of squares, over the ruler's variance, are compared by chi
-// squared, since a ruler's error is known and five captures leave one over to tell it. A slip is
-// dear there, as one capture in a hundred is one: otherwise a line without the capture in which the
-// string shows most would do. A monotone curve is taken if its gain would come about by chance in
-// less than 1 of 100 cases, by the F test for the extra sum of squares (G. Seber, C. Wild,
-// "Nonlinear Regression", 1989, section 5.3): it comes nearer to a string's curve than any ruler
-// can tell, so that the two are compared as if one contained the other; its number of knots is the
-// one with the least estimated variance.
+// (as many as it has knots, at least 5, and only with three surplus captures to judge it). A string
+// is preferred to a line if the ruler's error alone would cause so great an improvement in less
+// than 1 of 20 cases: the sums of squares over the ruler's variance are compared by chi squared,
+// since a ruler's error is known, and five captures leave only one to estimate it. A slip has a
+// high cost in this comparison, because only one capture in a hundred is one: otherwise a line
+// without the capture in which the string shows most would suffice. A monotone curve is preferred
+// if its improvement would arise by chance in less than 1 of 100 cases, by the F test for the extra
+// sum of squares (G. Seber, C. Wild, "Nonlinear Regression", 1989, section 5.3). It approximates a
+// string's curve better than any ruler can resolve, so the two are compared as if one contained the
+// other; it has the number of knots with the least estimated variance.
 //
-// A capture that lies apart is taken for a slip of the ruler or of the tongue if without it the sum
-// of squares falls by more than (4 s)^2, s the ruler's error or the rest's standard deviation if
-// that is greater. It is left out and named, and counts as a parameter in the test (the mean shift
-// model of R. Cook and S. Weisberg, "Residuals and Influence in Regression", 1982). So it goes on
-// with the worst one, for at most a fifth of the captures, and as long as more are left than the
-// model has parameters. A monotone curve leaves out neither the lowest nor the highest capture: it
-// could be anywhere there.
+// An outlying capture is considered a slip (a misread ruler or a mistyped height) if leaving it out
+// reduces the sum of squares by more than (4 s)^2, where s is the greater of the ruler's error and
+// the standard deviation of the rest. It is left out and reported, and counts as a parameter in the
+// test (the mean shift model of R. Cook and S. Weisberg, "Residuals and Influence in Regression",
+// 1982). This is repeated with the worst capture, for at most a fifth of the captures, and as long
+// as more are left than the model has parameters. A monotone curve keeps the lowest and the highest
+// capture, because it is undetermined without them.
 //
-// Standard errors are those of the linear approximation, times the greater one of the ruler's error
-// (known before, of type B as the "Guide to the expression of uncertainty in measurement", JCGM
-// 100:2008, has it) and the residuals' own standard deviation. What the track may bend by, and what
-// up and down differ by, are part of them wherever a bend is fitted. There the ruler's error is
-// what the captures make likely, from seven tenths of what was said to twice as much, and residuals
-// that one or two captures over leave count twice, as Student's quantiles have it: a ruler that is
-// read worse than was said is seen as far as seven captures can show it, which is not far.
+// Standard errors are those of the linear approximation, times the greater of the ruler's error
+// (known beforehand; of type B in the "Guide to the expression of uncertainty in measurement", JCGM
+// 100:2008) and the residuals' own standard deviation. If a bend is fitted, they include the
+// possible bend of the track and the difference between up and down. The ruler's error is then the
+// one that the captures make likely, from 70 % to 200 % of the given value, and residuals from one
+// or two surplus captures count twice, as in Student's quantiles. A ruler read worse than stated is
+// detected only as far as seven captures can show it, which is not far.
 //
-// Fails, as the user's fault, with a sentence that says what to do: fewer captures than parameters
-// or than two, heights all the same, heights that do not follow one direction, readings that stay
-// the same while the ruler rises (a slack string).
+// Fails, as the user's fault, with a sentence that says what to do: fewer than two captures, or
+// fewer than parameters; equal heights; heights that do not follow one direction; readings that
+// stay the same while the ruler rises (a slack string).
 Result<HeightFit> fit_height(std::span<HeightCapture const> captures,
                              HeightFitOptions const& options = {});
 
-// Returns the side from which the surface came to a height, given the one before it; no value: from
-// nowhere.
+// Returns the side from which the surface came to a height, given the previous one; Nowhere if
+// there was none.
 HeightCapture::From direction(std::optional<double> before_mm, double ruler_mm);
 
-// Fills in each capture's `from`, from the heights in their order.
+// Fills in each capture's `from`, from the order of the heights.
 void tell_directions(std::vector<HeightCapture>& captures);
 
-// "linear", "string" or "monotone".
+// Returns "linear", "string" or "monotone".
 std::string_view name_of(HeightModelKind kind);
 std::optional<HeightModelKind> parse_height_model_kind(std::string_view name);
 

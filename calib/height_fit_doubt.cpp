@@ -18,12 +18,14 @@ namespace {
 using Captures = std::span<HeightCapture const>;
 
 constexpr double kLeastTravel_mm = 100;
-constexpr double kMostErrors = 3;             // Limit in errors of the ruler.
-constexpr std::size_t kLeastFreedom = 2;      // Captures that confirm a law.
-constexpr std::size_t kFreedomAfterSlips = 3; // Captures that confirm it where others do not.
-constexpr std::size_t kMostForPairs = 20;     // Captures; beyond, pairs take too long to try.
+constexpr double kMostErrors = 3;        // Greatest acceptable deviation, in ruler errors.
+constexpr std::size_t kLeastFreedom = 2; // Surplus captures needed to confirm a law.
+constexpr std::size_t kFreedomAfterSlips
+    = 3; // Surplus captures needed to confirm a law after some were left out.
+constexpr std::size_t kMostForPairs
+    = 20; // With more captures, trying all pairs would take too long.
 
-// The variance of a capture, as the simpler law of those that fit tells it.
+// Returns the variance of a capture, from the simplest law that fits.
 std::optional<double> variance_mm2(Captures captures)
 {
     std::optional<double> least;
@@ -42,14 +44,14 @@ std::optional<double> variance_mm2(Captures captures)
     return least;
 }
 
-// Captures that are left out, and how well the rest fits then.
+// Captures that are left out, and how well the rest fits without them.
 struct LeftOut {
-    std::vector<std::size_t> set {}; // Rising.
+    std::vector<std::size_t> set {}; // Indices in rising order.
     double variance_mm2 = std::numeric_limits<double>::infinity();
 };
 
-// Finds, of all pairs, the one without which the rest fits best: two that are swapped hide each
-// other.
+// Tries all pairs, and returns the one without which the rest fits best: two swapped captures hide
+// each other.
 LeftOut best_pair(Captures captures)
 {
     LeftOut best;
@@ -61,7 +63,7 @@ LeftOut best_pair(Captures captures)
     return best;
 }
 
-// One more than before, the one whose absence does most.
+// Leaves out one more capture, the one whose absence improves the fit most.
 LeftOut one_more(Captures captures, LeftOut const& before)
 {
     LeftOut best;
@@ -111,15 +113,15 @@ std::optional<HeightFitDoubt> doubt_about_travel(Captures captures)
         travel_mm) };
 }
 
-// Whether captures lie farther beside their law than a ruler that is read as was said.
+// True if captures are farther from their law than a ruler read with the stated error allows.
 bool is_apart(HeightFit const& fit, Captures captures, HeightFitOptions const& options)
 {
     return fit.apart_mm > kMostErrors
         * error_beside_bend_mm(captures, options.ruler_error_mm, options.linearity_percent);
 }
 
-// The least of the usual data sheets' linearities with which all captures agree, where it is more
-// than what was told.
+// Returns the least of the usual data sheets' linearities with which all captures agree, if it is
+// more than the given one.
 std::optional<double> linearity_that_explains_percent(Captures captures,
                                                       HeightFitOptions const& options)
 {
@@ -136,7 +138,7 @@ std::optional<double> linearity_that_explains_percent(Captures captures,
     return std::nullopt;
 }
 
-// What else than a capture may be wrong, as the second half of a sentence.
+// Returns the second half of a sentence about another possible cause than wrong captures.
 std::string advice_on_track(Captures captures, HeightFitOptions const& options)
 {
     auto const percent = linearity_that_explains_percent(captures, options);

@@ -10,13 +10,13 @@ namespace tractus::calib {
 namespace {
 
 constexpr int kRangeSteps = 100;
-constexpr double kLeastKnown_mm = 3; // A standard error beyond this says that a height is unknown.
-constexpr double kKnownInRulers = 5; // As many errors of the ruler are allowed where that is more.
+constexpr double kLeastKnown_mm = 3; // Greatest acceptable standard error of a height.
+constexpr double kKnownInRulers = 5; // The limit is this many ruler errors if that is more.
 
-// The first reading in a range at which a model has no height, or turns.
+// The first reading in a range at which a model has no height, or reverses its direction.
 struct BrokenAt {
     double counts = 0;
-    bool turns = false; // Otherwise it has no height there.
+    bool turns = false; // True: the direction reverses. False: there is no height.
 };
 
 std::optional<BrokenAt> find_break(HeightModel const& model, ReadingRange const& range)
@@ -37,7 +37,7 @@ std::optional<BrokenAt> find_break(HeightModel const& model, ReadingRange const&
     return std::nullopt;
 }
 
-// A bend that is hardly within what a rig's file may hold is the captures' fault, not a track's.
+// Fails if the bend is close to the limit of rig files: then the captures are wrong, not the track.
 Result<void> check_bend(TrackBend const& bend)
 {
     constexpr double kSteepest = 0.25;

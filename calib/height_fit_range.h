@@ -9,15 +9,15 @@
 
 namespace tractus::calib {
 
-// Whether a fit may be drawn with: its law gives a height for each reading between the captures
-// that were used, rises or falls with the readings all the way, goes on for a tenth of their span
-// beyond either end, and is known to three millimetres between them (its standard error; more if
-// the ruler is read worse than to 0.6 mm). Fails as the user's fault with what to do.
+// Checks that a fit is usable for drawing: between the captures that were used, its law gives a
+// height for each reading and rises or falls throughout; it extends beyond either end by a tenth of
+// their span; and its standard error is at most 3 mm (more if the ruler's error exceeds 0.6 mm).
+// Fails as the user's fault with what to do.
 Result<void> check_range(HeightFit const& fit, std::span<HeightCapture const> captures,
                          HeightFitOptions const& options);
 
-// Whether a rig's model gives heights that rise or fall all the way from the least to the greatest
-// of its calibrated readings. Fails as the user's fault and says where it does not.
+// Checks that a rig's model gives heights that rise or fall throughout its calibrated readings.
+// Fails as the user's fault and says where they do not.
 Result<void> check_calibrated_range(Rig const& rig);
 
 } // namespace tractus::calib

@@ -8,16 +8,17 @@ namespace tractus::calib {
 
 namespace {
 
-constexpr double kLeastDoubted_mm = 0.5; // Less is noise, which the fit smooths.
-constexpr double kNoiseCounts = 4;       // Steps of so many counts are noise.
-constexpr double kNoises = 4; // Deviations beyond so many times the usual one are no noise.
+constexpr double kLeastDoubted_mm = 0.5; // Smaller deviations are noise, which the fit smooths.
+constexpr double kNoiseCounts = 4;       // Steps of up to this many counts are noise.
+constexpr double kNoises = 4; // Deviations up to this multiple of the usual one are noise.
 constexpr std::size_t kRemembered = 64;
-constexpr std::size_t kFewRemembered = 15; // Fewer tell neither rate nor noise.
-constexpr double kPause_s = 0.1;  // A longer interval is a pause, and says nothing of the rate.
-constexpr double kTrack_s = 0.02; // The speed is that of so long a time …
-constexpr std::size_t kTrackReadings = 4; // … or of so many readings, if these take longer.
+constexpr std::size_t kFewRemembered = 15; // Fewer readings determine neither rate nor noise.
+constexpr double kPause_s = 0.1;  // Longer intervals are pauses, and do not count for the rate.
+constexpr double kTrack_s = 0.02; // Time over which the speed is measured, …
+constexpr std::size_t kTrackReadings = 4; // … or this number of readings, if they take longer.
 constexpr std::size_t kMostReadings = 64;
-constexpr double kMedianPerQuartile = 2.117; // Of the absolute values of a normal distribution.
+// Ratio of the median to the lower quartile of a normal distribution's absolute values.
+constexpr double kMedianPerQuartile = 2.117;
 constexpr double kUnseenOfNew_s = 0.01;
 
 template<typename Values> void keep_last(Values& values, std::size_t count)
@@ -28,9 +29,9 @@ template<typename Values> void keep_last(Values& values, std::size_t count)
 
 } // namespace
 
-// The rate, and from second differences, which a steady movement does not have, the noise. Each
-// wrong reading spoils three of them, so that their lower quartile stands for the median of the
-// others.
+// Learns the rate and, from second differences, which are zero in a steady movement, the noise.
+// Each wrong reading spoils three second differences, so their lower quartile is used in place of
+// the median of the others.
 void HeightJudge::learn(Reading const& reading)
 {
     bool const is_first = last_arrival_ == Timestamp::min();
@@ -57,8 +58,8 @@ void HeightJudge::learn(Reading const& reading)
     keep_last(heights_mm_, 2);
 }
 
-// By least squares. The last reading stands for the line where the readings are too few or too
-// close together.
+// Fits a line by least squares. If the readings are too few or too close together, the last one is
+// used instead.
 HeightJudge::Line HeightJudge::line_through(Readings const& track) const
 {
     Line line { .height_mm = track.back().height_mm };
@@ -96,8 +97,8 @@ bool HeightJudge::is_new() const
     return bends_mm_.size() < kFewRemembered;
 }
 
-// The time between two readings in which the surface may have done something: deliveries in bundles
-// do not tell when readings were taken.
+// Returns the time between two readings in which the surface may have changed its movement: bundled
+// deliveries do not show when readings were taken.
 double HeightJudge::unseen_s() const
 {
     return std::max({ interval_s_, longest_interval_s_, is_new() ? kUnseenOfNew_s : 0 });
@@ -108,7 +109,8 @@ double HeightJudge::noise_mm() const
     return std::max(kLeastDoubted_mm, kNoiseCounts * count_mm_) + kNoises * usual_bend_mm_;
 }
 
-// How far off a reading may be since it was not taken when it seems to have been.
+// Returns how far off a reading may be because it was not taken at the time that it seems to have
+// been.
 double HeightJudge::jitter_mm(double mm_per_s) const
 {
     double const jitter_s = longest_interval_s_ - usual_interval_s_;
@@ -119,8 +121,9 @@ double HeightJudge::jitter_mm(double mm_per_s) const
     return mm;
 }
 
-// Doubted readings in between do not make the next one less certain, only the time does in which
-// none came. What an acceleration has changed since the middle of the line's readings is unseen.
+// True if the reading continues the line. Only time without readings makes the prediction less
+// certain, not doubted readings in between. The change of speed by an acceleration since the middle
+// of the line's readings is not visible.
 bool HeightJudge::goes_on(Reading const& reading) const
 {
     auto const line = line_through(track_);
@@ -149,14 +152,14 @@ bool HeightJudge::continues_run(Reading const& reading) const
         + kQuickest_mm_per_ss * unseen_s * unseen_s;
 }
 
-// Both lines meet halfway, whatever the acceleration in between, if it was steady. A corner may lie
-// anywhere between two readings.
+// True if the doubted run leads back to the track: with a steady acceleration in between, both
+// lines meet halfway; a corner may lie anywhere between two readings.
 bool HeightJudge::run_leads_back() const
 {
     constexpr double kUnsteady_mm_per_ss = 1000;
     auto const before = line_through(track_);
     if (!before.is_known)
-        return true; // Of so few readings any may be the wrong one.
+        return true; // Among so few readings, any may be the wrong one.
     auto const after = line_through(run_);
     double const since_s = to_seconds(run_.back().arrival - track_.back().arrival);
     double const gap_s = to_seconds(run_.front().arrival - track_.back().arrival);
@@ -187,7 +190,8 @@ void HeightJudge::believe_run(std::vector<Reading>& believed)
 HeightJudge::Verdict HeightJudge::judge(Reading const& reading, double count_mm,
                                         std::vector<Reading>& believed)
 {
-    if (reading.arrival < last_arrival_) { // Late: nobody knows what was around it.
+    // A late reading cannot be judged, since its neighbours have been dealt with.
+    if (reading.arrival < last_arrival_) {
         believed.push_back(reading);
         return Verdict::Believed;
     }

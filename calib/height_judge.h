@@ -8,66 +8,69 @@
 
 namespace tractus::calib {
 
-// Tells readings that a surface can have from those that it cannot: a contact that bounces, a
-// reading torn on the wire, a string that slips.
+// Separates plausible readings from those that a surface cannot have, caused by a bouncing contact,
+// a reading corrupted on the wire, or a slipping string.
 //
-// A surface has mass: from one reading to the next it goes on as it did, within what a hand's
-// acceleration can change. A reading that is farther off is doubted, until one of these holds:
-// - the surface goes on where it was expected: what was doubted in between was wrong;
-// - kFewInRun doubted readings in a row lie on a smooth curve that leads back to where the surface
-//   was last: it started, stopped or turned at once, or moved on unseen;
-// - more than kMostWrong in a row lie on a smooth curve, for at least kLeastStep: the surface is
-//   there now, however it got there (after a pause of the computer, or since the string has
+// A surface has mass: between readings its movement changes only as much as a hand can accelerate
+// it. A reading outside these limits is doubted until one of these is true:
+// - the surface continues where it was expected: the doubted readings were wrong;
+// - kFewInRun doubted readings in a row lie on a smooth curve that leads back to the last position:
+//   the surface started, stopped or turned abruptly, or moved unobserved;
+// - more than kMostWrong readings in a row lie on a smooth curve, for at least kLeastStep: the
+//   surface is there now, however it got there (after the computer paused, or because the string
 //   slipped).
-// So up to kMostWrong wrong readings in a row are never believed. What is too small to be told from
-// a movement is: less than 1 mm at 500 readings a second, 5 mm at 50.
+// Up to kMostWrong wrong readings in a row are therefore never believed. Errors too small to differ
+// from movement are believed: less than 1 mm at 500 readings a second, 5 mm at 50.
 //
-// Readings of one sensor come in the order of their arrival. It reads no clock: the same readings
-// give the same judgements.
+// Readings of one sensor come in the order of their arrival. No clock is read: equal readings give
+// equal judgements.
 class HeightJudge {
 public:
     static constexpr std::size_t kMostWrong = 10;
     static constexpr std::size_t kFewInRun = 4;
     static constexpr Duration kLeastStep = std::chrono::milliseconds(40);
 
-    // Limits of hands: no surface moves faster, or goes on changing its speed faster, while one
-    // draws on it.
+    // Limits of hands: the greatest speed of a surface, and the greatest sustained acceleration,
+    // while drawing on it.
     static constexpr double kFastest_mm_per_s = 2000;
     static constexpr double kQuickest_mm_per_ss = 4000;
 
     struct Reading {
-        Timestamp arrival {}; // Or, where times are evened, when it was taken by EvenTimes.
-        Timestamp instant {}; // When the surface was there; the judge only hands it on.
+        Timestamp arrival {}; // Arrival or, with evened times, the time of sampling by EvenTimes.
+        Timestamp instant {}; // Time at which the surface was there; not used by the judge itself.
         double height_mm = 0;
     };
 
     enum class Verdict {
         Believed,
         Doubted,
-        Step, // Believed, with those that agree with it, though no surface gets there so fast.
+        // Believed together with the readings that agree with it, although no surface moves so
+        // fast.
+        Step,
     };
 
-    // Judges the next reading of a converter of which one count is `count_mm` there. Appends to
-    // `believed` what is believed from now on, in order: the reading, and what was doubted before.
+    // Judges the next reading of a converter whose count is `count_mm` there. Appends to
+    // `believed`, in order, everything that is believed from now on: the reading, and readings
+    // doubted before.
     Verdict judge(Reading const& reading, double count_mm, std::vector<Reading>& believed);
 
-    // A reading came that tells no height: one at an end of the converter's range. Where the
-    // surface goes meanwhile is as unknown as in a pause.
+    // Notes a reading without a height, at an end of the converter's range. The movement meanwhile
+    // is as unknown as in a pause.
     void miss();
 
-    // How many readings have come since the last believed one.
+    // Number of readings since the last believed one.
     std::size_t doubted_in_a_row() const { return doubted_in_a_row_; }
 
 private:
     using Readings = std::deque<Reading>;
-    static constexpr double kUnknownBend_mm = 0.5; // Until enough readings have come.
+    static constexpr double kUnknownBend_mm = 0.5; // Assumed until enough readings have come.
 
-    // The line through the last readings of a track, at the last one.
+    // A line through the last readings of a track, evaluated at the last one.
     struct Line {
         double height_mm = 0;
         double mm_per_s = 0;
-        double span_s = 0;     // From the first of these readings to the last.
-        bool is_known = false; // Enough readings tell the speed.
+        double span_s = 0;     // Time from the first of these readings to the last.
+        bool is_known = false; // True if there are enough readings to determine the speed.
     };
 
     void learn(Reading const& reading);
@@ -82,19 +85,20 @@ private:
     void believe(Reading const& reading);
     void believe_run(std::vector<Reading>& believed);
 
-    Readings track_; // The last believed ones.
-    Readings run_;   // The last doubted ones that agree with each other.
+    Readings track_; // The last believed readings.
+    Readings run_;   // The last doubted readings that agree with each other.
     std::size_t doubted_in_a_row_ = 0;
 
-    // Of all readings, believed or not.
+    // Statistics of all readings, believed or not.
     Timestamp last_arrival_ = Timestamp::min();
     std::deque<double> intervals_s_;
-    std::deque<double> heights_mm_;          // The last two.
-    std::deque<double> bends_mm_;            // Second differences.
-    double usual_interval_s_ = 0;            // The mean …
-    double longest_interval_s_ = 0;          // … and, but for one, the longest of the last ones.
-    double interval_s_ = 0;                  // Before the newest reading.
-    double usual_bend_mm_ = kUnknownBend_mm; // Median of the second differences of right readings.
+    std::deque<double> heights_mm_; // The last two heights.
+    std::deque<double> bends_mm_;   // Second differences of the heights.
+    double usual_interval_s_ = 0;   // Mean of the last intervals.
+    double longest_interval_s_ = 0; // Longest of the last intervals but one.
+    double interval_s_ = 0;         // Interval before the newest reading.
+    double usual_bend_mm_
+        = kUnknownBend_mm; // Median of the second differences of correct readings.
     double count_mm_ = 0;
 };
 

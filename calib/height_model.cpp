@@ -26,8 +26,8 @@ double secant(std::vector<Knot> const& knots, std::size_t i)
     return (knots[i + 1].height_mm - knots[i].height_mm) / (knots[i + 1].counts - knots[i].counts);
 }
 
-// Slope at an end: that of the parabola through the outer three knots, kept between limits within
-// which the curve is monotone and its straight continuation leads on.
+// Returns the slope at an end: that of the parabola through the outer three knots, limited so that
+// the curve is monotone and its straight continuation has the same direction.
 double end_slope(std::vector<Knot> const& knots, std::size_t outer, std::size_t next)
 {
     double const outer_secant = secant(knots, outer);
@@ -41,8 +41,8 @@ double end_slope(std::vector<Knot> const& knots, std::size_t outer, std::size_t 
     return outer_secant * std::clamp(ratio, 0.1, 3.0);
 }
 
-// The curve's slope at a knot: inside, Brodlie's weighted harmonic mean of the two secants, as
-// Fritsch and Butland recommend.
+// Returns the curve's slope at a knot: for inner knots, Brodlie's weighted harmonic mean of the two
+// secants, as recommended by Fritsch and Butland.
 double slope(std::vector<Knot> const& knots, std::size_t i)
 {
     auto const last = knots.size() - 1;
@@ -58,7 +58,7 @@ double slope(std::vector<Knot> const& knots, std::size_t i)
     return s1 * s2 / (part * s2 + (1 - part) * s1);
 }
 
-// Cubic Hermite between knots i and i + 1.
+// Evaluates the cubic Hermite curve between knots i and i + 1.
 double between(std::vector<Knot> const& knots, std::size_t i, double counts)
 {
     double const width = knots[i + 1].counts - knots[i].counts;
@@ -68,7 +68,7 @@ double between(std::vector<Knot> const& knots, std::size_t i, double counts)
         + width * t * u * (u * slope(knots, i) - t * slope(knots, i + 1));
 }
 
-// A bend is gentle enough for each height to have one reading.
+// True if a bend is gentle enough for each height to have one reading.
 bool bend_is_valid(TrackBend const& bend)
 {
     constexpr double kGreatestSlope = 0.3;
@@ -82,7 +82,8 @@ bool bend_is_valid(TrackBend const& bend)
     return true;
 }
 
-// The reading of a bent track: the inverse of straightened(), since the bend is gentle.
+// Returns the reading of a bent track: the inverse of straightened(), by iteration, since the bend
+// is gentle.
 double bent(TrackBend const& bend, double straight)
 {
     constexpr int kMostSteps = 60;
@@ -99,7 +100,7 @@ double bent(TrackBend const& bend, double straight)
 double bend_slope(TrackBend const& bend, std::size_t i)
 {
     if (i == 0 || i + 1 == bend.size())
-        return 0; // It goes on level.
+        return 0; // Beyond the outer knots the shift is constant.
     return (bend[i + 1].shift_counts - bend[i - 1].shift_counts)
         / (bend[i + 1].counts - bend[i - 1].counts);
 }
@@ -115,7 +116,7 @@ std::optional<double> to_height(StringHeight const& model, double counts)
         = model.mm_per_count * straightened(model.bend, counts) + model.zero_length_mm;
     if (!(length_mm >= model.offset_mm))
         return std::nullopt;
-    // (L - offset)(L + offset) keeps its digits where L is hardly longer than the offset.
+    // The product (L - offset)(L + offset) keeps its precision when L is close to the offset.
     double const rise_mm = std::sqrt((length_mm - model.offset_mm) * (length_mm + model.offset_mm));
     return if_finite(side_of(model) * rise_mm - model.base_mm);
 }
@@ -151,7 +152,7 @@ std::optional<double> to_counts(StringHeight const& model, double height_mm)
     return if_finite(bent(model.bend, (length_mm - model.zero_length_mm) / model.mm_per_count));
 }
 
-// Solves by halving, since the curve is monotone.
+// Solves by bisection, since the curve is monotone.
 double solve_between(std::vector<Knot> const& knots, std::size_t i, double height_mm)
 {
     bool const rises = knots[i].height_mm < knots[i + 1].height_mm;
@@ -173,8 +174,9 @@ std::optional<double> to_counts(MonotoneHeight const& model, double height_mm)
     if (!std::isfinite(height_mm))
         return std::nullopt;
     bool const rises = knots.front().height_mm < knots.back().height_mm;
-    auto const is_before
-        = [&](double a, double b) { return rises ? a < b : a > b; }; // Order of the knots.
+    auto const is_before = [&](double a, double b) {
+        return rises ? a < b : a > b;
+    }; // True if the heights are in the order of the knots.
     if (is_before(height_mm, knots.front().height_mm))
         return if_finite(knots.front().counts
                          + (height_mm - knots.front().height_mm) / slope(knots, 0));
@@ -243,7 +245,7 @@ void shift(MonotoneHeight& model, double shift_counts)
         knot.counts += shift_counts;
 }
 
-// The members that a fit may change, in order.
+// Returns the members that a fit may change, in order.
 std::vector<double*> members(LinearHeight& model)
 {
     return { &model.mm_per_count, &model.zero_counts };
@@ -299,7 +301,8 @@ std::optional<double> mm_per_count_at(HeightModel const& model, double counts)
     auto const above = height_mm(model, counts + kStep_counts);
     if (below && above)
         return (*above - *below) / (2 * kStep_counts);
-    if (here && (below || above)) // Where a string is as short as it can be.
+    if (here
+        && (below || above)) // One of the two is missing where the string is as short as it can be.
         return (above ? *above - *here : *here - *below) / kStep_counts;
     return std::nullopt;
 }

@@ -14,7 +14,7 @@ Result<double> scale(TomlTable& table)
     return mm_per_count;
 }
 
-// A file without a bend has a straight track.
+// Parses the track's bend; a file without one means a straight track.
 Result<TrackBend> parse_bend(TomlTable& table)
 {
     TrackBend bend;

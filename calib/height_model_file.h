@@ -8,12 +8,12 @@
 
 namespace tractus::calib {
 
-// A height model in a rig file: the key `model` and, in the same table, the model's own numbers.
+// A height model in a rig file: the key `model` and, in the same table, the model's parameters.
 
-// Fails as the user's fault, naming file, line and key.
+// Parses a model. Fails, as the user's fault, naming file, line and key.
 Result<HeightModel> parse_height_model(TomlTable& table);
 
-// The lines for a model, with comments that say what its numbers mean.
+// Prints the lines of a model, with comments that explain its numbers.
 std::string print_height_model(HeightModel const& model);
 
 } // namespace tractus::calib

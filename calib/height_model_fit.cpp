@@ -17,7 +17,7 @@ struct Line {
     double value_at_zero = 0;
 };
 
-// The line through (x, y) with weights; no value where all x are the same.
+// Fits a weighted line through (x, y); no value if all x are equal.
 std::optional<Line> fit_line(Eigen::VectorXd const& x, Eigen::VectorXd const& y,
                              Eigen::VectorXd const& weights)
 {
@@ -48,10 +48,11 @@ Columns columns_of(Captures captures)
     return columns;
 }
 
-// Model less ruler, and the doubt about the law's ends; no value where the model does not hold.
+// Returns model minus ruler, and the doubt about the law's ends; no value outside the model.
 std::optional<Eigen::VectorXd> differences(HeightModel const& model, Captures captures)
 {
-    constexpr double kWorthOfDoubt_mm = 0.3; // A usual error of a ruler.
+    constexpr double kWorthOfDoubt_mm
+        = 0.3; // Usual error of a ruler, by which a doubt is weighted.
     if (!is_valid(model))
         return std::nullopt;
     auto const doubt = doubt_at_ends(model, span_to_hold(captures));
@@ -95,9 +96,9 @@ std::optional<ModelFit> better(std::optional<ModelFit> a, std::optional<ModelFit
     return a;
 }
 
-// A string model with a given offset and a given rise at the lowest capture: what is left is the
-// line that takes counts to lengths. A difference in length weighs as much as the one in height
-// that it makes.
+// Returns the best string model with a given offset and a given rise at the lowest capture: the
+// remaining parameters are a line from counts to lengths. A difference in length is weighted by the
+// difference in height that it causes.
 std::optional<StringHeight> string_through(Columns const& columns, double offset_mm,
                                            double least_rise_mm)
 {
@@ -115,7 +116,7 @@ std::optional<StringHeight> string_through(Columns const& columns, double offset
 }
 
 // Fits with the spool below. The sum of squares has long valleys, so the search starts from the
-// best of several places in them.
+// best of several points in them.
 std::optional<ModelFit> fit_string_from_below(Captures captures)
 {
     constexpr std::size_t kStarts = 3;
@@ -123,7 +124,7 @@ std::optional<ModelFit> fit_string_from_below(Captures captures)
     double const span_mm = columns.heights.maxCoeff() - columns.heights.minCoeff();
     std::vector<std::pair<double, StringHeight>> starts;
     for (double const offset : { 0.08, 0.3, 0.8, 2.0 })
-        for (double const rise : { 0.15, 0.3, 0.7, 2.0 }) // More than the law has to go on.
+        for (double const rise : { 0.15, 0.3, 0.7, 2.0 }) // More than the law has parameters.
             if (auto const start = string_through(columns, offset * span_mm, rise * span_mm))
                 if (auto const misfit = sum_of_squares(*start, captures))
                     starts.emplace_back(*misfit, *start);
@@ -135,7 +136,7 @@ std::optional<ModelFit> fit_string_from_below(Captures captures)
     return best;
 }
 
-// Heights upside down, so that a spool above is one below.
+// Turns heights upside down, so that a spool above becomes one below.
 std::vector<HeightCapture> upside_down(Captures captures)
 {
     std::vector<HeightCapture> turned(captures.begin(), captures.end());
@@ -214,8 +215,8 @@ HeightSpan span_to_hold(Captures captures)
 
 std::optional<double> doubt_at_ends(HeightModel const& model, HeightSpan const& span)
 {
-    constexpr double kClear
-        = 0.06; // Of the span: a string's end as far from a right angle is fine.
+    // Least distance from a right angle at the end of the string, as a share of the span.
+    constexpr double kClear = 0.06;
     auto const* string = std::get_if<StringHeight>(&model);
     if (!string)
         return 0;

@@ -11,7 +11,7 @@
 
 namespace tractus::calib {
 
-// Fits of single models, without judgement: height_fit.h chooses among them.
+// Fits of single models; height_fit.h chooses among them.
 
 enum class HeightModelKind {
     Linear,
@@ -19,52 +19,51 @@ enum class HeightModelKind {
     Monotone,
 };
 
-// How many parameters a model of a kind has; a monotone one, at least.
+// Returns the number of parameters of a kind of model; for a monotone one, the least number.
 std::size_t parameter_count(HeightModelKind kind);
 
-// The fit of one model to some captures by least squares. What is least is the sum of the squared
-// differences between ruler and model in millimetres, since the ruler errs more than a mean of
-// hundreds of readings.
+// A least-squares fit of one model. It minimises the squared differences between ruler and model in
+// millimetres, since the ruler has a greater error than a mean of hundreds of readings.
 struct ModelFit {
     HeightModel model {};
     double sum_of_squares_mm2 = 0;
 
-    // (J^T J)^-1, J in millimetres per parameter, in the order of parameters_of(model): times the
-    // variance of a capture, the covariance of the parameters.
+    // (J^T J)^-1, with J in millimetres per parameter in the order of parameters_of(model);
+    // multiplied by the variance of a capture it is the covariance of the parameters.
     Eigen::MatrixXd unit_covariance {};
 };
 
-// Knots of a monotone model: `count` of them, at readings among those of the captures, so that each
-// piece has its share of captures.
+// Knots of a monotone model: `count` of them, chosen from the captures' readings so that each piece
+// has its share of captures.
 struct MonotoneKnots {
     std::size_t count = 5;
 };
 
-// The captures must outnumber, or be as many as, the parameters. No value if nothing fits: a
-// monotone model whose captures do not rise.
+// Fit one model each. There must be at least as many captures as parameters. No value if nothing
+// fits, such as a monotone model for captures that do not rise.
 std::optional<ModelFit> fit_linear(std::span<HeightCapture const> captures);
 std::optional<ModelFit> fit_string(std::span<HeightCapture const> captures);
 std::optional<ModelFit> fit_monotone(std::span<HeightCapture const> captures,
                                      MonotoneKnots const& knots);
 
-// The heights over which a law has to hold: those of captures by the ruler, and a tenth of their
-// span beyond either end, since a carriage seldom stops where the ruler did.
+// The heights over which a law has to hold: those of the captures by the ruler, and a tenth of
+// their span beyond either end, since a carriage usually goes farther than the ruler.
 struct HeightSpan {
     double low_mm = 0;
     double high_mm = 0;
 };
 
-// The span of at least one capture.
+// Returns the span for at least one capture.
 HeightSpan span_to_hold(std::span<HeightCapture const> captures);
 
-// How much a string's law is to be doubted because it ends close to the span, in standard
-// deviations: 0 while string and carriage's way are far from a right angle over the whole span, 1
-// where the string's end comes within a fiftieth of the span's height of it, and so on. A spool
-// stands clear of the way. No value if the law ends within the span; 0 for other laws.
+// Returns the doubt about a string's law that ends close to the span, in standard deviations: 0 if
+// string and carriage path are far from a right angle over the whole span, 1 if the string's end
+// comes within a fiftieth of the span's height of it, and so on, since spools stand clear of the
+// path. No value if the law ends within the span; 0 for other laws.
 std::optional<double> doubt_at_ends(HeightModel const& model, HeightSpan const& span);
 
-// The derivative of a model's height at a reading by its parameters, then by the shifts of its
-// track's bend.
+// Returns the derivative of a model's height at a reading with respect to its parameters, then to
+// the shifts of its track's bend.
 Eigen::VectorXd height_gradient(HeightModel const& model, double counts);
 
 } // namespace tractus::calib

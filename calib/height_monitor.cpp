@@ -9,11 +9,13 @@ namespace tractus::calib {
 
 namespace {
 
-// Jumps that follow each other within this time are one: away and back again.
+// Jumps within this time of each other count as one: away and back.
 constexpr Duration kJumpLasts = std::chrono::milliseconds(500);
-constexpr Duration kStopIsTold = std::chrono::seconds(10); // Long enough to be read.
+constexpr Duration kStopIsTold
+    = std::chrono::seconds(10); // Long enough for the message to be read.
 
-// A change and the opposite one within this time are noise; so many of them make a noisy sensor.
+// A change and the opposite change within this time are noise; a sensor with this many of them is
+// noisy.
 constexpr Duration kFlicker = std::chrono::milliseconds(100);
 constexpr std::size_t kNoisyFlickers = 5;
 
@@ -64,7 +66,7 @@ void HeightMonitor::advance(Timestamp now)
         see({ .kind = HeightFaultKind::Silence, .begin = *alive_, .end = now });
 }
 
-// Begins a fault or goes on with it.
+// Begins a fault or extends a present one.
 void HeightMonitor::see(HeightFault const& fault)
 {
     auto& open = watch(fault.kind).open;
@@ -140,7 +142,7 @@ std::optional<double> HeightMonitor::height_of(drivers::HeightSample const& samp
     return height_mm(rig_.height_model, sample.counts);
 }
 
-// Doubted readings are a jump once they have turned out as wrong, or as a step.
+// Reports a jump when doubted readings have turned out to be wrong, or to be a step.
 void HeightMonitor::watch_jump(drivers::HeightSample const& sample)
 {
     auto const height = height_of(sample);
@@ -161,15 +163,16 @@ void HeightMonitor::watch_jump(drivers::HeightSample const& sample)
     if (doubted_ && !all_were_right)
         see(*doubted_);
     if (verdict == HeightJudge::Verdict::Step)
-        path_.clear(); // It is no second step.
+        path_.clear(); // So that the jump is not reported as a slow step as well.
     doubted_.reset();
     doubts_ = 0;
 }
 
-// The way to a rail and back from it is the rail's fault.
+// Records a doubted reading. Readings on the way to a rail and back belong to the rail's fault.
 void HeightMonitor::doubt(drivers::HeightSample const& sample, double height_mm)
 {
-    // Readings that arrive closer together were not taken so: USB delivers in bursts.
+    // Shorter intervals between arrivals do not show when readings were taken, because USB delivers
+    // in bursts.
     constexpr Duration kShortest = std::chrono::microseconds(2500);
     ++doubts_;
     auto const before = last_ ? height_of(*last_) : std::nullopt;
@@ -190,10 +193,10 @@ void HeightMonitor::doubt(drivers::HeightSample const& sample, double height_mm)
 
 namespace {
 
-// A straight line through some heights.
+// A line fitted through heights on one side of a step.
 struct Side {
-    double seconds = 0; // The heights' mean time, since the newest reading.
-    double mm = 0;      // The line there.
+    double seconds = 0; // Mean time of the heights, relative to the newest reading.
+    double mm = 0;      // Height of the line at that time.
     double mm_per_s = 0;
     double scatter_mm = 0; // Standard deviation about the line.
     std::size_t count = 0;
@@ -233,8 +236,9 @@ constexpr Duration kStepTakes = std::chrono::milliseconds(30);
 
 } // namespace
 
-// The heights of 30 ms, and those of 30 ms that end 30 ms before. Between their middles a movement
-// goes as far as the mean of both speeds takes it, and exactly so under a steady acceleration.
+// Looks for a slow step: compares the heights of the last 30 ms with those of the 30 ms that ended
+// 30 ms earlier. Without a step, the height between their middles changes by the mean of both
+// speeds times the time, exactly so under a steady acceleration.
 void HeightMonitor::watch_step(drivers::HeightSample const& sample)
 {
     constexpr std::size_t kLeastForStep = 3;
@@ -245,7 +249,7 @@ void HeightMonitor::watch_step(drivers::HeightSample const& sample)
             && (reading.arrival - path_.back().time > kStepTakes
                 || reading.arrival < path_.back().time);
         if (is_gap)
-            path_.clear(); // Nobody knows what was between.
+            path_.clear(); // Nothing is known about the gap.
         path_.push_back({ reading.arrival, reading.height_mm });
     }
     if (believed_.empty() || path_.empty())
@@ -292,7 +296,7 @@ void HeightMonitor::learn_noise(drivers::HeightSample const& sample)
     last_change_sign_ = sign;
 }
 
-// A reading on a rail has no noise, and is a fault already.
+// Detects a stuck sensor. A reading on a rail has no noise, and is a fault already.
 void HeightMonitor::watch_stuck(drivers::HeightSample const& sample)
 {
     bool const is_same = last_ && last_->counts == sample.counts;
@@ -315,9 +319,9 @@ void HeightMonitor::watch_stuck(drivers::HeightSample const& sample)
 void HeightMonitor::watch_rate(Timestamp time)
 {
     constexpr Duration kSpan = std::chrono::seconds(1);
-    constexpr std::size_t kMostPerSecond = 20'000; // Beyond what USB's 8 kHz allow.
+    constexpr std::size_t kMostPerSecond = 20'000; // More than USB's 8 kHz allow.
     if (!recent_.empty() && time < recent_.back())
-        recent_.clear(); // Times go back in logs that were put together.
+        recent_.clear(); // Times go back in concatenated logs.
     recent_.push_back(time);
     while (time - recent_.front() > kSpan || recent_.size() > kMostPerSecond)
         recent_.pop_front();
@@ -375,7 +379,7 @@ std::string describe_fault(HeightFault const& fault)
 
 namespace {
 
-// "once, for 0.3 s at 12.1 s", "3 times, for 2.3 s in all, the longest at 12.1 s".
+// Prints "once, for 0.3 s at 12.1 s" or "3 times, for 2.3 s in all, the longest at 12.1 s".
 std::string how_long(HeightFaultTotal const& total, Timestamp start)
 {
     double const at_s = to_seconds(total.worst.begin - start);

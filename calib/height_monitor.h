@@ -16,88 +16,92 @@
 
 namespace tractus::calib {
 
-// Faults of a height sensor that goes on being a device.
+// Faults of a height sensor that is still connected.
 enum class HeightFaultKind {
-    Silence, // No reading comes.
-    Rail,    // Readings lie at an end of the converter's range: an open wiper or cable, a short.
-    Jump,  // The height changed more suddenly than a surface can (height_judge.h), or stepped aside
-           // in the midst of a movement: a slipping string, a loose contact.
-    Stuck, // The reading does not even show its noise any more: a torn or jammed string.
-    Stop,  // The surface is let down to another height than it used to be: a string that slipped
-           // slowly, or something that lies under it (lowest_stop.h).
+    Silence, // No readings arrive.
+    // Readings are at an end of the converter's range: an open wiper or cable, a short circuit.
+    Rail,
+    // The height changed faster than a surface can move (height_judge.h), or stepped aside during a
+    // movement: a slipping string, a loose contact.
+    Jump,
+    Stuck, // Readings no longer show any noise: a torn or jammed string.
+    // The surface comes to rest on another lowest height than before: a string that slipped slowly,
+    // or an object under the surface (lowest_stop.h).
+    Stop,
 };
 constexpr std::size_t kHeightFaultKinds = 5;
 
-// One fault while it lasted. Times are those of the data.
+// One fault and its duration. Times are those of the data.
 struct HeightFault {
     HeightFaultKind kind = HeightFaultKind::Silence;
     Timestamp begin {};
-    Timestamp end {};          // When it was last seen so.
-    std::int32_t counts = 0;   // The reading, for a jump the one after it; 0 for silence.
-    double speed_mm_per_s = 0; // Speed of a jump, the greatest …
-    double step_mm = 0; // … and by how much the height stepped aside, up or down; 0: not told yet.
-                        // Of a stop: by how much higher it lies now.
+    Timestamp end {}; // Time at which it was last observed.
+    std::int32_t counts
+        = 0; // Reading during the fault; for a jump the reading after it, for silence 0.
+    double speed_mm_per_s = 0; // Greatest speed of a jump.
+    // Change of the height in a jump, up or down; 0: not known yet. For a stop, how much higher it
+    // lies now.
+    double step_mm = 0;
 };
 
-// Total of all faults of one kind.
+// All faults of one kind.
 struct HeightFaultTotal {
     std::size_t count = 0;
-    Duration duration {}; // Sum of their durations.
-    HeightFault worst {}; // The longest, of jumps the fastest.
+    Duration duration {}; // Sum of the durations.
+    HeightFault worst {}; // The longest fault; for jumps, the fastest.
 };
 
-// Where to draw the line between a hand's work and a fault.
+// Limits between normal use and faults.
 struct HeightMonitorLimits {
-    // A reading within this share of full scale of an end of the range, for this long.
-    double rail_margin = 0.001; // At least the end itself.
+    // Rail: readings within this share of full scale of an end of the range, for this long.
+    double rail_margin = 0.001; // Includes at least the end itself.
     Duration rail_after = std::chrono::milliseconds(20);
 
-    // A step that slips too slowly to be doubted at once, within some 30 ms, leaves the movement
-    // before and after it as it was: of equal speed within this much, and aside by this much and by
-    // so many times what the readings scatter. (A hand that begins or ends a movement changes the
-    // speed.)
+    // Slow step: a step that takes about 30 ms is too slow to be doubted at once. It leaves the
+    // movement before and after it with equal speeds, within `step_speed_mm_per_s`, and displaced
+    // by `step_mm` and by `step_scatters` times the scatter of the readings. (A hand that begins or
+    // ends a movement changes the speed.)
     double step_mm = 3;
     double step_scatters = 6;
     double step_speed_mm_per_s = 60;
 
-    // Time without any reading.
+    // Silence: time without any reading.
     Duration silence_after = std::chrono::milliseconds(250);
 
-    // Time with exactly the same reading: of a sensor whose readings flicker at rest, and of one
-    // whose readings never did, as those of 10 bits may not.
+    // Stuck: time with exactly the same reading, for a sensor with noise at rest, and for one that
+    // never showed noise, as with 10 bits.
     Duration stuck_after = std::chrono::seconds(5);
     Duration stuck_without_noise_after = std::chrono::seconds(60);
 };
 
-// Watches the height sensor's readings and tells what is wrong with it. Samples come in time order.
-// By the data's times alone, so a log gives the faults that the live sensor gave. A fault is
-// noticed as soon as it has lasted for its limit, and has begun when it did.
+// Monitors the height sensor's readings for faults. Samples come in time order. Only the data's
+// times are used, so a log shows the same faults as the live sensor. A fault is reported when it
+// has lasted for its limit; its begin is the real one.
 class HeightMonitor {
 public:
-    // The rig's model says how many millimetres a count is; where it does not hold, nothing is
-    // called a jump.
+    // The rig's model converts counts to millimetres; outside the model no jumps are reported.
     explicit HeightMonitor(Rig const& rig, HeightMonitorLimits const& limits = {});
 
     void push(drivers::HeightSample const& sample);
 
-    // Whether a reading lies at an end of its range, where it tells no height.
+    // True if a reading lies at an end of its range, where it gives no height.
     bool is_on_rail(drivers::HeightSample const& sample) const;
 
-    // The sensor went away: what it reads when it is back has nothing to do with what it read.
+    // Restarts after the sensor was disconnected: its later readings are unrelated to earlier ones.
     void begin_anew();
 
-    // Whether the last reading was one that the surface cannot have, as things are.
+    // True if the last reading is implausible so far.
     bool doubts_last() const { return doubts_last_; }
 
-    // Other data show that it is `now`: without it, silence after the last reading goes unnoticed.
-    // The first call, or the first reading, begins the watch.
+    // Advances the time to `now`, known from other data; without it, silence after the last reading
+    // goes unnoticed. The first call, or the first reading, starts the monitoring.
     void advance(Timestamp now);
 
-    // Returns what is wrong at this moment; the first of HeightFaultKind's order if several things
-    // are. A jump counts as present for half a second, a stop that has moved for ten.
+    // Returns the present fault; if there are several, the first in the order of HeightFaultKind. A
+    // jump counts as present for half a second, a moved stop for ten.
     std::optional<HeightFault> present() const;
 
-    // Returns the total of everything so far, what is present included.
+    // Returns the total of all faults of a kind so far, including a present one.
     HeightFaultTotal total(HeightFaultKind kind) const;
 
     // Readings per second, over the last second of readings; 0 until there are two.
@@ -133,17 +137,19 @@ private:
     std::array<Watch, kHeightFaultKinds> watches_ {};
 
     HeightJudge judge_ {};
-    std::vector<HeightJudge::Reading> believed_ {}; // Kept for its memory.
+    std::vector<HeightJudge::Reading> believed_ {}; // A member only to reuse its memory.
     bool doubts_last_ = false;
-    std::size_t doubts_ = 0;                // Readings since the last believed one …
-    std::optional<HeightFault> doubted_ {}; // … and what they are if they are wrong.
+    std::size_t doubts_ = 0; // Number of readings since the last believed one.
+    std::optional<HeightFault>
+        doubted_ {}; // The fault to report if these readings turn out to be wrong.
 
-    std::optional<Timestamp> alive_ {};            // The last reading, or when the watch began.
+    std::optional<Timestamp>
+        alive_ {}; // Time of the last reading, or of the start of the monitoring.
     std::optional<drivers::HeightSample> last_ {}; // The last reading.
-    std::optional<Timestamp> rail_since_ {};       // Set as long as readings are there.
-    Timestamp same_since_ {};                      // Since when all readings are like the last.
+    std::optional<Timestamp> rail_since_ {};       // Set while readings are at a rail.
+    Timestamp same_since_ {}; // Time since which all readings equal the last one.
 
-    // Heights of the last 0.1 s, to find steps.
+    // Heights of the last 0.1 s, in which steps are searched.
     struct Height {
         Timestamp time {};
         double mm = 0;
@@ -152,20 +158,21 @@ private:
 
     LowestStop stop_ {};
 
-    // Noise: a change of the reading and the opposite change soon after it, which no hand does.
+    // Noise detection: a change of the reading soon followed by the opposite change, which no hand
+    // causes.
     Timestamp last_change_ {};
     int last_change_sign_ = 0;
     std::size_t flickers_ = 0;
 
-    std::deque<Timestamp> recent_ {}; // Readings of the last second.
+    std::deque<Timestamp> recent_ {}; // Times of the readings of the last second.
 };
 
-// Returns all that was wrong, a sentence each, for the user: what it was, how often and how long,
-// and what to look at. Empty if nothing was. Times in them count from `start`.
+// Describes all faults for the user, one sentence each: what happened, how often and how long, and
+// what to check. Empty if there were none. Times in the text count from `start`.
 std::vector<std::string> describe_faults(HeightMonitor const& monitor, Timestamp start);
 
-// Returns what is wrong now, in a few words for a line of the screen, which need not be drawn anew
-// more than once a second: "height sensor silent for 3 s: is it plugged in?"
+// Describes a present fault in a few words for a status line, which need not be redrawn more than
+// once a second: "height sensor silent for 3 s: is it plugged in?"
 std::string describe_fault(HeightFault const& fault);
 
 } // namespace tractus::calib

@@ -24,7 +24,7 @@ static constexpr std::array kScenarios {
 
 static constexpr double kLowest_mm = 50;
 static constexpr double kTravel_mm = 300;
-static constexpr double kFarthest_mm = 10'000; // Beyond it a height is a slip of the finger.
+static constexpr double kFarthest_mm = 10'000; // A greater height is a typing error.
 static constexpr double kSwayPeriod_s = 8;
 
 Result<HeightScenario> parse_height_scenario(std::string_view text)

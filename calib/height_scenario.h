@@ -7,16 +7,16 @@
 
 namespace tractus::calib {
 
-// How high the carriage was during a log that has no height sensor: somebody's recording of a
-// tablet that lay flat on a desk still becomes strokes in space. Deterministic.
+// The assumed height of the carriage during a log that has no height sensor, so that the recording
+// of a tablet on a desk also becomes strokes in space. Deterministic.
 //
-// The named ones span 50 to 350 mm, which is what a tractus travels. With p the part of the log
-// that has passed, 0 at its first pen sample and 1 at its last, and t the seconds since the first:
+// The named scenarios span 50 to 350 mm, the usual travel of a station. With p the elapsed share of
+// the log, 0 at its first pen sample and 1 at its last, and t the seconds since the first:
 //
-//     rise   50 + 300 p                     up at one speed, whatever the log's length
+//     rise   50 + 300 p                     up at a constant speed
 //     fall   350 - 300 p                    down
 //     arch   50 + 300 sin(pi p)             up and back
-//     sway   200 + 150 sin(2 pi t / 8 s)    up and down for as long as it takes, at most 118 mm/s
+//     sway   200 + 150 sin(2 pi t / 8 s)    up and down repeatedly, at most 118 mm/s
 struct HeightScenario {
     enum class Kind {
         Constant,
@@ -26,15 +26,15 @@ struct HeightScenario {
         Sway,
     };
     Kind kind = Kind::Constant;
-    double constant_mm = 0; // Height for Constant alone.
+    double constant_mm = 0; // Height of the Constant kind.
 };
 
-// A scenario's name as above, or a number of millimetres. Fails as the user's fault.
+// Parses a scenario's name (see above), or a number of millimetres. Fails as the user's fault.
 Result<HeightScenario> parse_height_scenario(std::string_view text);
 
-// The height at `since_first` after a log's first pen sample. Times before the first and after the
-// last sample give the height at that sample. `length` is the time from first to last; where it is
-// zero, p is 0.
+// Returns the height at `since_first` after a log's first pen sample. Times before the first and
+// after the last sample give the height at that sample. `length` is the time from first to last; if
+// it is zero, p is 0.
 double height_mm(HeightScenario const& scenario, Duration since_first, Duration length);
 
 } // namespace tractus::calib

@@ -46,7 +46,7 @@ void HeightTrack::end_bridge()
         unknown_.pop_back();
 }
 
-// Whether the sensor spoke all the time, though what it said is not known.
+// True if the sensor gave readings throughout, although their values are not known.
 bool HeightTrack::is_bridged(Timestamp from, Timestamp to, Duration max_age) const
 {
     if (to - from <= max_age || to - from > kMostBridged)
@@ -64,11 +64,12 @@ Timestamp HeightTrack::newest() const
     return readings_.back().time;
 }
 
-// The nearer neighbour's height where the reading is a spike, its own otherwise.
+// Returns the nearer neighbour's height if the reading is a spike, otherwise its own.
 double HeightTrack::without_spike_mm(Place const& reading) const
 {
-    constexpr double kLeastSpike_mm = 1;          // Less is noise, which the fit smooths.
-    constexpr double kQuickest_mm_per_ss = 20000; // Acceleration of a hand that turns.
+    constexpr double kLeastSpike_mm = 1; // Smaller deviations are noise, which the fit smooths.
+    constexpr double kQuickest_mm_per_ss
+        = 20000; // Acceleration of a hand that reverses its movement.
     if (reading == readings_.begin() || std::next(reading) == readings_.end())
         return reading->height_mm;
     auto const& before = *std::prev(reading);
@@ -95,7 +96,7 @@ std::optional<HeightTrack::LineAt> HeightTrack::fit(Timestamp centre, Timestamp 
     return line ? std::optional(LineAt { line->at_zero, line->per_second }) : std::nullopt;
 }
 
-// On the straight line from the reading before `after`.
+// Interpolates linearly between `after` and the reading before it.
 double HeightTrack::between_mm(Place const& after, Timestamp time) const
 {
     if (after == readings_.begin())
@@ -106,8 +107,8 @@ double HeightTrack::between_mm(Place const& after, Timestamp time) const
     return from_mm + part * (without_spike_mm(after) - from_mm);
 }
 
-// The line at one side of a gap. Where the gap is one of readings that are not known, it is worth a
-// wider fit if that takes one, since such a gap may be long.
+// Returns the line at one side of a gap. If the gap consists of readings with unknown values, it
+// may be long, so the fit may be widened.
 std::optional<HeightTrack::LineAt> HeightTrack::slope_at(Timestamp side, Timestamp gap_begin,
                                                          Timestamp gap_end) const
 {
@@ -120,8 +121,8 @@ std::optional<HeightTrack::LineAt> HeightTrack::slope_at(Timestamp side, Timesta
     return line;
 }
 
-// Height between `before` and the reading after it, which are far apart: the cubic Hermite curve,
-// or a straight line where a side has too few readings to tell its slope.
+// Interpolates between `before` and the next reading, which are far apart: by a cubic Hermite
+// curve, or a straight line if a side has too few readings for a slope.
 double HeightTrack::across_mm(Place const& before, Timestamp time) const
 {
     auto const after = std::next(before);
@@ -167,8 +168,8 @@ std::optional<HeightTrack::Estimate> HeightTrack::at(Timestamp time, Duration ma
 
 std::optional<HeightTrack::Estimate> HeightTrack::at_corner(Timestamp time, Duration max_age) const
 {
-    constexpr double kNoise_mm = 0.25;          // Of a narrow fit …
-    constexpr double kNoiseOfReadings_mm = 0.4; // … and of the readings on both sides.
+    constexpr double kNoise_mm = 0.25;          // Noise of a narrow fit.
+    constexpr double kNoiseOfReadings_mm = 0.4; // Noise of the readings on both sides.
     auto estimate = at(time, max_age);
     if (!estimate || estimate->kind != TipSample::HeightSource::Interpolated)
         return estimate;
@@ -179,7 +180,8 @@ std::optional<HeightTrack::Estimate> HeightTrack::at_corner(Timestamp time, Dura
     return estimate;
 }
 
-// Spacing of the last few readings, the shortest ones left out: bursts bring several at once.
+// Returns the usual spacing of the last readings, ignoring the shortest intervals, since bursts
+// bring several readings at once.
 Duration HeightTrack::usual_spacing() const
 {
     constexpr std::size_t kLast = 8;
@@ -190,8 +192,8 @@ Duration HeightTrack::usual_spacing() const
     return (newest() - first->time) / static_cast<std::int64_t>(count - 1);
 }
 
-// The reading some time before another one: far enough for a speed that is not all noise. That is
-// two readings, save where they are so scarce that two of them tell what a hand did long ago.
+// Returns a reading far enough before another one for a speed that is not mostly noise. It is two
+// readings earlier, unless readings are so rare that two of them span an outdated movement.
 HeightTrack::Place HeightTrack::some_time_before(Place const& reading) const
 {
     constexpr Duration kLeastApart = std::chrono::milliseconds(6);
@@ -214,19 +216,20 @@ double HeightTrack::speed_mm_per_s(Place const& from, Place const& to)
     return seconds > 0 ? (to->height_mm - from->height_mm) / seconds : 0;
 }
 
-// How fast the carriage moves past the newest reading: as it did last, or slower if it was slowing
-// down plainly, for then it goes on doing so. What noise makes of a steady movement is not plain:
-// taken for slowing down, it would hold back every other tip.
+// Returns the carriage's speed beyond the newest reading: the last speed, or less if the carriage
+// was clearly slowing down, for it will continue to do so. Small decelerations are noise in a
+// steady movement; extrapolating them would hold back every other tip.
 double HeightTrack::newest_speed_mm_per_s() const
 {
-    constexpr double kFastest_mm_per_s = 600; // Faster, a reading is a spike or a slip.
+    constexpr double kFastest_mm_per_s = 600; // A faster reading is a spike or a slip.
     constexpr double kPlainly_mm_per_s = 40;
     auto const last = std::prev(readings_.end());
     auto const middle = some_time_before(last);
     double const speed
         = std::clamp(speed_mm_per_s(middle, last), -kFastest_mm_per_s, kFastest_mm_per_s);
     double const before = speed_mm_per_s(some_time_before(middle), middle);
-    // Speeds are those of the middles of their spans: from there to the middle of what comes next.
+    // Each speed applies to the middle of its interval: extrapolates from there to the middle of
+    // the next interval.
     double const span_s = to_seconds(last->time - middle->time);
     double const ahead = span_s > 0 ? 0.5 + 0.5 * to_seconds(usual_spacing()) / span_s : 1;
     double const next = speed - ahead * (before - speed);
@@ -238,9 +241,9 @@ double HeightTrack::newest_speed_mm_per_s() const
 std::optional<HeightTrack::Estimate> HeightTrack::newest_at(Timestamp time, Duration max_age,
                                                             Duration deliveries) const
 {
-    constexpr double kLeeway_mm = 0.2; // Room for noise, in which a fit sees more than readings.
+    constexpr double kLeeway_mm = 0.2; // Margin for noise, by which a fit may exceed the readings.
     if (empty() || time <= newest() || time - newest() > max_age)
-        return at(time, max_age); // Also where it is bridged.
+        return at(time, max_age); // Also inside a bridged gap.
     auto const& last = readings_.back();
     auto const reached
         = std::min(time, last.time + std::max({ kCarriedOn, usual_spacing() * 3 / 2, deliveries }));

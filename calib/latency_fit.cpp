@@ -16,16 +16,18 @@ namespace {
 constexpr std::size_t kLeastLatencyTouches = 200;
 constexpr double kLeastLatencyRise_mm = 50;
 constexpr double kLeastRun_mm = 20;
-constexpr double kTurn_mm = 20; // A way back that counts as a turn.
+constexpr double kTurn_mm = 20; // A movement back of at least this much counts as a turn.
 constexpr int kLeastTurns = 2;
 constexpr double kLeastCorrelation = 0.9;
 constexpr int kFarthest_ms = 150;
 constexpr int kStep_ms = 2;
-constexpr Duration kSpeedOver = std::chrono::milliseconds(10); // To either side.
-constexpr double kSlow_mm_per_s = 30; // Below, drag and slack have not caught up with a turn.
+constexpr Duration kSpeedOver
+    = std::chrono::milliseconds(10); // Speeds are measured over this time on either side.
+constexpr double kSlow_mm_per_s
+    = 30; // At lower speeds, drag and slack have not adapted to a change of direction yet.
 
-// The heights at whole milliseconds, since each is asked for hundreds of times. Between them a
-// straight line will do: what they are smoothed over is 36 times as long.
+// Heights at whole milliseconds, because each is needed hundreds of times. Linear interpolation
+// between them is sufficient: the heights are smoothed over 36 times that interval.
 class HeightTable {
 public:
     HeightTable(HeightTrack const& track, Timestamp first, Timestamp last)
@@ -36,7 +38,7 @@ public:
                 height_between(track, time).value_or(std::numeric_limits<double>::quiet_NaN()));
     }
 
-    // No value where there are no readings nearby.
+    // Returns the height; no value if there are no readings nearby.
     std::optional<double> at(Timestamp time) const
     {
         double const place = to_seconds(time - first_) / to_seconds(kSpacing);
@@ -60,7 +62,8 @@ struct Data {
     HeightTable heights;
 };
 
-// Touches for which every delay has its height, so that all delays are judged by the same ones.
+// Collects the touches for which every delay has a height, so that all delays are compared with the
+// same touches.
 Data data_of(std::span<drivers::PenSample const> pens,
              std::span<drivers::HeightSample const> heights, Rig rig)
 {
@@ -80,8 +83,8 @@ Data data_of(std::span<drivers::PenSample const> pens,
     return data;
 }
 
-// The heights that belong to the touches if the pen is `delay_ms` later than the height. No value
-// where one is missing.
+// Returns the heights that belong to the touches if the pen lags the height by `delay_ms`. No value
+// if one is missing.
 std::optional<Eigen::VectorXd> heights_at(Data const& data, double delay_ms)
 {
     Eigen::VectorXd heights(static_cast<Eigen::Index>(data.touches.size()));
@@ -94,7 +97,7 @@ std::optional<Eigen::VectorXd> heights_at(Data const& data, double delay_ms)
     return heights;
 }
 
-// -1 to 1: which way the surface moves then, and next to 0 where it turns.
+// Returns the surface's direction at the touches, from -1 to 1, and near 0 where it turns.
 std::optional<Eigen::VectorXd> directions_at(Data const& data, double delay_ms)
 {
     auto const before = heights_at(data, delay_ms + 1000 * to_seconds(kSpeedOver));
@@ -113,7 +116,7 @@ Eigen::MatrixX2d places_of(Data const& data)
     return places;
 }
 
-// The edge as the tablet sees it: place = start_mm + run_per_rise * height.
+// The edge as the tablet sees it: position = start_mm + run_per_rise * height.
 struct Edge {
     Vec2 start_mm = Vec2::Zero();
     Vec2 run_per_rise = Vec2::Zero();
@@ -206,8 +209,8 @@ Result<int> coarse_delay_ms(Data const& data, Eigen::MatrixX2d const& places)
     return best_ms;
 }
 
-// Edge, delay and what depends on the direction together; parameters are start x, y, run x, y,
-// delay in milliseconds, half the way between up and down x, y.
+// Fits the edge, the delay and the effect of the direction together. The parameters are start x, y;
+// run x, y; delay in milliseconds; half the distance between up and down x, y.
 std::optional<LeastSquares> refine(Data const& data, Eigen::MatrixX2d const& places, int start_ms)
 {
     auto const edge = edge_at(places, heights_at(data, start_ms).value());
@@ -226,7 +229,9 @@ std::optional<LeastSquares> refine(Data const& data, Eigen::MatrixX2d const& pla
     };
     Eigen::VectorXd start(7);
     start << edge.start_mm, edge.run_per_rise, start_ms, 0, 0;
-    Eigen::VectorXd steps(7); // Times are nanoseconds, and heights pieces of lines.
+    // The delay needs a large step, because times are rounded to nanoseconds and heights are
+    // piecewise linear.
+    Eigen::VectorXd steps(7);
     steps << 1e-3, 1e-3, 1e-6, 1e-6, 0.5, 1e-3, 1e-3;
     return fit_least_squares(residuals, start, steps);
 }

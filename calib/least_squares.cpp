@@ -18,11 +18,12 @@ Eigen::MatrixXd small_product(Eigen::MatrixXd const& a, Eigen::MatrixXd const& b
 namespace {
 
 constexpr int kMostSteps = 200;
-constexpr double kSmallestStep = 1e-10; // Relative step of a parameter.
-constexpr double kSmallestGain = 1e-12; // Relative gain of the sum of squares.
+constexpr double kSmallestStep = 1e-10; // Relative change of a parameter at which the search stops.
+constexpr double kSmallestGain
+    = 1e-12; // Relative change of the sum of squares at which the search stops.
 constexpr double kGreatestDamping = 1e12;
 
-// Central differences, or one-sided ones at the model's border.
+// Computes the Jacobian by central differences, or one-sided ones at the border of the model.
 std::optional<Eigen::MatrixXd> jacobian_at(ResidualFunction const& residuals,
                                            Eigen::VectorXd const& parameters,
                                            Eigen::VectorXd const& here,
@@ -46,7 +47,7 @@ std::optional<Eigen::MatrixXd> jacobian_at(ResidualFunction const& residuals,
     return jacobian;
 }
 
-// The Moore-Penrose inverse of J^T J, which is there even if a parameter does not matter.
+// Returns the Moore-Penrose inverse of J^T J, which exists even if a parameter has no effect.
 Eigen::MatrixXd inverse_normal(Eigen::MatrixXd const& jacobian)
 {
     Eigen::VectorXd const scale = jacobian.colwise().norm().cwiseMax(1e-300);
@@ -67,7 +68,8 @@ struct SolverPoint {
     Eigen::VectorXd residuals;
 };
 
-// The next better point, more damped with each one that is not; no value if there is none.
+// Returns the next better point, increasing the damping after each failure; no value if there is
+// none.
 std::optional<SolverPoint> better_point(ResidualFunction const& residuals, SolverPoint const& here,
                                         Eigen::MatrixXd const& jacobian, double& damping)
 {

@@ -4,7 +4,7 @@
 
 namespace tractus::calib {
 
-// Sums of a weighted fit of a line, about the instant at which it is asked.
+// Sums of a weighted line fit, with times relative to the instant of interest.
 class LineFit {
 public:
     void add(double seconds, double value, double weight)
@@ -18,14 +18,16 @@ public:
     }
 
     struct Line {
-        double at_zero = 0; // Seconds.
+        double at_zero = 0; // Value of the line at time 0.
         double per_second = 0;
     };
 
-    // No value of fewer than four values, or where they lie too close together in time.
+    // Returns the line. No value for fewer than four values, or if they are too close together in
+    // time.
     std::optional<Line> line() const
     {
-        // The weighted variance of the times: nothing to fit a slope to where it is tiny.
+        // The determinant is the weighted variance of the times; if it is tiny, no slope can be
+        // fitted.
         constexpr double kLeastSpread_s = 1e-3;
         constexpr int kFewestReadings = 4;
         double const determinant = weights_ * squares_ - times_ * times_;

@@ -12,10 +12,11 @@
 
 namespace tractus::calib {
 
-// Shared by travel_fit.h and latency_fit.h: a pen that touches while the carriage moves.
+// Functions shared by travel_fit.h and latency_fit.h, for a pen that touches while the carriage
+// moves.
 
-// Where the pen's nib touched the tablet, the tablet's turn and centre taken off: world frame at
-// height zero, before the carriage's travel. Times are as the rig has them told, less its tablet
+// A touch of the pen's nib, with the tablet's rotation and centre applied: world frame at height
+// zero, before the carriage's travel. Times are evened if the rig asks for it, minus the tablet's
 // latency.
 struct TouchPoint {
     Timestamp time {};
@@ -24,15 +25,15 @@ struct TouchPoint {
 
 std::vector<TouchPoint> touch_points(std::span<drivers::PenSample const> pens, Rig const& rig);
 
-// The heights by the rig's model, at times as the rig has them told, less its height latency.
-// Readings of another converter and readings that the model has no height for are left out.
+// Returns the heights by the rig's model, at times that are evened if the rig asks for it, minus
+// the height latency. Readings of another converter and readings outside the model are left out.
 HeightTrack height_track(std::span<drivers::HeightSample const> heights, Rig const& rig);
 
-// The height at an instant between two readings; no value elsewhere.
+// Returns the height at an instant between two readings; no value elsewhere.
 std::optional<double> height_between(HeightTrack const& track, Timestamp time);
 
-// Names for a time the stretch of half a second in which it lies: longer than a hand's tremor
-// remembers, see least_squares.h.
+// Returns the number of the half-second stretch that a time lies in: longer than the correlation
+// time of a hand's tremor, see least_squares.h.
 int stretch_of(Timestamp time);
 
 } // namespace tractus::calib

@@ -11,12 +11,13 @@ namespace tractus::calib {
 
 namespace {
 
-constexpr double kHuberDeviations = 1.345; // 95 % efficient where nothing slips.
+constexpr double kHuberDeviations
+    = 1.345; // Huber's constant, for 95 % efficiency without outliers.
 constexpr int kRounds = 10;
 
 using Sightings = std::span<PlaneSighting const>;
 
-// Weighted least squares for x (axis 0) or y.
+// Weighted least squares for x (axis 0) or y (axis 1).
 LeastSquares fit_axis(Sightings sightings, std::vector<double> const& weights, int axis,
                       Vec2 const& mean)
 {
@@ -47,8 +48,8 @@ Vec2 miss_mm(PlaneSighting const& sighting, LeastSquares const& x, LeastSquares 
     return sighting.position_mm - expected;
 }
 
-// Huber's weights; their scale is from the median distance, which of a circular normal scatter is
-// 1.177 standard deviations.
+// Computes Huber's weights; their scale comes from the median distance, which for a circular normal
+// distribution is 1.177 standard deviations.
 void weigh(std::vector<double>& weights, std::vector<Vec2> const& misses)
 {
     std::vector<double> sorted;

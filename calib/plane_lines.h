@@ -7,26 +7,26 @@
 
 namespace tractus::calib {
 
-// Places of a pen that move with something measured beside them: with the height along an upright
-// edge (travel_fit.h), with the pen's lean (tilt_fit.h).
+// A pen position together with a quantity that it varies with: the height along an upright edge
+// (travel_fit.h), or the pen's lean (tilt_fit.h).
 struct PlaneSighting {
     Vec2 position_mm = Vec2::Zero();
-    Vec2 against = Vec2::Zero(); // Quantity that x goes with, and that y goes with.
-    int stretch = 0;             // Stretch of time; see block_covariance of least_squares.h.
+    Vec2 against = Vec2::Zero(); // Quantity that x varies with, and that y varies with.
+    int stretch = 0; // Number of the stretch of time; see block_covariance() in least_squares.h.
 };
 
-// Fitted: position = place + slope * (against - mean of all against), in x and in y.
+// Result of the fit position = place + slope * (against - mean of all against), in x and in y.
 struct PlaneLines {
     Vec2 place_mm = Vec2::Zero();
     Vec2 slope = Vec2::Zero();
     Vec2 slope_error = Vec2::Zero(); // Standard errors.
     double rms_mm = 0;               // Root mean square of the weighted distances.
-    std::vector<Vec2> misses_mm {};  // Position less what was fitted, one per sighting.
+    std::vector<Vec2> misses_mm {};  // Position minus fitted position, one for each sighting.
 };
 
-// Least squares in which sightings far off count less, so that a pen that slips off for a moment
-// does not spoil them (P. Huber, "Robust estimation of a location parameter", Ann. Math. Stat. 35,
-// 1964). Standard errors take into account that a hand's tremor is no white noise. At least one
+// Fits by least squares with less weight for distant sightings, so that a pen that slips off for a
+// moment has little effect (P. Huber, "Robust estimation of a location parameter", Ann. Math. Stat.
+// 35, 1964). The standard errors allow for the time correlation of a hand's tremor. At least one
 // sighting.
 PlaneLines fit_plane_lines(std::span<PlaneSighting const> sightings);
 

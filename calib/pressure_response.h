@@ -2,20 +2,21 @@
 
 namespace tractus::calib {
 
-// Pressure from which on a pen draws, and how its ink grows with the pressure. Pens differ, and so
-// do hands. Pressures are 0 to 1, of the most that the device can report.
+// Pressure at which a pen begins to draw, and how its ink grows with the pressure. Pens and hands
+// differ. Pressures are 0 to 1, relative to the device's maximum.
 struct PressureResponse {
-    // The pen draws while the pressure is above this, once it does until it falls to half of it; so
-    // a light hand makes one stroke, and not crumbs. 0: wherever the device says that it touches.
-    double threshold = 0; // Below `full`.
-    double full = 1;      // The pressure that counts as 1.
-    // Exponent between the two: 1 follows the hand, above 1 the ink stays thin for longer, below 1
-    // shorter.
-    double exponent = 1; // Above 0.
+    // The pen begins to draw above this pressure and continues until it falls to half of it, so
+    // that a light hand makes one stroke and not fragments. 0: the pen draws whenever the device
+    // reports a touch.
+    double threshold = 0; // Less than `full`.
+    double full = 1;      // Pressure that counts as 1.
+    // Exponent of the curve between the two: 1 is proportional; above 1 the ink stays thin for
+    // longer, below 1 for less long.
+    double exponent = 1; // Greater than 0.
 };
 
-// 0 at the threshold and below, 1 at the full pressure and above. Since it is 0 where a stroke
-// begins and ends, no stroke has a blob at its end.
+// Returns 0 at the threshold and below, 1 at full pressure and above. Since it is 0 where a stroke
+// begins and ends, strokes have no blobs at their ends.
 double respond(PressureResponse const& response, double pressure);
 
 } // namespace tractus::calib

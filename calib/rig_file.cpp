@@ -12,11 +12,12 @@
 
 namespace tractus::calib {
 
-static constexpr std::int64_t kVersion = 2; // 1 had no [calibration], and knew no monotone models.
+static constexpr std::int64_t kVersion
+    = 2; // Version 1 had no [calibration] table and no monotone models.
 static constexpr std::string_view kSampleTimes = "sample_times";
 static constexpr std::size_t kMaxBytes = std::size_t { 1 } << 20;
 
-// Milliseconds in files; the nearest nanosecond.
+// Converts from the milliseconds of files, rounded to the nanosecond.
 static Duration from_milliseconds(double milliseconds)
 {
     return Duration(std::llround(milliseconds * 1e6));
@@ -37,11 +38,10 @@ static Result<Duration> duration_ms(TomlTable& table, std::string_view key, Numb
     return from_milliseconds(milliseconds);
 }
 
-// Limits that no rig that can be built goes beyond: a value that does is a slip of somebody's
-// keyboard.
-static constexpr double kFarthestMark_mm = 10'000; // Any height.
-static constexpr double kMinSide_mm = 1;           // Sides of a tablet,
-static constexpr double kMaxSide_mm = 5'000;       // as its maker or a drawing says.
+// Limits beyond any rig that can be built: a greater value is a typing error.
+static constexpr double kFarthestMark_mm = 10'000; // Limit of any height.
+static constexpr double kMinSide_mm = 1;           // Least side of a tablet.
+static constexpr double kMaxSide_mm = 5'000;       // Greatest side of a tablet.
 static constexpr double kMaxRotation_deg = 360;
 static constexpr double kMaxShear = 1; // A carriage that rises at 45 degrees.
 static constexpr double kMaxExponent = 10;
@@ -244,7 +244,7 @@ Result<Rig> load_rig(std::filesystem::path const& path)
     return parse_rig(TRY(read_text_file(path, kMaxBytes)), path.string());
 }
 
-// The file as it is, beside itself. No file, no copy.
+// Copies the existing file to its backup name. Without a file there is no copy.
 static Result<void> keep_previous(std::filesystem::path const& path)
 {
     std::error_code error;
@@ -256,7 +256,7 @@ static Result<void> keep_previous(std::filesystem::path const& path)
     return write_file(backup, bytes);
 }
 
-// Whether the text means the rig that it was printed from, as whoever reads it next sees it.
+// Checks that a printed text reads back as the same rig.
 static Result<void> check_printed(std::string const& text, std::filesystem::path const& path)
 {
     auto const again = parse_rig(text, path.string());

@@ -9,17 +9,18 @@ namespace tractus::calib {
 namespace {
 
 constexpr std::size_t kIntervals
-    = 64; // Enough for the longest of ragged deliveries to be among them.
+    = 64; // Enough to include the longest interval of irregular deliveries.
 constexpr std::size_t kFewIntervals = 4;
-// No tablet that sends all the time has longer intervals; longer ones teach nothing.
+// No tablet that reports continuously has longer intervals, so they are ignored.
 constexpr Duration kLongestInterval = std::chrono::milliseconds(100);
-constexpr Duration kBundled = std::chrono::milliseconds(1); // Reports this close came together.
+constexpr Duration kBundled
+    = std::chrono::milliseconds(1); // Reports closer than this arrived in one bundle.
 constexpr Duration kShortestSilence = std::chrono::milliseconds(10);
 
 } // namespace
 
-// A pen that reports changes only has long intervals, too, but now and then it shows its period,
-// which is the device's and does not change.
+// Learns from an interval between reports. A pen that reports only changes has long intervals too,
+// but occasionally shows the device's period, which does not change.
 void SilentTouch::learn_interval(Duration interval)
 {
     if (interval > kLongestInterval || interval < Duration::zero())
@@ -31,7 +32,8 @@ void SilentTouch::learn_interval(Duration interval)
         return;
     auto sorted = std::vector(intervals_.begin(), intervals_.end());
     std::sort(sorted.begin(), sorted.end());
-    if (sorted[1] < kBundled) { // The second of either end: the first may be a delay.
+    // Uses the second value from either end, because the first may be due to a delay.
+    if (sorted[1] < kBundled) {
         silent_after_ = sorted[sorted.size() - 2] * 3 / 2;
     } else {
         period_ = std::min(period_, sorted[sorted.size() / 4]);
@@ -60,7 +62,7 @@ void SilentTouch::read(Timestamp instant)
     auto const step = instant - last_instant_;
     if (!pen_ || step < kMinSpacing)
         return;
-    // Where readings are scarce, tips stand between them, too.
+    // If readings are rare, tips are placed between them, too.
     auto const parts = std::min<std::int64_t>((step + kMaxSpacing - Duration(1)) / kMaxSpacing,
                                               kLookBack / kMaxSpacing);
     auto const from = std::max(last_instant_, instant - kLookBack);

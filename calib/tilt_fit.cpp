@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kLeastTiltTouches = 200;
 constexpr double kLeastSpan_deg = 40;
 constexpr double kMostMoved_mm = 1;
-constexpr double kPlay_mm = 0.06;        // Deviation of anything up to 0.1 mm to either side.
-constexpr std::size_t kFewInStretch = 5; // Too few for a mean.
+constexpr double kPlay_mm = 0.06; // Standard deviation of a shift of up to 0.1 mm to either side.
+constexpr std::size_t kFewInStretch = 5; // Fewer touches are too few for a mean.
 
 struct Leant {
     std::vector<PlaneSighting> sightings {};
@@ -85,7 +85,8 @@ Result<void> check_span(Leant const& leant)
                             kLeastSpan_deg));
 }
 
-// How far the nib's mean place in half a second is from its place, at most.
+// Returns the greatest distance of the nib's mean position within half a second from its overall
+// position.
 double moved_mm(PlaneLines const& lines, std::vector<PlaneSighting> const& sightings)
 {
     struct Sum {
@@ -105,7 +106,7 @@ double moved_mm(PlaneLines const& lines, std::vector<PlaneSighting> const& sight
     return most_mm;
 }
 
-// A standard error together with what a dent's play makes.
+// Combines a standard error with the play of the nib in its dent.
 Vec2 with_play(Vec2 const& error_mm)
 {
     return (error_mm.array().square() + kPlay_mm * kPlay_mm).sqrt();

@@ -52,7 +52,8 @@ static std::string in_full(toml::node const& node)
     return text.str();
 }
 
-// A value as an error shows it: on one line, and cut, between characters, where it is long.
+// Formats a value for an error message: on one line, and shortened at a character boundary if it is
+// long.
 static std::string describe(toml::node const& node)
 {
     constexpr std::size_t kLongest = 40;
@@ -66,7 +67,7 @@ static std::string describe(toml::node const& node)
     return shown.substr(0, end) + " …";
 }
 
-// The number that a node holds, where it is one in `range`. An integer is a number, too.
+// Returns the number in a node if it lies in `range`. Integers are accepted.
 static std::optional<double> number_in(toml::node const& node, NumberRange range)
 {
     auto const number = node.value_exact<double>();
@@ -77,7 +78,7 @@ static std::optional<double> number_in(toml::node const& node, NumberRange range
     return is_in(range, value) ? std::optional(value) : std::nullopt;
 }
 
-// The numbers of an array of exactly `count`.
+// Returns the numbers of an array with exactly `count` elements.
 static std::optional<std::vector<double>> numbers_in(toml::node const& node, std::size_t count,
                                                      NumberRange range)
 {
@@ -114,7 +115,7 @@ std::string TomlTable::path_of(std::string_view key) const
     return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
 }
 
-// Where the parser saw a node; it counts lines from 1, and has none for the whole file.
+// Returns the line of a node, from 1; the parser has none for the file as a whole.
 static auto line_of(toml::node const& node)
 {
     return std::max(node.source().begin.line, toml::source_index { 1 });

@@ -14,22 +14,22 @@
 
 namespace tractus::calib {
 
-// Numbers that a key takes; infinities and NaN never.
+// Numbers that a key accepts; infinities and NaN are never accepted.
 enum class NumberRange {
     Any,
     Positive,    // Greater than 0.
     NotNegative, // 0 or more.
 };
 
-// One table of a TOML file that people write, read key by key. Every error is the user's and names
-// the file, the line, the key, what was there and what was expected:
+// One table of a hand-written TOML file, read key by key. All errors are the user's fault and name
+// the file, the line, the key, what was found and what was expected:
 //
-//     my.rig.toml:7: height.mm_per_count is -0.1, expected a number greater than 0
+//   my.rig.toml:7: height.mm_per_count is -0.1, expected a number greater than 0
 //
-// Reading a key marks it as known; refuse_unknown_keys() then finds the misspelt ones.
+// Reading a key marks it as known; refuse_unknown_keys() then finds misspelt ones.
 class TomlTable {
 public:
-    // `name` is the file's, for errors.
+    // `name` identifies the file in errors.
     static Result<TomlTable> parse(std::string_view text, std::string name);
 
     // Fails unless the file's `version` is 1 to `newest`.
@@ -43,33 +43,34 @@ public:
     Result<std::int64_t> integer(std::string_view key, NumberRange range = NumberRange::Any);
     Result<std::string> text(std::string_view key);
 
-    // The text's place in `words`.
+    // Returns the index of the text in `words`.
     Result<std::size_t> word(std::string_view key, std::vector<std::string_view> const& words);
 
-    // An array of exactly two or three numbers.
+    // Returns an array of exactly two or three numbers.
     Result<Vec2> vec2(std::string_view key, NumberRange range = NumberRange::Any);
     Result<Vec2> vec2_or(std::string_view key, Vec2 const& fallback);
     Result<Vec3> vec3(std::string_view key);
 
-    // An array of numbers, however many.
+    // Returns an array of any number of numbers.
     Result<std::vector<double>> number_list(std::string_view key);
 
-    // An array of arrays of two, or of three, numbers.
+    // Returns an array of arrays of two, or of three, numbers.
     Result<std::vector<Vec2>> vec2_list(std::string_view key);
     Result<std::vector<Vec3>> vec3_list(std::string_view key);
 
     Result<TomlTable> table(std::string_view key);
 
-    // The tables [[key]], in their order; at least one. Their errors count from 1: gesture[1].
+    // Returns the tables [[key]] in their order; at least one. Their errors count from 1:
+    // gesture[1].
     Result<std::vector<TomlTable>> tables(std::string_view key);
 
-    // Fails for the first key that nobody has asked for.
+    // Fails for the first key that was never read.
     Result<void> refuse_unknown_keys() const;
 
-    // The error for a key whose value the caller does not accept: "FILE:LINE: KEY " and `problem`.
+    // Returns the error for a value that the caller rejects: "FILE:LINE: KEY " and `problem`.
     tl::unexpected<Error> wrong(std::string_view key, std::string_view problem) const;
 
-    // "FILE:LINE: TABLE", for errors that come later.
+    // Returns "FILE:LINE: TABLE", for errors found later.
     std::string place() const;
 
 private:
@@ -90,7 +91,7 @@ private:
     Result<std::vector<double>> numbers(std::string_view key, std::size_t count, NumberRange range);
     Result<std::vector<std::vector<double>>> points(std::string_view key, std::size_t dimensions);
 
-    // Shared by the tables of one file: they all point into it.
+    // Shared by all tables of a file, which point into it.
     std::shared_ptr<Document const> document_;
     toml::table const* table_ = nullptr;
     std::string path_; // Path of the table: "height", "gesture[2]"; empty for the whole file.

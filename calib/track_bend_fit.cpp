@@ -17,19 +17,21 @@ namespace {
 using Captures = std::span<HeightCapture const>;
 
 constexpr Eigen::Index kBendKnots = 9;
-constexpr double kBendMargin = 0.1;     // Of the range, by which the knots reach beyond it.
-constexpr double kBendLength = 0.3;     // Of the range, over which the bend hardly changes.
-constexpr double kShortPart = 0.3;      // Of the bend, too short for captures to follow.
-constexpr double kStraightBefore = 0.2; // Chance of a straight track before the captures.
-constexpr double kSpoolNear_mm = 500;   // How far from the table a spool may well stand.
+constexpr double kBendMargin = 0.1; // Share of the range by which the knots extend beyond it.
+constexpr double kBendLength = 0.3; // Correlation length of the bend, as a share of the range.
+constexpr double kShortPart
+    = 0.3; // Share of the bend that varies too quickly for captures to follow.
+constexpr double kStraightBefore = 0.2; // Prior probability of a straight track.
+constexpr double kSpoolNear_mm = 500;   // Prior scale of a spool's distance from the table.
 constexpr double kSpoolBelow_mm = 1250;
-// Standard deviations of the bend, in parts of what the data sheet says.
+// Candidate standard deviations of the bend, as multiples of the data sheet's linearity.
 constexpr std::array kDeviations { 0.0, 0.25, 0.5, 1.0, 2.0 };
-constexpr double kNoPlayBefore = 0.5; // Chance that up and down are alike before the captures.
-constexpr std::array kPlays_mm { 0.0, 0.3, 1.0 }; // Standard deviations of their difference.
+constexpr double kNoPlayBefore = 0.5; // Prior probability that up and down agree.
+constexpr std::array kPlays_mm {
+    0.0, 0.3, 1.0
+}; // Candidate standard deviations of the difference between up and down.
 
-// How badly the person reads the ruler, in parts of what was said, and how likely that is before
-// the captures.
+// Candidate error of reading the ruler, as a multiple of the stated one, and its prior probability.
 struct RulerError {
     double part = 1;
     double chance = 0;
@@ -37,7 +39,8 @@ struct RulerError {
 constexpr std::array kRulerErrors { RulerError { 0.7, 0.55 }, RulerError { 1, 0.33 },
                                     RulerError { 2, 0.12 } };
 
-// The bend's knots, and what takes independent numbers of variance one to their shifts.
+// The bend's knots, and the matrix that converts independent numbers of unit variance to their
+// shifts.
 struct Track {
     Eigen::VectorXd counts {};
     Eigen::MatrixXd half_covariance {};
@@ -63,7 +66,8 @@ Track track_over(ReadingRange const& range, double deviation)
             covariance(i, j)
                 = std::exp(-0.5
                            * std::pow((counts[i] - counts[j]) / (kBendLength * range.width()), 2))
-                + (i == j ? 1e-6 : 0); // Else rounding makes it indefinite.
+                + (i == j ? 1e-6
+                          : 0); // Regularisation: otherwise rounding makes the matrix indefinite.
     Eigen::LDLT<Eigen::MatrixXd> const halves(covariance);
     Eigen::MatrixXd const lower
         = halves.matrixL() * Eigen::MatrixXd(halves.vectorD().cwiseMax(0).cwiseSqrt().asDiagonal());
@@ -72,10 +76,10 @@ Track track_over(ReadingRange const& range, double deviation)
                  * Eigen::MatrixXd(halves.transpositionsP().transpose() * lower) };
 }
 
-// What a fit takes to be beside the law.
+// Effects that a fit assumes in addition to the law.
 struct Besides {
-    std::optional<Track> track {}; // Its bend is part of the fit; no value: it is straight.
-    double play_mm = 0; // Standard deviation of what up and down differ by; 0: they are alike.
+    std::optional<Track> track {}; // The bend is part of the fit; no value: the track is straight.
+    double play_mm = 0; // Standard deviation of the difference between up and down; 0: they agree.
 
     Eigen::Index bend_numbers() const { return track ? kBendKnots : 0; }
     Eigen::Index numbers() const { return bend_numbers() + (play_mm > 0 ? 1 : 0); }
@@ -97,7 +101,7 @@ HeightModel model_of(HeightModel const& law, Besides const& besides, Eigen::Vect
                                    : TrackBend());
 }
 
-// +1 where the carriage came from below, -1 from above.
+// Returns +1 if the carriage came from below, -1 if from above, 0 otherwise.
 double side_of(HeightCapture const& capture)
 {
     return capture.from == HeightCapture::From::Below ? 1
@@ -105,7 +109,7 @@ double side_of(HeightCapture const& capture)
                                                       : 0;
 }
 
-// Whether captures tell up from down.
+// True if there are enough captures from either side.
 bool have_both_sides(Captures captures)
 {
     constexpr int kEnough = 2;
@@ -116,8 +120,8 @@ bool have_both_sides(Captures captures)
     return from(1) >= kEnough && from(-1) >= kEnough;
 }
 
-// Misfits in errors of the ruler, and what is known before: `numbers` of what is beside the law,
-// and that a string's spool stands somewhere near the table, and clear of the carriage's way.
+// Returns the misfits in ruler errors, followed by prior terms: the `numbers` of the additional
+// effects, and the distance of a string's spool from the table and from the carriage's path.
 std::optional<Eigen::VectorXd> misfits(HeightModel const& model, Eigen::VectorXd const& numbers,
                                        double play_mm, Captures captures, double ruler_error_mm)
 {
@@ -145,7 +149,7 @@ std::optional<Eigen::VectorXd> misfits(HeightModel const& model, Eigen::VectorXd
     return result;
 }
 
-// Logarithm of the determinant of J^T J.
+// Returns the logarithm of the determinant of J^T J.
 double log_determinant(Eigen::MatrixXd const& jacobian)
 {
     Eigen::MatrixXd const r = jacobian.colPivHouseholderQr().matrixR();
@@ -178,7 +182,7 @@ std::optional<FittedBend> fit_with(HeightModel const& law, Besides const& beside
                         = -0.5 * (fit->sum_of_squares() + log_determinant(fit->jacobian)) };
 }
 
-// Covariance of the law's parameters, followed by the shifts of the bend's knots.
+// Returns the covariance of the law's parameters, followed by the shifts of the bend's knots.
 Eigen::MatrixXd covariance_of(FittedBend const& fitted)
 {
     auto const count = parameters_of(fitted.model).size() + kBendKnots;
@@ -188,14 +192,15 @@ Eigen::MatrixXd covariance_of(FittedBend const& fitted)
     return small_product(small_product(to_shifts, unit), to_shifts.transpose());
 }
 
-// Standard deviations of what is beside the law.
+// Likely standard deviations of the effects besides the law.
 struct LikelyBesides {
-    double bend = 0; // Of the range.
+    double bend = 0; // Standard deviation of the bend, as a share of the range.
     double play_mm = 0;
-    double ruler_mm = 0; // A capture's, beside both.
+    double ruler_mm = 0; // Standard deviation of a capture, excluding bend and play.
 };
 
-// The chance of the first of so many deviations, or of another one, before the captures.
+// Returns the prior probability of candidate i: `of_first` for the first, and an equal share of the
+// rest for each other.
 double chance_before(std::size_t i, double of_first, std::size_t count)
 {
     return i == 0 ? of_first : (1 - of_first) / static_cast<double>(count - 1);
@@ -206,7 +211,7 @@ struct BesidesTrial {
     double log_weight = 0;
 };
 
-// The fit with such deviations; nothing where it fails.
+// Adds the fit with such deviations to the trials, unless it fails.
 void try_deviations(HeightModel const& law, Captures captures, LikelyBesides const& deviations,
                     double chance, std::vector<BesidesTrial>& trials)
 {
@@ -216,7 +221,8 @@ void try_deviations(HeightModel const& law, Captures captures, LikelyBesides con
     auto const fit = fit_with(law, besides, captures, deviations.ruler_mm);
     if (!fit)
         return;
-    // Misfits are in errors of the ruler, so that the evidence lacks the density's height.
+    // The misfits are in ruler errors, so the normalisation of the density must be added to the
+    // evidence.
     auto const log_height = -static_cast<double>(captures.size()) * std::log(deviations.ruler_mm);
     trials.push_back({ deviations, fit->log_evidence + log_height + std::log(chance) });
 }
@@ -238,7 +244,7 @@ std::vector<BesidesTrial> try_besides(HeightModel const& law, Captures captures,
     return trials;
 }
 
-// The roots of the mean squares of the deviations, over what the captures make of each of them.
+// Returns the root mean squares of the deviations, weighted by the evidence of the captures.
 std::optional<LikelyBesides> mean_deviations(std::vector<BesidesTrial> const& trials)
 {
     double most = -std::numeric_limits<double>::infinity();

@@ -11,29 +11,31 @@
 
 namespace tractus::calib {
 
-// How the carriage really travels, from a pen held against a vertical straight edge that stands on
-// the desk: what the pen seems to drift over the tablet, the tablet drifts under it.
+// The carriage's actual travel, fitted with a pen held against a vertical straight edge that stands
+// on the desk: the pen's apparent drift over the tablet is the tablet's drift under the pen.
 struct TravelFit {
-    Vec2 shear = Vec2::Zero(); // Rig::travel_shear: drift to +x and +y per millimetre of rise.
+    Vec2 shear
+        = Vec2::Zero(); // See Rig::travel_shear: drift towards +x and +y per millimetre of rise.
     Vec2 shear_error = Vec2::Zero(); // Standard errors.
 
-    // Angle between the carriage's way and the tablet's normal.
+    // Angle between the carriage's path and the tablet's normal.
     double tilt_rad = 0;
     double tilt_error_rad = 0;
 
-    double rise_mm = 0; // Rise between the lowest and the highest touch.
-    double rms_mm = 0;  // Root mean square by which the pen strayed from the edge.
+    double rise_mm = 0; // Height from the lowest to the highest touch.
+    double rms_mm = 0;  // Root mean square distance of the pen from the edge.
     std::size_t touches = 0;
 };
 
-// Fits the shear to what pen and height sensor sent meanwhile, with the rig's height model and
-// latencies. An edge that leans is not told from a carriage that does: 1 mm in 500 is 0.002.
+// Fits the shear to the samples of pen and height sensor, with the rig's height model and
+// latencies. An inclined edge cannot be distinguished from an inclined carriage: 1 mm in 500 is
+// 0.002.
 //
-// A pen that slips off for a moment does not spoil it, and standard errors take into account that a
-// hand's tremor is no white noise (fit_plane_lines).
+// A pen that slips off for a moment has little effect, and the standard errors allow for the time
+// correlation of a hand's tremor (fit_plane_lines()).
 //
 // Fails, as the user's fault, with what to do: fewer than 100 touches with a height, less than 100
-// mm of rise, a pen that strayed by more than 3 mm in the mean.
+// mm of rise, a pen that strayed by more than 3 mm on average.
 Result<TravelFit> fit_travel(std::span<drivers::PenSample const> pens,
                              std::span<drivers::HeightSample const> heights, Rig const& rig);
 

@@ -14,9 +14,9 @@ namespace {
 using Captures = std::span<HeightCapture const>;
 
 constexpr std::array<std::string_view, 2> kCauseNames { "slipped", "moved" };
-constexpr double kTellingErrors = 4; // Errors of the ruler that tell.
+constexpr double kTellingErrors = 4; // A difference beyond this many ruler errors is significant.
 
-// Effect of one cause on the rig, and how well the captures fit then.
+// The rig corrected for one cause, and how well the captures fit then.
 struct Trial {
     Rig rig {};
     double sum_of_squares_mm2 = 0;
@@ -35,7 +35,7 @@ Result<double> misfit_mm2(Captures captures, Rig const& rig)
     return sum;
 }
 
-// Rounds to micrometres, for the reader of the file.
+// Corrects for a moved zero; rounded to micrometres for readers of the file.
 Result<Trial> after_move(Rig rig, Captures captures)
 {
     double rise_mm = 0;
@@ -52,7 +52,8 @@ Result<Trial> after_move(Rig rig, Captures captures)
     return Trial { std::move(rig), sum };
 }
 
-// A capture where a count is worth more says more about the counts.
+// Captures are weighted by the height of a count: where it is greater, they determine the shift in
+// counts better.
 Result<double> shift_of(Rig const& rig, Captures captures)
 {
     double sum = 0;
@@ -71,7 +72,7 @@ Result<double> shift_of(Rig const& rig, Captures captures)
     return weights > 0 ? in_thousandths(sum / weights) : 0;
 }
 
-// The surface goes as far as before, and that is at other readings now.
+// Corrects for a slip. The surface's range is unchanged, and now corresponds to other readings.
 Result<Trial> after_slip(Rig rig, Captures captures)
 {
     double const shift_counts = TRY(shift_of(rig, captures));

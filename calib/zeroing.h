@@ -11,14 +11,18 @@
 
 namespace tractus::calib {
 
-// Why a rig's heights are off, when its scale is still right. A string that hangs plumb cannot tell
-// the two apart, and need not; one that runs aslant has another curve after each.
+// Reason why a rig's heights are off although its scale is right. For a vertical string both have
+// the same effect; with a string at an angle, the curve differs.
 enum class ZeroCause {
-    Slipped, // The string, on its spool or in its clamp: each height reads so many counts more.
-    Moved,   // The table, the spool's stand or the ruler: each reading is so much higher.
+    // The string slipped on its spool or in its clamp: each height has a reading shifted by a
+    // constant.
+    Slipped,
+    // The table, the spool's stand or the ruler was moved: each reading has a height shifted by a
+    // constant.
+    Moved,
 };
 
-// "slipped" or "moved".
+// Returns "slipped" or "moved".
 std::string_view name_of(ZeroCause cause);
 std::optional<ZeroCause> parse_zero_cause(std::string_view name);
 
@@ -26,20 +30,22 @@ struct Zeroing {
     Rig rig {};
     ZeroCause cause = ZeroCause::Slipped;
 
-    // How much the heights of the calibrated range would differ at most, had it been the other
-    // cause; 0 where both are the same.
+    // Greatest difference of heights in the calibrated range if it had been the other cause; 0 if
+    // both have the same effect.
     double at_stake_mm = 0;
 
-    // Whether the cause was asked for or told by the captures; otherwise it is the usual one.
+    // True if the cause was requested or determined from the captures; otherwise it is the usual
+    // one.
     bool is_told = false;
 };
 
-// The rig zeroed anew by captures at known heights: its scale and shape stay. Without a cause, the
-// captures tell it if they lie far enough apart: if by one cause they fit better than by the other
-// by 4 ruler errors or more. Otherwise the string has slipped, which is what strings do.
+// Zeroes the rig anew by captures at known heights; its scale and shape stay. Without a given
+// cause, the captures determine it if they lie far enough apart: one cause must fit better than the
+// other by at least 4 ruler errors. Otherwise the string is assumed to have slipped, which is the
+// usual cause.
 //
-// Fails, as the user's fault, for no capture at all, another converter than the rig's, and heights
-// or readings that the rig's model does not reach.
+// Fails, as the user's fault, for no captures, for another converter than the rig's, and for
+// heights or readings outside the rig's model.
 Result<Zeroing> zeroed(Rig const& rig, std::span<HeightCapture const> captures,
                        std::int32_t full_scale_counts, std::optional<ZeroCause> cause = {});
 

@@ -8,14 +8,15 @@ namespace tractus::sim {
 
 namespace {
 
-// Report ids, what stands behind them, and how long a report is with its id (AN495 section 5).
-constexpr std::uint8_t kGpioConfiguration = 2; // Outputs, push-pull ones, special ones, clock.
-constexpr std::uint8_t kGetLines = 3;          // Levels.
-constexpr std::uint8_t kSetLines = 4;          // Levels, mask.
-constexpr std::uint8_t kVersion = 5;           // Part number, version.
+// Report ids, contents of the reports, and their lengths including the id (AN495, section 5).
+// Outputs, push-pull outputs, special functions, clock.
+constexpr std::uint8_t kGpioConfiguration = 2;
+constexpr std::uint8_t kGetLines = 3; // Levels of the lines.
+constexpr std::uint8_t kSetLines = 4; // Levels and mask.
+constexpr std::uint8_t kVersion = 5;  // Part number and version.
 constexpr std::uint8_t kBusConfiguration = 6;
 constexpr std::size_t kSetLinesBytes = 3;
-constexpr std::size_t kOutputs = 1; // Offset in report 2.
+constexpr std::size_t kOutputs = 1; // Offset of the outputs in report 2.
 
 template<std::size_t Size> std::array<std::byte, Size> report(std::initializer_list<int> values)
 {
@@ -25,7 +26,7 @@ template<std::size_t Size> std::array<std::byte, Size> report(std::initializer_l
     return bytes;
 }
 
-// One feature report of a vendor-defined page for each id, with bytes behind it.
+// Appends one feature report of a vendor-defined page with the given id and size.
 void append_feature(std::vector<std::byte>& descriptor, int id, std::size_t report_bytes)
 {
     auto const data_bytes = static_cast<int>(report_bytes) - 1;
@@ -38,7 +39,7 @@ void append_feature(std::vector<std::byte>& descriptor, int id, std::size_t repo
 Cp2112Model::Cp2112Model(Wiring wiring)
     : wiring_(std::move(wiring))
     , configuration_(report<5>({ kGpioConfiguration }))
-    // 100 kHz, most significant byte first; the rest as after power-up.
+    // 100 kHz, most significant byte first; other bytes as after power-up.
     , bus_(report<14>({ kBusConfiguration, 0, 1, 0x86, 0xa0, 2 }))
 {
 }

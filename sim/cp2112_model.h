@@ -12,34 +12,37 @@
 
 namespace tractus::sim {
 
-// A Silicon Labs CP2112, a bridge from USB to I²C with eight GPIO lines, as its HID interface shows
-// it (application note AN495): the feature reports that the kernel's hid-cp2112 uses, which makes a
-// gpiochip of it with the label "cp2112_gpio". I²C is not there. No clock and no randomness.
+// A Silicon Labs CP2112, a bridge from USB to I²C with eight GPIO lines, as seen through its HID
+// interface (application note AN495). It has the feature reports that the kernel's hid-cp2112 uses
+// to make a gpiochip with the label "cp2112_gpio"; I²C is not implemented. No clock and no
+// randomness.
 class Cp2112Model {
 public:
     static constexpr unsigned kLines = 8;
 
-    // Wiring of the lines. Bits are lines.
+    // Connections of the lines; one bit for each line.
     struct Wiring {
-        // The host has set the lines that it drives to these levels; all others are 0.
+        // Called when the host has set the lines that it drives to these levels; the bits of other
+        // lines are 0.
         std::function<void(std::uint8_t levels)> driven {};
-        // The levels of the lines that the host does not drive.
+        // Returns the levels of the lines that the host does not drive.
         std::function<std::uint8_t()> levels {};
     };
 
     explicit Cp2112Model(Wiring wiring);
 
-    // Returns what the kernel sees: ids, name, and a report descriptor with these reports.
+    // Returns the device as the kernel sees it: ids, name, and a report descriptor with these
+    // reports.
     static drivers::DeviceInfo info();
 
-    // The feature report of an id; no value for one that is not there, and for the lines' levels
-    // while readings fail.
+    // Returns a feature report; no value for an unknown id, or for the lines' levels while readings
+    // fail.
     std::optional<std::vector<std::byte>> get_feature(std::uint8_t id) const;
 
-    // False for a report that is not there or too short.
+    // Sets a feature report. Returns false if it is unknown or too short.
     bool set_feature(std::span<std::byte const> report);
 
-    // Makes the device behave from now on as if its cable were bad: every reading of lines fails.
+    // Simulates a bad cable from now on: every reading of lines fails.
     void fail_readings() { is_failing_ = true; }
 
 private:
@@ -47,9 +50,9 @@ private:
     void drive();
 
     Wiring wiring_;
-    std::array<std::byte, 5> configuration_ {}; // Report 2.
-    std::array<std::byte, 14> bus_ {};          // Report 6, kept for the host.
-    std::uint8_t latch_ = 0;                    // Levels that lines that are outputs are set to.
+    std::array<std::byte, 5> configuration_ {}; // Content of report 2.
+    std::array<std::byte, 14> bus_ {};          // Content of report 6, stored for the host.
+    std::uint8_t latch_ = 0;                    // Levels to which output lines are set.
     bool is_failing_ = false;
 };
 

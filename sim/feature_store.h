@@ -4,9 +4,9 @@
 
 namespace tractus::sim {
 
-// Answers as most devices do that are asked for nothing in particular: a feature report is what it
-// was last set to, and the id alone before that. The kernel's drivers read a mode that they have
-// set back, to see that it was taken.
+// Returns answers as most devices give them: a feature report is what it was last set to, and only
+// its id before that. The kernel's drivers read back a mode that they have set, to check that it
+// was accepted.
 UhidAnswers remember_features();
 
 } // namespace tractus::sim

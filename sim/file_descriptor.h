@@ -8,7 +8,7 @@
 
 namespace tractus::sim {
 
-// An open file of the system's, closed with the value. Empty by default.
+// Owner of an open file descriptor, closed by the destructor. Empty by default.
 class FileDescriptor {
 public:
     FileDescriptor() = default;
@@ -29,15 +29,15 @@ public:
     }
 
     explicit operator bool() const { return number_ >= 0; }
-    int number() const { return number_; } // -1 if empty.
+    int number() const { return number_; } // Returns the descriptor; -1 if empty.
     void close();
 
 private:
     int number_ = -1;
 };
 
-// Opens a file that the kernel makes: `flags` as open(2) takes them, and closed in programs that
-// this one starts. Fails, as the user's fault, with `remedy`: what to do about it.
+// Opens a file provided by the kernel with the `flags` of open(2), and O_CLOEXEC. Fails, as the
+// user's fault, with `remedy`, a sentence that says what to do.
 Result<FileDescriptor> open_kernel_file(std::filesystem::path const& path, int flags,
                                         std::string_view remedy);
 

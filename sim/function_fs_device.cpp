@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Wrappers of system calls that the library has no functions for.
+// Wrappers for system calls that the C library has no functions for.
 long io_setup(unsigned count, aio_context_t* context)
 {
     return ::syscall(SYS_io_setup, count, context);
@@ -47,14 +47,14 @@ void append_u32(std::vector<std::byte>& bytes, std::size_t value)
         bytes.push_back(static_cast<std::byte>(value >> shift & 0xff));
 }
 
-// Sets the length of a whole block, its second number.
+// Writes the size of a complete block into its second number.
 void set_length(std::vector<std::byte>& block)
 {
     for (unsigned i = 0; i < 4; ++i)
         block[4 + i] = static_cast<std::byte>(block.size() >> (8 * i) & 0xff);
 }
 
-// Descriptors begin with their length.
+// Counts descriptors, each of which begins with its length.
 std::size_t count_descriptors(std::vector<std::byte> const& bytes)
 {
     std::size_t count = 0;
@@ -63,13 +63,13 @@ std::size_t count_descriptors(std::vector<std::byte> const& bytes)
     return count;
 }
 
-// Writes the form of linux/usb/functionfs.h.
+// Builds the descriptor block specified in linux/usb/functionfs.h.
 std::vector<std::byte> block_of(UsbFunctionDescriptors const& descriptors)
 {
     std::vector<std::byte> block;
     append_u32(block, FUNCTIONFS_DESCRIPTORS_MAGIC_V2);
     append_u32(block, 0);
-    // Requests to the device itself are to come, too.
+    // Requests to the device itself are delivered, too.
     append_u32(block, FUNCTIONFS_HAS_FS_DESC | FUNCTIONFS_HAS_HS_DESC | FUNCTIONFS_ALL_CTRL_RECIP);
     append_u32(block, count_descriptors(descriptors.full_speed));
     append_u32(block, count_descriptors(descriptors.high_speed));
@@ -79,7 +79,7 @@ std::vector<std::byte> block_of(UsbFunctionDescriptors const& descriptors)
     return block;
 }
 
-// One string, the interface's name, in English.
+// Builds the string block with one English string, the interface's name.
 std::vector<std::byte> strings_of(std::string const& name)
 {
     std::vector<std::byte> block;
@@ -109,8 +109,8 @@ UsbSetup request_of(usb_ctrlrequest const& setup)
     return {
         .request_type = setup.bRequestType,
         .request = setup.bRequest,
-        .value = setup.wValue, // The kernel's fields have the wire's byte order, which is a PC's
-        .index = setup.wIndex, // and a Raspberry Pi's as well.
+        .value = setup.wValue, // The kernel's fields are little-endian like the wire,
+        .index = setup.wIndex, // as are PCs and Raspberry Pis.
         .length = setup.wLength,
     };
 }
@@ -126,7 +126,7 @@ FunctionFsDevice::FunctionFsDevice(FileDescriptor control, UsbControlAnswers ans
 FunctionFsDevice::~FunctionFsDevice()
 {
     if (context_)
-        ::syscall(SYS_io_destroy, context_); // Calls back what is under way, and waits for it.
+        ::syscall(SYS_io_destroy, context_); // Cancels pending transfers, and waits for them.
 }
 
 Result<std::unique_ptr<FunctionFsDevice>>
@@ -198,7 +198,8 @@ Result<void> FunctionFsDevice::send(std::span<std::byte const> report)
 
 void FunctionFsDevice::finish_transfers()
 {
-    std::uint64_t ignored = 0; // How many have ended; their events say more.
+    // The number of ended transfers is not needed; their events contain it.
+    std::uint64_t ignored = 0;
     static_cast<void>(!::read(finished_.number(), &ignored, sizeof ignored));
     std::array<io_event, kMaxWaiting> events {};
     long const count = io_getevents(context_, events);
@@ -213,7 +214,7 @@ void FunctionFsDevice::finish_transfers()
     }
 }
 
-// False when there was nothing.
+// Handles one control event. Returns false if there was none.
 bool FunctionFsDevice::serve_control()
 {
     usb_functionfs_event event {};
@@ -232,14 +233,14 @@ bool FunctionFsDevice::serve_control()
         if (answers_.reset)
             answers_.reset();
         break;
-    default: // Bound, suspended or awake again.
+    default: // The device was bound, suspended or resumed.
         break;
     }
     return true;
 }
 
-// To refuse a request is to begin its data the wrong way round. What goes wrong here is the host's
-// affair: it has gone, or asks for something else already.
+// Answers a control request. To refuse it, its data stage is begun in the wrong direction. Errors
+// are ignored: the host has then gone, or has already made another request.
 void FunctionFsDevice::answer(UsbSetup const& request)
 {
     std::array<std::byte, 4096> data;

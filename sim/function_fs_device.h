@@ -20,36 +20,37 @@
 
 namespace tractus::sim {
 
-// A function's interface, for full and for high speed: the descriptors of the interface itself and
-// of its one endpoint, bulk IN (USB 2.0 sections 9.6.5 and 9.6.6). Its string, number 1, is `name`.
+// Descriptors of a function's interface, for full and for high speed: the interface and its one
+// endpoint, bulk IN (USB 2.0, sections 9.6.5 and 9.6.6). Its string, number 1, is `name`.
 struct UsbFunctionDescriptors {
     std::vector<std::byte> full_speed {};
     std::vector<std::byte> high_speed {};
     std::string name {};
 };
 
-// Answers of a device to control requests that the kernel does not answer itself. It refuses what
-// it does not know, and the host sees a stall.
+// A device's answers to control requests that the kernel does not answer itself. Refused requests
+// appear to the host as a stall.
 struct UsbControlAnswers {
-    // No value refuses. What is longer than the host asked for is cut.
+    // Returns the data of an IN request; no value refuses it. Data longer than requested is
+    // truncated.
     std::function<std::optional<std::vector<std::byte>>(UsbSetup const&)> get {};
-    // `data` is what the host sends along; false refuses.
+    // Handles an OUT request; `data` is what the host sent. Returning false refuses it.
     std::function<bool(UsbSetup const&, std::span<std::byte const> data)> set {};
-    // The host has reset us, or is gone.
+    // Called when the host has reset the device or has gone.
     std::function<void()> reset {};
 };
 
-// A function of a USB gadget with one bulk endpoint, IN: each report is a transfer.
-// Made with the kernel's FunctionFS.
+// A USB gadget's function with one bulk IN endpoint, made with the kernel's FunctionFS. Each report
+// is one transfer.
 class FunctionFsDevice final : public KernelDevice {
 public:
-    // Transfers that wait for the host to ask for them, as in a microcontroller's memory; a report
-    // that finds no place is lost.
+    // Limit of transfers that wait for the host, as in a microcontroller's memory; further reports
+    // are lost.
     static constexpr std::size_t kMaxWaiting = 8;
     static constexpr std::size_t kMaxReportBytes = 512;
 
-    // Adds the function to `gadget`, which must not be plugged in yet and must outlive it. Fails,
-    // as the user's fault, if the kernel does not let it.
+    // Adds the function to `gadget`, which must not be plugged in yet and must outlive the
+    // function. Fails, as the user's fault, if the kernel refuses it.
     static Result<std::unique_ptr<FunctionFsDevice>>
     add_to(UsbGadget& gadget, UsbFunctionDescriptors const& descriptors, UsbControlAnswers answers);
     ~FunctionFsDevice() override;
@@ -77,14 +78,14 @@ private:
     bool serve_control();
     void answer(UsbSetup const& request);
 
-    FileDescriptor control_;  // ep0
-    FileDescriptor endpoint_; // ep1
-    FileDescriptor finished_; // An eventfd, ready when a transfer has ended.
+    FileDescriptor control_;  // Control endpoint, file ep0.
+    FileDescriptor endpoint_; // Bulk endpoint, file ep1.
+    FileDescriptor finished_; // An eventfd, readable when a transfer has ended.
     aio_context_t context_ = 0;
     UsbControlAnswers answers_;
     std::array<Transfer, kMaxWaiting> transfers_ {};
     std::size_t waiting_count_ = 0;
-    bool is_enabled_ = false; // The host has configured us.
+    bool is_enabled_ = false; // True when the host has configured the device.
     bool is_read_ = false;
     std::uint64_t lost_count_ = 0;
 };

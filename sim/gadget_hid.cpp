@@ -18,8 +18,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A packet must be longer than any report: a transfer of just its length would have to be ended by
-// an empty one, and some readers see that as a report without bytes. Below high speed 64 is all.
+// Returns the endpoint's packet size, greater than any report: a transfer of exactly the packet
+// size would have to be ended by an empty packet, which some readers see as a report without bytes.
+// Below high speed the maximum is 64.
 std::size_t packet_bytes(drivers::HidReportDescriptor const& descriptor)
 {
     std::size_t bytes = 64;
@@ -28,8 +29,8 @@ std::size_t packet_bytes(drivers::HidReportDescriptor const& descriptor)
     return bytes;
 }
 
-// Kind of an interface (HID 1.11 sections 4.2 and 4.3): a tablet that begins as a mouse also knows
-// the mouse's reports that a computer understands before it has read a descriptor.
+// Kind of an interface (HID 1.11, sections 4.2 and 4.3). A tablet that starts as a mouse also
+// supports the boot mouse's reports, which a computer understands before it has read a descriptor.
 struct InterfaceKind {
     char const* subclass = "0";
     char const* protocol = "0";
@@ -43,7 +44,7 @@ InterfaceKind interface_kind(drivers::HidReportDescriptor const& descriptor)
     return is_mouse ? InterfaceKind { "1", "2" } : InterfaceKind {};
 }
 
-// The node that the kernel makes for the function when the gadget is plugged in.
+// Returns the node that the kernel makes for the function when the gadget is plugged in.
 std::optional<fs::path> node_of(fs::path const& folder)
 {
     auto numbers = read_file(folder / "dev");
@@ -106,7 +107,7 @@ Result<void> GadgetHid::serve()
     discard_output();
     if (in_flight_ && is_taken()) {
         in_flight_ = false;
-        // The first report that is taken may also have been swept away by the host's configuring.
+        // The first report taken may have been discarded by the host's configuration of the device.
         is_read_ = ++taken_count_ > 1;
         was_read_ |= is_read_;
     }
@@ -167,7 +168,7 @@ void GadgetHid::lose(std::size_t count)
         lost_count_ += count;
 }
 
-// There is no host any more, or none yet.
+// Handles the absence of a host.
 void GadgetHid::leave()
 {
     lose(waiting_count());

@@ -17,23 +17,24 @@
 
 namespace tractus::sim {
 
-// A HID function of a USB gadget (the kernel's f_hid): a pen, say. At high speed the host asks for
-// a report each millisecond. What it sends to the device is taken and forgotten.
+// A HID function of a USB gadget (the kernel's f_hid), such as a pen. At high speed the host
+// requests a report each millisecond. Data sent to the device is read and discarded.
 class GadgetHid final : public KernelDevice {
 public:
-    // Reports wait here for the host to ask for them, as in a tablet's own memory.
+    // Limit of reports that wait for the host, as in a tablet's own memory.
     static constexpr std::size_t kMaxWaiting = 64;
 
-    // Adds to `gadget`, which must not be plugged in yet and must outlive the function, a HID
-    // interface with the report descriptor of `info`. `name` tells the gadget's functions apart.
-    // Fails if the report descriptor is missing or broken, or configfs refuses it.
+    // Adds a HID interface with the report descriptor of `info` to `gadget`, which must not be
+    // plugged in yet and must outlive the function. `name` distinguishes the gadget's functions.
+    // Fails if the report descriptor is missing or invalid, or configfs refuses it.
     static Result<std::unique_ptr<GadgetHid>> add_to(UsbGadget& gadget, std::string const& name,
                                                      drivers::DeviceInfo const& info);
 
     void add_files_to(std::vector<pollfd>& files) const override;
     Result<void> serve() override;
 
-    // Drops the report if the gadget is unplugged, and the oldest if kMaxWaiting wait already.
+    // Sends a report. It is dropped if the gadget is unplugged; if kMaxWaiting reports are waiting,
+    // the oldest is dropped.
     Result<void> send(std::span<std::byte const> report) override;
 
     bool is_read() const override { return is_read_; }
@@ -51,13 +52,14 @@ private:
     void lose(std::size_t count);
     void leave();
 
-    std::filesystem::path folder_; // The function's, in configfs.
+    std::filesystem::path folder_; // Folder of the function in configfs.
     FileDescriptor file_;          // Empty while the gadget is unplugged.
     std::deque<std::vector<std::byte>> waiting_;
-    bool in_flight_ = false;        // The kernel has a report that the host has not asked for yet.
-    std::uint64_t taken_count_ = 0; // Since the gadget was plugged in.
+    // True while the kernel has a report that the host has not requested yet.
+    bool in_flight_ = false;
+    std::uint64_t taken_count_ = 0; // Reports taken since the gadget was plugged in.
     bool is_read_ = false;
-    bool was_read_ = false; // Ever: before, nothing counts as lost.
+    bool was_read_ = false; // True once reports have been read; earlier ones do not count as lost.
     std::uint64_t lost_count_ = 0;
 };
 

@@ -173,7 +173,7 @@ Result<GestureScript> parse_gesture_script(std::string_view text, std::string co
     return script;
 }
 
-// A branch as it is seen on the tablet, as a path in the world.
+// Traces a branch as seen on the tablet, and returns it as a path in the world.
 static Result<Path> trace_path(AxisTrace const& trace, RigGeometry const& geometry,
                                AxisTracer const& tracer)
 {

@@ -17,51 +17,51 @@
 
 namespace tractus::sim {
 
-// A hand's part, written down: which tools it takes, and what it draws with each. Logs for
-// demonstrations and tests are made from it. TOML; millimetres of the world frame, degrees:
+// A script for a simulated hand: which tools it uses, and what it draws with each. Logs for
+// demonstrations and tests are made from such scripts. TOML; world frame, millimetres and degrees:
 //
 //     version = 1
-//     seed = 7                    # Of the hand's tremor and the sensors' noise; 1 if left out.
-//     tools = "older"             # Tools mean what their words alone say in a log; if left out or
-//                                 # "newest", what a person takes in hand now.
-//     coil_height_mm = 9          # The tablet sees the pen so far above its nib; 0 if left out.
-//     lean_deg = [30, -20]        # How the pen is held, to +x and +y; as HandOptions if left out.
-//     leaned_around_deg = [25, 20]  # And how far it is leaned around that; 0 if left out.
+//     seed = 7                    # Seed of tremor and sensor noise; default: 1.
+//     tools = "older"             # "older": tools as in old logs; "newest" (default): the
+//                                 # current tools.
+//     coil_height_mm = 9          # Height of the pen's coil above its nib; default: 0.
+//     lean_deg = [30, -20]        # Tilt of the pen to +x and +y; default: see HandOptions.
+//     leaned_around_deg = [25, 20]  # Variation of that tilt; default: 0.
 //
 //     [[gesture]]
 //     tool = "select"
-//     trace = "axis"              # Draws over a branch of the plant as it is seen on the tablet:
-//     axis = 2                    # this one, counted by the program that shows the plant.
-//     height_mm = 50              # The carriage's; 50 if left out.
+//     trace = "axis"              # Traces a branch of the plant as seen on the tablet:
+//     axis = 2                    # this one, as counted by the program that shows the plant.
+//     height_mm = 50              # Height of the carriage; default: 50.
 //
 //     [[gesture]]
-//     tool = "draw"               # As in a recording; `tractus tools` lists them.
+//     tool = "draw"               # Word in recordings; `tractus tools` lists the tools.
 //     propagation = "both"        # For "draw": "selected", "descendants" or "both".
-//     path = "helix"              # And then the path's own keys, in the table below.
+//     path = "helix"              # Followed by the path's own keys, see the table below.
 //     foot_mm = [0, 0, 40]
 //     radius_mm = 35
 //     turns = 2
 //     rise_mm = 250
-//     speed_mm_s = 180            # Cruising; 5 to 1000, 150 if left out.
+//     speed_mm_s = 180            # Cruising speed, 5 to 1000; default: 150.
 //
 //     [[gesture]]
 //     tool = "sketch"
-//     words = "laterals=3 branch" # Of any tool, as they follow it in a recording.
+//     words = "laterals=3 branch" # Arguments of any tool, as in a recording.
 //     path = "s_curve"
 //     ...
 //
 //     [[gesture]]
 //     tool = "hide_plant"
-//     words = "now"               # Done at once, without a path.
+//     words = "now"               # The tool acts at once, without a path.
 //
-//     path        keys (see path.h; those in brackets are 0 if left out)
+//     path        keys (see path.h; those in brackets default to 0)
 //
 //     line        from_mm, to_mm
 //
 //     arc         center_mm, radius_mm, sweep_deg, [start_deg], [rise_mm]
 //
 //     helix       foot_mm, radius_mm, turns, [rise_mm], [start_deg],
-//                 end_radius_mm (as radius_mm if left out)
+//                 end_radius_mm (default: radius_mm)
 //
 //     s_curve     from_mm, to_mm, swing_mm
 //
@@ -69,45 +69,46 @@ namespace tractus::sim {
 //
 //     polyline    points_mm
 
-// Goes over a branch of the plant on the screen; what its rank counts is the tracer's affair.
+// Traces a branch of the plant on the screen; AxisTracer interprets the rank.
 struct AxisTrace {
     std::size_t rank = 0;
     double height_mm = 50;
 };
 
-// Draws nothing: the tool is done at once.
+// For tools that act at once, without a path.
 struct AtOnce { };
 
 struct Gesture {
-    std::string tool {};  // As in a recording; who knows the tools checks it.
-    std::string words {}; // What follows it there.
-    // An AxisTrace for "select" alone. Shapes are drawable.
+    // Word of the tool in recordings; checked by the caller, who knows the tools.
+    std::string tool {};
+    std::string words {}; // Arguments that follow the tool's word in recordings.
+    // Path of the pen; AxisTrace only for the tool "select". Shapes are drawable.
     std::variant<PathShape, AxisTrace, AtOnce> path {};
     double speed_mm_s = 150;
-    std::string place {}; // "FILE:LINE: gesture[1]", for errors.
+    std::string place {}; // Position in the script, "FILE:LINE: gesture[1]", for errors.
 };
 
 struct GestureScript {
     std::uint64_t seed = 1;
-    // Older: the recording has the tools' words as they stand here. Newest: also those that make
-    // them the tools that a person takes in hand now.
+    // Meaning of the tools' words. Older: they are written to the recording as they are, with the
+    // meaning that they have in old logs. Newest: the words that select the current tools are
+    // added.
     enum class Tools { Newest, Older } tools = Tools::Newest;
     double coil_height_mm = 0;
     std::optional<Vec2> lean_deg {};
     Vec2 leaned_around_deg = Vec2::Zero();
-    std::vector<Gesture> gestures; // At least one.
+    std::vector<Gesture> gestures; // At least one gesture.
 };
 
-// Fails as the user's fault, naming `file`, the line and the key.
+// Parses a script. Fails, as the user's fault, naming `file`, the line and the key.
 Result<GestureScript> parse_gesture_script(std::string_view text, std::string const& file);
 
-// The branch of a rank as the user sees it: points in the tablet frame, millimetres.
+// Returns the branch with a rank as the user sees it: points in the tablet frame, in millimetres.
 using AxisTracer = std::function<Result<std::vector<Vec2>>(std::size_t rank)>;
 
-// Returns what the hand draws: one stroke per gesture that has a path, in order, for a Hand and
-// simulate_rig().
-// `tracer` is asked for the branches. Fails, as the user's fault, if a gesture is out of the rig's
-// reach, and with the tracer's error; both name the gesture's place.
+// Converts a script into strokes for a Hand and simulate_rig(): one for each gesture with a path,
+// in order. `tracer` provides the branches. Fails, as the user's fault, if a gesture is outside the
+// rig's reach, and with the tracer's error; both name the gesture's position.
 Result<std::vector<HandStroke>> strokes_of(GestureScript const& script, RigGeometry const& geometry,
                                            AxisTracer const& tracer);
 

@@ -11,10 +11,10 @@
 namespace tractus::sim {
 
 static constexpr double kMoveSpeed_mm_s = 250;
-// Pause at the start and at the end.
+// Pause out of range at the beginning and at the end.
 static constexpr Duration kAbsence = std::chrono::milliseconds(200);
 
-// Limits of the way to the next stroke: the pen is lifted high for all but the first and last
+// For longer moves to the next stroke, the pen is lifted high except for the first and last
 // moments.
 static constexpr double kLongMove_s = 0.4;
 static constexpr double kLowMoment_s = 0.1;
@@ -27,11 +27,13 @@ SpeedProfile::SpeedProfile(double length_mm, double cruise_mm_s)
     , cruise_mm_s_(cruise_mm_s)
 {
     CHECK(length_mm > 0 && cruise_mm_s > 0);
-    double const ramps_mm = cruise_mm_s * kRamp_s; // Covered while speeding up and slowing down.
+    // Distance covered while accelerating and decelerating.
+    double const ramps_mm = cruise_mm_s * kRamp_s;
     if (cruises())
         duration_s_ = 2 * kRamp_s + (length_mm - ramps_mm) / cruise_mm_s;
-    else // The quintic's peak is 15/8 of its mean speed; equal jerk makes time grow as the cube
-         // root.
+    // The quintic's peak is 15/8 of its mean speed; with equal jerk, the time grows as the cube
+    // root of the distance.
+    else
         duration_s_ = 15.0 / 8 * kRamp_s * std::cbrt(length_mm / ramps_mm);
 }
 
@@ -42,7 +44,7 @@ double SpeedProfile::distance_mm(double seconds) const
         double const u = t / duration_s_;
         return length_mm_ * u * u * u * (10 + u * (6 * u - 15));
     }
-    // The integral of the ramp's speed below.
+    // Integral of the speed during acceleration, see speed_mm_s().
     auto const ramp_mm = [&](double u) { return cruise_mm_s_ * kRamp_s * u * u * u * (1 - u / 2); };
     if (t < kRamp_s)
         return ramp_mm(t / kRamp_s);
@@ -58,8 +60,7 @@ double SpeedProfile::speed_mm_s(double seconds) const
         double const u = t / duration_s_;
         return 30 * length_mm_ / duration_s_ * u * u * (1 - u) * (1 - u);
     }
-    // Changes from one speed to another with the least jerk: the cubic without acceleration at its
-    // ends.
+    // Changes speed with minimum jerk: the cubic with zero acceleration at its ends.
     double const u = std::min({ 1.0, t / kRamp_s, (duration_s_ - t) / kRamp_s });
     return cruise_mm_s_ * u * u * (3 - 2 * u);
 }
@@ -98,7 +99,7 @@ void Hand::go(Doing doing, Path path, double cruise_mm_s, std::size_t stroke)
     end_ += from_seconds(profile.duration_s());
 }
 
-// Comes from where the stroke before ended, hovers, draws, hovers.
+// Adds the parts of a stroke: moves from the end of the previous stroke, hovers, draws, hovers.
 void Hand::draw(std::size_t stroke)
 {
     auto const& path = strokes_[stroke].path;
@@ -120,7 +121,7 @@ void Hand::draw(std::size_t stroke)
     stroke_times_.push_back(times);
 }
 
-// The greatest speed up to `speed_mm_s` with which no piece of the path breaks a limit.
+// Returns the greatest speed, up to `speed_mm_s`, at which no segment of the path exceeds a limit.
 double Hand::cruise_mm_s(Path const& path, double speed_mm_s) const
 {
     double limit = speed_mm_s;
@@ -136,7 +137,8 @@ double Hand::cruise_mm_s(Path const& path, double speed_mm_s) const
     return limit;
 }
 
-// Sines of equal strength at frequencies drawn from the band of a hand's postural tremor.
+// Makes the tremor: sines of equal amplitude with random frequencies in the band of postural hand
+// tremor.
 void Hand::make_tremor()
 {
     Random random({ .seed = options_.seed, .stream = kTremorStream });
@@ -162,7 +164,7 @@ void Hand::add_tremor(HandState& state, double seconds) const
     }
 }
 
-// Presses harder and softer once in a while, and lightly at both ends.
+// Varies the pressure slowly, and lets it rise and fall smoothly at both ends.
 void Hand::press(HandState& state, Part const& part, double seconds) const
 {
     double const to_end_s = std::min(seconds, part.duration_s - seconds);
@@ -200,7 +202,8 @@ HandState Hand::at(Timestamp time) const
         press(state, part, seconds);
     double const sway = 0.05 * std::sin(2 * kPi * 0.3 * to_seconds(now));
     state.tilt_rad = options_.tilt_rad + Vec2(sway, -sway);
-    if (!options_.leaned_around_rad.isZero(0)) // Turns that keep no step with each other.
+    // The frequencies along the two axes are incommensurate.
+    if (!options_.leaned_around_rad.isZero(0))
         state.tilt_rad += options_.leaned_around_rad.cwiseProduct(
             Vec2(std::sin(2 * kPi * 0.23 * to_seconds(now)),
                  std::sin(2 * kPi * 0.17 * to_seconds(now))));

@@ -13,10 +13,10 @@
 
 namespace tractus::sim {
 
-// How a point moves along a path: from rest to rest, with as little jerk as can be, as arms do
-// (T. Flash, N. Hogan, "The coordination of arm movements", J. Neurosci. 5, 1985). On a long way it
-// speeds up within kRamp_s, goes on at the cruising speed and slows down again; on a way too short
-// for that it takes the quintic of the paper, the more slowly the shorter the way is.
+// Motion of a point along a path, from rest to rest with minimum jerk, as arms move (T. Flash, N.
+// Hogan, "The coordination of arm movements", J. Neurosci. 5, 1985). On a long path it accelerates
+// within kRamp_s, continues at the cruising speed and decelerates; on a shorter path it follows the
+// paper's quintic, the more slowly the shorter the path is.
 class SpeedProfile {
 public:
     static constexpr double kRamp_s = 0.25;
@@ -26,7 +26,7 @@ public:
 
     double duration_s() const { return duration_s_; }
 
-    // The way covered at `seconds` after the start, and the speed then.
+    // Distance covered at `seconds` after the start, and the speed at that time.
     double distance_mm(double seconds) const;
     double speed_mm_s(double seconds) const;
 
@@ -38,73 +38,76 @@ private:
     double duration_s_ = 0;
 };
 
-// One line that the hand draws, pen down to pen up.
+// A line that the hand draws, from pen-down to pen-up.
 struct HandStroke {
     Path path;
-    double speed_mm_s = 150; // Cruising along the path, unless a limit of HandOptions is lower.
-    double pressure = 0.6;   // Pressure in the stroke's middle, 0 to 1.
-    bool eraser = false;     // Drawn with the pen's other end.
+    // Cruising speed along the path, unless a limit in HandOptions is lower.
+    double speed_mm_s = 150;
+    double pressure = 0.6; // Pressure in the middle of the stroke, 0 to 1.
+    bool eraser = false;   // Drawn with the eraser end.
 };
 
 struct HandOptions {
     std::uint64_t seed = 1; // Seed of the tremor.
 
-    // Limits for the pen over the tablet and for the carriage.
+    // Speed limits of the pen over the tablet and of the carriage.
     double max_plane_speed_mm_s = 300;
     double max_height_speed_mm_s = 200;
 
-    // Standard deviation along x and along y, and of the carriage, which is heavy; 4 to 12 Hz.
+    // Standard deviations of the tremor along x and y, and of the heavy carriage; 4 to 12 Hz.
     double plane_tremor_mm = 0.15;
     double height_tremor_mm = 0.05;
 
-    // Hovering at rest before pen-down and after pen-up.
+    // Time of hovering at rest before pen-down and after pen-up.
     Duration pause = std::chrono::milliseconds(120);
 
-    // How the pen is held: towards +x (right-handed) and the user.
+    // Tilt of the pen towards +x (right-handed) and towards the user.
     Vec2 tilt_rad = Vec2(0.5, -0.35);
-    // Leaned slowly all around that, so far to either side along x and along y.
+    // Amplitude of a slow variation of the tilt along x and y.
     Vec2 leaned_around_rad = Vec2::Zero();
 };
 
-// Pen and carriage at one instant. World frame.
+// State of pen and carriage at one instant. World frame.
 struct HandState {
-    // The tip, tremor included; z is the carriage's height over its zero.
+    // Position of the tip including tremor; z is the carriage's height above its zero.
     Vec3 position_mm = Vec3::Zero();
     Vec3 velocity_mm_s = Vec3::Zero();
     bool in_range = false;
     bool touching = false;
     bool eraser = false;
-    double pressure = 0;          // 0 to 1; 0 unless touching.
-    Vec2 tilt_rad = Vec2::Zero(); // Towards +x and +y from upright.
+    double pressure = 0;          // Pressure from 0 to 1; 0 unless touching.
+    Vec2 tilt_rad = Vec2::Zero(); // Tilt from upright towards +x and +y.
 };
 
-// A hand that draws strokes one after another and hovers from each to the next, in straight lines
-// and out of the tablet's range on longer ways; its other hand moves the carriage. Everything about
-// it is a function of time. Starts at time 0 out of range above the first stroke's start, and ends
-// out of range above the last one's end.
+// A hand that draws strokes one after another and hovers from each to the next, in straight lines,
+// and out of the tablet's range on longer moves; the other hand moves the carriage. Its whole state
+// is a function of time. It starts at time 0 out of range above the start of the first stroke, and
+// ends out of range above the end of the last one.
 class Hand {
 public:
-    Hand(std::vector<HandStroke> strokes, HandOptions const& options); // At least one stroke.
+    // Requires at least one stroke.
+    Hand(std::vector<HandStroke> strokes, HandOptions const& options);
 
-    // When everything is over.
+    // Time at which everything is finished.
     Timestamp end() const { return end_; }
 
-    // The state at `time`; before the start and after the end, as it is then.
+    // Returns the state at `time`, clamped to the start and the end.
     HandState at(Timestamp time) const;
 
     struct StrokeTimes {
-        Timestamp chosen {}; // Time between the stroke before and this one: when to change tools.
+        // Time between the previous stroke and this one at which to change tools.
+        Timestamp chosen {};
         Timestamp down {};
         Timestamp up {};
     };
 
-    // One per stroke, in order.
+    // Times of the strokes, in order.
     std::span<StrokeTimes const> strokes() const { return stroke_times_; }
 
 private:
     enum class Doing {
-        Absent, // Rests out of range.
-        Hover,  // Rests in range.
+        Absent, // Resting out of range.
+        Hover,  // Resting in range.
         Move,
         Draw,
     };
@@ -113,13 +116,13 @@ private:
         Doing doing = Doing::Absent;
         Timestamp start {};
         double duration_s = 0;
-        Vec3 rest_mm = Vec3::Zero(); // Where the hand is, unless it goes along a path.
+        Vec3 rest_mm = Vec3::Zero(); // Position of the hand while it rests.
         std::optional<Path> path {};
         SpeedProfile profile {};
-        std::size_t stroke = 0; // The one it draws or comes to.
+        std::size_t stroke = 0; // Index of the stroke that it draws or moves to.
     };
 
-    // One sine of an axis's tremor.
+    // One sine component of an axis's tremor.
     struct Wave {
         double amplitude_mm = 0;
         double rad_per_s = 0;

@@ -24,7 +24,8 @@ Result<HeightCurve> HeightCurve::read(drivers::Log const& log)
         std::vector<drivers::HeightSample> samples;
         drivers::LogCursor cursor(log);
         while (auto const* const report = TRY(cursor.next()))
-            if (report->device == device) // Broken parts of a report are not in the curve.
+            // Parts of a report that could not be decoded are not in the curve.
+            if (report->device == device)
                 static_cast<void>((*decoder)->decode(report->time, report->bytes, samples));
         std::vector<Point> points;
         for (auto const& sample : samples)

@@ -9,30 +9,30 @@
 
 namespace tractus::sim {
 
-// Something that goes wrong with the height sensor while a hand draws: the truth beside the bytes.
+// A fault of the height sensor while a hand draws; the truth stays unaffected.
 struct SimulatedHeightFault {
     calib::HeightFaultKind kind = calib::HeightFaultKind::Silence;
     Timestamp begin {};
-    Timestamp end {}; // It is well again from here on.
+    Timestamp end {}; // Time at which the sensor works again.
 
-    // Rail: what it reads. Jump or stop: how much more than the truth it reads, as after a string's
-    // slip. Of no meaning for the others.
+    // For Rail, the reading. For Jump or Stop, the offset added to the true reading, as after a
+    // slip of the string. Unused for other kinds.
     std::int32_t counts = 0;
 };
 
-// Turns the readings of a healthy sensor into those of one with faults. Readings come in time
+// Converts the readings of a healthy sensor into those of one with faults. Readings come in time
 // order.
 class HeightFaults {
 public:
     explicit HeightFaults(std::vector<SimulatedHeightFault> faults);
 
-    // Returns what the sensor reads at `now` in place of `counts`; no value if it is silent. Jumps
-    // are clamped to 0 to `full_scale`. Where faults overlap, the earlier in the list counts.
+    // Returns the reading at `now` in place of `counts`; no value if the sensor is silent. Jumps
+    // are clamped to 0 to `full_scale`. If faults overlap, the earlier one in the list applies.
     std::optional<std::int32_t> apply(Timestamp now, std::int32_t counts, std::int32_t full_scale);
 
 private:
     std::vector<SimulatedHeightFault> faults_;
-    std::optional<std::int32_t> last_ {}; // The last reading, where a string may be stuck.
+    std::optional<std::int32_t> last_ {}; // The last reading, which a stuck sensor repeats.
 };
 
 } // namespace tractus::sim

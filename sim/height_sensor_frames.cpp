@@ -14,7 +14,8 @@ namespace {
 using Bytes = std::vector<std::byte>;
 
 constexpr std::uint16_t kVendorId = 0x1209;
-constexpr std::uint16_t kProductId = 0x0002; // pid.codes: for tests, see the protocol.
+// A product id of pid.codes for tests; see the protocol.
+constexpr std::uint16_t kProductId = 0x0002;
 constexpr std::uint8_t kInterfaceString = 4;
 constexpr std::uint8_t kMicrosoftRequest = 0x20;
 constexpr std::uint16_t kMicrosoftDescriptorIndex = 7;
@@ -40,7 +41,7 @@ void put_u32(Bytes& bytes, std::uint32_t value)
     put_u16(bytes, value >> 16);
 }
 
-// UTF-16 of ASCII, zeros at its end.
+// Appends ASCII as UTF-16, followed by zeros.
 void put_wide(Bytes& bytes, std::string_view text, std::size_t zeros)
 {
     for (char const letter : text)
@@ -49,7 +50,8 @@ void put_wide(Bytes& bytes, std::string_view text, std::size_t zeros)
         put_u16(bytes, 0);
 }
 
-void put_windows_version(Bytes& bytes) // 8.1, the first that reads these descriptors.
+// Windows 8.1, the first version that reads these descriptors.
+void put_windows_version(Bytes& bytes)
 {
     put_u32(bytes, 0x0603'0000);
 }
@@ -99,13 +101,13 @@ HeightSensorModel::HeightSensorModel(Options const& options)
 std::vector<std::byte> HeightSensorModel::device_descriptor() const
 {
     Bytes bytes;
-    put(bytes, { 18, 1 });       // Device
-    put_u16(bytes, 0x0210);      // USB 2.1: it has a BOS descriptor.
-    put(bytes, { 0, 0, 0, 64 }); // Class by interface; endpoint 0 takes 64 bytes.
+    put(bytes, { 18, 1 });       // Device descriptor.
+    put_u16(bytes, 0x0210);      // USB 2.1, since the device has a BOS descriptor.
+    put(bytes, { 0, 0, 0, 64 }); // Class defined by the interface; endpoint 0 has 64-byte packets.
     put_u16(bytes, kVendorId);
     put_u16(bytes, kProductId);
-    put_u16(bytes, 0x0100);     // Version of the device
-    put(bytes, { 1, 2, 3, 1 }); // Strings; one configuration.
+    put_u16(bytes, 0x0100);     // Version of the device.
+    put(bytes, { 1, 2, 3, 1 }); // String indices; one configuration.
     return bytes;
 }
 
@@ -113,9 +115,9 @@ std::vector<std::byte> HeightSensorModel::configuration_descriptor(UsbSpeed spee
 {
     auto const interface = interface_descriptors(speed, kInterfaceString);
     Bytes bytes;
-    put(bytes, { 9, 2 }); // Configuration
+    put(bytes, { 9, 2 }); // Configuration descriptor.
     put_u16(bytes, 9 + interface.size());
-    put(bytes, { 1, 1, 0, 0x80, 50 }); // One interface; fed by the bus, 100 mA.
+    put(bytes, { 1, 1, 0, 0x80, 50 }); // One interface; bus-powered, 100 mA.
     bytes.insert(bytes.end(), interface.begin(), interface.end());
     return bytes;
 }
@@ -126,8 +128,8 @@ std::vector<std::byte> HeightSensorModel::interface_descriptors(UsbSpeed speed,
     Bytes bytes;
     put(bytes,
         { 9, 4, 0, 0, 1, drivers::kHeightSensorClass, drivers::kHeightSensorSubclass,
-          drivers::kHeightSensorProtocol, string }); // Interface 0 with one endpoint
-    put(bytes, { 7, 5, 0x81, 2 });                   // Endpoint 1, in, bulk
+          drivers::kHeightSensorProtocol, string }); // Interface 0 with one endpoint.
+    put(bytes, { 7, 5, 0x81, 2 });                   // Endpoint 1, IN, bulk.
     put_u16(bytes, speed == UsbSpeed::High ? 512 : 64);
     put(bytes, { 0 });
     return bytes;
@@ -137,16 +139,16 @@ std::vector<std::byte> HeightSensorModel::microsoft_os_descriptors() const
 {
     constexpr std::string_view kProperty = "DeviceInterfaceGUIDs";
     Bytes bytes;
-    put_u16(bytes, 10); // The set's header
+    put_u16(bytes, 10); // Header of the descriptor set.
     put_u16(bytes, 0);
     put_windows_version(bytes);
     put_u16(bytes, 162);
-    put_u16(bytes, 20); // Compatible with Windows' own driver for such devices
+    put_u16(bytes, 20); // Compatible with Windows' WinUSB driver.
     put_u16(bytes, 3);
     for (char const letter : std::string_view("WINUSB"))
         put(bytes, { static_cast<unsigned char>(letter) });
     bytes.resize(bytes.size() + 10);
-    put_u16(bytes, 132); // The name by which programs there find the interface
+    put_u16(bytes, 132); // Interface GUID by which programs find the interface.
     put_u16(bytes, 4);
     put_u16(bytes, 7);
     put_u16(bytes, 2 * (kProperty.size() + 1));
@@ -160,7 +162,7 @@ std::vector<std::byte> HeightSensorModel::bos_descriptor() const
 {
     Bytes bytes;
     put(bytes, { 5, 15, 33, 0, 1 }); // Binary object store with one capability:
-    put(bytes, { 28, 16, 5, 0 });    // of a platform, which is {D8DD60DF-4589-4CC7-9CD2-…}
+    put(bytes, { 28, 16, 5, 0 });    // a platform capability, {D8DD60DF-4589-4CC7-9CD2-…}.
     put(bytes, { 0xDF, 0x60, 0xDD, 0xD8, 0x89, 0x45, 0xC7, 0x4C });
     put(bytes, { 0x9C, 0xD2, 0x65, 0x9D, 0x9E, 0x64, 0x8A, 0x9F });
     put_windows_version(bytes);
@@ -205,13 +207,14 @@ std::optional<std::vector<std::byte>> HeightSensorModel::answer(UsbSetup const& 
         return std::nullopt;
     } else if (setup.request
                == static_cast<std::uint8_t>(drivers::HeightSensorRequest::GetIdentity)) {
-        put(bytes, { 1, 0 });   // Protocol 1.0
-        put_u16(bytes, 0x0100); // Firmware 1.00
+        put(bytes, { 1, 0 });   // Protocol 1.0.
+        put_u16(bytes, 0x0100); // Firmware 1.00.
         put_u16(bytes, options_.full_scale);
-        put(bytes, { 12, 1 }); // Bits of the converter; conversions per reading
+        put(bytes, { 12, 1 }); // Bits of the converter; conversions per reading.
         put_u16(bytes, kShortestPeriodUs);
         put_u16(bytes, kLongestPeriodUs);
-        put(bytes, { 0x03, drivers::kMaxHeightFrameSamples }); // References; readings per frame
+        // Supported references; maximum readings per frame.
+        put(bytes, { 0x03, drivers::kMaxHeightFrameSamples });
         put_u16(bytes, 0);
         put_u32(bytes, now_us);
     } else if (setup.request == static_cast<std::uint8_t>(drivers::HeightSensorRequest::GetRate)) {

@@ -13,11 +13,11 @@
 
 namespace tractus::sim {
 
-// The station's own height sensor as USB shows it (firmware-notes/height-sensor-protocol.md): its
-// descriptors, its answers to control requests and its frames. Knows no clock and no USB; a gadget
-// gives it the one and puts it behind the other.
+// The station's own height sensor as seen over USB (firmware-notes/height-sensor-protocol.md): its
+// descriptors, its answers to control requests and its frames. It contains neither a clock nor USB
+// transport; a gadget provides both.
 
-// A frame as bytes, its CRC last. At least one reading, at most kMaxHeightFrameSamples.
+// Encodes a frame as bytes with its CRC. It must have 1 to kMaxHeightFrameSamples readings.
 std::vector<std::byte> encode_height_frame(drivers::HeightFrame const& frame);
 
 enum class UsbSpeed { Full, High };
@@ -34,37 +34,38 @@ public:
     HeightSensorModel();
     explicit HeightSensorModel(Options const& options);
 
-    // Standard descriptors, whole. An interface's strings have the numbers of strings().
+    // Complete standard descriptors. String indices in them refer to strings().
     std::vector<std::byte> device_descriptor() const;
     std::vector<std::byte> configuration_descriptor(UsbSpeed) const;
     std::vector<std::byte> bos_descriptor() const;
     std::vector<std::byte> microsoft_os_descriptors() const;
-    std::vector<std::string> strings() const; // Strings from number 1 on.
+    std::vector<std::string> strings() const; // Strings, beginning with index 1.
 
-    // Returns what stands behind the configuration's header: the interface and its endpoint, which
-    // is all that FunctionFS wants. `string` is the number of the interface's text.
+    // Returns the descriptors behind the configuration's header, which FunctionFS needs: the
+    // interface and its endpoint. `string` is the index of the interface's string.
     std::vector<std::byte> interface_descriptors(UsbSpeed, std::uint8_t string) const;
     std::string interface_string() const;
 
-    // Returns what the station knows of the sensor once it has opened it.
+    // Returns what the station knows of the sensor after opening it.
     drivers::DeviceInfo info() const;
 
-    // The data of the answer, at most `setup.length` bytes; no value for a request that stalls.
+    // Returns the reply data, at most `setup.length` bytes; no value for a request that stalls.
     // `now_us` is the sensor's clock.
     std::optional<std::vector<std::byte>> answer(UsbSetup const& setup, std::uint32_t now_us) const;
 
-    // A request with data to the sensor, or none. False: it stalls, and changes nothing.
+    // Handles a request to the sensor, with or without data. Returns false if it stalls, without
+    // any change.
     bool accept(UsbSetup const& setup, std::span<std::byte const> data);
 
     bool is_streaming() const { return is_streaming_; }
     std::uint16_t period_us() const { return period_us_; }
     drivers::HeightReference reference() const { return reference_; }
 
-    // A reading at `device_us` of the sensor's clock. The frame that it fills, if it fills one and
-    // streaming is on. Readings are taken every period_us().
+    // Adds a reading taken at `device_us` of the sensor's clock, once every period_us(). Returns
+    // the frame that it completes, if streaming is on.
     std::optional<std::vector<std::byte>> push(std::uint32_t device_us, std::uint16_t counts);
 
-    // The host did not fetch frames in time: so many were lost in the sensor.
+    // Simulates frames lost in the sensor because the host did not fetch them in time.
     void lose_frames(std::uint16_t count);
 
 private:
@@ -73,7 +74,7 @@ private:
     std::uint8_t samples_per_frame_;
     drivers::HeightReference reference_ = drivers::HeightReference::Supply;
     bool is_streaming_ = false;
-    drivers::HeightFrame frame_ {}; // The one being filled.
+    drivers::HeightFrame frame_ {}; // Frame being filled.
 };
 
 } // namespace tractus::sim

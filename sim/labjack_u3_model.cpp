@@ -10,7 +10,7 @@ namespace tractus::sim {
 
 namespace {
 
-constexpr std::uint8_t kAnalogInput = 1; // IOType of Feedback.
+constexpr std::uint8_t kAnalogInput = 1; // IOType of an analogue input in the Feedback command.
 constexpr std::uint8_t kInvalidPin = 96;
 constexpr std::uint8_t kPinIsDigital = 98;
 constexpr std::uint8_t kIoTypeNotValid = 101;
@@ -24,7 +24,7 @@ void put_u16(Bytes& bytes, std::size_t at, std::uint32_t value)
     bytes[at + 1] = static_cast<std::byte>(value >> 8 & 0xFF);
 }
 
-// Signed, 32 bits before the point and 32 behind it.
+// Writes a signed fixed-point number with 32 bits before the point and 32 after it.
 void put_fixed(Bytes& bytes, std::size_t at, double value)
 {
     auto const fixed = static_cast<std::uint64_t>(std::llround(value * 4294967296.0));
@@ -70,7 +70,7 @@ std::vector<std::byte> LabJackU3Model::answer(std::span<std::byte const> command
     return { std::byte { 0xB8 }, std::byte { 0xB8 } };
 }
 
-// Error, which part has it, echo, the reading.
+// Reply: error code, its position, echo, reading.
 std::vector<std::byte> LabJackU3Model::answer_feedback(std::span<std::byte const> data) const
 {
     Bytes reply(6);
@@ -113,8 +113,8 @@ std::vector<std::byte> LabJackU3Model::answer_config_io(std::span<std::byte cons
 std::vector<std::byte> LabJackU3Model::answer_config_u3() const
 {
     Bytes reply(32);
-    put_u16(reply, 3, 0x012E); // Firmware 1.46
-    put_u16(reply, 7, 0x011E); // Hardware 1.30
+    put_u16(reply, 3, 0x012E); // Firmware 1.46.
+    put_u16(reply, 7, 0x011E); // Hardware 1.30.
     put_u16(reply, 9, options_.serial_number & 0xFFFF);
     put_u16(reply, 11, options_.serial_number >> 16);
     put_u16(reply, 13, 3);
@@ -123,8 +123,8 @@ std::vector<std::byte> LabJackU3Model::answer_config_u3() const
     return reply;
 }
 
-// Calibration: block 0 has the low-voltage inputs, blocks 3 and 4 the slopes and offsets of the
-// high-voltage ones.
+// Returns calibration blocks: block 0 has the low-voltage inputs, blocks 3 and 4 have the slopes
+// and offsets of the high-voltage inputs.
 std::vector<std::byte> LabJackU3Model::answer_read_memory(std::span<std::byte const> data) const
 {
     Bytes reply(34);

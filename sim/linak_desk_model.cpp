@@ -22,7 +22,7 @@ std::byte high_byte(std::int16_t value)
     return static_cast<std::byte>(static_cast<std::uint16_t>(value) >> 8);
 }
 
-// Four targets of 0x8001.
+// True if all four targets are 0x8001.
 bool is_stop(std::span<std::byte const> report)
 {
     if (report.size() < 9)

@@ -9,7 +9,7 @@ namespace tractus::sim {
 
 namespace {
 
-// Table 3-1 of the datasheet: the first byte of a command, repeated by its reply.
+// Commands (datasheet, table 3-1): the first byte, which the reply repeats.
 constexpr std::byte kStatus { 0x10 };
 constexpr std::byte kGetGpio { 0x51 };
 constexpr std::byte kSetSettings { 0x60 };
@@ -17,7 +17,8 @@ constexpr std::byte kGetSettings { 0x61 };
 
 constexpr std::byte kNotSupported { 0x01 };
 constexpr std::byte kChange { 0x80 };
-constexpr std::uint8_t kConverterFunction = 2; // Function of GP1 to GP3.
+// Pin function of GP1 to GP3: input of the converter.
+constexpr std::uint8_t kConverterFunction = 2;
 
 void put_u16(Mcp2221aModel::Packet& packet, std::size_t at, unsigned value)
 {
@@ -70,7 +71,7 @@ Mcp2221aModel::Packet Mcp2221aModel::answer(std::span<std::byte const> command)
 Mcp2221aModel::Packet Mcp2221aModel::answer_status() const
 {
     Packet reply {};
-    reply[46] = std::byte { 'A' }; // Revisions of hardware and firmware
+    reply[46] = std::byte { 'A' }; // Revisions of hardware and firmware.
     reply[47] = std::byte { '6' };
     reply[48] = std::byte { '1' };
     reply[49] = std::byte { '2' };
@@ -82,9 +83,9 @@ Mcp2221aModel::Packet Mcp2221aModel::answer_status() const
 Mcp2221aModel::Packet Mcp2221aModel::answer_settings() const
 {
     Packet reply {};
-    reply[2] = std::byte { 18 }; // Bytes of settings, and of the password
+    reply[2] = std::byte { 18 }; // Number of bytes of settings, and of the password.
     reply[3] = std::byte { 4 };
-    // Bits 4 and 3: which voltage; bit 2: it and not the supply.
+    // Bits 4 and 3 select the voltage; bit 2 selects it instead of the supply.
     reply[7] = static_cast<std::byte>((told_reference_ & 6) << 2 | (told_reference_ & 1) << 2);
     put_u16(reply, 8, 0x04D8);
     put_u16(reply, 10, 0x00DD);
@@ -103,7 +104,9 @@ void Mcp2221aModel::change_settings(std::span<std::byte const, kPacketBytes> com
     if (changes_pins) {
         for (std::size_t pin = 0; pin < pins_.size(); ++pin)
             pins_[pin] = at(8 + pin) & 0x1F;
-        reference_ = 0; // Section 1.8.1.1: back to the supply, though the settings do not tell.
+        // Section 1.8.1.1: the reference is reset to the supply, although the settings still show
+        // the old one.
+        reference_ = 0;
     }
     if (changes_reference)
         reference_ = told_reference_ = at(5) & 7;

@@ -9,7 +9,7 @@ namespace tractus::sim {
 
 namespace {
 
-constexpr unsigned kCommandEnd = 5; // The clock that takes the channel's last bit.
+constexpr unsigned kCommandEnd = 5; // Clock on which the last bit of the channel is read.
 constexpr unsigned kNullClock = 6;
 constexpr unsigned kSingleEnded = 8;
 
@@ -46,7 +46,7 @@ void Mcp3208Model::set_pins(Timestamp time, Pins const& pins)
         dout_.reset();
         return;
     }
-    if (before.cs) // Just selected: an edge of CLK at the same moment is none.
+    if (before.cs) // The chip has just been selected: a simultaneous edge of CLK does not count.
         return;
     if (!before.clk && seen.clk)
         rise(before.din);
@@ -77,14 +77,14 @@ void Mcp3208Model::fall()
     if (clock_ == kNullClock) {
         unsigned const channel = command_ & 7;
         held_ = std::clamp(inputs_(channel, now_), 0.0, 1.0);
-        if (!(command_ & kSingleEnded)) // The neighbour is the other input of the pair.
+        if (!(command_ & kSingleEnded)) // The second input of the pair is the channel's neighbour.
             held_ = std::max(0.0, held_ - std::clamp(inputs_(channel ^ 1, now_), 0.0, 1.0));
         held_since_ = now_;
         code_ = 0;
         dout_ = false;
         return;
     }
-    unsigned const place = clock_ - kNullClock; // 1 for the highest bit.
+    unsigned const place = clock_ - kNullClock; // 1 for the most significant bit.
     if (place <= options_.bits) {
         decide_next_bit();
         dout_ = code_ >> (options_.bits - place) & 1;
@@ -100,7 +100,7 @@ double Mcp3208Model::held_at(Timestamp time) const
     return held_ - options_.droop_per_second * to_seconds(time - held_since_);
 }
 
-// Successive approximation: would the capacitor, as it is now, bear one more bit?
+// Decides the next bit by successive approximation, from the present voltage of the hold capacitor.
 void Mcp3208Model::decide_next_bit()
 {
     unsigned const place = clock_ - kNullClock;

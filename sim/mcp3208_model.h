@@ -8,9 +8,9 @@
 
 namespace tractus::sim {
 
-// The MCP3008 (10 bits) and MCP3208 (12 bits) as seen at their pins: Microchip DS21295 and DS21298,
-// sections 5 and 6. Pins go in as they change, each with its time, and DOUT comes out; so whatever
-// bit-bangs the real chip can talk to this one, and does so at its own pace.
+// The converters MCP3008 (10 bits) and MCP3208 (12 bits) as seen at their pins (Microchip DS21295
+// and DS21298, sections 5 and 6). Input is every change of a pin with its time; output is DOUT.
+// Code that bit-bangs the real chip can therefore use this model at any speed.
 //
 // A conversion, in edges of CLK while CS is low:
 //
@@ -19,20 +19,21 @@ namespace tractus::sim {
 //   rising 3, 4, 5   the channel, D2 D1 D0; at the last of them it begins to sample
 //   falling 6        it stops sampling, and DOUT leaves high impedance for the null bit, 0
 //   falling 7 …      the reading, highest bit first
-//   … and then the same bits again from the second lowest up, then zeros
+//   …                the same bits again from the second lowest up, then zeros
 //
-// CS high ends it at any point and leaves DOUT open. The hold capacitor leaks from falling edge 6
-// on, and each bit is decided when its falling edge comes: too slow a clock (below some 10 kHz, by
-// the data sheets 1.2 ms) makes the reading droop. No clock, no randomness.
+// CS high ends the conversion at any point and leaves DOUT at high impedance. The hold capacitor
+// leaks from falling edge 6 on, and each bit is decided at its falling edge: too slow a clock
+// (below about 10 kHz; the data sheets allow 1.2 ms) makes the reading droop. No clock, no
+// randomness.
 class Mcp3208Model {
 public:
-    // A channel's voltage as a fraction of the reference: 0 to 1, clamped. What is wrong with the
-    // sensor (an open wiper, noise) is said here.
+    // Returns a channel's voltage as a fraction of the reference, clamped to 0 to 1. Sensor faults
+    // (an open wiper, noise) are simulated here.
     using Inputs = std::function<double(unsigned channel, Timestamp time)>;
 
     struct Options {
-        unsigned bits = 12; // 10 for an MCP3008.
-        // Droop of the reference: a count of 12 bits in a millisecond.
+        unsigned bits = 12; // Resolution; 10 for an MCP3008.
+        // Droop of the hold capacitor: one 12-bit count per millisecond.
         double droop_per_second = 0.25;
     };
 
@@ -41,26 +42,26 @@ public:
     struct Pins {
         bool clk = false;
         bool din = false;
-        bool cs = true; // High: not selected.
+        bool cs = true; // True if CS is high: the chip is not selected.
 
         bool operator==(Pins const&) const = default;
     };
 
-    // The pins are so from `time` on. Times must not go backwards. When several pins change at
-    // once, DIN is what it was before for an edge of CLK, as with a master of SPI mode 0.
+    // Sets the pins from `time` on. Times must not go back. If several pins change at once, an edge
+    // of CLK reads the previous DIN, as with a master in SPI mode 0.
     void set_pins(Timestamp time, Pins const& pins);
 
-    // Level of DOUT. No value: high impedance, and whatever pulls the wire decides.
+    // Returns the level of DOUT. No value: high impedance, so the level depends on what pulls the
+    // wire.
     std::optional<bool> dout() const;
 
-    // A wire that is broken. A broken CLK or DIN is taken to read low; a broken CS reads high,
-    // which is what the pull-up in firmware-notes/wiring.md is for; a broken DOUT is high
-    // impedance.
+    // A broken wire. A broken CLK or DIN reads low; a broken CS reads high, thanks to the pull-up
+    // in firmware-notes/wiring.md; a broken DOUT is high impedance.
     enum class Wire { Clk, Din, Dout, Cs };
     void break_wire(Wire wire);
     void mend_wire(Wire wire);
 
-    // How many conversions came to their last bit.
+    // Number of conversions that reached their last bit.
     std::uint64_t conversions() const { return conversions_; }
 
 private:
@@ -73,15 +74,15 @@ private:
 
     Inputs inputs_;
     Options options_;
-    unsigned broken_ = 0; // One bit per wire.
-    Pins pins_ {};        // Pins as the chip sees them.
+    unsigned broken_ = 0; // Broken wires, one bit each.
+    Pins pins_ {};        // Levels as the chip sees them.
     Timestamp now_ {};
 
-    unsigned clock_ = 0;   // Rising edges since the start bit, with it; 0 before.
-    unsigned command_ = 0; // The four bits after it.
-    double held_ = 0;      // Voltage on the capacitor when sampling stopped.
+    unsigned clock_ = 0;   // Rising edges since the start bit, including it; 0 before it.
+    unsigned command_ = 0; // The four bits after the start bit.
+    double held_ = 0;      // Voltage of the hold capacitor when sampling ended.
     Timestamp held_since_ {};
-    std::uint32_t code_ = 0; // The bits decided so far, in their places.
+    std::uint32_t code_ = 0; // Bits decided so far, in their positions.
     std::optional<bool> dout_ {};
     std::uint64_t conversions_ = 0;
 };

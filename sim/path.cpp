@@ -42,8 +42,8 @@ Vec3 Path::direction(double arc_mm) const
     return (points_mm_[i + 1] - points_mm_[i]).normalized();
 }
 
-// A curve over u from 0 to 1 in small steps. `bound_mm` is its length or somewhat more; no points
-// where it is too long to be drawn, or not a number.
+// Samples a curve over u from 0 to 1 in small steps. `bound_mm` is an upper bound of its length;
+// returns no points if it is too long to be drawn, or not a number.
 template<typename Curve> static std::vector<Vec3> sample(double bound_mm, Curve const& curve)
 {
     if (!(bound_mm <= 2 * kLongest_mm))
@@ -113,7 +113,7 @@ static std::vector<Vec3> points_of_any(PathShape const& shape)
 bool is_drawable(PathShape const& shape)
 {
     double const length_mm = polyline_length_mm(points_of_any(shape));
-    return length_mm > 0 && length_mm <= kLongest_mm; // False for NaN and infinity, too.
+    return length_mm > 0 && length_mm <= kLongest_mm; // This is also false for NaN and infinity.
 }
 
 Path make_path(PathShape const& shape)

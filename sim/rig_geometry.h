@@ -9,42 +9,42 @@
 
 namespace tractus::sim {
 
-// A rig as it stands there, in bodies and distances, as no calibration ever knows it. The string
-// runs aslant (height_model.h has the drawing), so that height is far from linear in counts.
+// The true geometry of a simulated rig, which no calibration knows exactly. The string runs at an
+// angle (see the drawing in height_model.h), so height is far from linear in counts.
 struct RigGeometry {
     Vec2 tablet_size_mm = Vec2(254, 159);
     // Rotation of the tablet on its carriage, counterclockwise from above.
     double rotation_deg = 0;
-    Vec2 travel_shear = Vec2::Zero(); // Drift to +x and +y per millimetre of rise.
-    double travel_mm = 400;           // The carriage goes from height 0 to here.
+    Vec2 travel_shear = Vec2::Zero(); // Drift towards +x and +y per millimetre of rise.
+    double travel_mm = 400;           // Greatest height of the carriage; the lowest is 0.
 
-    // How far above its nib the pen's coil is, over which the tablet says that the pen is.
+    // Height of the pen's coil above its nib; the tablet reports the position below the coil.
     double coil_height_mm = 0;
 
-    // Distance from the spool across to the way of the string's end.
+    // Horizontal distance from the spool to the path of the string's end.
     double string_offset_mm = 120;
-    double string_base_mm = 80; // Distance from the spool up to the string's end at height zero.
+    // Vertical distance from the spool to the string's end at height zero.
+    double string_base_mm = 80;
     double string_at_zero_counts_mm = 124;
     double string_per_count_mm = 0.1;
     std::int32_t full_scale_counts = 4095;
 };
 
-// Length of string out of the spool.
+// Returns the length of string drawn out of the spool.
 double string_length_mm(RigGeometry const& geometry, double height_mm);
 
-// Returns what an ideal converter would read: a real number, neither rounded nor clamped.
+// Returns the reading of an ideal converter: a real number, neither rounded nor clamped.
 double ideal_counts(RigGeometry const& geometry, double height_mm);
 
-// Returns what a perfect calibration of the rig would find; the latencies are the caller's to fill
-// in.
+// Returns the result of a perfect calibration; the caller fills in the latencies.
 calib::Rig true_rig(RigGeometry const& geometry);
 
-// Takes a place of the tip in the world to (x, y, height): where on the tablet it is, in the tablet
-// frame, and how high the carriage. The inverse of calib's T_world_tablet.
+// Returns the transform from the tip's world position to (x, y, height): its position in the tablet
+// frame, and the height of the carriage. The inverse of calib's T_world_tablet().
 Eigen::Affine3d T_tablet_world(RigGeometry const& geometry);
 
-// Fails, as the user's fault, with the first place that the rig cannot reach: off the tablet or
-// beyond the travel, a millimetre kept for the hand's tremor.
+// Fails, as the user's fault, with the first position outside the rig's reach: off the tablet or
+// beyond the travel, with a margin of 1 mm for the hand's tremor.
 Result<void> check_reach(RigGeometry const& geometry, Path const& path);
 
 } // namespace tractus::sim

@@ -22,7 +22,7 @@ Timestamp DeviceClock::next_instant()
 
 Timestamp DeviceClock::arrival(Timestamp instant)
 {
-    constexpr double kFarthest = 3; // Standard deviations.
+    constexpr double kFarthest = 3; // Limit in standard deviations.
     constexpr Duration kOnTheWire = std::chrono::microseconds(50);
     double const deviations = std::clamp(random_.normal(), -kFarthest, kFarthest);
     auto const arrival

@@ -10,24 +10,25 @@
 
 namespace tractus::sim {
 
-// Whether a line is high where the encoder is at this count: of a period of four counts, A is in
-// its second and third quarter, B in its third and fourth.
+// Returns whether a line is high when the encoder is at this count: in a period of four counts, A
+// is high in the second and third quarter, B in the third and fourth.
 bool is_encoder_line_high(drivers::QuadratureEdge::Line line, std::int64_t count);
 
-// A quadrature encoder's two lines as the kernel tells them: its edges, stamped and numbered, as
-// something moves it. Time passes only while somebody waits for edges, in steps of kStep: the
-// encoder must not move by more than a few counts in one.
+// The two lines of a moving quadrature encoder, as the kernel reports them: edges with times and
+// sequence numbers. Time advances only while the caller waits for edges, in steps of kStep; the
+// encoder must not move by more than a few counts in one step.
 class SimulatedEncoder final : public drivers::GpioEdges {
 public:
     static constexpr Duration kStep = std::chrono::microseconds(20);
 
-    // Where it is at a time, in counts, four to a period.
+    // Returns the position at a time, in counts, four to a period.
     using Position = std::function<double(Timestamp)>;
 
     struct Options {
-        std::set<std::uint32_t> lost {};            // Edges by their number that never arrive.
-        std::set<std::uint32_t> unnumbered {};      // Lost edges that nobody numbers either.
-        std::optional<std::uint32_t> gone_after {}; // Edge with which the chip goes away.
+        std::set<std::uint32_t> lost {}; // Numbers of edges that never arrive.
+        // Numbers of lost edges that leave no gap in the sequence numbers.
+        std::set<std::uint32_t> unnumbered {};
+        std::optional<std::uint32_t> gone_after {}; // Edge at which the chip disappears.
     };
 
     SimulatedEncoder(Position position, Options options);
@@ -45,7 +46,7 @@ private:
     Timestamp now_ {};
     std::int64_t count_;
     std::int64_t first_count_;
-    std::uint32_t edge_count_ = 0; // Before any is lost.
+    std::uint32_t edge_count_ = 0; // Number of edges, including lost ones.
     std::uint32_t number_ = 0;
 };
 

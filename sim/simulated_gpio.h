@@ -9,26 +9,28 @@
 
 namespace tractus::sim {
 
-// The four lines of an MCP3008 or MCP3208 with the converter behind them, and the time that passes
-// while somebody uses them: each request takes a while, and the scheduler may put a pause before
-// any. The lines' order is that of mcp3208_lines: CLK, DIN, DOUT, CS.
+// The four lines of an MCP3008 or MCP3208 connected to the converter model, with simulated time:
+// each request takes a while, and pauses by the scheduler can be inserted. The lines have the order
+// of mcp3208_lines: CLK, DIN, DOUT, CS.
 //
-// No clock and no threads: time is what the requests took and what was waited.
+// No clock and no threads: time advances only by requests and waiting.
 class SimulatedGpio final : public drivers::GpioLines {
 public:
     struct Options {
-        Duration request_time = std::chrono::microseconds(2); // A Raspberry Pi's.
-        bool dout_pull = false; // Level that DOUT reads where nobody drives it.
+        // Time of a request on a Raspberry Pi.
+        Duration request_time = std::chrono::microseconds(2);
+        bool dout_pull = false; // Level of DOUT while nothing drives it.
 
-        // Pauses, by the number of the request, from 0, before which they come.
+        // Pauses before requests, by the request's number from 0.
         std::map<std::uint64_t, Duration> pauses {};
 
-        // The request from which on the chip is gone: unplugged.
+        // Number of the request from which on the chip is unplugged.
         std::optional<std::uint64_t> gone_at {};
-        bool swallows_failing_sets = false; // As the kernel's driver of the CP2112 does.
+        // True: failed writes are not reported, as in the kernel's CP2112 driver.
+        bool swallows_failing_sets = false;
     };
 
-    // The model must outlive the lines.
+    // The model must outlive this object.
     SimulatedGpio(Mcp3208Model& model, Options options);
 
     Result<void> set(std::uint32_t values) override;
@@ -39,7 +41,7 @@ public:
     std::uint64_t requests() const { return requests_; }
 
 private:
-    // Takes the time of one request, and says whether the chip is still there.
+    // Advances the time by one request. Returns whether the chip is still there.
     bool begin_request();
 
     Mcp3208Model& model_;

@@ -28,29 +28,28 @@ std::vector<std::byte> report_descriptor(std::int32_t full_scale_counts)
         0x09,
         0x08,
         0xa1,
-        0x01, // Generic desktop: multi-axis controller:
-              // application
+        0x01, // Generic Desktop: multi-axis controller, application collection.
         0x85,
         kHeightReportId, //
         0x09,
-        0x36, // Slider
+        0x36, // Slider.
         0x15,
         0x00,
         0x27,
         low,
         high,
         0,
-        0, // from 0 to full scale
+        0, // Logical range from 0 to full scale.
         0x75,
         0x10,
         0x95,
         0x01,
         0x81,
-        0x02, // 16 bits of input
+        0x02, // Input of 16 bits.
         0x75,
         0x08,
         0x81,
-        0x03, // a spare byte
+        0x03, // A padding byte.
         0xc0,
     };
     std::vector<std::byte> bytes;
@@ -85,13 +84,14 @@ drivers::RawReport simulated_slider_report(std::int32_t counts, Timestamp receiv
 
 namespace {
 
-// Makes reports of readings.
+// Encodes readings as reports.
 class Encoder {
 public:
     virtual ~Encoder() = default;
     virtual drivers::DeviceInfo info() const = 0;
 
-    // The report that a reading at `instant` completes, if it does. No reading: the sensor fails.
+    // Adds a reading and returns the report that it completes, if any. No reading: the sensor
+    // fails.
     virtual std::optional<std::vector<std::byte>> encode(Timestamp instant,
                                                          std::optional<std::int32_t> counts)
         = 0;
@@ -142,18 +142,19 @@ public:
     std::optional<std::vector<std::byte>> encode(Timestamp instant,
                                                  std::optional<std::int32_t> counts) override
     {
-        constexpr std::uint32_t kFirstUs = 0xFFFF'FFFF - 2'000'000; // It wraps soon.
+        // Near the end of the range, so that the clock wraps soon.
+        constexpr std::uint32_t kFirstUs = 0xFFFF'FFFF - 2'000'000;
         auto const since_us = std::llround(to_seconds(instant) * 1e6 * clock_rate_);
         if (counts)
             return model_.push(kFirstUs + static_cast<std::uint32_t>(since_us),
                                static_cast<std::uint16_t>(*counts));
-        model_.lose_frames(0); // The unfinished one has a gap.
+        model_.lose_frames(0); // The unfinished frame has a gap, so it is dropped.
         return std::nullopt;
     }
 
 private:
     HeightSensorModel model_;
-    double clock_rate_; // Rate of the sensor's clock.
+    double clock_rate_; // Rate of the sensor's clock relative to true time.
 };
 
 std::unique_ptr<Encoder> make_encoder(std::int32_t full_scale_counts, HeightOptions const& options)
@@ -163,8 +164,8 @@ std::unique_ptr<Encoder> make_encoder(std::int32_t full_scale_counts, HeightOpti
     return std::make_unique<SliderEncoder>(full_scale_counts);
 }
 
-// Mean latency. For frames the decoder's clock decides, which sees the least latency and not the
-// mean.
+// Returns the mean latency. For frames it is determined by the decoder's clock map, which follows
+// the least latency instead of the mean.
 Duration mean_latency(SimulatedDevice const& device, std::vector<Timestamp> const& instants)
 {
     auto const decoder = drivers::make_height_decoder(device.info);
@@ -189,7 +190,7 @@ SimulatedHeight simulate_height(Hand const& hand, RigGeometry const& geometry,
     DeviceClock clock(options.timing, { .seed = options.seed, .stream = kHeightTimingStream });
     HeightFaults faults(options.faults);
     Random noise({ .seed = options.seed, .stream = kHeightNoiseStream });
-    // Times of the readings in reports; then of those for the next one.
+    // Times of readings in complete reports, followed by those for the next report.
     std::vector<Timestamp> instants;
     std::size_t sent = 0;
     for (auto now = clock.next_instant(); now < hand.end(); now = clock.next_instant()) {

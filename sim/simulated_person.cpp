@@ -40,7 +40,8 @@ std::vector<calib::HeightCapture> simulate_captures(RigGeometry const& geometry,
                                 .full_scale = geometry.full_scale_counts });
         }
         auto const capture = calib::capture_at_rest(samples, height.said_mm);
-        CHECK(capture); // A person who holds still, on a sensor that works.
+        // A simulated person who holds still, with a working sensor, always gets a capture.
+        CHECK(capture);
         captures.push_back(*capture);
     }
     calib::tell_directions(captures);

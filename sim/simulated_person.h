@@ -10,33 +10,33 @@
 
 namespace tractus::sim {
 
-// A person who calibrates: sets the carriage to heights with a ruler, none too exactly, and says
-// what the ruler shows.
+// A mistake of a person who calibrates: sets the carriage to heights with a ruler, with limited
+// accuracy, and states what the ruler shows.
 
 struct Slip {
     std::size_t capture = 0;
-    double wrong_by_mm = 20; // Error of what the person says, upwards.
+    double wrong_by_mm = 20; // Error of the stated height, upwards.
 };
 
 struct PersonOptions {
     std::uint64_t seed = 1;
     double ruler_error_mm = 0.3; // Standard deviation.
     std::optional<Slip> slip {};
-    double noise_counts = 1;    // Noise of the sensor, before rounding.
-    std::size_t readings = 500; // Per capture.
+    double noise_counts = 1;    // Noise of the sensor in counts, before rounding.
+    std::size_t readings = 500; // Readings per capture.
 };
 
-// A height that a person means to set, and the one really set.
+// A height that a person sets: the true one and the stated one.
 struct SetHeight {
-    double true_mm = 0; // Where the carriage is.
-    double said_mm = 0; // Height that the person says.
+    double true_mm = 0; // Height of the carriage.
+    double said_mm = 0; // Height stated by the person.
 };
 
-// The heights that a person sets who aims at `aimed_mm`.
+// Returns the heights set by a person who aims at `aimed_mm`.
 std::vector<SetHeight> set_heights(std::span<double const> aimed_mm, PersonOptions const& options);
 
-// The captures that come of them, from the sensor of a rig: noise and rounding included, without
-// the detour through reports.
+// Returns the captures at these heights from the sensor of a rig, including noise and rounding,
+// without simulating reports.
 std::vector<calib::HeightCapture> simulate_captures(RigGeometry const& geometry,
                                                     std::span<double const> aimed_mm,
                                                     PersonOptions const& options);

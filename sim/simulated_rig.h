@@ -14,23 +14,23 @@ namespace tractus::sim {
 
 struct SimulatedRigOptions {
     RigGeometry geometry {};
-    TabletOptions tablet {}; // Its seed and the height sensor's are the rig's.
+    TabletOptions tablet {}; // The seeds of tablet and height sensor are replaced by the rig's.
     HeightOptions height {};
     std::uint64_t seed = 1;
 };
 
-// Results of a hand's drawing on a rig: the bytes, and the truth beside them.
+// Result of a hand drawing on a rig: the reports and the truth.
 struct SimulatedRun {
     SimulatedDevice tablet {};
     SimulatedDevice height {};
-    calib::Rig rig {};             // Rig as a user's perfect calibration would have it.
-    std::vector<TrueTip> truth {}; // One per report of the tablet.
+    calib::Rig rig {};             // Rig as a perfect calibration would find it.
+    std::vector<TrueTip> truth {}; // One for each report of the tablet.
 
-    // Device 0 is the tablet, 1 the height sensor.
+    // Returns all reports in order of arrival. Device 0 is the tablet, 1 the height sensor.
     std::vector<ArrivedReport> in_order_of_arrival() const;
 };
 
-// A pure function: the same hand and options give the same bytes.
+// Simulates a rig. Equal hands and options give equal bytes.
 SimulatedRun simulate_rig(Hand const& hand, SimulatedRigOptions const& options);
 
 } // namespace tractus::sim

@@ -20,7 +20,7 @@ constexpr double kMaxTilt_deg = 90;
 constexpr std::uint8_t kPenReportId = 2;
 constexpr std::size_t kReportSize = 10;
 
-// PenReport::bits.
+// Flags of PenReport::bits.
 constexpr std::uint8_t kTip = 1 << 0;
 constexpr std::uint8_t kEraser = 1 << 3;
 constexpr std::uint8_t kInvert = 1 << 4;
@@ -42,8 +42,8 @@ void append(std::vector<std::byte>& bytes, std::initializer_list<int> values)
         bytes.push_back(static_cast<std::byte>(value));
 }
 
-// A main item's logical and physical maximum, both 4 bytes long, and 16 bits of input. The physical
-// unit is 0.01 mm, so both are the same.
+// Appends an axis: its usage, its logical and physical maximum in 4 bytes each, and 16 bits of
+// input. The physical unit is 0.01 mm, so both maxima are equal.
 void append_axis(std::vector<std::byte>& bytes, int usage, int counts)
 {
     int const low = counts & 0xff;
@@ -56,21 +56,24 @@ std::vector<std::byte> report_descriptor(Vec2 const& size_mm)
     Vec2 const counts = size_mm * kCountsPerMm;
     CHECK(counts.minCoeff() > 0 && counts.maxCoeff() <= 65535);
     std::vector<std::byte> bytes;
-    append(bytes, { 0x05, 0x0d, 0x09, 0x02, 0xa1, 0x01 }); // Digitizers: Pen: application
+    // Digitizers page, Pen, application collection.
+    append(bytes, { 0x05, 0x0d, 0x09, 0x02, 0xa1, 0x01 });
     append(bytes, { 0x85, kPenReportId });
-    append(bytes, { 0x09, 0x20, 0xa1, 0x00 });             // Stylus: physical
-    append(bytes, { 0x09, 0x42, 0x09, 0x44, 0x09, 0x5a }); // Tip, barrel, second barrel,
-    append(bytes, { 0x09, 0x45, 0x09, 0x3c, 0x09, 0x32 }); // eraser, invert, in range:
+    append(bytes, { 0x09, 0x20, 0xa1, 0x00 }); // Stylus, physical collection.
+    // Tip switch, barrel switch, second barrel switch,
+    append(bytes, { 0x09, 0x42, 0x09, 0x44, 0x09, 0x5a });
+    append(bytes, { 0x09, 0x45, 0x09, 0x3c, 0x09, 0x32 }); // eraser, invert, in range.
     append(bytes, { 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x06, 0x81, 0x02 });
-    append(bytes, { 0x95, 0x02, 0x81, 0x03 });              // 2 bits of padding
-    append(bytes, { 0x05, 0x01, 0x75, 0x10, 0x95, 0x01 });  // Generic desktop, 16 bits each
-    append(bytes, { 0x65, 0x11, 0x55, 0x0d, 0x35, 0x00 });  // Centimetres, 10^-3, from 0
-    append_axis(bytes, 0x30, static_cast<int>(counts.x())); // X
-    append_axis(bytes, 0x31, static_cast<int>(counts.y())); // Y
-    append(bytes, { 0x05, 0x0d, 0x65, 0x00, 0x55, 0x00, 0x45, 0x00 });       // Digitizers, no unit
-    append(bytes, { 0x09, 0x30, 0x26, 0xff, 0x1f, 0x75, 0x0d, 0x81, 0x02 }); // Tip pressure
-    append(bytes, { 0x75, 0x03, 0x81, 0x03 });                               // 3 bits of padding
-    append(bytes, { 0x09, 0x3d, 0x09, 0x3e }); // X tilt, Y tilt: -90 to 90 degrees
+    append(bytes, { 0x95, 0x02, 0x81, 0x03 });              // Padding of 2 bits.
+    append(bytes, { 0x05, 0x01, 0x75, 0x10, 0x95, 0x01 });  // Generic Desktop page, 16 bits each.
+    append(bytes, { 0x65, 0x11, 0x55, 0x0d, 0x35, 0x00 });  // Unit: centimetres, 10^-3, from 0.
+    append_axis(bytes, 0x30, static_cast<int>(counts.x())); // X axis.
+    append_axis(bytes, 0x31, static_cast<int>(counts.y())); // Y axis.
+    // Digitizers page, no unit.
+    append(bytes, { 0x05, 0x0d, 0x65, 0x00, 0x55, 0x00, 0x45, 0x00 });
+    append(bytes, { 0x09, 0x30, 0x26, 0xff, 0x1f, 0x75, 0x0d, 0x81, 0x02 }); // Tip pressure.
+    append(bytes, { 0x75, 0x03, 0x81, 0x03 });                               // Padding of 3 bits.
+    append(bytes, { 0x09, 0x3d, 0x09, 0x3e }); // X tilt and Y tilt, -90 to 90 degrees.
     append(bytes, { 0x15, 0xa6, 0x25, 0x5a, 0x35, 0xa6, 0x45, 0x5a, 0x65, 0x14 });
     append(bytes, { 0x75, 0x08, 0x95, 0x02, 0x81, 0x02 });
     append(bytes, { 0xc0, 0xc0 });

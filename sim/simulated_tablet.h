@@ -11,9 +11,9 @@
 
 namespace tractus::sim {
 
-// A pen tablet as the HID standard describes one, with a report descriptor of its own (HID 1.11
-// section 6.2.2; HID Usage Tables, page 0x0D): 100 counts per millimetre, 8,192 levels of pressure,
-// tilt in whole degrees. A report has ten bytes, least significant first:
+// A pen tablet with reports as in the HID standard, described by its own report descriptor
+// (HID 1.11, section 6.2.2; HID Usage Tables, page 0x0D): 100 counts per millimetre, 8,192 levels
+// of pressure, tilt in whole degrees. A report has ten bytes, least significant first:
 //
 //     0     report id, 2
 //     1     bit 0 tip, 1 barrel button, 2 second barrel button, 3 eraser, 4 invert, 5 in range
@@ -22,7 +22,7 @@ namespace tractus::sim {
 //     6, 7  pressure, 13 bits
 //     8, 9  tilt towards +x and towards the user, signed
 //
-// The eraser's end hovers with "invert" and touches with "invert" and "eraser".
+// The eraser end hovers with "invert", and touches with "invert" and "eraser".
 
 struct TabletOptions {
     std::uint64_t seed = 1;
@@ -31,10 +31,10 @@ struct TabletOptions {
         .latency = std::chrono::milliseconds(8),
         .jitter = std::chrono::microseconds(400),
     };
-    double tilt_noise_deg = 0; // Standard deviation, before rounding.
+    double tilt_noise_deg = 0; // Standard deviation in degrees, before rounding.
 };
 
-// Truth at the time when the tablet measured.
+// The true tip at the time of measurement.
 struct TrueTip {
     Timestamp time {};
     Vec3 position_mm = Vec3::Zero(); // World frame.
@@ -43,23 +43,22 @@ struct TrueTip {
 
 struct SimulatedTablet {
     SimulatedDevice device;
-    std::vector<TrueTip> truth; // One per report.
+    std::vector<TrueTip> truth; // One for each report.
 };
 
-// Simulates what the tablet of a rig sends while a hand draws on it. The place that it tells is the
-// one under the pen's coil. Out of range it sends one
-// report that says so, then nothing. A pen off the active area is out of range. No side of the
-// tablet may be longer than 655 mm.
+// Simulates the tablet of a rig while a hand draws on it. The reported position is that below the
+// pen's coil. When the pen goes out of range, one report says so, and then there are none. A pen
+// off the active area is out of range. No side of the tablet may be longer than 655 mm.
 SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
                                 TabletOptions const& options);
 
-// Simulates the device when somebody moves it who is no Hand: what it is, and what it sends in one
-// state of a pen. The pen's place is on the tablet's active area, in the tablet frame.
+// State of a pen for reports without a Hand; the functions below give the device's description and
+// its report for a state. The position is on the tablet's active area, in the tablet frame.
 struct TabletPen {
     Vec2 place_mm = Vec2::Zero();
     bool in_range = false;
     bool touching = false;
-    double pressure = 0; // 0 to 1.
+    double pressure = 0; // Pressure from 0 to 1.
 };
 drivers::DeviceInfo simulated_tablet_info(Vec2 const& size_mm);
 drivers::RawReport simulated_tablet_report(TabletPen const& pen, Vec2 const& size_mm,

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kSupply_volts = 5;
 
-// One input and one output report of 64 bytes, without ids, on a vendor-defined page.
+// Returns a descriptor with one input and one output report of 64 bytes, without ids, on a
+// vendor-defined page.
 std::vector<std::byte> mcp2221a_report_descriptor()
 {
     std::vector<std::byte> descriptor;
@@ -39,7 +40,8 @@ drivers::DeviceInfo mcp2221a_info()
 std::vector<std::byte> answer(Mcp2221aModel& model, InputNow const& input,
                               std::span<std::byte const> command)
 {
-    if (command.size() > Mcp2221aModel::kPacketBytes) // Programs send a 0 for its id.
+    // Programs prefix the packet with a 0 as report id.
+    if (command.size() > Mcp2221aModel::kPacketBytes)
         command = command.subspan(1);
     if (model.converts())
         for (int pin = 1; pin <= 3; ++pin)
@@ -53,7 +55,7 @@ bool bit(unsigned levels, unsigned line)
     return levels >> line & 1;
 }
 
-// The model must outlive the device.
+// Emulates a CP2112. The model must outlive the device.
 Result<std::unique_ptr<UhidDevice>> play_bridge(Cp2112Model& bridge)
 {
     UhidAnswers answers;
@@ -79,7 +81,7 @@ Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input)
 Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
                                                     std::function<void()> told_to_move)
 {
-    auto const desk = std::make_shared<LinakDeskModel>(); // Shared by both answers.
+    auto const desk = std::make_shared<LinakDeskModel>(); // Shared by both functions.
     UhidAnswers answers;
     answers.get_feature = [desk, input = std::move(input)](std::uint8_t id) {
         auto const tenths_mm
@@ -104,9 +106,9 @@ Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
                               std::move(answers));
 }
 
-// Through this bridge a conversion takes milliseconds, and the real converter's capacitor would
-// have lost a few counts by then; what is tested here are its lines. Without that, the converter
-// does not care what time it is.
+// Droop is disabled: through this bridge a conversion takes milliseconds, in which the real
+// converter's capacitor would lose a few counts, but only its lines are tested here. Without droop
+// the converter does not depend on time.
 Cp2112WithMcp3208::Cp2112WithMcp3208(Wiring const& wiring,
                                      std::function<double(unsigned channel)> input)
     : wiring_(wiring)

@@ -15,22 +15,23 @@
 
 namespace tractus::sim {
 
-// Converters that the kernel and every program take for real ones, through uhid.
+// Emulated converters, which the kernel and all programs take for real ones, through uhid.
 
-// Present input of a converter, as a fraction of full scale: 0 to 1.
+// Returns the present input of a converter as a fraction of full scale, 0 to 1.
 using InputNow = std::function<double()>;
 
-// An MCP2221A whose inputs GP1 to GP3 all are `input`, read anew for each command. Fails like
-// UhidDevice::create().
+// Emulates an MCP2221A whose inputs GP1 to GP3 all are `input`, read anew for each command. Fails
+// like UhidDevice::create().
 Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input);
 
-// A standing desk whose height is `input` as the decoder's fraction of full scale
-// (drivers/sensors/linak_desk.h), read anew for each question; `told_to_move` is called whenever
-// somebody tells it to go somewhere. Fails like UhidDevice::create().
+// Emulates a standing desk whose height is `input` as the decoder's fraction of full scale
+// (drivers/sensors/linak_desk.h), read anew for each request; `told_to_move` is called for each
+// command to move. Fails like UhidDevice::create().
 Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
                                                     std::function<void()> told_to_move);
 
-// An MCP3208 wired to lines of a CP2112, which the kernel's hid-cp2112 makes a gpiochip.
+// An emulated MCP3208 connected to lines of a CP2112, which the kernel's hid-cp2112 exposes as a
+// gpiochip.
 class Cp2112WithMcp3208 {
 public:
     struct Wiring {
@@ -40,16 +41,16 @@ public:
         unsigned cs = 3;
     };
 
-    // `input` is what a channel, 0 to 7, has now.
+    // `input` returns the present input of a channel, 0 to 7.
     Cp2112WithMcp3208(Wiring const& wiring, std::function<double(unsigned channel)> input);
 
     Cp2112WithMcp3208(Cp2112WithMcp3208 const&) = delete;
     Cp2112WithMcp3208& operator=(Cp2112WithMcp3208 const&) = delete;
 
-    // Makes the device, which this must outlive. Fails like UhidDevice::create().
+    // Creates the device, which this object must outlive. Fails like UhidDevice::create().
     Result<std::unique_ptr<UhidDevice>> play();
 
-    // Makes the lines unreadable from now on.
+    // Makes all readings of lines fail from now on.
     void fail_readings() { bridge_.fail_readings(); }
 
 private:
@@ -61,10 +62,11 @@ private:
     Cp2112Model bridge_;
 };
 
-// A quadrature encoder wired to two lines of a CP2112. The kernel looks at the lines every ten
-// ticks of its clock, 40 ms in Debian's, and tells the edges that it finds; so the encoder moves by
-// at most one count from one look to the next. It begins where both lines are low, as the kernel
-// takes them to be before its first look: else that tells edges which there were none of.
+// A quadrature encoder connected to two lines of a CP2112. The kernel polls the lines every ten
+// ticks of its clock, 40 ms in Debian's kernel, and reports the edges that it finds; the encoder
+// therefore moves by at most one count between polls. It begins where both lines are low, the state
+// that the kernel assumes before its first poll: otherwise the kernel would report edges that did
+// not occur.
 class Cp2112WithEncoder {
 public:
     struct Wiring {
@@ -72,13 +74,13 @@ public:
         unsigned b = 1;
     };
 
-    // `target` is where the encoder goes now, in counts.
+    // `target` returns the present target of the encoder, in counts.
     Cp2112WithEncoder(Wiring const& wiring, std::function<std::int64_t()> target);
 
     Cp2112WithEncoder(Cp2112WithEncoder const&) = delete;
     Cp2112WithEncoder& operator=(Cp2112WithEncoder const&) = delete;
 
-    // Makes the device, which this must outlive. Fails like UhidDevice::create().
+    // Creates the device, which this object must outlive. Fails like UhidDevice::create().
     Result<std::unique_ptr<UhidDevice>> play();
 
 private:
@@ -86,8 +88,8 @@ private:
 
     Wiring wiring_;
     std::function<std::int64_t()> target_;
-    std::int64_t begin_ = 0;               // Where it was at the first look,
-    std::optional<std::int64_t> count_ {}; // and where it is; no value before.
+    std::int64_t begin_ = 0;               // Count at the first poll.
+    std::optional<std::int64_t> count_ {}; // Present count; no value before the first poll.
     Cp2112Model bridge_;
 };
 

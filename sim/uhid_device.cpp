@@ -16,7 +16,7 @@ namespace {
 
 constexpr auto kNode = "/dev/uhid";
 
-// Cut where it is too long; the kernel ends it itself.
+// Copies a text, truncated if it is too long; the field's last byte stays 0.
 template<std::size_t Size> void copy_text(std::string_view text, __u8 (&field)[Size])
 {
     std::memcpy(field, text.data(), std::min(text.size(), Size - 1));
@@ -102,7 +102,8 @@ void UhidDevice::add_files_to(std::vector<pollfd>& files) const
 
 Result<void> UhidDevice::serve()
 {
-    constexpr int kAtOnce = 16; // Whoever asks quickly enough would keep us here for ever.
+    // Limit, since a program that asks quickly enough would keep this loop running for ever.
+    constexpr int kAtOnce = 16;
     uhid_event event {};
     for (int i = 0; i < kAtOnce; ++i) {
         if (::read(file_.number(), &event, sizeof event) > 0)
@@ -131,7 +132,7 @@ Result<void> UhidDevice::serve(uhid_event const& event)
         return write_event(file_, answer_get(event.u.get_report, answers_));
     case UHID_SET_REPORT:
         return write_event(file_, answer_set(event.u.set_report, answers_));
-    default: // UHID_START and UHID_STOP: a driver has come or gone.
+    default: // UHID_START and UHID_STOP: a driver was bound or unbound.
         return {};
     }
 }

@@ -13,35 +13,36 @@
 #include <span>
 #include <vector>
 
-struct uhid_event; // linux/uhid.h
+struct uhid_event; // See linux/uhid.h.
 
 namespace tractus::sim {
 
-// Answers of a device. Reports begin with their id if the device numbers them. Each may be left
-// out: then features are an input/output error to the kernel, and output reports are ignored.
+// Answers of an emulated device. Reports begin with their id if the device uses ids. Each member
+// may be empty: then feature requests are input/output errors, and output reports are ignored.
 struct UhidAnswers {
-    // An output report has come; what this gives, unless it is empty, is sent as an input report.
-    // A program's report begins with 0 if the device does not number them, a driver's does not.
+    // Handles an output report; a non-empty result is sent as an input report. If the device uses
+    // no ids, reports from programs begin with a 0, those from drivers do not.
     std::function<std::vector<std::byte>(std::span<std::byte const> report)> output {};
-    // The feature report of this id; no value is an input/output error.
+    // Returns the feature report with this id; no value is an input/output error.
     std::function<std::optional<std::vector<std::byte>>(std::uint8_t id)> get_feature {};
-    // A report, feature or output, is set by a control request. False is an input/output error.
+    // Handles a feature or output report set by a control request. False is an input/output error.
     std::function<bool(std::span<std::byte const> report)> set_feature {};
 };
 
-// A HID device made with the kernel's uhid: its drivers take it for one that is plugged in, and it
-// has a hidraw node. It goes with the value.
+// A HID device emulated with the kernel's uhid: the kernel's drivers treat it as plugged in, and it
+// has a hidraw node. It disappears with this object.
 class UhidDevice final : public KernelDevice {
 public:
-    // Name, path, bus, ids and report descriptor are those of `info`. Fails, as the user's fault,
-    // if /dev/uhid may not be used or the kernel refuses the descriptor.
+    // Creates a device with the name, path, bus, ids and report descriptor of `info`. Fails, as the
+    // user's fault, if /dev/uhid may not be used or the kernel refuses the descriptor.
     static Result<std::unique_ptr<UhidDevice>> create(drivers::DeviceInfo const& info,
                                                       UhidAnswers answers = {});
 
     void add_files_to(std::vector<pollfd>& files) const override;
     Result<void> serve() override;
 
-    // Always taken: the kernel drops what no program reads, without saying so.
+    // Sends a report, which the kernel always accepts: reports that no program reads are dropped
+    // silently.
     Result<void> send(std::span<std::byte const> report) override;
 
     bool is_read() const override { return is_open_; }

@@ -20,7 +20,8 @@ using namespace std::chrono_literals;
 
 using Reports = std::vector<drivers::RawReport>;
 
-constexpr std::size_t kPenBits = 1; // Byte of a tablet report with tip, eraser and range bits.
+// Byte of a tablet report that contains the tip, eraser and in-range bits.
+constexpr std::size_t kPenBits = 1;
 
 bool has_same_bytes(drivers::RawReport const& a, drivers::RawReport const& b)
 {
@@ -44,7 +45,7 @@ void skip_some(Reports& reports, double share, Random& random)
     reports = std::move(sent);
 }
 
-// The end of the period of that length in which a time lies.
+// Returns the end of the period in which a time lies.
 Timestamp end_of_period(Timestamp time, Duration length)
 {
     auto const since = time.time_since_epoch();
@@ -84,7 +85,7 @@ void stall(Reports& reports, Unkindness const& unkindness)
 {
     constexpr std::size_t kKeptByKernel = 64; // Size of hidraw's buffer; later reports are lost.
     Reports read;
-    std::size_t kept = 0; // Reports of the present stall.
+    std::size_t kept = 0; // Reports kept during the present stall.
     std::optional<Timestamp> last_end;
     for (auto report : reports) {
         auto const end = end_of_period(report.received, unkindness.stall_period);
@@ -100,7 +101,7 @@ void stall(Reports& reports, Unkindness const& unkindness)
     reports = std::move(read);
 }
 
-// Turns through half a circle to the side, level, from the way that the stroke had.
+// Returns a half circle to the side, horizontal, that continues the stroke's direction.
 std::vector<Vec3> hook(Path const& path, double length_mm, double side)
 {
     constexpr int kPieces = 6;

@@ -24,7 +24,7 @@ constexpr auto kAsRoot = "only root may make USB devices: try sudo";
 std::vector<fs::path> entries_of(fs::path const& folder)
 {
     std::vector<fs::path> entries;
-    std::error_code ignored; // No folder, no entries.
+    std::error_code ignored; // A missing folder means that there are no entries.
     for (fs::directory_iterator entry(folder, ignored); entry != fs::directory_iterator();
          entry.increment(ignored))
         entries.push_back(entry->path());
@@ -48,8 +48,8 @@ fs::path mount_of(UsbGadgetPlace const& place, fs::path const& gadget)
     return place.mounts / fmt::format("{}-gadget", gadget.filename().string());
 }
 
-// Undoes whatever was done, innermost first. Attributes go with their folders; what is not there
-// need not go.
+// Removes a gadget, from its innermost parts outwards. Attributes disappear with their folders;
+// errors are ignored, since parts may be missing.
 void remove_gadget(UsbGadgetPlace const& place, fs::path const& gadget)
 {
     static_cast<void>(write_attribute(gadget / "UDC", "\n"));
@@ -82,7 +82,7 @@ Result<void> check_kernel(UsbGadgetPlace const& place)
                             place.configfs.string()));
 }
 
-// A lock on the gadget's folder, which the system drops when its holder dies. No value if another
+// Locks the gadget's folder; the system releases the lock when the process ends. Empty if another
 // program holds it.
 FileDescriptor lock_folder(fs::path const& folder)
 {
@@ -160,7 +160,7 @@ Result<void> UsbGadget::fill(UsbGadgetIdentity const& identity)
     TRY(write_attribute(folder_ / "idProduct", fmt::format("{:#06x}", identity.product_id)));
     TRY(write_attribute(folder_ / "bcdDevice", fmt::format("{:#06x}", identity.release)));
     TRY(write_attribute(folder_ / "bcdUSB", "0x0200"));
-    auto const strings = folder_ / "strings/0x409"; // English.
+    auto const strings = folder_ / "strings/0x409"; // Language English (US).
     TRY(make_config_folder(strings));
     TRY(write_attribute(strings / "manufacturer", identity.manufacturer));
     TRY(write_attribute(strings / "product", identity.product));
@@ -174,7 +174,8 @@ Result<fs::path> UsbGadget::add_function(std::string const& function,
 {
     auto const folder = folder_ / "functions" / function;
     TRY(make_config_folder(folder));
-    for (auto const& attribute : attributes) // They are fixed once it is in a configuration.
+    // Attributes are fixed once the function is in a configuration.
+    for (auto const& attribute : attributes)
         TRY(write_attribute(folder / attribute.name, attribute.value));
     std::error_code error;
     fs::create_symlink(folder, folder_ / kConfiguration / function, error);
@@ -187,7 +188,7 @@ Result<fs::path> UsbGadget::add_function(std::string const& function,
 
 Result<fs::path> UsbGadget::add_file_system_function()
 {
-    // The names of these functions are the whole system's.
+    // Names of FunctionFS functions are global to the system, so the gadget's name is used.
     auto const name = folder_.filename().string();
     TRY(add_function("ffs." + name));
     auto const mount = mount_of(place_, folder_);

@@ -4,10 +4,11 @@
 
 namespace tractus::sim {
 
-// The eight bytes that begin a control transfer (USB 2.0 section 9.3).
+// The first eight bytes of a control transfer (USB 2.0, section 9.3).
 struct UsbSetup {
-    std::uint8_t request_type = 0; // bmRequestType; with bit 7 the device sends the data.
-    std::uint8_t request = 0;      // bRequest
+    // Field bmRequestType; bit 7 set means that the device sends the data.
+    std::uint8_t request_type = 0;
+    std::uint8_t request = 0; // Field bRequest.
     std::uint16_t value = 0;
     std::uint16_t index = 0;
     std::uint16_t length = 0;

@@ -111,8 +111,8 @@ private:
     std::string name_;
     LogText log_;
     std::optional<LogFormat> format_; // No value until the format has been recognised.
-    std::string text_; // The text read before the format was recognised. For formats other than
-                       // ours, the whole text.
+    // The text read before the format was recognised. For formats other than ours, the whole text.
+    std::string text_;
 };
 
 } // namespace

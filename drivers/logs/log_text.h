@@ -18,8 +18,8 @@ namespace tractus::drivers {
 struct LogDeviceNumber {
     std::size_t number = 0;
     bool has_descriptor = false;
-    bool is_there = false; // True if the device has reported in this part of the log and has not
-                           // been disconnected since.
+    // True if the device has reported in this part of the log and has not been disconnected since.
+    bool is_there = false;
 };
 
 // A position at a line's start in a log's text, and the state that reading on from there needs.

@@ -48,7 +48,7 @@ struct DeviceInfo {
     std::map<int, std::string> strings {};
 
     // A tablet's active area in millimetres, X then Y, as the kernel's driver reports it
-    // (drivers/input_size.h). Used if neither the descriptor nor our table contains it.
+    // (drivers/links/input_size.h). Used if neither the descriptor nor our table contains it.
     std::optional<Vec2> size_mm {};
 
     // Problems at opening after which the device still works in part; each is one sentence for the

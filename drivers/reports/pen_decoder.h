@@ -22,8 +22,8 @@ struct PenTraits {
         = false; // True if the device does not report its size; see PenLayout::Size.
     bool has_pressure = false;
     bool has_tilt = false;
-    bool has_in_range = false; // If false, a hovering pen counts as in range until it has been
-                               // silent for a while.
+    // If false, a hovering pen counts as in range until it has been silent for a while.
+    bool has_in_range = false;
     bool has_eraser = false;
     unsigned button_count = 0; // Buttons on the pen's barrel.
 

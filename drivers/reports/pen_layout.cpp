@@ -281,8 +281,8 @@ std::optional<PenLayout> finish(Draft draft, HidReportDescriptor const& descript
     auto& layout = draft.layout;
     if (!draft.x || !draft.y || !(layout.tip || layout.pressure))
         return std::nullopt;
-    if (draft.tool == Tool::Mouse && !layout.pressure) // Reports of a touch screen or of a virtual
-                                                       // machine's mouse have no pressure.
+    // Reports of a touch screen or of a virtual machine's mouse have no pressure.
+    if (draft.tool == Tool::Mouse && !layout.pressure)
         return std::nullopt;
     layout.report_id = draft.report_id;
     layout.report_size = descriptor.report_size(HidReportKind::Input, draft.report_id);

@@ -17,8 +17,8 @@ struct PenSample {
     Vec2 position_mm = Vec2::Zero(); // Position; while the pen is out of range, the last known one.
     std::optional<double>
         pressure {}; // Pressure from 0 to 1; no value if the device does not report it.
-    std::optional<Vec2> tilt_rad {}; // Tilt from upright towards +x and +y; no value if the device
-                                     // does not report it.
+    // Tilt from upright towards +x and +y; no value if the device does not report it.
+    std::optional<Vec2> tilt_rad {};
     bool in_range = false;
     bool touching = false;     // The pen's tip or its eraser is down; implies in_range.
     bool eraser = false;       // The eraser end points at the tablet.

@@ -14,8 +14,8 @@ namespace {
 constexpr std::int64_t kWindowUs = 500'000;
 constexpr std::int64_t kShortestFitUs = 1'000'000; // Over shorter times the slope would be noise.
 constexpr std::int64_t kNewClockUs = 500'000;
-constexpr double kMaxSlope = 5; // Nanoseconds per microsecond; a clock that is wrong by more than
-                                // 0.5 % is considered broken.
+// Nanoseconds per microsecond; a clock that is wrong by more than 0.5 % is considered broken.
+constexpr double kMaxSlope = 5;
 
 std::int64_t to_us(Duration duration)
 {
