@@ -23,14 +23,15 @@ namespace tractus::batch {
 
 namespace {
 
-constexpr std::size_t kCompared = 64; // Plants of whose diversity the report speaks.
-constexpr std::size_t kMeasured = 8;  // Plants by whose width all are set apart.
-constexpr double kSpacing = 1.15; // Spacing in their widths: leaves stand out, and some are wider.
-constexpr double kScatter = 0.35; // Share of the spacing, at most, to each side.
-constexpr std::uint32_t kPlaces = 0x706C; // The random stream of ages and places.
+constexpr std::size_t kCompared = 64; // Plants whose diversity the report states.
+constexpr std::size_t kMeasured = 8;  // Plants measured to find the spacing of all.
+// Spacing as a multiple of the plants' width, as leaves protrude and some plants are wider.
+constexpr double kSpacing = 1.15;
+constexpr double kScatter = 0.35; // Greatest displacement to each side, as a share of the spacing.
+constexpr std::uint32_t kPlaces = 0x706C; // Random stream of ages and places.
 
-// The first plant of a shard; where it ends is where the next begins. Without a product that might
-// not fit.
+// First plant of a shard; a shard ends where the next one begins. Avoids a product that could
+// overflow.
 std::size_t first_plant(CollectionOptions const& options, std::size_t shard)
 {
     auto const parts = options.shard.parts;
@@ -51,7 +52,7 @@ Result<void> check_count(CollectionOptions const& options)
                             count, kMostPlantsInShard, parts));
 }
 
-// One collection on its way: each member function is a stage.
+// A collection in progress; each member function is a stage.
 class Collection {
 public:
     Collection(CollectionOptions const& options, terminal::Progress& progress)
@@ -79,7 +80,7 @@ private:
     Result<exports::GlbSummary> write_plants(std::ostream& out,
                                              std::span<exports::PlacedMesh const> plants);
 
-    // Holds until the next call. `place` is of a plant of this collection.
+    // Valid until the next call. `place` belongs to a plant of this collection.
     Plant const& grow(CollectionGrower& grower, PlantPlace const& place);
 
     std::optional<mesh::WindKey> wind(PlantPlace const& place) const
@@ -98,14 +99,14 @@ private:
     CollectionReport report_;
     std::set<std::uint32_t> underground_; // Plants with segments below the ground.
     Plant young_;
-    Plant turned_;                          // As it stands, for the sheet.
-    std::optional<PictureThread> pictures_; // Where pictures are wanted.
+    Plant turned_;                          // The plant in its orientation, for the contact sheet.
+    std::optional<PictureThread> pictures_; // Set if pictures are wanted.
     std::optional<Error> picture_error_;
 };
 
 Result<CollectionReport> Collection::run()
 {
-    // Checks come before the work.
+    // All checks come before the work begins.
     TRY(check_count(options_));
     TRY(check_writable(manifest_path(options_)));
     if (!options_.sheet.empty())
@@ -159,8 +160,8 @@ Result<scene::Scene> Collection::load()
     return std::move(drawing.scene);
 }
 
-// Plants are compared node by node: of their sizes and turned, but each with all branches once.
-// Plants whose segments are others cannot be compared.
+// Compares plants node by node, with their size and orientation, each branch counted once. Plants
+// with different segments cannot be compared.
 Result<void> Collection::compare(CollectionGrower& grower)
 {
     auto const drawn = TRY(grower.drawn());
@@ -181,7 +182,7 @@ Result<void> Collection::compare(CollectionGrower& grower)
     return {};
 }
 
-// Returns one spacing for all shards.
+// Returns the same spacing in all shards.
 double Collection::spacing_mm(CollectionGrower& grower)
 {
     double width_mm = 1;
@@ -211,8 +212,8 @@ exports::PlacedMesh Collection::placed(PlantPlace const& place) const
     return mesh;
 }
 
-// Adds levels of detail: at its level's share of the screen's area a plant has about as many pixels
-// for each triangle as at every other level's.
+// Adds levels of detail. Each is to be used at a screen coverage at which its triangles have about
+// the same number of pixels as those of the other levels.
 void Collection::add_details(exports::PlacedMesh& mesh, std::function<Plant()> const& plant)
 {
     constexpr double kFullCoverage = 0.2;
@@ -234,10 +235,11 @@ void Collection::add_details(exports::PlacedMesh& mesh, std::function<Plant()> c
         { std::function<exports::Billboard()>([this, plant] { return billboard(plant()); }), 0 });
 }
 
-// Keeps the first error: the caller cannot be told.
+// Stores the first error, as it cannot be returned to the caller.
 exports::Billboard Collection::billboard(Plant const& plant)
 {
-    constexpr double kShare = 0.25; // More detail than this does not show in so few pixels.
+    // Share of the triangles; more would not be visible in so few pixels.
+    constexpr double kShare = 0.25;
     auto const coarse = mesh::coarser_plant(plant, options_.mesh, kShare);
     auto const mesh = mesh::make_mesh(coarse, mesh::coarser_options(options_.mesh, kShare));
     Result<exports::Billboard> drawn;
@@ -271,7 +273,8 @@ Result<std::vector<ManifestPlant>> Collection::write_one_file(CollectionGrower& 
         meshes.back().position_mm = place.position_mm;
         meshes.back().rotation_rad = place.rotation_rad;
         auto const make = [this, &grower, &begun, &place, number = plants.size()]() -> Plant {
-            if (number > begun) { // Some are made more than once.
+            // Counts progress once, although some plants are made several times.
+            if (number > begun) {
                 begun = number;
                 progress_.step();
             }
@@ -349,7 +352,7 @@ Result<void> Collection::write_sheet(CollectionGrower& grower,
 
 std::vector<PlantPlace> place_plants(CollectionOptions const& options, double spacing_mm)
 {
-    // A field a little wider than deep.
+    // The field is slightly wider than deep.
     auto const row
         = static_cast<std::size_t>(std::ceil(std::sqrt(1.2 * static_cast<double>(options.count))));
     std::vector<PlantPlace> places;

@@ -17,21 +17,21 @@
 
 namespace tractus::batch {
 
-// A part of a collection, so that many machines make it together: the `number`-th of `parts`, the
-// first is 1. Plant for plant it is what the whole collection has there.
+// A part of a collection that one of several machines makes: number `number`, counted from 1, of
+// `parts`. Its plants are the same as in the whole collection.
 struct Shard {
     std::size_t number = 1;
     std::size_t parts = 1;
 };
 
-// How the plants of a collection stand.
+// Arrangement of a collection's plants.
 enum class Stand {
-    Grid,    // In rows.
-    Scatter, // Out of line, as if they had grown there; none within another's place.
+    Grid,    // In a regular grid.
+    Scatter, // Randomly displaced from the grid, as if grown naturally, without overlapping places.
 };
 
-// Ages, above 0 and at most 1, from the youngest to the oldest; each plant's is drawn evenly from
-// between. See Grower::grow().
+// Range of ages, above 0 and at most 1; each plant's age is uniformly distributed in it. See
+// Grower::grow().
 struct AgeRange {
     double youngest = 1;
     double oldest = 1;
@@ -39,18 +39,18 @@ struct AgeRange {
 
 constexpr std::size_t kMostDetails = 6;
 
-// Plants in one shard: their places and what the manifest says of them are kept in memory.
+// Limit for one shard, as places and manifest entries are kept in memory.
 constexpr std::size_t kMostPlantsInShard = 1'000'000;
 
 struct CollectionOptions {
     std::filesystem::path model {};
-    scene::EditKinds kinds {};                // Kinds of its edits, if it is a session.
-    std::optional<DrawingOptions> drawing {}; // If there is none, plants vary by chance alone.
+    scene::EditKinds kinds {};                // Kinds of edits that a session may contain.
+    std::optional<DrawingOptions> drawing {}; // Without a drawing plants vary by chance alone.
     GrowthOptions growth {};
-    // How much each plant is another one than what was drawn before it grows: the arrangement of an
-    // outlined tree's branches, the angles of a rule, construction lines (SourceVariation::spread).
+    // How far each plant's construction deviates from what was drawn, before growth: arrangement of
+    // an outlined tree's branches, angles of a rule, construction lines (SourceVariation::spread).
     double construction = 0;
-    // How much plants of one bed differ beside their growth.
+    // How much plants of one bed differ in addition to their growth.
     variation::Individuality individuality { .branches = 0.08, .size = 0.12, .turn = 1 };
     AgeRange ages {};
     std::uint64_t seed = 1;
@@ -58,40 +58,41 @@ struct CollectionOptions {
     Shard shard {};
     Stand stand = Stand::Grid;
 
-    // A .glb for all plants, each in its place, or a folder for one .glb per plant, each at its own
-    // origin.
+    // A .glb file for all plants, each in its place, or a folder for one .glb per plant, each at
+    // its own origin.
     std::filesystem::path output {};
-    // A picture of small pictures (collection_sheet.h); none if it is empty.
+    // Image file of a contact sheet (collection_sheet.h); empty: none.
     std::filesystem::path sheet {};
     mesh::MeshOptions mesh {};
     exports::GlbOptions glb {};
-    bool has_wind = false; // Whether files have what the wind needs; glb.wind says where.
+    bool has_wind = false; // True if files contain data for animation by wind; glb.wind says where.
 
-    // Coarser levels that each plant has beside itself, each of half the triangles of the one
-    // before (engine/mesh/level_of_detail.h); the last one is a billboard. 0 to kMostDetails.
+    // Number of coarser levels of detail of each plant, 0 to kMostDetails. Each has half the
+    // triangles of the one before (engine/mesh/level_of_detail.h); the last is a billboard.
     std::size_t details = 0;
 };
 
-// One plant of a collection. A pure function of the collection's seed, size and the plant's number.
+// One plant of a collection; a pure function of the collection's seed and size and of the plant's
+// number.
 struct PlantPlace {
-    std::uint32_t index = 0; // Makes its PlantKey, together with the seed.
+    std::uint32_t index = 0; // Part of its PlantKey, together with the seed.
     double age = 1;
-    Vec3 position_mm = Vec3::Zero(); // Ground frame: where the first plant stands, +z up.
+    Vec3 position_mm = Vec3::Zero(); // Ground frame: origin at the first plant, +z up.
     double rotation_rad = 0;         // About +z.
 };
 
-// The places of a shard's plants. `spacing_mm` is how far apart they stand, `count` and `shard` as
-// in CollectionOptions.
+// Places of a shard's plants. `spacing_mm` is the distance between neighbours; `count` and `shard`
+// are taken from the options.
 std::vector<PlantPlace> place_plants(CollectionOptions const& options, double spacing_mm);
 
 struct CollectionReport {
     DrawingReport drawing;
-    std::size_t plants = 0;      // Written: of this shard.
-    std::size_t segments = 0;    // Segments of one full-grown plant.
+    std::size_t plants = 0;      // Plants written in this shard.
+    std::size_t segments = 0;    // Segments of one fully grown plant.
     std::uint64_t triangles = 0; // Triangles of all plants.
-    std::uint64_t bytes = 0;     // Bytes of all .glb files.
+    std::uint64_t bytes = 0;     // Total size of all .glb files.
 
-    // Distances of at most 64 plants of the whole collection, full-grown.
+    // Distances between at most 64 fully grown plants of the whole collection.
     variation::DistanceSpread between_plants;
     variation::DistanceSpread from_drawn;
     double height_mm = 0; // Height of the plant as drawn.
@@ -101,19 +102,18 @@ struct CollectionReport {
     std::vector<std::string> notes;
 };
 
-// Makes a collection, and a manifest in JSON that says of each plant by which seed, index and age
-// it was grown, where it stands, and in which file it is: manifest.json in the folder, or FILE.json
-// beside FILE.glb; with the shard's number where there are several.
-//
-// The bytes depend on the options alone, not on the number of threads. Memory holds a few plants,
-// whatever their number. Every file appears whole or not at all: when it is stopped or the disk is
-// full, what was written before stays. Fails as reading the plant and its drawing does, where a
-// file cannot be written, where pictures are wanted and the system has no OpenGL, and, as the
-// user's fault, where a shard has more than kMostPlantsInShard.
+// Makes a collection and its JSON manifest, which gives each plant's seed, index, age, place and
+// file. The manifest is manifest.json in the folder, or FILE.json beside FILE.glb; with several
+// shards the name contains the shard's number. The output depends only on the options, not on the
+// number of threads. Memory use does not grow with the number of plants. Every file appears
+// complete or not at all; if the run is stopped or the disk is full, files written before stay.
+// Fails like reading the plant and its drawing, if a file cannot be written, if pictures are wanted
+// and the system has no OpenGL, and with a user error if a shard has more than kMostPlantsInShard
+// plants.
 Result<CollectionReport> make_collection(CollectionOptions const& options,
                                          terminal::Progress& progress);
 
-// The report as lines for a person to read.
+// Formats the report for the user.
 std::string print_report(CollectionReport const& report);
 
 } // namespace tractus::batch

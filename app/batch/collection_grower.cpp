@@ -51,7 +51,7 @@ Plant const& CollectionGrower::grown(Planned& planned, variation::PlantKey const
     return individual_;
 }
 
-// A plant of several ages, or levels of detail, is built once.
+// A plant needed at several ages or levels of detail is built only once.
 Plant const& CollectionGrower::grow(variation::PlantKey const& key, double age)
 {
     if (construction_ == 0)

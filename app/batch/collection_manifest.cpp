@@ -6,7 +6,8 @@
 
 namespace tractus::batch {
 
-// Names of files may be anything; what is not UTF-8 becomes a replacement character.
+// One line of JSON. File names may contain any bytes; invalid UTF-8 becomes a replacement
+// character.
 static std::string line(nlohmann::ordered_json const& value)
 {
     return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -50,7 +51,7 @@ Result<void> write_manifest(std::ostream& out, CollectionOptions const& options,
     if (auto const& season = options.growth.season)
         head["season"] = { { "month", season->month }, { "fallen", season->fallen } };
     auto text = line(head);
-    text.pop_back(); // The closing brace.
+    text.pop_back(); // Removes the closing brace.
     out << text << ",\n\"plants\": [";
     char const* separator = "\n";
     for (auto const& [place, file] : plants) {

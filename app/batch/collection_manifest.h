@@ -9,16 +9,16 @@
 
 namespace tractus::batch {
 
-// A plant that was written, and the file that it is in.
+// A plant that was written, and its file.
 struct ManifestPlant {
     PlantPlace place;
-    std::string file; // Beside the manifest.
+    std::string file; // Relative to the manifest.
 };
 
-// Where a collection's manifest goes.
+// Path of a collection's manifest.
 std::filesystem::path manifest_path(CollectionOptions const& options);
 
-// Everything that it takes to make each plant again, as JSON, a line per plant:
+// Writes everything needed to recreate each plant, as JSON with a line per plant:
 //
 //   { "tractus": "0.1.0", "model": …, "drawing": … or null, "seed": 1, "count": 12,
 //     "shard": [1, 1], "growth": "usual", "liking": 1,

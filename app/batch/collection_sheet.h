@@ -10,22 +10,23 @@
 
 namespace tractus::batch {
 
-// The plants of a collection that a sheet shows. All functions take a number below `count`.
+// The plants of a collection that a contact sheet can show. The functions accept indices below
+// `count`.
 struct SheetPlants {
     std::size_t count = 0;
-    std::function<Plant const&(std::size_t)> plant; // Holds until the next call.
+    std::function<Plant const&(std::size_t)> plant; // The result is valid until the next call.
     std::function<std::string(std::size_t)> caption;
 };
 
-// How many plants a sheet shows at most: what a screen shows at once.
+// Most plants on a sheet, as many as a screen can show.
 constexpr std::size_t kMostSheetPlants = 48;
 
-// Returns which plant the `tile`-th picture of a sheet shows: all of them, or kMostSheetPlants from
-// the first to the last, evenly apart.
+// Index of the plant in the `tile`-th picture of a sheet. If there are more than kMostSheetPlants,
+// they are chosen at even intervals from the first to the last.
 std::size_t sheet_plant(std::size_t tile, std::size_t count);
 
-// A small picture of each of these plants, all at one scale. Memory holds the pictures and one
-// plant. No plants give an empty picture.
+// Contact sheet with a small picture of each of these plants, all at the same scale. Keeps one
+// plant at a time in memory. Without plants the image is empty.
 render::Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants,
                                terminal::Progress& progress);
 

@@ -22,7 +22,7 @@ namespace {
 
 constexpr char const* kUsual = "usual";
 
-// Why samples of the pen were lost, or stand in doubt.
+// Notes why pen samples were lost or are doubtful.
 void note_heights(calib::FuserCounts const& counts, std::vector<std::string>& notes)
 {
     if (counts.heights_refused > 0)
@@ -40,7 +40,7 @@ void note_heights(calib::FuserCounts const& counts, std::vector<std::string>& no
                                     counts.pens_without_height, counts.pens));
 }
 
-// A stroke by its time. A tool that is done at once has none, and is named by its line in the log.
+// Identifies a stroke by its time. An action without a stroke is identified by its line in the log.
 std::string name_of(document::DrawnStroke const& drawn)
 {
     if (!drawn.stroke.tips.empty())
@@ -84,7 +84,7 @@ Result<Drawing> DrawingReader::read()
     return Drawing { document_.newest()->scene, std::move(strokes_), nib_ };
 }
 
-// A file of strokes says nothing about branches, so they go to these in drawing order.
+// A file of strokes does not say which branches they shape, so they are assigned in drawing order.
 Result<void> DrawingReader::read_strokes()
 {
     progress_.begin("reading the strokes");
@@ -113,7 +113,7 @@ Result<void> DrawingReader::take_drawn()
     return {};
 }
 
-// Plays all of it, at a multiple of the hand's pace or at once.
+// Plays the whole log, at a multiple of real time or as fast as possible.
 Result<void> DrawingReader::play(station::LogReplay& replay)
 {
     constexpr Duration kStep = std::chrono::milliseconds(10);
@@ -202,7 +202,7 @@ std::string growth_name(std::filesystem::path const& model, GrowthOptions const&
 Result<std::vector<scene::Edit>>
 growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth, std::uint64_t seed)
 {
-    if (plant.model.empty()) // What is drawn brings its own growth.
+    if (plant.model.empty()) // The drawn plants bring their own growth.
         return std::vector<scene::Edit> { session::BeginEmpty {} };
     std::vector<scene::Edit> edits;
     std::optional<variation::GrowthParameters> own;
@@ -277,7 +277,7 @@ Result<std::vector<Stroke>> drawn_strokes(DrawingOptions const& options)
     progress.finish();
     std::vector<Stroke> strokes;
     for (auto const& drawn : drawing.strokes)
-        if (!drawn.stroke.tips.empty()) // Else a tool that was done at once.
+        if (!drawn.stroke.tips.empty()) // An action without a stroke has no tips.
             strokes.push_back(drawn.stroke);
     return strokes;
 }

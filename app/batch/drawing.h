@@ -17,52 +17,56 @@
 
 namespace tractus::batch {
 
-// How plants grow.
+// Growth options of a command.
 struct GrowthOptions {
-    // See growth_presets(). Without it a session's plants grow as the session says, and others as
+    // One of growth_presets(). No value: a session's plants grow as saved in it, all others as
     // "usual".
     std::optional<std::string> preset {};
     double variability = 1;    // See at_variability().
     bool along_ground = false; // See bend_along_ground().
-    std::string leaves {};     // See dressing_edits(); empty: as a session or a model says.
-    std::optional<scene::Season> season {}; // No value: as a session says, and else without one.
+    std::string leaves {};     // See dressing_edits(); empty: as saved in the session or model.
+    // No value: as saved in the session, otherwise no season.
+    std::optional<scene::Season> season {};
 };
 
-// How the plants of `model` grow, in words.
+// Name of the growth of the plants of `model`.
 std::string growth_name(std::filesystem::path const& model, GrowthOptions const& growth);
 
-// A plant to be drawn on: its file, and of which kinds its edits may be if that is a session.
+// A plant to draw on: its file and, if that is a session, the kinds of edits it may contain.
 struct PlantChoice {
-    std::filesystem::path model; // Empty: an empty sheet, on which the drawing makes plants.
+    // Empty: start with an empty sheet, on which the drawing makes plants.
+    std::filesystem::path model;
     scene::EditKinds kinds;
 };
 
-// Returns the edits that load a plant to be drawn on and say how it grows: a model
-// (load_plant_edit), or a session with all that was drawn in it. Fails, as the user's fault, for
-// what is neither, or a growth that does not exist.
+// Edits that load a plant to draw on, a model (load_plant_edit()) or a session with everything
+// drawn in it, and that set its growth. Fails with a user error for any other file and for an
+// unknown growth preset.
 Result<std::vector<scene::Edit>>
 growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth, std::uint64_t seed);
 
-// The scene that such edits give. Fails, as the user's fault, for a model's plant without branches.
+// The scene that such edits give. Fails with a user error if a model's plant has no branches.
 Result<scene::Scene> growing_plant(std::filesystem::path const& model,
                                    std::vector<scene::Edit> const& edits);
 
-// Does both: the edits of the choice, and their scene. Fails like either.
+// Loads the chosen plant as a scene: growing_plant_edits() followed by growing_plant(). Fails like
+// either.
 Result<scene::Scene> load_growing_plant(PlantChoice const& plant, GrowthOptions const& growth,
                                         std::uint64_t seed);
 
-// A recorded drawing.
+// A recorded drawing and how to read it.
 struct DrawingOptions {
-    // A log, or a file of strokes (stroke_file.h), which are drawn with the first of all tools:
+    // A log, or a file of strokes (stroke_file.h). Strokes of a file are drawn with the first tool:
     // each shapes the next branch in drawing order.
     std::filesystem::path log {};
-    tools::Methods methods {}; // Methods that a log may name; with at least one tool.
-    std::optional<std::filesystem::path> rig {}; // A calibration in place of the log's own.
-    std::optional<std::string> height {};        // A height scenario in place of the height sensor.
-    std::optional<double> speed {}; // Times the pace of the hand; no value: as fast as it is read.
+    tools::Methods methods {}; // Methods whose tools a log may contain; at least one tool.
+    std::optional<std::filesystem::path> rig {}; // Replaces the log's own calibration.
+    std::optional<std::string> height {};        // Height scenario in place of the height sensor.
+    // Playback speed, 1 is real time; no value: as fast as possible.
+    std::optional<double> speed {};
 };
 
-// Facts about a drawing that was read.
+// Statistics of a drawing that was read.
 struct DrawingReport {
     std::string log;
     std::size_t reports = 0;
@@ -70,30 +74,30 @@ struct DrawingReport {
     std::size_t pen_samples = 0;
     std::size_t height_samples = 0;
     std::size_t strokes = 0;
-    // Paths that a stroke shapes; a branch chosen twice counts once.
+    // Number of paths that strokes shape; a branch selected twice counts once.
     std::size_t branches_selected = 0;
     std::size_t indicators = 0;
-    std::vector<std::string> notes; // Strokes that changed nothing, warnings: a sentence each.
+    std::vector<std::string> notes; // One sentence for each ineffective stroke or warning.
 };
 
-// A drawing, and the scene that it amounts to.
+// A drawing, and the resulting scene.
 struct Drawing {
     scene::Scene scene;
     std::vector<document::DrawnStroke> strokes;
-    Nib nib = Nib::Point; // How the ink of the strokes looks.
+    Nib nib = Nib::Point; // Nib of the pen that drew the strokes.
 };
 
-// Draws it on `scene`, whose base plant is loaded. Tells `report` what was read, and adds to its
-// notes. Fails, as the user's or a device's fault, if it cannot be read.
+// Replays a drawing on `scene`, whose base plant is loaded. Fills `report` and adds to its notes.
+// Fails with a user or device error if the drawing cannot be read.
 Result<Drawing> read_drawing(DrawingOptions const& options, scene::Scene scene,
                              terminal::Progress& progress, DrawingReport& report);
 
-// Reads it in a document that works at once. Fails, as the user's fault, too, where its session
-// cannot keep something.
+// Replays a drawing in a document that works synchronously. Also fails, with a user error, if the
+// document's session cannot be written.
 Result<Drawing> read_drawing(DrawingOptions const& options, document::Document& document,
                              terminal::Progress& progress, DrawingReport& report);
 
-// The finished strokes of a recording, or of a file of strokes (is_stroke_file()). Fails like
+// The finished strokes of a recording or of a file of strokes (is_stroke_file()). Fails like
 // read_drawing() and load_strokes().
 Result<std::vector<Stroke>> drawn_strokes(DrawingOptions const& options);
 

@@ -27,11 +27,11 @@ namespace {
 constexpr PictureSize kPicture { 1280, 960 };
 constexpr PictureSize kTile { 420, 420 };
 
-// Enough for a tile, in which the thickest trunk is a few pixels wide.
+// Good enough for a tile, in which the thickest trunk is a few pixels wide.
 constexpr mesh::MeshOptions kTileMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
 
-// Columns of a sheet or a field of `count` plants: a little wider than high, and one fewer where
-// the rows are full then.
+// Number of columns for a sheet or field of `count` plants: slightly wider than high, but one fewer
+// if that fills all rows.
 int columns(std::size_t count)
 {
     auto const wide = static_cast<std::size_t>(std::ceil(std::sqrt(1.2 * double(count))));
@@ -39,8 +39,8 @@ int columns(std::size_t count)
     return static_cast<int>(is_fuller ? wide - 1 : wide);
 }
 
-// The plants of a job: the variations of what was drawn and, if wanted, the drawing itself in each
-// season.
+// The plants of a job: the variations of what was drawn and, if wanted, the unvaried drawing in
+// each season.
 class Sequence {
 public:
     static Result<Sequence> create(scene::Scene const& scene, JobOptions const& options)
@@ -61,13 +61,13 @@ public:
 
     std::size_t size() const { return options_->variations + seasons_.size(); }
 
-    // The number of a variation, or the season's name.
+    // Number of a variation, or name of a season.
     std::string name(std::size_t index) const
     {
         return index < options_->variations ? fmt::format("{}", index + 1) : season(index).name;
     }
 
-    // Holds until the next call.
+    // Valid until the next call.
     Plant const& grow(std::size_t index)
     {
         return index < options_->variations
@@ -75,7 +75,7 @@ public:
             : season(index).plant;
     }
 
-    // Whether the last variation given has branches below the ground.
+    // True if the last returned variation has branches below the ground.
     bool has_underground() const { return group_.underground() > 0; }
 
 private:
@@ -100,9 +100,9 @@ private:
     std::vector<InSeason> seasons_;
 };
 
-constexpr std::string_view kReportBegins = "log                   "; // Then the log's name.
+constexpr std::string_view kReportBegins = "log                   "; // Precedes the log's name.
 
-// One job on its way: each member function is a stage.
+// A job in progress; each member function is a stage.
 class Job {
 public:
     Job(JobOptions const& options, terminal::Progress& progress)
@@ -197,18 +197,19 @@ Result<void> Job::draw_base(Drawing const& drawing)
 Result<void> Job::make_collection(scene::Scene const& scene)
 {
     auto plants = TRY(Sequence::create(scene, options_));
-    // Grown again whenever it is needed: that is quicker than keeping them all is large.
+    // Regrows a plant whenever it is needed, which saves the memory for all of them.
     auto const plant = [&](std::size_t index) -> Plant const& { return plants.grow(index); };
     auto const count = plants.size();
     report_.plants = count;
 
     progress_.begin("growing the collection", options_.variations);
-    render::Framing framing({}, kTile.aspect()); // Shows all at one scale.
+    render::Framing framing({}, kTile.aspect()); // Fits all plants at the same scale.
     Bounds frame;
     std::size_t underground = 0;
-    // What has fallen in other seasons lies far around.
+    // Seasons are left out: fallen leaves would enlarge the frame.
     for (std::size_t i = 0; i < options_.variations; ++i) {
-        auto const mesh = mesh::make_mesh(plant(i)); // Leaves and petals stand out.
+        // The bounds come from the mesh, as leaves and petals protrude.
+        auto const mesh = mesh::make_mesh(plant(i));
         underground += plants.has_underground() ? 1 : 0;
         framing.add(mesh);
         if (auto const box = mesh::bounds(mesh); !box.empty()) {
@@ -241,7 +242,7 @@ Result<void> Job::make_collection(scene::Scene const& scene)
 
 Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
 {
-    // Spacing in a plant's width, so that neighbours do not touch.
+    // Distance as a multiple of a plant's width, so that neighbours do not touch.
     constexpr double kPlantSpacing = 1.15;
     progress_.begin("writing the collection");
     double const width_mm = frame.empty() ? 0 : (frame.max_mm - frame.min_mm).head<2>().maxCoeff();

@@ -15,25 +15,25 @@
 
 namespace tractus::batch {
 
-// The main job: a recorded drawing and a model become a set of varied plants. Where several plants
-// were drawn each of the set is all of them.
+// The main job: turns a recorded drawing on a model into a set of varied plants. If several plants
+// were drawn, each member of the set contains all of them.
 struct JobOptions {
     DrawingOptions drawing {};
     std::filesystem::path model {};
     std::uint64_t seed = 1;             // Seed of the variations.
     std::size_t variations = 12;        // Plants in the collection; at least 1.
-    std::filesystem::path folder = "."; // Made if it is not there.
+    std::filesystem::path folder = "."; // Created if missing.
     GrowthOptions growth {};
-    // How much plants of one bed differ beside their growth.
+    // How much plants of one bed differ in addition to their growth.
     variation::Individuality individuality { .branches = 0.08, .size = 0.12, .turn = 1 };
     double age = 1;             // Age of all plants; see Grower::grow().
-    bool all_seasons = false;   // Also the drawing itself in four seasons.
-    exports::GlbOptions glb {}; // Options of the collection's file, as the next one.
+    bool all_seasons = false;   // True: adds the unvaried drawing in four seasons.
+    exports::GlbOptions glb {}; // Options of the collection's file, as is `mesh`.
     mesh::MeshOptions mesh {};
-    std::filesystem::path session {}; // The new file that keeps what is drawn; empty: none.
+    std::filesystem::path session {}; // New session file that saves the drawing; empty: none.
 };
 
-// Facts about what was read, and what became of it.
+// Statistics of the drawing, and what the job made of it.
 struct JobReport : DrawingReport {
     std::string model;
     std::uint64_t seed = 1;
@@ -49,17 +49,17 @@ struct JobReport : DrawingReport {
 };
 
 // Replays the log onto the model and writes base.png, strokes.png, varied.png, collection.png,
-// collection.glb and report.txt into the folder. Each file appears whole or not at all; a session
-// appears as the plant is loaded and holds each stroke as soon as it is drawn. Fails like
-// growing_plant_edits() and read_drawing(), where a file cannot be written, and where the system
-// has no OpenGL.
+// collection.glb and report.txt into the folder. Each file appears complete or not at all. A
+// session is created when the plant is loaded and receives each stroke as soon as it is drawn.
+// Fails like growing_plant_edits() and read_drawing(), if a file cannot be written, and if the
+// system has no OpenGL.
 Result<JobReport> run_job(JobOptions const& options, terminal::Progress& progress);
 
-// Fails, as the user's fault, if the folder already has files of the names that a job writes, and
-// no report of an earlier job beside them: they would be somebody else's.
+// Fails with a user error if the folder has files with the names that a job writes but no report of
+// an earlier job: they would not be ours to overwrite.
 Result<void> check_job_folder(std::filesystem::path const& folder);
 
-// The report as lines for a person to read, as they stand in report.txt.
+// Formats the report for the user, as in report.txt.
 std::string print_report(JobReport const& report);
 
 } // namespace tractus::batch

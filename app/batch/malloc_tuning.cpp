@@ -6,8 +6,9 @@ namespace tractus::batch {
 
 void return_large_blocks()
 {
-#ifdef M_MMAP_THRESHOLD // Else the system's library has no such choice.
-    // The library begins with that, too; once set it no longer grows with what is freed.
+#ifdef M_MMAP_THRESHOLD // Other C libraries have no such option.
+    // This is glibc's initial threshold; setting it stops glibc from raising it when large blocks
+    // are freed.
     constexpr int kLarge = 1 << 17;
     mallopt(M_MMAP_THRESHOLD, kLarge);
 #endif

@@ -2,9 +2,9 @@
 
 namespace tractus::batch {
 
-// Makes large blocks of memory go back to the system, from here on, as soon as they are freed. A
-// window that grows plants for hours would else come to hold several times what it needs, in pieces
-// that fit nothing. Costs what fresh pages cost, so what makes plant after plant does without.
+// Makes malloc return large blocks to the system as soon as they are freed, from now on. Otherwise
+// a window that grows plants for hours would hold several times the memory it needs, because of
+// fragmentation. Costs page faults, so batch jobs do not use it.
 void return_large_blocks();
 
 } // namespace tractus::batch

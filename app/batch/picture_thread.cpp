@@ -10,15 +10,15 @@
 
 namespace tractus::batch {
 
-// Everything but the thread is guarded by the mutex.
+// All members but the thread are guarded by the mutex.
 struct PictureThread::Shared {
     ~Shared();
     void run();
 
     std::mutex mutex;
     std::condition_variable changed;
-    std::optional<Result<void>> begun; // Once the thread can draw, or cannot.
-    std::function<void(PictureMaker&)> const* wanted = nullptr; // Set until it is drawn.
+    std::optional<Result<void>> begun; // Set once the thread is ready to draw or has failed.
+    std::function<void(PictureMaker&)> const* wanted = nullptr; // Set until the request is done.
     bool stop = false;
     std::thread thread;
 };
@@ -86,7 +86,7 @@ void PictureThread::draw(std::function<void(PictureMaker&)> const& draw)
     shared_->changed.wait(lock, [&] { return !shared_->wanted; });
     shared_->wanted = &draw;
     shared_->changed.notify_all();
-    // The next wish may be there as soon as this one is done.
+    // Another request may already be there when this one is done.
     shared_->changed.wait(lock, [&] { return shared_->wanted != &draw; });
 }
 

@@ -8,20 +8,20 @@
 
 namespace tractus::batch {
 
-// Makes pictures on a thread of its own, for whoever asks on any thread.
-//
-// OpenGL keeps things for each thread that ever used it. Threads of parallel loops end while the
-// program does, when the library that keeps them may be gone already; this one ends before.
+// Makes pictures on a thread of its own, on behalf of any thread. OpenGL keeps data for every
+// thread that has used it. Worker threads of parallel loops end during program exit, when the
+// OpenGL library may already be unloaded; this thread ends earlier.
 class PictureThread {
 public:
-    // Fails like PictureMaker::create(), and where the system gives no thread.
+    // Fails like PictureMaker::create(), and if no thread can be started.
     static Result<PictureThread> create();
 
     PictureThread(PictureThread&&) noexcept;
     PictureThread& operator=(PictureThread&&) = delete;
     ~PictureThread();
 
-    // Calls `draw` on that thread, and waits until it is done. Others that ask meanwhile wait, too.
+    // Calls `draw` on that thread and waits until it returns. Concurrent callers wait for their
+    // turn.
     void draw(std::function<void(PictureMaker&)> const& draw);
 
 private:

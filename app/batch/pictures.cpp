@@ -17,8 +17,8 @@ namespace {
 
 constexpr float kStrokeWidth_mm = 4;
 
-// Returns the plant of which pictures before black and before white are there: where they differ,
-// the ground shows. `ground` is the white one alone, which is darker towards the corners.
+// Computes a cut-out plant with alpha from renderings on black and on white: the background shows
+// where they differ. `ground` is the white background alone, which is darker towards the corners.
 render::Image without_ground(render::Image const& on_black, render::Image const& on_white,
                              render::Image const& ground)
 {
@@ -34,7 +34,8 @@ render::Image without_ground(render::Image const& on_black, render::Image const&
                                      share(white.green, black.green, clear.green),
                                      share(white.blue, black.blue, clear.blue) });
         int const seen = std::max(0, 255 - shown);
-        auto const full = [&](int part) { // The ground adds nothing to the darker picture.
+        // The darker rendering has no contribution from the background.
+        auto const full = [&](int part) {
             return static_cast<std::uint8_t>(seen > 0 ? std::min(255, part * 255 / seen) : 0);
         };
         cutout.pixels()[i] = { full(black.red), full(black.green), full(black.blue),
@@ -93,7 +94,7 @@ std::vector<render::Image> PictureMaker::cutouts(mesh::Mesh const& mesh,
     auto empty = stage;
     empty.meshes.clear();
     std::vector<render::Image> pictures;
-    render::Image ground; // Ground for all views of one size.
+    render::Image ground; // Background for all views of the same size.
     for (auto const& view : views) {
         auto const before = [&](float grey, render::Stage& seen) {
             seen.backdrop.top = seen.backdrop.bottom = Vec3f::Constant(grey);

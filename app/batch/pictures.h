@@ -24,25 +24,25 @@ struct PictureSize {
     double aspect() const { return static_cast<double>(width_px) / height_px; }
 };
 
-// Makes the pictures that go into files, without a window, on the thread that created it.
+// Renders pictures for files, without a window. Use it only on the thread that created it.
 class PictureMaker {
 public:
-    // Fails where the system has no OpenGL; the message says what to install.
+    // Fails if the system has no OpenGL; the message says what to install.
     static Result<PictureMaker> create();
 
-    // A plant, lit, on the ground, all of it in the picture or as `camera` sees it: so plants of
-    // one collection are shown alike.
+    // Renders a lit plant on the ground, as seen by `camera`, by default fitted into the picture. A
+    // shared camera shows all plants of a collection at the same scale.
     render::Image plant(mesh::Mesh const& mesh, PictureSize const& size,
                         std::optional<render::Camera> const& camera = {});
 
-    // The strokes in the drawing volume with the base plant's skeleton: what a stroke shapes has
-    // the stroke's colour, and its ink is as the nib leaves it.
+    // Renders the strokes and the base plant's skeleton in the drawing volume. The ink follows the
+    // nib, and a branch has the colour of the stroke that shapes it.
     render::Image strokes(scene::Scene const& scene, std::span<document::DrawnStroke const> strokes,
                           Nib nib, PictureSize const& size);
 
-    // A plant's own colours (Stage::Lighting::Colours) as it is seen from the horizontal direction,
-    // without perspective: `side_mm` around `center_mm`, as a square of `side_px`. What is no plant
-    // is transparent.
+    // View of a plant with its own colours (Stage::Lighting::Colours), in orthographic projection
+    // from a horizontal direction: a square of `side_mm` around `center_mm`, rendered at `side_px`
+    // pixels with a transparent background.
     struct Cutout {
         Vec3 center_mm = Vec3::Zero();
         double side_mm = 1000;
@@ -54,7 +54,8 @@ public:
 private:
     PictureMaker(render::OffscreenContext context, render::Renderer renderer);
 
-    render::OffscreenContext context_; // Before the renderer, which must go first.
+    // Declared before the renderer, which must be destroyed first.
+    render::OffscreenContext context_;
     render::Renderer renderer_;
 };
 

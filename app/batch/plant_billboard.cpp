@@ -12,8 +12,7 @@ namespace tractus::batch {
 
 static constexpr int kViewSide_px = 256;
 
-// Gives what is transparent the mean colour of the rest, so that smaller pictures made of this one
-// have no dark rims.
+// Gives transparent pixels the mean colour of the others, so that mipmaps have no dark fringes.
 static void fill_transparent(render::Image& picture)
 {
     std::array<std::uint64_t, 3> sum {};
@@ -33,8 +32,8 @@ static void fill_transparent(render::Image& picture)
             pixel = { mean(0), mean(1), mean(2), 0 };
 }
 
-// Radius of everything in the mesh around the vertical line through `center_mm`: seen from any
-// side, the plant is not wider.
+// Radius of the mesh around the vertical axis through `center_mm`, so that the view fits from every
+// side.
 static double radius_around(Vec3 const& center_mm, mesh::Mesh const& mesh)
 {
     Vec2f const center = center_mm.head<2>().cast<float>();

@@ -6,7 +6,7 @@
 
 namespace tractus::batch {
 
-// Draws a plant from eight sides, each 256 pixels wide and high.
+// Draws a plant from eight sides, at 256 by 256 pixels each.
 Result<exports::Billboard> draw_billboard(PictureMaker& pictures, mesh::Mesh const& mesh);
 
 } // namespace tractus::batch

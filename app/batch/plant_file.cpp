@@ -24,7 +24,7 @@ static Result<std::uint64_t> write_glb_file(exports::PlacedMesh const& placed,
     return triangles;
 }
 
-// The .obj comes last: what it names is there.
+// The .obj file is written last, when the files it refers to exist.
 static Result<void> write_plant_obj(exports::PlacedMesh const& placed,
                                     std::filesystem::path const& path)
 {
@@ -44,7 +44,7 @@ Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& na
                                        std::filesystem::path const& path,
                                        PlantFileOptions const& options)
 {
-    // Meshed while it is written: plants may be large.
+    // The mesh is made while it is written, as plants may be large.
     if (path.extension() == ".glb")
         return write_glb_file({ .name = name, .mesh = exports::PlantToMesh { .plant = &plant } },
                               path, options.glb);

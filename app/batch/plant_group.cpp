@@ -8,8 +8,8 @@
 
 namespace tractus::batch {
 
-// The plants that are shown. The scene may have the active plant otherwise than the document has
-// it, and may be of one plant that no document has.
+// The visible plants. A scene may hold a modified active plant, or a single plant that belongs to
+// no document.
 static std::vector<scene::BuiltPlant const*> shown_in(scene::Scene const& scene)
 {
     if (scene.plants.empty())
@@ -52,7 +52,7 @@ static Plant const& at_age(Plant const& grown, double age, Plant& young)
     return young;
 }
 
-// The whole plant of a member; `bent` is room for it.
+// The whole plant of a member; `bent` provides storage for it.
 Plant const& PlantGroup::grown(Member& member, variation::PlantKey const& key, double age,
                                Plant& bent)
 {
@@ -66,8 +66,8 @@ Plant const& PlantGroup::grown(Member& member, variation::PlantKey const& key, d
     return *plant;
 }
 
-// The plant of a member in a collection; `plant` is room for it. Growth has one key for all
-// members, as ever; as individuals they have their own.
+// The plant of a member in a collection; `plant` provides storage for it. All members share the key
+// of growth; for individual differences each has its own.
 Plant const& PlantGroup::of_collection(std::size_t number, variation::PlantKey key, double age,
                                        Plant& plant)
 {

@@ -12,38 +12,38 @@
 
 namespace tractus::batch {
 
-// All plants of a document that are not hidden, as one plant in the frame of the first of them:
-// where each stands, all of one variation and age.
+// All visible plants of a document, merged into one plant in the frame of the first of them. All
+// have the same variation and age.
 class PlantGroup {
 public:
-    // Fails like plan_growth(), and, as the user's fault, where all plants are hidden.
+    // Fails like plan_growth(), and with a user error if all plants are hidden.
     static Result<PlantGroup> create(scene::Scene const& scene);
 
-    // As the station's window shows them: each as drawn, grown as is set, at its age.
+    // The plants as the window shows them: as drawn, with their own growth and age.
     Plant as_set();
 
-    // From here on what would grow into the ground is bent along it (bend_along_ground()).
+    // Enables bending growth along the ground instead of into it (bend_along_ground()).
     void keep_above_ground() { is_above_ground_ = true; }
 
-    // From here on those of a collection are individuals (variation/individual.h), each turned
-    // about its own base; branches that were drawn stay.
+    // Enables individual differences in a collection (variation/individual.h). Each plant turns
+    // about its own base; drawn branches stay.
     void make_individuals(variation::Individuality const& how) { individuality_ = how; }
 
-    // The segments of the last plant given that lie below the ground, roots aside.
+    // Number of segments of the last returned plant that are below the ground, except roots.
     std::size_t underground() const { return underground_; }
 
-    // As of a collection. It is the group's own and holds until the next call. Without what has not
-    // grown at that age.
+    // The plants for one key of a collection, without parts not grown at that age. Owned by the
+    // group and valid until the next call.
     Plant const& grow(variation::PlantKey const& key, double age);
 
 private:
     struct Member {
-        // Stays where it is: the grower has a reference.
+        // On the heap, as the grower holds a reference to it.
         std::unique_ptr<variation::GrowthPlan const> plan;
         variation::Grower grower;
         scene::SetGrowth growth;
-        Vec3 moved_mm = Vec3::Zero(); // From its own frame to the first one's.
-        std::vector<bool> kept {};    // Axes that were drawn, and what bears them.
+        Vec3 moved_mm = Vec3::Zero(); // Translation from its own frame to that of the first plant.
+        std::vector<bool> kept {};    // True for axes that were drawn and the axes that bear them.
     };
 
     Plant const& grown(Member& member, variation::PlantKey const& key, double age, Plant& bent);
@@ -57,7 +57,7 @@ private:
     variation::Individuality individuality_ {};
 };
 
-// PlantGroup::as_set() of a document, as it is. Fails like PlantGroup::create().
+// PlantGroup::as_set() of a document. Fails like PlantGroup::create().
 Result<Plant> shown_plants(scene::Scene const& scene);
 
 } // namespace tractus::batch

@@ -6,8 +6,8 @@
 
 namespace tractus::batch {
 
-// What is measured of a plant (tree_measures.h), as one line of JSON: lengths in metres, the
-// diameter in millimetres.
+// Measurements of a plant (tree_measures.h) as one line of JSON: lengths in metres, the diameter in
+// millimetres.
 std::string print_plant_report(Plant const& plant);
 
 } // namespace tractus::batch

@@ -42,7 +42,7 @@ std::vector<scene::Edit> following_edits(scene::Scene const& scene,
     auto const after = scene::apply_edits(scene, all);
     if (!after || !after->state.season)
         return following.edits;
-    // Leaves that cannot be grown for the season keep their colour alone.
+    // If leaves cannot be grown for the season, only their colour changes.
     if (auto const grown = season_edits(*after, after->state.season))
         for (auto const& edit : *grown)
             if (edit.get<scene::KeepLeaves>())

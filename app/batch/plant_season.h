@@ -9,18 +9,18 @@
 
 namespace tractus::batch {
 
-// The edits that show a document in a season, or without one: with the leaves that its plants need
-// for that and the document does not have yet, which are grown here (0.4 s for each kind). Fails,
-// as the user's fault, where a leaf cannot be grown.
+// Edits that show a document in a season, or without one. They include the leaves that its plants
+// need for that and the document lacks; these are grown here (0.4 s for each kind). Fails with a
+// user error if a leaf cannot be grown.
 Result<std::vector<scene::Edit>> season_edits(scene::Scene const& scene,
                                               std::optional<scene::Season> const& season);
 
-// The edits that a step brings with it, as edits_that_follow() says; leaves that follow a drawing
-// do so in the document's season, too.
+// Edits that must follow a step, as in edits_that_follow(); leaves that follow a drawing are grown
+// for the document's season.
 std::vector<scene::Edit> following_edits(scene::Scene const& scene,
                                          std::vector<scene::Edit> const& step);
 
-// The scene in that season; as it is without one.
+// The scene in that season; unchanged without one.
 Result<scene::Scene> with_season(scene::Scene scene, std::optional<scene::Season> const& season);
 
 } // namespace tractus::batch

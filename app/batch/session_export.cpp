@@ -24,7 +24,7 @@ namespace {
 
 constexpr char const* kStrokesName = "strokes.txt";
 
-// Writes files into a folder, and keeps their names.
+// Writes files into a folder and records their names.
 class FolderWriter {
 public:
     explicit FolderWriter(fs::path folder)
@@ -33,7 +33,7 @@ public:
     {
     }
 
-    // What is written from here on goes into a folder in it.
+    // Sets the subfolder for the files that follow.
     void enter(fs::path const& inner) { inner_ = folder_ / inner; }
 
     Result<void> write(fs::path const& name, std::string const& text)
@@ -56,7 +56,7 @@ private:
     fs::path inner_;
 };
 
-// The end of a name that was a path, with another ending.
+// Last component of a name that may be a path, with another extension.
 fs::path file_name(std::string const& path, char const* ending)
 {
     auto const stem = fs::path(path).stem();
@@ -75,7 +75,7 @@ Result<void> write_plant(FolderWriter& out, lsystem::ModelSource const& source,
     return {};
 }
 
-// Writes what parse_obj_lines() reads: y up, and metres if the whole is small.
+// Writes a skeleton for parse_obj_lines(): y up, and in metres if it is small.
 Result<void> write_plant(FolderWriter& out, scene::LoadSkeleton const& edit)
 {
     constexpr double kSmall = 100;
@@ -96,7 +96,8 @@ Result<void> write_plant(FolderWriter& out, scene::LoadSkeleton const& edit)
     return out.write(file_name(edit.name, ".obj"), text);
 }
 
-// Under its own ending, if that is one of its format's. "strokes.txt" are the strokes.
+// Writes the plant with its own extension if that fits its format. The name "strokes.txt" is
+// reserved for the strokes.
 Result<void> write_plant(FolderWriter& out, scene::LoadMeasured const& edit)
 {
     constexpr std::array kEndings { ".mtg", ".csv", ".ply" }; // In the order of the formats.
@@ -107,7 +108,7 @@ Result<void> write_plant(FolderWriter& out, scene::LoadMeasured const& edit)
     return out.write(is_text ? own : file_name(edit.name, usual), edit.text);
 }
 
-// A plant whose source is of no file and no model goes as a graph.
+// Writes a plant that comes from neither a file nor a model as a graph.
 Result<void> write_graph(FolderWriter& out, std::string const& name,
                          scene::PlantSource const& source)
 {
@@ -131,13 +132,13 @@ Result<void> write_source(FolderWriter& out, std::string const& name,
     return source.empty() ? Result<void>() : write_graph(out, name, source);
 }
 
-// Where files of a plant or part go that is not the document's first.
+// Folder for the files of a part, or of a plant other than the document's first.
 fs::path inner_folder(std::string const& name, scene::ItemId id)
 {
     return fmt::format("{}-{}", file_name(name, "").string(), scene::name_of(id));
 }
 
-// What stands where, for people.
+// Describes what stands where, for the user.
 std::string describe_place(scene::PlantState const& plant, scene::DocumentState const& state)
 {
     auto const& at_mm = plant.stands_at_mm;
@@ -153,8 +154,8 @@ std::string describe_place(scene::Graft const& graft, scene::PlantState const& p
                        fs::path(graft.name).filename().string(), scene::name_of(parent.id));
 }
 
-// Each plant and each part of one: the first in the folder, the others in folders of their own,
-// since their files may have the same names.
+// Writes each plant and each grafted part: the first plant into the folder itself, all others into
+// folders of their own, as their file names may collide.
 Result<void> write_plants(FolderWriter& out, scene::DocumentState const& state)
 {
     std::string places;

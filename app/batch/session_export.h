@@ -8,16 +8,14 @@
 
 namespace tractus::batch {
 
-// Writes what a session consists of as files for other programs, and answers their names. Of a
-// plant these are the rules (.l) and view (.v) of its model with what they include, also where a
-// method has written the model; the lines (.obj) of its skeleton, or the file of its measured plant
-// (.mtg, .csv, .txt, .ply); of any other its base plant as a graph (.mtg). Plants beside the first,
-// and parts that were put on plants, have folders of their own, called after the plant and its id,
-// and plants.txt says what stands where. strokes.txt (stroke_text.h) has the strokes that shape
-// branches of the plant that takes what is drawn, if there are any.
-//
-// Each file appears whole or not at all. Fails, as the user's fault, for what is no session, and
-// where a session of another's asks for files outside of the folder.
+// Writes the contents of a session as files for other programs and returns their names. For a plant
+// with a model, also one written by a method, these are its rules (.l) and view (.v) with the files
+// they include; for a skeleton its lines (.obj); for a measured plant its file (.mtg, .csv, .txt,
+// .ply); for any other its base plant as a graph (.mtg). Plants beside the first, and grafted
+// parts, have folders of their own, named after the plant and its id; plants.txt says what stands
+// where. strokes.txt (stroke_text.h) contains the strokes that shape branches of the active plant,
+// if there are any. Each file appears complete or not at all. Fails with a user error if the file
+// is not a session, and if a foreign session asks for files outside the folder.
 Result<std::vector<std::filesystem::path>> export_session(std::filesystem::path const& session,
                                                           std::filesystem::path const& folder,
                                                           scene::EditKinds kinds);

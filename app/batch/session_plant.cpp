@@ -12,7 +12,7 @@ namespace tractus::batch {
 
 namespace {
 
-// The name of the plant that edits load last.
+// Name of the plant that the edits load last.
 std::string plant_name(std::vector<scene::Edit> const& edits)
 {
     std::string name;
@@ -34,8 +34,8 @@ bool is_session_file(std::filesystem::path const& path)
     return path.extension() == ".tractus";
 }
 
-// The state after a step, which does all that it says or nothing. What the session began with does
-// what it can: it has no step before it.
+// The state after a step, which is applied completely or not at all. The initial edits (step 0) are
+// applied as far as possible, as there is no step before them.
 static Result<scene::DocumentState> state_after(scene::DocumentState state,
                                                 std::span<session::SessionEdit const> step,
                                                 scene::SceneBuilder& builder)

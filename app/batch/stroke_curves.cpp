@@ -9,7 +9,7 @@ namespace tractus::batch {
 
 namespace {
 
-// Share of a stroke's width, where the pen is hardly pressed.
+// Width at the lightest pressure, as a share of the full width.
 constexpr float kThinnestPart = 0.35f;
 
 Vec3f const kSkeletonColor(0.62f, 0.60f, 0.57f);
@@ -31,7 +31,7 @@ Vec3 world_position(scene::Scene const& scene, NodeId node)
 }
 
 // The path that an association shapes. Each segment is drawn from its own base, so that a path that
-// leaves an axis for a lateral one stays whole.
+// continues from an axis into a lateral has no gap.
 render::Curve path_curve(scene::Scene const& scene, std::vector<SegmentId> const& path,
                          Vec3f const& color)
 {
@@ -82,7 +82,7 @@ render::Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& colo
 
 std::vector<render::Curve> skeleton_curves(scene::Scene const& scene)
 {
-    // Branches that a stroke shapes are drawn once, in the stroke's colour.
+    // Branches that a stroke shapes are left out here and drawn once, in the stroke's colour.
     std::vector<bool> is_shaped(scene.base->segment_count(), false);
     for (auto const& association : scene.associations)
         for (auto const segment : association.what.path)

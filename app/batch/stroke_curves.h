@@ -10,20 +10,18 @@
 
 namespace tractus::batch {
 
-// Curves that are drawn of a scene besides its plant, in the world frame: the same in pictures and
-// in the window.
+// Curves shown with a scene's plant, in the world frame; the same in pictures and in the window.
 
-// The colour of the n-th stroke and of what it shapes: seven that colour-blind people can tell
-// apart (Okabe and Ito, "Color Universal Design", 2002), then the same again. sRGB, 0 to 1.
+// Colour of the n-th stroke and of what it shapes: seven colours that colour-blind people can tell
+// apart (Okabe and Ito, "Color Universal Design", 2002), then repeated. sRGB, 0 to 1.
 Vec3f stroke_color(std::size_t n);
 
-// A stroke, as wide as the pen was pressed and its nib was broad. `width_mm` of a point at full
-// pressure.
+// A stroke whose width follows the pressure and the nib. `width_mm` is the width at full pressure.
 render::Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& color, float width_mm,
                            Nib nib = Nib::Point);
 
-// The base plant's skeleton as it stands in the drawing volume, one curve per axis, and one more
-// per association for the path that it shapes, in its stroke's colour.
+// The base plant's skeleton in the drawing volume: one curve per axis, and one per association for
+// the path that it shapes, in its stroke's colour.
 std::vector<render::Curve> skeleton_curves(scene::Scene const& scene);
 
 // The motion indicators as arrows.

@@ -7,22 +7,22 @@
 
 namespace tractus::tools {
 
-// Where a plant of the document is, as strokes have bent it. Each stroke was checked when it was
-// drawn; one that cannot be read now leaves the plant at rest.
+// Geometry of a document's plant after strokes have bent it. Strokes were checked when they were
+// drawn; if one cannot be read now, the plant stays at rest.
 class BentPlant {
 public:
-    // The plant must outlive it.
+    // `plant` must outlive this object.
     explicit BentPlant(scene::BuiltPlant const& plant);
 
-    // The ends of a segment of the base plant. World frame.
+    // Start of a segment of the base plant; end_of() gives its end. World frame.
     Vec3 begin_of(SegmentId segment) const;
     Vec3 end_of(SegmentId segment) const;
 
     // All nodes of the base plant. Plant frame.
     std::vector<Vec3> const& nodes_mm() const { return nodes_mm_; }
 
-    // Turns what rides on the segment from where it is at rest; exactly nothing where the segment
-    // is as it was.
+    // Rotation of what rides on the segment relative to the rest shape; exactly the identity if the
+    // segment is not bent.
     Quat turn_of(SegmentId segment) const;
 
 private:

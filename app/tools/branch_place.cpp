@@ -11,10 +11,11 @@ namespace tractus::tools {
 namespace {
 
 constexpr double kFinger_mm = 10;
-constexpr double kDepth_mm = 30; // Along the sight: a hand at the branch's height, more or less.
+// Tolerance along the line of sight: roughly how well a hand hits the branch's height.
+constexpr double kDepth_mm = 30;
 
-// How near a stroke begins to the branch, or to where the branch stood, that is meant to begin
-// there.
+// A stroke that begins within this distance of a branch, or of its former place, is meant to begin
+// on it.
 constexpr double kJoined_mm = 10;
 
 scene::BuiltPlant const& plant_with(scene::Scene const& scene, scene::ItemId id)
@@ -26,7 +27,8 @@ scene::BuiltPlant const& plant_with(scene::Scene const& scene, scene::ItemId id)
 struct TouchedBranch {
     scene::BuiltPlant const* plant = nullptr;
     SegmentId segment = 0;
-    bool is_near_begin = false; // Rather than near its end.
+    // True if the touch is closer to the segment's start than to its end.
+    bool is_near_begin = false;
     double distance_mm = std::numeric_limits<double>::infinity();
 };
 
@@ -92,7 +94,9 @@ std::vector<scene::Edit> graft_edits(scene::Scene const& scene, BranchPlace cons
         return parent.rest->addresses.address_of(*parent.base, segment);
     };
     std::vector<scene::Edit> edits;
-    if (!scene.state.scale) // It is the first plant's, which may become a part of another now.
+    // Fixes the document's scale, which so far is that of the first plant: that plant may become a
+    // part of another now.
+    if (!scene.state.scale)
         edits.push_back(scene::SetScale { parent.placement.scale });
     if (place.hidden)
         edits.push_back(scene::HideBranch { place.plant, address(*place.hidden) });

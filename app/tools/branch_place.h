@@ -9,32 +9,34 @@
 
 namespace tractus::tools {
 
-// What becomes of a branch that another plant is put on.
+// Fate of a branch onto which another plant is grafted.
 enum class Grafting {
-    Beside,  // It goes on.
-    InPlace, // It is hidden, and the plant stands where it stood; of a stem what is above is.
+    Beside, // The branch stays.
+    // The branch is hidden and replaced by the plant; of a stem, only the part above is hidden.
+    InPlace,
 };
 
-// A place on a plant of the document, as strokes bend it, where another plant can stand.
+// A place on a plant of the document, as bent by strokes, where another plant can be grafted.
 struct BranchPlace {
     scene::ItemId plant = 0;
-    SegmentId touched = 0;              // Of its base plant.
-    SegmentId on = 0;                   // The segment on whose end the other one stands.
-    std::optional<SegmentId> hidden {}; // The first of those that are hidden then.
-    double diameter_mm = 0;             // Of what bears it there. World frame, as the next one.
-    // Where the other one's base is then: the place that was asked about if it is as near to the
-    // branch as a hand would have joined it, else on the branch.
+    SegmentId touched = 0;              // Segment of the base plant that was touched.
+    SegmentId on = 0;                   // Segment at whose end the grafted plant stands.
+    std::optional<SegmentId> hidden {}; // First of the segments to hide.
+    double diameter_mm = 0; // Diameter of the bearing segment there. World frame, as is base_mm.
+    // Base of the grafted plant: the requested place if it is as close to the branch as a hand
+    // would draw it, otherwise a place on the branch.
     Vec3 base_mm = Vec3::Zero();
 };
 
-// The place for a plant whose base is at `base_mm` (world frame), on the nearest branch of any
-// plant that is shown but for one (0: none). Seen along `sight` it is at most a finger's breadth
-// away, and not far in front or behind. Fails, as the user's fault, where there is none.
+// Finds the place on the nearest branch of a visible plant for a plant whose base is at `base_mm`
+// (world frame). `except` is a plant to ignore (0: none). Seen along `sight`, the branch is at most
+// a finger's breadth away, and not far in front or behind. Fails with a user error if there is no
+// such branch.
 Result<BranchPlace> branch_at(scene::Scene const& scene, Vec3 const& base_mm, Vec3 const& sight,
                               Grafting grafting, scene::ItemId except = 0);
 
-// The edits that put a plant there, which is in the document or made by the edit before: 0 is the
-// active one.
+// Edits that graft a plant at the place. The plant is in the document or made by the preceding
+// edit; 0 is the active plant.
 std::vector<scene::Edit> graft_edits(scene::Scene const& scene, BranchPlace const& place,
                                      scene::ItemId plant);
 

@@ -36,12 +36,13 @@ private:
     std::vector<SkeletonLine> moved_lines(std::uint32_t orders) const;
 
     Reads reads_;
-    std::shared_ptr<scene::Scene const> scene_; // That is laid; shared as UnfinishedStroke's.
-    // Scene whose shaping strokes have their tips in memory.
+    // Scene prepared by lay(); shared like that of UnfinishedStroke.
+    std::shared_ptr<scene::Scene const> scene_;
+    // Copy of the scene with the tips of all shaping strokes in memory.
     std::optional<scene::Scene> readable_;
     scene::SceneShaper shaper_;
     std::vector<Vec3> before_mm_;
-    std::vector<Vec3> after_mm_; // Kept for its memory.
+    std::vector<Vec3> after_mm_; // A member to reuse its memory.
 };
 
 void BranchPreviewer::lay(std::shared_ptr<scene::Scene const> scene)
@@ -75,7 +76,7 @@ scene::Scene const& BranchPreviewer::readable_scene()
                     auto shaping = plant.strokes[number];
                     auto& tips = shaping.what.stroke.tips;
                     if (auto read = tips.in_memory())
-                        tips = *std::move(read); // Else the stroke itself will say why.
+                        tips = *std::move(read); // If reading fails, the stroke reports the error.
                     plant.strokes.replace(number, std::move(shaping));
                 }
             });

@@ -6,13 +6,13 @@
 
 namespace tractus::tools {
 
-// For tools that give branches another shape: the branches that stand elsewhere with the stroke
-// than without it, where they stand then, and the whole branch each time. Only what the stroke
-// touches, and what stands on it, is laid anew each time.
+// Preview for tools that reshape branches: shows each branch that the stroke moves, as a whole and
+// in its new place. Only the branches that the stroke touches, and those they bear, are recomputed
+// each time.
 std::unique_ptr<StrokePreviewer> branch_previewer();
 
-// The same for a tool that looks at the tips of all strokes that shape something, each time: they
-// are read once.
+// Like branch_previewer(), for a tool that needs the tips of all shaping strokes on every update;
+// they are read only once.
 std::unique_ptr<StrokePreviewer> stroke_reading_previewer();
 
 } // namespace tractus::tools

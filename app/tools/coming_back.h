@@ -6,8 +6,8 @@
 
 namespace tractus::tools {
 
-// Whether so much of a closed line is drawn that the rest can be guessed: the pen is on its way
-// back to where it began. `ink`: at least one tip.
+// True if enough of a closed line was drawn that the rest can be guessed, as the pen is on its way
+// back to the start. `ink` has at least one tip.
 bool is_coming_back(std::span<TipSample const> ink);
 
 } // namespace tractus::tools

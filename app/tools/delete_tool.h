@@ -4,7 +4,7 @@
 
 namespace tractus::tools {
 
-// Takes the selected branches' last stroke away.
+// Deletes the last stroke of the selected branches.
 struct DeleteTool {
     static ToolKind const kKind;
 };

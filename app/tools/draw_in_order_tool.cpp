@@ -11,8 +11,9 @@
 
 namespace tractus::tools {
 
-// One association per stroke, so their number says whose turn it is; after the last axis the
-// trunk's turn comes again. Empty for a plant without branches.
+// The branch that the next stroke shapes. There is one association per stroke, so their number
+// tells whose turn it is; after the last axis it is the trunk's again. Empty for a plant without
+// branches.
 static std::vector<SegmentId> next_branch(scene::Scene const& scene)
 {
     auto const& order = scene.rest->drawing_order;

@@ -5,7 +5,7 @@
 
 namespace tractus::tools {
 
-// Each stroke shapes the next axis, the trunk first.
+// Each stroke shapes the next axis in drawing order, starting with the trunk.
 struct DrawInOrderTool {
     static ToolKind const kKind;
 

@@ -11,21 +11,21 @@ namespace tractus::tools {
 
 namespace {
 
-// In the order of Propagation,
+// Names in the order of Propagation.
 constexpr std::array<OptionWord, 3> kPropagationWords { {
     { "selected", "Selected", "Draw: the branch" },
     { "descendants", "All it bears", "Draw: all that the branch bears" },
     { "both", "Both", "Draw: the branch and all that it bears" },
 } };
 
-// and of StrokeFit.
+// Names in the order of StrokeFit.
 constexpr std::array<OptionWord, 3> kFitWords { {
     { "start", "From its base" },
     { "chord", "Base to tip" },
     { "world", "As it lies" },
 } };
 
-// and of StrokeLaying. Logs from before there was another law have no word for it.
+// Names in the order of StrokeLaying. Logs from before there was a second law lack this option.
 constexpr std::array<OptionWord, 2> kLayingWords { {
     { "least_twist", "Least twist" },
     { "heading", "By heading" },

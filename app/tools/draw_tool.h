@@ -5,7 +5,7 @@
 
 namespace tractus::tools {
 
-// The stroke shapes the selected branches.
+// Shapes the selected branches like the stroke.
 struct DrawTool {
     static ToolKind const kKind;
 
@@ -14,7 +14,8 @@ struct DrawTool {
     variation::StrokeLaying laying = variation::StrokeLaying::HeadingAndPitch;
 };
 
-// The two options that say how a stroke is laid along a branch. No button offers the second.
+// Visits the two options that control how a stroke is laid along a branch. The second has no
+// button.
 void visit_laying(OptionVisitor& visitor, WordOption::Offered offered, variation::StrokeFit& fit,
                   variation::StrokeLaying& laying);
 

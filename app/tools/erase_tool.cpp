@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kRadius_mm = EraseTool::kRadius_mm;
 
-// In the order of Erasing.
+// Names in the order of Erasing.
 constexpr std::array<OptionWord, 2> kErasingWords { {
     { "whole", "Whole strokes", "Erase whole strokes" },
     { "part", "What it touches", "Erase what the pen touches" },
@@ -33,14 +33,14 @@ void visit(OptionVisitor& visitor, EraseTool& tool)
     visitor.choice({ kErasingWords }, tool.erasing);
 }
 
-// How far above the surface a line may lie that is still seen, and how far below the highest tip
-// under the eraser it takes others of the same stroke: about as far as it is wide, so that of a
-// stroke that was drawn straight up not all goes below the surface.
+// A line may lie this far above the surface and still be visible. The eraser also takes parts of
+// the same stroke down to kEraserDepth_mm below the highest tip under it: about its own width, so
+// that erasing the top of a vertical stroke does not take all of it.
 constexpr double kSeenAbove_mm = 1;
 constexpr double kEraserDepth_mm = 2 * kRadius_mm;
 
-// The height of a polyline where it passes under the eraser, the highest that is not above the
-// surface; no value if it passes beside it.
+// Height of a polyline where it passes under the eraser: the highest one that is not above the
+// surface, or no value if the line passes beside the eraser.
 class UnderEraser {
 public:
     explicit UnderEraser(Vec3 const& eraser_mm)
@@ -82,19 +82,20 @@ std::optional<double> height_under(Vec3 const& eraser_mm,
     return under.height_mm();
 }
 
-// A stroke that can be erased: its number among the scene's, its tips for as long as that takes,
-// and where the eraser can touch it.
+// A stroke that can be erased: its index in the scene, its tips (in memory while erasing), and the
+// area in which the eraser can touch it.
 struct SeenStroke {
     std::size_t number = 0;
     SharedVector<TipSample> tips;
     Eigen::AlignedBox2d reach_mm;
 };
 
-// Fails where the tips of one cannot be read.
+// Strokes visible on the tablet. Fails if the tips of one cannot be read.
 Result<std::vector<SeenStroke>> strokes_on_pad(scene::Scene const& scene)
 {
     std::vector<SeenStroke> strokes;
-    for (auto const number : scene::shaping_numbers(scene)) { // The pad shows no others.
+    // The tablet shows only strokes that shape branches.
+    for (auto const number : scene::shaping_numbers(scene)) {
         auto& stroke = strokes.emplace_back();
         stroke.number = number;
         stroke.tips = TRY(scene.associations[number].what.stroke.tips.in_memory());
@@ -107,22 +108,21 @@ Result<std::vector<SeenStroke>> strokes_on_pad(scene::Scene const& scene)
     return strokes;
 }
 
-// What the eraser has touched: associations by their numbers in the scene, and which of their tips
-// if only these go, and numbers of indicators.
+// What the eraser has touched: associations by their index in the scene, each with the touched
+// tips, and indices of indicators.
 struct Touched {
     std::map<std::size_t, std::vector<bool>> associations;
     std::vector<std::size_t> indicators;
 };
 
-// Where the eraser has been, close enough together that nothing slips through between two places
-// of a fast hand.
+// Path of the eraser, sampled densely enough that a fast hand skips nothing.
 std::vector<Vec3> way_of(Stroke const& eraser)
 {
     std::vector<Vec3> way_mm;
     for (auto const& tip : eraser.tips) {
         Vec3 const from_mm = way_mm.empty() ? tip.position_mm : way_mm.back();
         Vec3 const step_mm = tip.position_mm - from_mm;
-        constexpr double kMostSteps = 1000; // Whatever a broken device says.
+        constexpr double kMostSteps = 1000; // Limits what a faulty device can cause.
         int const steps
             = static_cast<int>(std::clamp(std::ceil(step_mm.norm() / kRadius_mm), 1.0, kMostSteps));
         for (int i = 1; i <= steps; ++i)
@@ -131,7 +131,7 @@ std::vector<Vec3> way_of(Stroke const& eraser)
     return way_mm;
 }
 
-// Adds the stroke's tips under the eraser, where the highest place of its line is at `top_mm`.
+// Marks the stroke's tips under the eraser, where the highest point of its line is at `top_mm`.
 void touch_tips(Vec3 const& eraser_mm, double top_mm, std::vector<TipSample> const& tips,
                 std::vector<bool>& touched)
 {
@@ -146,14 +146,14 @@ void touch_tips(Vec3 const& eraser_mm, double top_mm, std::vector<TipSample> con
     }
 }
 
-// Of what lies above each other only the topmost goes, as with ink on paper, however long the
-// eraser stays. A stroke that shapes several branches is in the scene once for each, and all of
-// them lose the same.
+// Erases only the topmost of several lines above each other, like ink on paper, however long the
+// eraser stays. A stroke that shapes several branches is in the scene once for each; all copies
+// lose the same tips.
 void touch(Vec3 const& eraser_mm, scene::Scene const& scene, std::span<SeenStroke const> strokes,
            Touched& touched)
 {
     std::optional<double> top_mm;
-    std::vector<std::size_t> seen; // Of `strokes`.
+    std::vector<std::size_t> seen; // Indices into `strokes`.
     std::vector<std::size_t> indicators;
     auto const take = [&](std::optional<double> height_mm, std::vector<std::size_t>& numbers,
                           std::size_t number) {
@@ -191,8 +191,8 @@ std::vector<TipRange> ranges_of(std::vector<bool> const& touched)
     return ranges;
 }
 
-// Whether what is left of an association's stroke still shapes its branches. A crumb smaller than
-// the eraser was not left on purpose, and its direction is chance.
+// True if the remainder of an association's stroke still shapes its branches. Pieces smaller than
+// the eraser do not count: they were not left on purpose, and their direction is random.
 Result<bool> shapes_without(scene::Scene const& scene, variation::Association association,
                             std::span<TipRange const> ranges)
 {
@@ -207,7 +207,8 @@ Result<bool> shapes_without(scene::Scene const& scene, variation::Association as
     return variation::check_association(*scene.base, association).has_value();
 }
 
-// Those that lose the same tips together, then those that go whole.
+// Edits for the touched strokes: one for all that lose the same tips, then one for those that are
+// deleted.
 Result<std::vector<scene::Edit>> stroke_edits_of(Touched const& touched, EraseTool::Erasing erasing,
                                                  scene::Scene const& scene)
 {
@@ -218,7 +219,8 @@ Result<std::vector<scene::Edit>> stroke_edits_of(Touched const& touched, EraseTo
         auto const id = scene.associations[number].id;
         if (erasing == EraseTool::Erasing::Whole) {
             whole.strokes.ids.push_back(id);
-        } else if (ranges.empty()) { // Between two of its tips, where it goes straight anyway.
+        } else if (ranges.empty()) { // The eraser touched the line between two tips, so no tip is
+                                     // removed.
             continue;
         } else if (!TRY(shapes_without(scene, scene.associations[number].what, ranges))) {
             whole.strokes.ids.push_back(id);

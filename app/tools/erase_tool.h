@@ -4,17 +4,19 @@
 
 namespace tractus::tools {
 
-// Strokes and indicators go that the stroke runs over, as the pad shows them, or parts of strokes.
+// Erases strokes and indicators, or parts of strokes, that the eraser crosses as they are shown on
+// the tablet.
 struct EraseTool {
     static ToolKind const kKind;
 
-    // How far beside a line the eraser may be and still touch it.
+    // Radius of the eraser around its path.
     static constexpr double kRadius_mm = 4;
 
-    // What goes of a stroke. Indicators have no parts, and go whole.
+    // How much of a stroke is erased. Indicators are always erased whole.
     enum class Erasing {
-        Whole, // All of it.
-        Part,  // The tips under the eraser; all where those that are left shape nothing.
+        Whole, // The whole stroke.
+        // Only the tips under the eraser, or the whole stroke if the rest would shape nothing.
+        Part,
     };
     Erasing erasing = Erasing::Whole;
 };

@@ -13,8 +13,8 @@
 
 namespace tractus::tools {
 
-// A small drawing of what a tool's options mean, with points on it by which they are set. Its frame
-// is a square from -1 to 1, x to the right and y up.
+// A gizmo: a small drawing of a tool's options, with handles that set them. Its frame is a square
+// from -1 to 1, x to the right and y up.
 struct Glyph {
     struct Line {
         std::vector<Vec2> points;
@@ -22,42 +22,44 @@ struct Glyph {
         LayerStyle::Color color = LayerStyle::Color::Grey;
     };
     struct Handle {
-        std::size_t id = 0; // The same wherever the handle is.
+        std::size_t id = 0; // Stays the same when the handle moves.
         Vec2 place = Vec2::Zero();
-        std::string says {};    // What it sets, and its value, for people.
-        char const* sign = "";  // Written on it.
-        bool is_button = false; // It is pressed and not dragged.
-        // The number among the options that is asked for when the handle is pressed and not
-        // dragged; empty: none.
+        std::string says {};    // What the handle sets, and its value, for the user.
+        char const* sign = "";  // Letter written on the handle.
+        bool is_button = false; // The handle is pressed rather than dragged.
+        // Name of the number option to ask for when the handle is pressed rather than dragged;
+        // empty: none.
         char const* number = "";
-        bool is_small = false; // One of many.
+        bool is_small = false; // Drawn smaller, as one of many.
     };
     struct Label {
-        Vec2 place = Vec2::Zero(); // Middle of its upper edge.
+        Vec2 place = Vec2::Zero(); // Middle of the text's upper edge.
         char const* text = "";
     };
     std::vector<Line> lines;
     std::vector<Handle> handles;
-    std::vector<Label> labels {};       // Left out where there is no room.
-    char const* hint = "Drag a letter"; // Shown as long as nothing is pointed at.
+    std::vector<Label> labels {};       // Omitted if there is no room.
+    char const* hint = "Drag a letter"; // Shown while the pointer is on no handle.
 };
 
-// How a kind of tool shows its options so. Called once a frame, with options of its kind.
+// Gizmo of a kind of tool, for its options. Functions are called once per frame, with options of
+// that kind.
 struct GlyphKind {
     char const* title;
     Glyph (*show)(void const* options);
-    // A person drags a handle to a place, or presses it. Options stay within their ranges.
+    // Applies the drag or press of a handle by the user. Options stay within their ranges.
     void (*drag)(void* options, std::size_t handle, Vec2 const& to);
 };
 
-// How a kind of tool shows a drawing of what has been drawn with it, in the same frame: numbers of
-// the active plant, which are set there.
+// Gizmo of a kind of tool, for the numbers of the active plant that was drawn with it; same frame
+// as Glyph.
 struct DrawnGlyphKind {
     char const* title;
-    // No value where the active plant has none. Called when the plant has changed.
+    // Returns the gizmo, or no value if the active plant has no such numbers. Called when the plant
+    // has changed.
     std::optional<Glyph> (*show)(scene::Scene const& scene);
-    // What it means that a person drags a handle to a place, or presses it: edits of the scene.
-    // Fails, as the user's fault, where that cannot be.
+    // Edits for the drag or press of a handle by the user. Fails with a user error if that is
+    // impossible.
     Result<std::vector<scene::Edit>> (*drag)(scene::Scene const& scene, std::size_t handle,
                                              Vec2 const& to);
 };

@@ -10,29 +10,31 @@ namespace tractus::tools {
 
 class Tool;
 
-// How the lines of a layer look. Layers that are seen together differ in colour and in pattern, so
-// that nobody needs the colours.
+// Appearance of a layer's lines. Layers shown together differ in colour and pattern, so that they
+// can be told apart without colours.
 struct LayerStyle {
     enum class Color { Orange, Blue, Green, Purple, Grey } color = Color::Grey;
     enum class Pattern { Solid, Dashed, Dotted } pattern = Pattern::Solid;
     enum class End { Plain, Arrow } end = End::Plain;
-    double width_mm = 1.5; // On the pad.
+    double width_mm = 1.5; // On the tablet.
 };
 
-// Lines that are shown with the active plant, on the pad and with the skeleton: what was drawn for
-// the plant, or is inferred from that. A row of a list: the views know no layer by name.
+// Lines shown with the active plant, on the tablet and with the skeleton: drawn for the plant, or
+// inferred from the drawing. Layers are entries of a list; views do not know any by name.
 struct Layer {
-    char const* label; // In the skeleton's legend, in small letters: "leaning".
+    char const* label; // Name in the skeleton's legend, in lower case: "leaning".
     LayerStyle style {};
-    // The lines, each of at least two points. World frame. Called when the plant has changed.
+    // Returns the lines, each of at least two points, in the world frame. Called when the plant has
+    // changed.
     std::vector<std::vector<Vec3f>> (*lines)(scene::BuiltPlant const& plant);
-    // When they are seen: always, for some seconds after they have changed, or neither; and as long
-    // as the tool in hand asks for them.
+    // When the layer is visible: always, for some seconds after a change, or only while the current
+    // tool asks for it.
     enum class Seen { Always, AWhile, WhenAskedFor } seen = Seen::Always;
-    bool (*is_asked_for)(Tool const& in_hand) = nullptr; // No value: it never is.
+    // True while the tool asks for the layer. Null: never.
+    bool (*is_asked_for)(Tool const& in_hand) = nullptr;
 };
 
-// The layers that a program has, in the order in which they are drawn.
+// The program's layers in drawing order.
 using Layers = std::span<Layer const* const>;
 
 } // namespace tractus::tools

@@ -10,33 +10,32 @@
 
 namespace tractus::tools {
 
-// How far a stroke has to get for each kind of tool to mean anything, mm on the desk: by the kinds'
-// words. A kind that is not named has no least extent. Greatest value: kGreatestLeastExtent_mm.
-//
-// A log's line "least", with words such as "draw=6", says which are in force from there on; before
-// it there are none, as in logs that were made before there was such a line.
+// Least extent of a stroke for each kind of tool to have an effect, in mm on the desk, by the
+// kind's word. Kinds not listed have none. At most kGreatestLeastExtent_mm. A log's line "least",
+// with words such as "draw=6", sets the extents from there on. Logs from before this line existed
+// have none.
 using LeastExtents = std::map<std::string, double, std::less<>>;
 constexpr double kGreatestLeastExtent_mm = 100;
 constexpr std::string_view kLeastExtentsLine = "least";
 
-// As the kinds themselves say (ToolKind::least_extent_mm).
+// Default extents of the kinds (ToolKind::least_extent_mm).
 LeastExtents usual_least_extents(ToolKinds kinds);
 
-// "draw=6 indicate=5", as a log's line says it; parse_least_extents() reads it. Kinds that are not
-// among `kinds` are kept: another program may know them.
+// Formats extents for a log: "draw=6 indicate=5". The inverse is parse_least_extents().
 std::string print_least_extents(LeastExtents const& extents);
 
-// Fails, as the user's fault, for a word that is no "TOOL=MM" or a number outside the range.
+// Parses extents. Kinds that this program does not know are kept. Fails with a user error for a
+// word that is not "TOOL=MM" or a number out of range.
 Result<LeastExtents> parse_least_extents(std::string_view words);
 
-// Zero where there is none.
+// The extent of a kind, or 0 if it has none.
 double least_extent_mm(LeastExtents const& extents, ToolKind const& kind);
 
-// The greatest distance of any tip from the first one: how far the hand got, mm. Zero for a stroke
+// Extent of a stroke: the greatest distance of any tip from the first one, in mm. Zero for a stroke
 // without tips.
 double extent_mm(Stroke const& stroke);
 
-// What is said of a stroke that got less far.
+// Message for a stroke that was too short.
 std::string describe_dab(ToolKind const& kind, double least_mm);
 
 } // namespace tractus::tools

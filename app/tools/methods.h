@@ -16,12 +16,12 @@ namespace tractus::tools {
 
 struct Methods;
 
-// Adds a command to the command line, whose callback sets what is to be done.
+// Adds a subcommand to the command line. Its callback sets the action to run.
 using AddCommand
     = void (*)(CLI::App& root, std::function<Result<void>()>& action, Methods const& methods);
 
-// All that the ways to sketch bring to a program: a value that is made where the program begins and
-// passed down. What the lists point to lives as long as the program.
+// Everything the sketching methods contribute to the program. Created at startup and passed down;
+// what the lists refer to lives as long as the program.
 struct Methods {
     scene::EditKinds edits {};
     ToolKinds tools {};

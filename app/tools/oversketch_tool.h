@@ -4,7 +4,7 @@
 
 namespace tractus::tools {
 
-// The stroke redraws a part of the selected branches' newest one.
+// Redraws a part of the newest stroke of the selected branches.
 struct OversketchTool {
     static ToolKind const kKind;
 };

@@ -12,7 +12,7 @@ namespace {
 
 using Selecting = SelectTool::Selecting;
 
-// In the order of Selecting.
+// Names in the order of Selecting.
 constexpr std::array<OptionWord, 8> kSelectingWords { {
     { "path", "Path" },
     { "ends", "By its ends" },
@@ -75,7 +75,7 @@ bool selects_path(Tool const& tool)
         || selecting == Selecting::Take;
 }
 
-// Over the skeleton the other end has nothing to erase.
+// Options of the pen's other end: over the skeleton there is nothing to erase, so it deselects.
 std::shared_ptr<void> taking()
 {
     return std::make_shared<SelectTool>(SelectTool { Selecting::Take });

@@ -4,18 +4,18 @@
 
 namespace tractus::tools {
 
-// The stroke runs over the skeleton's picture and chooses branches.
+// Selects branches with a stroke over the skeleton's picture.
 struct SelectTool {
     static ToolKind const kKind;
 
     enum class Selecting {
-        Path,   // The path under the stroke.
-        Ends,   // All between the branches under the stroke's two ends.
-        Add,    // The path as well.
-        Take,   // What was chosen but for the path.
-        Order,  // All axes of the order of the one under the stroke's end.
-        Alike,  // That axis and all siblings that are like it.
-        Invert, // What was not chosen; wherever the stroke is.
+        Path,   // Selects the path under the stroke.
+        Ends,   // Selects everything between the branches at the stroke's two ends.
+        Add,    // Adds the path to the selection.
+        Take,   // Removes the path from the selection.
+        Order,  // Selects all axes of the same order as the one at the stroke's end.
+        Alike,  // Selects the axis at the stroke's end and all siblings like it.
+        Invert, // Inverts the selection, wherever the stroke is.
         Nothing,
     };
     Selecting selecting = Selecting::Path;

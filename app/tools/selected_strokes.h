@@ -6,11 +6,11 @@
 
 namespace tractus::tools {
 
-// The strokes that shape the selected branches, oldest first. Fails, as the user's fault, if there
-// is none.
+// The strokes that shape the selected branches, oldest first. Fails with a user error if there are
+// none.
 Result<scene::Items> selected_strokes(scene::Scene const& scene);
 
-// The newest of them.
+// The newest stroke that shapes the selected branches. Fails like selected_strokes().
 Result<scene::Items> newest_selected_stroke(scene::Scene const& scene);
 
 } // namespace tractus::tools

@@ -6,11 +6,12 @@
 
 namespace tractus::tools {
 
-// Millimetres of the tablet: a line as thin as it is shown, and a hand that need not hit it.
+// Tolerances in millimetres of the tablet: the width of a line as shown, and the inaccuracy of a
+// hand.
 static constexpr variation::PickOptions kPick { .line_half_width = 0.4, .finger = 2.5 };
 
-// What picking needs of the plant, as strokes bend it. Each stroke was checked when it was drawn;
-// one that cannot be read now leaves the plant at rest.
+// The parts of a bent plant that picking needs. Strokes were checked when they were drawn; if one
+// cannot be read now, the plant stays at rest.
 static Plant bent_skeleton(scene::BuiltPlant const& plant)
 {
     Plant bent;

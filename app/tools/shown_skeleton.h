@@ -14,26 +14,27 @@
 
 namespace tractus::tools {
 
-// A plant's skeleton as the selection view shows it on the tablet, and what a pen means that is
-// drawn over it. World frame: tips' x and y are millimetres of the tablet.
+// A plant's skeleton as shown by the selection view on the tablet, for interpreting strokes over
+// it. World frame: x and y of tips are millimetres of the tablet.
 class ShownSkeleton {
 public:
-    // The plant at rest, whatever the angle says.
+    // Shows the plant at rest, even if the angle asks for the bent plant.
     explicit ShownSkeleton(Plant const& plant, scene::SelectionAngle const& angle = {});
 
-    // As the angle says: at rest, or as the plant's strokes bend it.
+    // Shows the plant at rest or as bent by its strokes, depending on the angle.
     ShownSkeleton(scene::BuiltPlant const& plant, scene::SelectionAngle const& angle);
 
-    // The paths that a stroke chooses. Fails, as the user's fault, if it touches no branch.
+    // The paths that a stroke selects. Fails with a user error if it touches no branch.
     Result<variation::Selection> paths_under(Stroke const& stroke) const;
 
-    // The segment under a tip. Fails, as the user's fault, if there is none.
+    // The segment under a tip. Fails with a user error if there is none.
     Result<SegmentId> segment_under(TipSample const& tip) const;
 
-    // What a stroke has chosen while it is still being drawn.
+    // What an unfinished stroke has selected so far.
     struct Touched {
         std::vector<SegmentId> selected {};
-        std::vector<SegmentId> undetermined {}; // The pen has not yet shown whether it meant them.
+        // Touched segments of which it is still open whether the pen means them.
+        std::vector<SegmentId> undetermined {};
 
         bool operator==(Touched const&) const = default;
     };

@@ -6,16 +6,16 @@
 
 namespace tractus::tools {
 
-// A piece of a plant's skeleton that has one state: an axis, or a part of one. In the frame of the
-// plant that takes what is drawn.
+// A piece of a plant's skeleton with a single state: an axis or part of one. In the frame of the
+// active plant.
 struct SkeletonLine {
     enum class State {
         Unselected,
-        Undetermined, // Touched, but the pen has not yet shown whether it was meant.
+        Undetermined, // Touched, but it is still open whether the pen means it.
         Selected,
-        Assigned, // A stroke gives it its shape.
-        Next,     // The next stroke will.
-        Other,    // Of a plant that does not take what is drawn.
+        Assigned, // Shaped by a stroke.
+        Next,     // About to be shaped by the next stroke.
+        Other,    // Belongs to a plant that is not active.
     };
 
     std::vector<Vec3f> points_mm;

@@ -4,7 +4,7 @@
 
 namespace tractus::tools {
 
-// Takes the hand out of the selected branches' strokes.
+// Smooths the strokes of the selected branches, removing the hand's tremor.
 struct SmoothTool {
     static ToolKind const kKind;
 };

@@ -14,24 +14,23 @@ namespace tractus::tools {
 
 class Tool;
 
-// A stroke under way, and what it is drawn on.
+// An unfinished stroke, and the scene on which it is drawn.
 struct UnfinishedStroke {
-    std::shared_ptr<scene::Scene const> scene; // Shared with whoever shows it; nobody changes it.
+    std::shared_ptr<scene::Scene const> scene; // Immutable; shared with the window.
     Tool const& tool;
     std::span<TipSample const> ink;
-    std::uint32_t orders = 0; // Only branches of lower orders than this are looked at.
+    std::uint32_t orders = 0; // Only branches of lower orders than this are considered.
 };
 
-// Shows what a stroke would do if it ended now. It may keep what it needs again for the next tips.
+// Previews what a stroke would do if it ended now. It may cache data between calls.
 class StrokePreviewer {
 public:
     virtual ~StrokePreviewer() = default;
 
-    // None for a stroke that would be refused.
+    // Lines of the preview; empty for a stroke that would be refused.
     virtual std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) = 0;
 
-    // A sentence about what was shown last: what it leaves out, say. Empty: there is nothing to
-    // say.
+    // A sentence about the last preview, such as what it leaves out; empty: nothing to say.
     virtual std::string note() const { return {}; }
 };
 

@@ -31,7 +31,7 @@ constexpr ToolKind kNoTool { .word = "",
                              .options = options_type<NoOptions>(),
                              .mean = refuse };
 
-// All options as numbers, for comparing.
+// Collects all options as numbers, for comparisons.
 class ValueReader final : public OptionVisitor {
 public:
     void word(WordOption const&, int& value) override { values.push_back(value); }
@@ -97,7 +97,7 @@ public:
     }
     void number(NumberOption const&, double&) override { }
 
-    // Null where nothing goes with it.
+    // Null if the word has no side effects.
     auto goes_with() const { return goes_with_; }
 
 private:
@@ -107,14 +107,14 @@ private:
     void (*goes_with_)(void* options) = nullptr;
 };
 
-// Sets each option that is a word to the first of its words.
+// Sets every word option to its first word.
 class FirstWords final : public OptionVisitor {
 public:
     void word(WordOption const&, int& value) override { value = 0; }
     void number(NumberOption const&, double&) override { }
 };
 
-// Finds the option that a word of a log is about, and sets it.
+// Finds the option to which a word of a log refers, and sets it.
 class ArgumentReader final : public OptionVisitor {
 public:
     explicit ArgumentReader(std::string_view argument)
@@ -156,7 +156,7 @@ private:
     std::vector<std::string> known_;
 };
 
-// The words of a log for all options that differ from what no word means.
+// Words of a log for all options that differ from their defaults.
 class ArgumentWriter final : public OptionVisitor {
 public:
     explicit ArgumentWriter(std::vector<double> plain)
@@ -216,7 +216,7 @@ Result<scene::SelectionAngle> parse_view(std::string_view word)
     return scene::SelectionAngle { azimuth, elevation, zoom, { x, y }, { width, depth } };
 }
 
-// "a, b or c".
+// Joins words as "a, b or c".
 std::string list_words(std::vector<std::string> const& words)
 {
     std::string list;
@@ -383,7 +383,8 @@ ToolKind const* find_tool_kind(ToolKinds kinds, std::string_view word)
     return found == kinds.end() ? nullptr : *found;
 }
 
-// A person may begin with another one, where a kind has got options that older logs do not know.
+// The tool a user starts with may differ, if the kind has gained options that older logs do not
+// know.
 Tool tool_of_word(ToolKind const& kind)
 {
     FirstWords first;

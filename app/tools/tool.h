@@ -15,17 +15,16 @@
 
 namespace tractus::tools {
 
-// What the pen means now: a kind of tool and its options. A value: copies share the options, which
-// nobody changes. A log names it in its T lines: a word, and for some more words.
+// The pen's current tool: a kind and its options. A value type: copies share the options, which are
+// immutable. A log's T lines contain it as a word and, for some tools, further words.
 class Tool {
 public:
-    // None of this program's, as of a log that another one has made, with more tools: its strokes
-    // are refused.
+    // An unknown tool, for a log made by another program with more tools; its strokes are refused.
     Tool();
 
-    explicit Tool(ToolKind const& kind); // With the options that it has by default.
+    explicit Tool(ToolKind const& kind); // With default options.
 
-    // `options` point to the type that belongs to the kind.
+    // `options` must point to the type that belongs to the kind.
     Tool(ToolKind const& kind, std::shared_ptr<void const> options)
         : kind_(&kind)
         , options_(std::move(options))
@@ -41,40 +40,41 @@ public:
 
     ToolKind const& kind() const { return *kind_; }
 
-    // Null for a tool of another kind.
+    // The options, or null for a tool of another kind.
     template<ToolFields T> T const* get() const
     {
         return kind_ == &T::kKind ? static_cast<T const*>(options_.get()) : nullptr;
     }
 
-    // Lets the visitor look at the options, which it leaves as they are.
+    // Passes the options to a visitor that must not change them.
     void show(OptionVisitor& visitor) const { static_cast<void>(changed_by(visitor)); }
 
-    // The same tool after the visitor has changed its options.
+    // A copy whose options the visitor has changed.
     Tool changed_by(OptionVisitor& visitor) const;
-    // After a function for options of its kind has (WordOption::goes_with).
+    // A copy changed by a function for options of its kind (WordOption::goes_with).
     Tool changed_by(void (*change)(void* options)) const;
 
-    // Its options as a drawing, and the tool after a person has dragged or pressed a handle of that
-    // (glyph.h). Only of kinds that have one.
+    // The gizmo of the tool's options, and the tool after the user has dragged or pressed one of
+    // its handles (glyph.h). Only for kinds with a gizmo.
     Glyph glyph() const;
     Tool dragged(std::size_t handle, Vec2 const& to) const;
 
-    // It is done at once, without a stroke, and the tool in hand stays in hand: "now".
+    // True if the tool acts at once, without a stroke, and leaves the current tool selected; "now"
+    // in logs.
     bool is_done_at_once() const { return at_once_; }
     bool can_be_done_at_once() const;
     Tool done_at_once() const;
 
-    // From where the skeleton is shown under the pen, for a tool that works on that: "view=", and
-    // seven numbers with commas between them: azimuth, elevation, zoom, moved to x and y, and the
-    // area's width and depth; and "bent" for the skeleton as strokes have bent it.
+    // View direction of the skeleton under the pen, for a tool that works on it. In logs: "view="
+    // and seven numbers separated by commas: azimuth, elevation, zoom, shift in x and y, width and
+    // depth of the area; and "bent" if the skeleton is shown as strokes have bent it.
     scene::SelectionAngle const& angle() const { return angle_; }
     Tool seen_from(scene::SelectionAngle const& angle) const;
 
-    // What it is called, for people.
+    // Name of the tool, for the user.
     std::string title() const;
 
-    // See ToolKind::mean.
+    // Interprets a stroke; see ToolKind::mean.
     Result<std::vector<scene::Edit>> mean(Stroke const& stroke, scene::Scene const& scene) const
     {
         return kind_->mean(*this, stroke, scene);
@@ -89,17 +89,17 @@ private:
     bool at_once_ = false;
 };
 
-// The options of a tool that are words, with the number of the word that each has.
+// One of a tool's word options, and the index of the chosen word.
 struct ChosenWord {
     WordOption option;
     int value = 0;
 };
 std::vector<ChosenWord> chosen_words(Tool const& tool);
 
-// The tool with another word for the option of this number among them.
+// The tool with another word for its word option with this index.
 Tool with_word(Tool const& tool, std::size_t option, int value);
 
-// The same of options that are numbers.
+// One of a tool's number options, and its value.
 struct ChosenNumber {
     NumberOption option;
     double value = 0;
@@ -107,29 +107,29 @@ struct ChosenNumber {
 std::vector<ChosenNumber> chosen_numbers(Tool const& tool);
 Tool with_number(Tool const& tool, std::size_t option, double value);
 
-// A number that a person or a log gives for an option. No value: the text is no number, or one that
-// is outside the option's range.
+// Parses an option's number, typed by the user or read from a log. No value if the text is not a
+// number or is out of range.
 std::optional<double> read_number(NumberOption const& option, std::string_view text);
 
-// A tool from the words of a log or a script. Fails, as the user's fault, naming the tools or
-// arguments there are.
+// Makes a tool from the words of a log or a script. Fails with a user error that lists the
+// available tools or arguments.
 Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view arguments);
 
-// What a log without tool lines means: the kind as its word alone says it in a log.
+// The tool that a log without tool lines means: the kind's word alone.
 Tool tool_of_word(ToolKind const& kind);
 
-// `arguments`, which parse_tool knows, with the words that they need to mean the tool as a person
-// takes it in hand now: those of options that no button offers, unless they are among them.
+// Adds to `arguments` (which must be valid for parse_tool()) the words that make the tool equal to
+// the one a user selects now: those of options without a button, unless they are given.
 std::string words_in_hand(ToolKinds kinds, std::string_view name, std::string_view arguments);
 
-// The words for a tool, as parse_tool reads them.
+// A tool as words that parse_tool() reads.
 struct ToolWords {
     std::string name;
     std::string arguments;
 };
 ToolWords words_for(Tool const& tool);
 
-// A finished stroke in the hand of a tool; without tips something that the tool does at once.
+// A finished stroke and its tool; without tips, an action of a tool that needs no stroke.
 struct ToolStroke {
     Stroke stroke;
     Tool tool;

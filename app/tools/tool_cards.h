@@ -9,30 +9,32 @@
 
 namespace tractus::tools {
 
-// A way to set a tool that has a name: the numbers of a rule, say. Kinds of tools that have them
-// say so by an option that is offered as cards (WordOption). A card sets that option and all
-// numbers, and leaves other words, such as where a plant stands, as they are in the hand.
+// A named preset of a tool, such as the numbers of a rule. A kind of tool has presets if one of its
+// options is offered as cards (WordOption). A preset sets that option and all numbers, and keeps
+// other words, such as where a plant stands.
 struct ToolCard {
     std::string name {};
     Tool tool {};
 };
 
-// The label of the option that a kind offers as cards: "Rule"; null: it has none.
+// Label of the option that a kind offers as cards, such as "Rule", or null if it has none.
 char const* cards_label(ToolKind const& kind);
 
-// The ready cards of the hand's kind, taken into that hand.
+// Built-in presets of the current tool's kind, applied to the current tool.
 std::vector<ToolCard> ready_cards(Tool const& hand);
 
-// The hand with what a card sets. Both are of one kind.
+// The current tool with a preset applied. Both are of the same kind.
 Tool with_card(Tool const& hand, Tool const& card);
 
-// What a card sets in the hand, and nothing else: two hands with the same card give the same.
+// The part of the tool that a preset sets, everything else at defaults: tools with the same preset
+// give equal results.
 Tool card_of(Tool const& hand);
 
-// The text of a card's file: a comment, and the tool as logs name it.
+// Text of a preset's file: a comment, and the tool as in logs.
 std::string card_text(Tool const& tool);
 
-// Fails, as the user's fault, with the file's name, for text that names no tool that has cards.
+// Parses a preset's file. Fails with a user error that contains the file's name, if the text is not
+// a tool with presets.
 Result<Tool> parse_card(ToolKinds kinds, std::string_view text, std::string const& name);
 
 } // namespace tractus::tools

@@ -28,14 +28,14 @@ bool has_method(ToolKind const& kind)
     return *kind.method != 0;
 }
 
-// There is one: `kind` itself at the latest.
+// The first kind of the same method; at the latest this is `kind` itself.
 ToolKind const& first_of_method(ToolKinds kinds, ToolKind const& kind)
 {
     return **std::find_if(kinds.begin(), kinds.end(),
                           [&](ToolKind const* other) { return is_same_method(*other, kind); });
 }
 
-// What the button of a group leads to, whose first kind this is.
+// The kind that a group's button selects; `first` is the first kind of the group.
 ToolKind const& kind_of_group(ToolKinds kinds, ToolKind const& first,
                               std::span<Tool const> remembered)
 {
@@ -52,7 +52,7 @@ public:
     {
     }
 
-    // The group's methods, if it has several.
+    // Adds the group's methods, if it has several.
     void add_methods(ToolKinds kinds, std::span<Tool const> remembered);
     void add_kind(ToolKind const& kind);
     std::vector<Meaning> take() { return std::move(meanings_); }
@@ -140,7 +140,8 @@ void Meanings::add_next_word(Tool const& tool, ChosenWord const& chosen, std::si
     auto const& [option, value] = chosen;
     auto const count = static_cast<int>(option.words.size());
     auto const next = with_word(tool, number, (value + 1) % count);
-    // Its text changes under a press: the button stays the same one.
+    // The part after "##" is the button's identity, which must not change while its text changes
+    // under a press.
     add(fmt::format("{}: {}##{} in turn", option.label,
                     option.words[static_cast<std::size_t>(value)].label, option.label),
         next);
@@ -148,7 +149,8 @@ void Meanings::add_next_word(Tool const& tool, ChosenWord const& chosen, std::si
     meanings_.back().is_beside_glyph = option.offered == WordOption::Offered::BesideGlyph;
 }
 
-// With the name of the ready card that is in the hand, whole.
+// Adds the button that opens the presets; its text contains the preset that exactly matches the
+// current tool.
 void Meanings::add_cards(ChosenWord const& chosen)
 {
     auto const ready = ready_cards(hand_)[static_cast<std::size_t>(chosen.value)];
@@ -162,7 +164,8 @@ void Meanings::add_cards(ChosenWord const& chosen)
 void Meanings::add_number(ChosenNumber const& chosen, std::size_t number)
 {
     begins_group_ |= number == 0;
-    // The value may change under a press: the button stays the same one.
+    // The part after "##" is the button's identity, which must not change while its text changes
+    // under a press.
     add(fmt::format("{}##{}", describe_number(chosen), chosen.option.name), hand_);
     meanings_.back().is_on = false;
     meanings_.back().number = number;
@@ -184,7 +187,7 @@ Tool chosen_anew(ToolKind const& kind, std::span<Tool const> remembered)
     return found == remembered.end() ? Tool(kind) : *found;
 }
 
-// No value: the plant was not made with such a tool.
+// No value if the plant was not made with a tool of this kind.
 static std::optional<Tool> tool_that_made(ToolKind const& kind, scene::Scene const& scene)
 {
     auto const* const plant = scene::active_plant(scene.state);

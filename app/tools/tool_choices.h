@@ -11,51 +11,51 @@
 
 namespace tractus::tools {
 
-// A button of bar and ring that takes a tool in hand.
+// A button of the tool bar and of the tool ring.
 struct ToolChoice {
-    char const* text = ""; // The group that it stands for.
-    Tool tool;             // Its first kind, or the first of the method that was in hand last.
+    char const* text = ""; // The group that the button stands for.
+    Tool tool;             // The group's first kind, or the first kind of the method used last.
 };
 
-// The choices that a person has first, one for each group. Tools that are `remembered`, the latest
-// last, mean what they meant then.
+// The top-level choices, one per group. `remembered` lists tools used before, the latest last; they
+// are selected with their old options.
 std::vector<ToolChoice> tool_choices(ToolKinds kinds, std::span<Tool const> remembered);
 
-// A tool of this kind as a person chooses it anew.
+// A tool of this kind with the options that a new selection gives it.
 Tool chosen_anew(ToolKind const& kind, std::span<Tool const> remembered);
 
-// The tool that comes to hand with a drawing: that with which the plant was made that takes what is
-// drawn, as it was made; the first of all for another plant, as of a model; and the first that
-// makes a plant where there is none.
+// The tool to select when a drawing opens: the one that made the active plant; for a plant from
+// elsewhere, such as a model, the first tool; without a plant, the first tool that makes one.
 Tool tool_for_drawing(ToolKinds kinds, scene::Scene const& scene);
 
-// Both belong to the same group: to draw a branch and to redraw a part of it is to draw.
+// True if both tools belong to the same group; drawing a branch and redrawing a part of it do, for
+// example.
 bool is_same_group(Tool const& one, Tool const& other);
 
-// One of the things that the tool in hand may mean.
+// One of the buttons for the current tool's variants.
 struct Meaning {
-    std::string text {};       // What follows "##" is not shown: it tells buttons apart.
-    Tool tool;                 // To be chosen for it.
-    float width = 0;           // Of its button, at a display's scale of 1.
-    bool is_on = false;        // It means that now.
-    bool begins_group = false; // Of meanings that exclude each other.
-    // It asks for a number, the tool's option of that number among them, and takes none in hand.
+    std::string text {};       // The part after "##" is not shown; it identifies the button.
+    Tool tool;                 // Tool that the button selects.
+    float width = 0;           // Width of the button at a display scale of 1.
+    bool is_on = false;        // True if this variant is selected.
+    bool begins_group = false; // Starts a group of mutually exclusive buttons.
+    // If set, the button asks for the tool's number option with this index and selects no tool.
     std::optional<std::size_t> number {};
-    bool opens_cards = false;     // Of the tool in hand; it takes none in hand.
-    bool is_beside_glyph = false; // It is offered as long as the glyph is seen.
+    bool opens_cards = false;     // The button opens the tool's presets and selects no tool.
+    bool is_beside_glyph = false; // Offered only while the gizmo is visible.
 };
 
-// All that tools of its group and method may mean, after the other methods of the group.
+// Buttons for the variants of the tool's group and method, preceded by the group's other methods.
 std::vector<Meaning> meanings_of(ToolKinds kinds, Tool const& hand,
                                  std::span<Tool const> remembered = {});
 
-// "Angle 45°".
+// Formats a number option with its label: "Angle 45°".
 std::string describe_number(ChosenNumber const& chosen);
 
-// "45°", "30 mm", "2".
+// Formats a number with its unit: "45°", "30 mm", "2".
 std::string with_unit(std::string_view number, NumberOption const& option);
 
-// As wide as a button with such a text has to be.
+// Width that a button needs for this text.
 float button_width(std::string_view text);
 
 } // namespace tractus::tools

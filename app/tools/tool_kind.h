@@ -22,109 +22,108 @@ struct DrawnGlyphKind;
 struct GlyphKind;
 struct ToolKind;
 
-// What the places of a stroke are places on, and so which view a pen works in.
+// What the coordinates of a stroke refer to, and thus the view in which the pen works.
 enum class Surface {
-    Space,    // The volume above the desk, through the drawing pad.
-    Paper,    // A plane in it.
-    Skeleton, // The skeleton's picture, from the angle that the tool line says.
+    Space,    // The volume above the desk, seen through the tablet.
+    Paper,    // A plane in that volume.
+    Skeleton, // The skeleton's picture, from the view direction in the tool's words.
     Plant,    // The plant's picture.
 };
 
-// How the ink of a tool looks.
+// Appearance of a tool's ink.
 struct InkStyle {
     enum class Look {
         Line,
-        Arrow,  // At its end.
-        Eraser, // Hardly seen.
+        Arrow,  // A line with an arrow at its end.
+        Eraser, // A faint line.
     } look
         = Look::Line;
-    double width_mm = 0; // 0: as the pressure says.
+    double width_mm = 0; // 0: follows the pressure.
 };
 
-// What the pen's other end does while its tip has a tool in hand.
+// The tool of the pen's other end.
 struct OtherEnd {
-    ToolKind const* kind = nullptr; // No value: the same as the tip.
-    // Its options; no value: those with which it was chosen last.
+    ToolKind const* kind = nullptr; // Null: the same kind as the tip's.
+    // Creates its options; null: the options it had last.
     std::shared_ptr<void> (*options)() = nullptr;
 };
 
-// All that the program knows of a kind of tool: a row of the table of tools. Logs, ring, bar, keys,
-// completion and the manual work by it and know no tool by name. Its functions are called once for
-// a stroke or a frame.
+// Everything the program knows about a kind of tool: a row of the table of tools. Logs, tool ring,
+// tool bar, keys, completion and the manual work from it and know no tool by name. Its functions
+// are called once per stroke or frame.
 struct ToolKind {
-    char const* word;  // In logs: "draw". Never changes.
-    char const* label; // On its button, where it has one of its own.
-    char const* title; // What the pen means, for people: "Draw, branch by branch".
-    char const* done;  // What is said when a stroke of it has been drawn.
-    char const* help;  // What it does, in a line of the manual.
-    char const* group; // The button of bar and ring that leads to it and all others of the group.
-    // Of a group that holds several methods: the button, first in the group's row, that leads to
-    // the kinds of this one. Kinds of other methods have no buttons of their own meanwhile.
+    char const* word;  // Name in logs, such as "draw". Never changes.
+    char const* label; // Text of its button, if it has one of its own.
+    char const* title; // Name of the tool for the user: "Draw, branch by branch".
+    char const* done;  // Message after a stroke was drawn.
+    char const* help;  // What the tool does, in one line of the manual.
+    char const* group; // Text of the button in bar and ring that leads to all kinds of the group.
+    // In a group of several methods: the button, in the first row of the group, that leads to the
+    // kinds of this method. Kinds of other methods are hidden meanwhile.
     char const* method = "";
-    // A picture for the group's button, of the group's first kind: lines that are separated by
-    // spaces, of places that are two digits each, column and row on a grid from 00 at the upper
-    // left to 99.
+    // Icon of the group's button, if this is the group's first kind: polylines separated by spaces.
+    // Each point is two digits, column and row on a grid from 00 (upper left) to 99.
     char const* icon = "";
-    char key = 0;                         // A capital letter that takes it in hand; 0: none.
-    bool begins_group_of_buttons = false; // Among the buttons that its group leads to.
-    bool at_once = false;                 // It needs no stroke: its button does it.
+    char key = 0;                         // Shortcut, a capital letter; 0: none.
+    bool begins_group_of_buttons = false; // Starts a group among the buttons of its tool group.
+    bool at_once = false;                 // Needs no stroke: pressing its button is enough.
     Surface surface = Surface::Space;
-    // A stroke that gets less far than this from where it begins, mm on the desk, is a slip of the
-    // hand: it does nothing. 0 where a touch means something. A person may set another
-    // (least_extent.h).
+    // Least extent of a stroke, in mm on the desk; a shorter one is a slip of the hand and does
+    // nothing. 0 if a touch has a meaning. The user can change it (least_extent.h).
     double least_extent_mm = 0;
     InkStyle ink {};
-    // The document is shown as a stroke under way would leave it if it ended here. Only where what
-    // a stroke means is found and shown within a frame.
+    // True if the document is shown as an unfinished stroke would change it if it ended now. Only
+    // for tools whose strokes can be interpreted and shown within a frame.
     bool shows_outcome = false;
-    bool lays_pictures = false; // Its buttons begin with one that opens pictures.
-    // The plants that are made with it: it comes to hand with a drawing in which such a one takes
-    // what is drawn. Null: none, or those that like_drawn() knows.
+    bool lays_pictures = false; // Its buttons start with one that opens pictures.
+    // Kind of plants made with the tool; it is selected when a drawing opens in which such a plant
+    // is active. Null: none, or those that like_drawn() recognises.
     scene::SourceKind const* makes = nullptr;
     OptionsType options;
-    GlyphKind const* glyph = nullptr; // Its options as a drawing; no value: numbers and words do.
-    DrawnGlyphKind const* drawn_glyph = nullptr; // The active plant's numbers; no value: none.
+    GlyphKind const* glyph = nullptr;            // Gizmo of its options; null: it has only buttons.
+    DrawnGlyphKind const* drawn_glyph = nullptr; // Gizmo of the active plant's numbers; null: none.
 
-    // What a finished stroke says, as edits of `scene`, to be applied in order. `stroke` is without
-    // tips if the tool does it at once. Fails, as the user's fault, when it says nothing: a stroke
-    // beside the plant, nothing selected.
+    // Interprets a finished stroke as edits of `scene`, to be applied in order. `stroke` has no
+    // tips if the tool acts at once. Fails with a user error if the stroke has no meaning, for
+    // example beside the plant or with nothing selected.
     Result<std::vector<scene::Edit>> (*mean)(Tool const& tool, Stroke const& stroke,
                                              scene::Scene const& scene);
 
-    // What has been drawn with the tool already, and follows when a person gives it other numbers:
-    // edits of `scene`, none if nothing does. No value: nothing ever does.
+    // Edits by which existing drawings follow when the user changes the tool's numbers; empty if
+    // there are none. Null: drawings never follow.
     std::vector<scene::Edit> (*follow)(Tool const& before, Tool const& after,
                                        scene::Scene const& scene)
         = nullptr;
-    // The tool with the options that the active plant was drawn with; no value: with none of its
-    // kind. Null: there is no such thing.
+    // The tool with the options of the active plant, or no value if that was not drawn with this
+    // kind. Null: not supported.
     std::optional<Tool> (*like_drawn)(Tool const& tool, scene::Scene const& scene) = nullptr;
 
-    // What is said in place of `done`, given the scene as the stroke has left it. No value, or an
-    // empty text: `done`.
+    // Message after a stroke, in place of `done`, for the scene after the stroke. Null or an empty
+    // text: `done`.
     std::string (*said)(Tool const& tool, scene::Scene const& after) = nullptr;
 
-    // What shows what a stroke under way would do. No value: nothing.
+    // Creates the previewer of unfinished strokes. Null: no preview.
     std::unique_ptr<StrokePreviewer> (*previewer)() = nullptr;
-    // Where each step ends by which something grows along a stroke, as far as that is drawn, for
-    // other programs to follow. World frame, mm. No value: nothing grows in steps.
+    // Ends of the growth steps along an unfinished stroke, for other programs to follow. World
+    // frame, mm. Null: nothing grows in steps.
     std::vector<Vec3> (*steps)(Tool const& tool, Stroke const& stroke, scene::Scene const& scene)
         = nullptr;
-    // Whether the branches that a stroke under way runs over are marked. No value: never.
+    // True if the branches crossed by an unfinished stroke are highlighted. Null: never.
     bool (*marks_branches)(Tool const& tool) = nullptr;
-    // The branch that the next stroke shapes, where that is not what is selected. No value: it is.
+    // The branch that the next stroke shapes, if it is not the selection. Null: it is the
+    // selection.
     std::vector<SegmentId> (*aims_at)(scene::Scene const& scene) = nullptr;
     OtherEnd other_end {};
 };
 
-// The kinds of tools that a program has, in the order of their buttons. No two have the same word.
-// The first is in hand until another is chosen.
+// The program's kinds of tools in the order of their buttons. Their words are unique. The first is
+// selected at the start.
 using ToolKinds = std::span<ToolKind const* const>;
 
-// Null if there is none.
+// The kind with this word, or null.
 ToolKind const* find_tool_kind(ToolKinds kinds, std::string_view word);
 
-// A struct of options whose tools have a kind: its static member kKind.
+// A struct of tool options that has a static member kKind.
 template<typename T>
 concept ToolFields = requires
 {

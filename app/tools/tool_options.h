@@ -5,62 +5,66 @@
 
 namespace tractus::tools {
 
-// One of the words among which an option of a tool chooses.
+// One of the words that a tool's option can have.
 struct OptionWord {
-    char const* word;  // In logs: never changes, and no other option of the tool has it.
-    char const* label; // On its button.
-    // What the tool in hand is called with it, where that differs from its kind's title.
+    char const* word;  // Name in logs: never changes, and is unique among the tool's options.
+    char const* label; // Text on its button.
+    // Title of the tool with this word, if it differs from its kind's title.
     char const* title = nullptr;
-    bool at_once = false; // Needs no stroke: its button does it, and the tool in hand stays.
+    // Needs no stroke: pressing its button acts at once, and the current tool stays selected.
+    bool at_once = false;
 };
 
-// An option that is one of several words. The first is what none of them means.
+// An option with one of several words. The first is the default, used if none is given.
 struct WordOption {
     std::span<OptionWord const> words;
     enum class Offered {
-        Always,      // Its words have buttons as soon as a tool of the group is in hand,
-        InHand,      // or when the tool itself is; until then its label has one, if no word has.
-        BesideLabel, // Likewise, beside the label's button, which stays,
-        InTurn, // as InHand, but one button for all, "Surface: in space", which takes the next one,
-        BesideGlyph, // as long as the kind's glyph is seen,
-        Never,       // never: how new strokes are understood, where older logs mean it otherwise,
-        Cards,       // or "Rule: Opposite", which opens them as cards, beside a person's own
-                     // (tool_cards.h).
+        Always, // Its words have buttons whenever a tool of the group is selected.
+        // Its words have buttons when the tool itself is selected; before that only its label has
+        // one, if no word is chosen.
+        InHand,
+        BesideLabel, // Like InHand, beside the label's button, which stays.
+        InTurn,      // Like InHand, but one button cycles through all words: "Surface: in space".
+        BesideGlyph, // Its words have buttons while the kind's gizmo is visible.
+        Never, // No buttons: it decides how new strokes are interpreted, where older logs differ.
+        // A button such as "Rule: Opposite" opens the words as cards, beside the user's own presets
+        // (tool_cards.h).
+        Cards,
     } offered
         = Offered::Always;
-    // What else a person chooses with a card: sets the tool's other options, which logs then name.
-    // Null: nothing.
+    // Side effect of choosing a card: sets the tool's other options, which logs then contain. Null:
+    // none.
     void (*goes_with)(void* options) = nullptr;
-    char const* label = ""; // What its button begins with, if it has one for all.
+    char const* label = ""; // Start of its button's text, if one button stands for all words.
 };
 
-// An option that is a number: "name=2.5" in logs.
+// A number option; "name=2.5" in logs.
 struct NumberOption {
     char const* name;
-    char const* unit; // For people: "mm"; empty for a count or a share.
-    double least;     // The range; what is outside is refused.
+    char const* unit; // Unit for the user, such as "mm"; empty for a count or a share.
+    double least;     // Least value; numbers out of range are refused.
     double greatest;
-    double step;                 // Of the buttons that make it less and more.
-    char const* label = nullptr; // On its button; no value: the name.
+    double step;                 // Step of the minus and plus buttons.
+    char const* label = nullptr; // Text on its button; null: the name.
     enum class Offered {
-        Always,       // It has a button.
-        WithoutGlyph, // It has one as long as the kind's glyph is not seen, which sets it, too.
-        OnGlyph,      // Only the glyph sets it.
+        Always,       // It always has a button.
+        WithoutGlyph, // It has a button while the kind's gizmo, which also sets it, is hidden.
+        OnGlyph,      // Only the gizmo sets it.
     } offered
         = Offered::Always;
 };
 
-// Visits the options of a tool in their order. A tool says them once, in a function that hands them
-// to a visitor; from that come its words in logs, equality, buttons, completion and the manual.
+// Visits a tool's options in order. A tool lists its options once, in a function that passes them
+// to a visitor; words in logs, equality, buttons, completion and the manual are derived from that.
 class OptionVisitor {
 public:
     virtual ~OptionVisitor() = default;
 
-    // The value is the word's number.
+    // `value` is the index of the word.
     virtual void word(WordOption const& option, int& value) = 0;
     virtual void number(NumberOption const& option, double& value) = 0;
 
-    // An enumeration whose values are in the order of the words.
+    // Visits an enumeration whose values are in the order of the words.
     template<typename Enum> void choice(WordOption const& option, Enum& value)
     {
         int number = static_cast<int>(value);
@@ -69,9 +73,9 @@ public:
     }
 };
 
-// What is done with the options of a kind of tool, whose type only its own file knows.
+// Operations on the options of a kind of tool, whose type only its own file knows.
 struct OptionsType {
-    std::shared_ptr<void> (*make)(); // By default.
+    std::shared_ptr<void> (*make)(); // Creates default options.
     std::shared_ptr<void> (*copy)(void const* options);
     void (*visit)(OptionVisitor& visitor, void* options);
 };

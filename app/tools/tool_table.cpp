@@ -8,8 +8,8 @@ namespace tractus::tools {
 
 namespace {
 
-// What each option may be: the words but for that which none means, or a name and a range. Options
-// that nobody chooses are left out.
+// Lists the possible values of each option: the words except the default, or a name and a range.
+// Options that the user never chooses are left out.
 class OptionLister final : public OptionVisitor {
 public:
     void word(WordOption const& option, int&) override

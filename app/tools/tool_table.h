@@ -6,12 +6,11 @@
 
 namespace tractus::tools {
 
-// Lines for a terminal: its word and those that may stand behind it, "draw [descendants|both]", its
-// key, and what it does.
+// Lines for a terminal: the kind's word with the words that may follow it, "draw
+// [descendants|both]", its key, and what it does.
 std::string describe_tool(ToolKind const& kind);
 
-// The manual's table of all tools, a line each: what a recording calls it, its words, the key that
-// takes it in hand, what it does.
+// The manual's table of all tools, one line each: name in recordings, words, key, and what it does.
 std::string manual_table(ToolKinds kinds);
 
 } // namespace tractus::tools

@@ -11,7 +11,7 @@ namespace tractus::tools {
 
 namespace {
 
-// `base` as strokes have bent it: its nodes alone, since nobody looks at what rides on them.
+// The base plant as bent by strokes. Only its nodes are moved, as the rest is not used.
 Plant bent_skeleton(scene::BuiltPlant const& plant)
 {
     Plant bent = *plant.base;

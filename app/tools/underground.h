@@ -9,11 +9,11 @@ namespace tractus::tools {
 
 class Tool;
 
-// What strokes have bent below the ground, roots aside: lines along these segments.
+// Layer of the segments, except roots, that strokes have bent below the ground.
 extern Layer const kUndergroundLayer;
 
-// ToolKind::said of tools that bend branches: what the tool says when it is done and, where strokes
-// have bent segments below the ground, how many. Empty where there are none.
+// ToolKind::said for tools that bend branches: the tool's own message and, if strokes have bent
+// segments below the ground, their number. Empty if there are none.
 std::string say_underground(Tool const& tool, scene::Scene const& after);
 
 } // namespace tractus::tools

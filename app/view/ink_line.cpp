@@ -9,13 +9,14 @@ namespace {
 
 constexpr double kInkWidth_mm = 3.5;
 
-// Place and width, which are to change as little.
+// Position and width of a point as one vector; simplification may change neither by more than the
+// tolerance.
 Eigen::Vector4f dot(InkLine::Point const& point)
 {
     return { point.position_mm.x(), point.position_mm.y(), point.position_mm.z(), point.width_mm };
 }
 
-// Whether the straight line between two points leaves those between them where they are.
+// True if the straight line between two points passes all points between them within the tolerance.
 bool is_straight(std::vector<InkLine::Point> const& points, std::size_t first, std::size_t last)
 {
     auto const start = dot(points[first]);
@@ -30,8 +31,9 @@ bool is_straight(std::vector<InkLine::Point> const& points, std::size_t first, s
     return true;
 }
 
-// How far a straight line may go from a point that is not the last. In strides that double and then
-// halve, so that a long stroke is not looked at once for each of its points.
+// The farthest point to which a straight line may go from `first`, which is not the last point.
+// Searches with strides that double and then halve: testing every point of a long stroke would be
+// quadratic.
 std::size_t straight_until(std::vector<InkLine::Point> const& points, std::size_t first)
 {
     auto last = first + 1;
@@ -73,7 +75,7 @@ InkLine thinned(InkLine const& line)
         i = straight_until(line.points, i);
         thin.points.push_back(line.points[i]);
     }
-    thin.points.shrink_to_fit(); // Kept for hours.
+    thin.points.shrink_to_fit(); // Saves memory, as the line is kept for hours.
     return thin;
 }
 

@@ -9,14 +9,14 @@
 
 namespace tractus::view {
 
-// The ink of a tool's stroke, a point for each tip: as wide as the pressure and the nib say, or as
-// what it erases.
+// The ink of a tool's stroke, one point per tip. Its width follows the pressure and the nib, or the
+// eraser's size.
 InkLine ink_line(std::vector<TipSample> const& tips, tools::Tool const& tool, Nib nib = Nib::Point);
 
-// How far thinned() moves a line or changes its width, at most: a small part of a pixel.
+// Tolerance of thinned() for positions and widths: a small fraction of a pixel.
 inline constexpr double kThinned_mm = 0.05;
 
-// The same line with as few of its points as that allows, of which the first and the last are two.
+// Simplifies the line within that tolerance, keeping its first and last point.
 InkLine thinned(InkLine const& line);
 
 } // namespace tractus::view

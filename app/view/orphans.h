@@ -7,10 +7,10 @@
 
 namespace tractus::view {
 
-// The strokes and indicators of a scene whose branch its plant has lost, in order.
+// The strokes and indicators of a scene whose branch no longer exists, in order.
 std::vector<OrphanView> orphans_of(scene::Scene const& scene);
 
-// What takes them away.
+// The edits that remove them.
 std::vector<scene::Edit> edits_without_orphans(scene::Scene const& scene);
 
 } // namespace tractus::view

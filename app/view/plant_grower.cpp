@@ -11,7 +11,7 @@ namespace tractus::view {
 
 namespace {
 
-// What it gives after `stop` has asked it to end is dropped.
+// Grows a plant's mesh. The result is unusable once `stop` has been requested.
 Result<mesh::Mesh> grow_mesh(scene::BuiltPlant const& built, scene::SetGrowth const& growth,
                              scene::SceneShaper& shaper, mesh::MeshOptions const& options,
                              std::stop_token const& stop)
@@ -28,7 +28,7 @@ Result<mesh::Mesh> grow_mesh(scene::BuiltPlant const& built, scene::SetGrowth co
     return mesh::make_mesh(plant, options, stop);
 }
 
-// Grows the plants of scenes that follow each other: only those that have changed are grown anew.
+// Grows the plants of successive scenes; unchanged plants are reused.
 class SceneGrower {
 public:
     Result<mesh::Mesh> grow(WantedPlant const& wanted, std::stop_token const& stop)
@@ -52,7 +52,7 @@ public:
                 = scene.placement.plant_of_world(plant->placement.world_of_plant(Vec3::Zero()));
             mesh::append_mesh(*mesh, other.mesh, moved_mm.cast<float>());
         }
-        if (!stop.stop_requested()) // Else what was given up counts for nothing.
+        if (!stop.stop_requested()) // An aborted run leaves an incomplete list.
             others_ = std::move(still_there);
         else
             others_.clear();
@@ -61,7 +61,7 @@ public:
 
 private:
     struct Other {
-        std::shared_ptr<scene::BuiltPlant const> plant; // Shared with the scenes that have it.
+        std::shared_ptr<scene::BuiltPlant const> plant; // Shared with the scenes that contain it.
         mesh::Mesh mesh;
     };
 
@@ -72,7 +72,7 @@ private:
 
 } // namespace
 
-// What a picture of a few hundred pixels shows.
+// Mesh options good enough for an image a few hundred pixels wide.
 static mesh::MeshOptions coarse()
 {
     return { .min_sides = 3,
@@ -85,7 +85,7 @@ static mesh::MeshOptions coarse()
 }
 
 PlantGrower::PlantGrower()
-    // Shared by the copies of the function, of which one is called.
+    // Shared, as the function object is copied; only one copy is called.
     : plant_([grower = std::make_shared<SceneGrower>()](
                  WantedPlant const& wanted,
                  std::stop_token const& stop) { return grower->grow(wanted, stop); },

@@ -15,14 +15,13 @@
 
 namespace tractus::view {
 
-// The plants of a document as somebody wants to see them.
+// A document's plants as the window wants to show them.
 struct WantedPlant {
-    std::shared_ptr<scene::Scene const>
-        scene;                  // Shared with whoever shows it meanwhile; nobody changes it.
-    scene::SetGrowth growth {}; // Of the active plant, in place of its own.
+    std::shared_ptr<scene::Scene const> scene; // Immutable; shared with the window.
+    scene::SetGrowth growth {};                // Replaces the active plant's own growth.
 };
 
-// Variations of the active plant alone: `count` of them, of this seed and those that follow.
+// A request for `count` variations of the active plant, with this seed and the following ones.
 struct WantedVariations {
     WantedPlant like;
     std::size_t count = 0;
@@ -30,37 +29,37 @@ struct WantedVariations {
 
 struct Variation {
     std::uint64_t seed = 0;
-    mesh::Mesh mesh; // Coarse, to be seen small.
+    mesh::Mesh mesh; // Coarse, for small pictures.
 };
 
-// Grows plants in the background, for a window that goes on meanwhile: see NewestJob. One that is
-// not wanted any more, since a newer one is or the window closes, is given up.
+// Grows plants in the background while the window keeps running (NewestJob). A request is abandoned
+// when a newer one replaces it or the window closes.
 class PlantGrower {
 public:
     PlantGrower();
 
     void grow(WantedPlant wanted) { plant_.want(std::move(wanted)); }
 
-    // Variations that have come, or are still to come, of an earlier wish are dropped.
+    // Requests variations; finished and pending ones of an earlier request are dropped.
     void vary(WantedVariations wanted);
 
-    // A plant was wanted that take() has not given yet.
+    // True while a requested plant has not been returned by take().
     bool is_growing() const { return plant_.is_busy(); }
 
-    // All plants that are not hidden, in the active one's frame, if they have been finished since
-    // the last call. Fails like plan_growth().
+    // The mesh of all visible plants in the active plant's frame, if it was finished since the last
+    // call. Fails like plan_growth().
     std::optional<Result<mesh::Mesh>> take() { return plant_.take(); }
 
-    // A plant that nobody looks at any more. A large one takes so long to go that a window would
-    // miss a frame: it goes on a thread.
+    // Destroys a mesh that is no longer shown on another thread: for a large plant this takes
+    // longer than a frame.
     void drop(std::unique_ptr<mesh::Mesh const> plant) { worn_out_.want(std::move(plant)); }
 
-    // Those that have been finished since the last call, in the order of their seeds. Fails like
-    // plan_growth(); then none follow.
+    // Variations finished since the last call, in the order of their seeds. Fails like
+    // plan_growth(); no further ones follow then.
     Result<std::vector<Variation>> take_variations();
 
-    // Waits until the newest plant and all variations are there to be taken, and what was dropped
-    // is gone.
+    // Waits until the newest plant and all variations can be taken and all dropped meshes are
+    // destroyed.
     void settle();
 
 private:
@@ -80,8 +79,8 @@ private:
     NewestJob<WantedPlant, Result<mesh::Mesh>> plant_;
     NewestJob<WantedVariation, MadeVariation> variation_;
     NewestJob<std::unique_ptr<mesh::Mesh const>, bool> worn_out_;
-    WantedVariations variations_; // The next ones, and that which is being made.
-    std::uint64_t wish_ = 0;      // Which of the wishes for variations counts.
+    WantedVariations variations_; // The variations still to come, including the one in progress.
+    std::uint64_t wish_ = 0; // Number of the latest request; results of earlier ones are ignored.
     Result<std::vector<Variation>> varied_;
 };
 

@@ -40,7 +40,8 @@ void ShownLayers::show(scene::Scene const& scene, tools::Tool const& in_hand)
             kept.of.reset();
             continue;
         }
-        // What is always seen may have other lines of the same plant: its season, its shape.
+        // Lines of layers that are always shown can change without the plant being redrawn, by
+        // season or shape; those of other layers cannot.
         bool const is_constant = kept.layer->seen != tools::Layer::Seen::Always;
         if (is_constant && kept.of && kept.of == scene.drawn)
             continue;

@@ -11,31 +11,32 @@
 
 namespace tractus::view {
 
-// The layers of a document as time goes by: those that are seen for a while fade after each change
-// of their lines, and come back with the next.
+// Visibility of a document's layers over time. A layer shown for a while fades after each change of
+// its lines and reappears at the next change.
 class ShownLayers {
 public:
-    // They have changed as long as nothing was shown before.
+    // Sets the layers. Their lines count as changed until a scene was shown.
     void set_layers(tools::Layers layers);
 
-    // Of the scene that is shown from now on.
+    // Updates the layers for the scene that is shown from now on.
     void show(scene::Scene const& scene, tools::Tool const& in_hand);
 
-    // Goes on by so much time.
+    // Advances the fading by a time step.
     void pass(Duration step, tools::Tool const& in_hand);
 
     std::vector<ShownLayer> const& seen() const { return seen_; }
 
-    // How strongly lines are seen so long after they have changed, in steps: whoever draws them
-    // anew for each does so a few times.
+    // Opacity of lines at an age since their last change. It falls in a few steps, as each change
+    // makes the window redraw.
     static double strength_after(Duration age);
 
 private:
     struct Kept {
         tools::Layer const* layer = nullptr;
         std::vector<std::vector<Vec3f>> lines_mm {};
-        Duration age = Duration::max() / 2; // Since they have changed; at first they are gone.
-        std::shared_ptr<scene::PlantState const> of {}; // Shared with the scene; nobody changes it.
+        // Time since the lines changed; large at first, so that the layer is invisible.
+        Duration age = Duration::max() / 2;
+        std::shared_ptr<scene::PlantState const> of {}; // Immutable; shared with the scene.
     };
     static double strength_of(Kept const& kept, tools::Tool const& in_hand);
     void see(tools::Tool const& in_hand);

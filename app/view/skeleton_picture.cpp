@@ -31,7 +31,7 @@ static std::uint32_t orders_to_show(Plant const& plant)
     return static_cast<std::uint32_t>(order);
 }
 
-// A run of an axis' segments in one state.
+// A line for a run of an axis's segments that have the same state.
 static tools::SkeletonLine skeleton_line(Plant const& plant, std::span<Vec3 const> nodes_mm,
                                          Axis const& axis, std::uint32_t from, std::uint32_t to,
                                          State state)
@@ -45,7 +45,7 @@ static tools::SkeletonLine skeleton_line(Plant const& plant, std::span<Vec3 cons
     return line;
 }
 
-// Of a large plant the lowest orders, which say where it is.
+// Adds a plant that is not active; of a large plant only the lowest branching orders.
 static void add_other(scene::BuiltPlant const& plant, scene::DeskPlacement const& active,
                       std::vector<tools::SkeletonLine>& lines)
 {
@@ -90,7 +90,7 @@ void SkeletonPicture::set_scene(std::shared_ptr<scene::Scene const> scene)
     bool const is_same_plant = scene_ && scene_->base == scene->base;
     scene_ = std::move(scene);
     show_others();
-    static_cast<void>(shaper_.set_plant(*scene_)); // As above.
+    static_cast<void>(shaper_.set_plant(*scene_)); // Each stroke was checked when it was drawn.
     variation::place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), nodes_mm_);
     if (is_same_plant)
         return;
@@ -111,11 +111,13 @@ void SkeletonPicture::mark(std::span<SegmentId const> segments, State state)
     marked_.insert(marked_.end(), segments.begin(), segments.end());
 }
 
-// A branch has a shape of its own where its segments stand to what bears them in another way than
-// at rest; what rides on bent branches does not.
+// Marks branches whose shape was changed by propagation: they have a different rotation relative to
+// the segment that bears them than at rest. Branches that only move along with a bent branch do not
+// count.
 void SkeletonPicture::mark_propagated()
 {
-    constexpr double kSame = 1 - 1e-9; // Of the cosine of half the angle.
+    // Cosine of half the rotation angle above which rotations count as equal.
+    constexpr double kSame = 1 - 1e-9;
     auto const& plant = *scene_->base;
     auto const& rest = scene_->rest->frame;
     auto const& bent = shaper_.shape().frame;
@@ -149,7 +151,7 @@ SkeletonPicture::lines(tools::ShownSkeleton::Touched const& touched,
                        std::span<SegmentId const> next)
 {
     for (auto const number :
-         scene::shaping_numbers(*scene_)) // The others are for the same branches.
+         scene::shaping_numbers(*scene_)) // Other strokes affect the same branches.
         mark(scene_->associations[number].what.path, State::Assigned);
     if (!scene_->associations.empty())
         mark_propagated();

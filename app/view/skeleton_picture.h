@@ -13,25 +13,24 @@
 
 namespace tractus::view {
 
-// A scene's skeleton as lines of one state each. What it costs to make it anew depends on the
-// branches that are shown, and not on how many the plant has: for that something is kept between
-// the calls.
+// A scene's skeleton as lines, each with one state. The cost of an update depends on the branches
+// that are shown, not on the size of the plant; for that, results are kept between calls.
 class SkeletonPicture {
 public:
-    // From here on that of this scene.
+    // Sets the scene whose skeleton is shown.
     void set_scene(std::shared_ptr<scene::Scene const> scene);
 
-    // Twigs of plants with very many would be a blot, and none of them can be chosen: only branches
-    // of lower orders than this are shown.
+    // Only branches of lower orders than this are shown: the twigs of a very large plant would
+    // merge into a blot, and none could be selected.
     std::uint32_t orders() const { return orders_; }
 
-    // Of the whole plant.
+    // Bounding box of the whole plant.
     Bounds const& box_mm() const { return box_mm_; }
 
-    // The branches as strokes bend them. What is selected or shaped in the scene, directly or by
-    // propagation, touched by the pen, or shaped by the next stroke has colours of its own. Where
-    // `next` is not empty it is that and not what is selected which strokes shape. Other plants
-    // come first.
+    // The branches as strokes bend them, other plants first. Colours mark branches that are
+    // selected, shaped by a stroke directly or by propagation, touched by the pen, or about to be
+    // shaped by the next stroke. `next` lists the latter; if it is empty, they are the selected
+    // ones.
     std::vector<tools::SkeletonLine> lines(tools::ShownSkeleton::Touched const& touched,
                                            std::span<SegmentId const> next = {});
 
@@ -40,17 +39,17 @@ private:
     void mark(std::span<SegmentId const> segments, tools::SkeletonLine::State state);
     void mark_propagated();
 
-    std::shared_ptr<scene::Scene const> scene_; // Shared with who shows it; nobody changes it.
+    std::shared_ptr<scene::Scene const> scene_; // Immutable; shared with the window.
     std::uint32_t orders_ = 0;
     Bounds box_mm_;
     std::vector<AxisId> shown_axes_;
     scene::SceneShaper shaper_;
-    std::vector<Vec3> nodes_mm_; // Of the plant as bent.
-    // Of each segment; between calls all unselected.
+    std::vector<Vec3> nodes_mm_; // Nodes of the bent plant.
+    // State of each segment; all Unselected between calls.
     std::vector<tools::SkeletonLine::State> states_;
     std::vector<SegmentId> marked_;
     std::vector<std::shared_ptr<scene::BuiltPlant const>> other_plants_; // Shared with the scene.
-    scene::DeskPlacement seen_from_; // Of the plant in whose frame their lines are.
+    scene::DeskPlacement seen_from_; // Placement of the active plant, whose frame `others_` is in.
     std::vector<tools::SkeletonLine> others_;
 };
 

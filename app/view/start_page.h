@@ -11,72 +11,73 @@
 
 namespace tractus::view {
 
-// A large button of the start page: something to begin with, or to go on with.
+// A large button of the start page that opens or continues something.
 struct StartCard {
     std::string title {};
-    std::string detail {}; // A second line; may be empty.
-    // Null: there is none, or not yet. Shared with who made it; nobody changes it.
+    std::string detail {}; // Second line; may be empty.
+    // Picture of the card, or null if there is none or it is not ready. Immutable and shared.
     std::shared_ptr<render::Image const> picture {};
-    std::string icon {}; // Shown where there is no picture: lines as in ToolKind::icon.
-    char key = 0;        // A capital letter that presses it; 0: none.
+    std::string icon {}; // Shown if there is no picture: lines as in ToolKind::icon.
+    char key = 0;        // Shortcut, a capital letter; 0: none.
 };
 
-// Cards that belong together.
+// A group of cards with a title.
 struct StartCards {
     std::string title {};
     std::vector<StartCard> cards {};
-    // The cards are in order of use: the first may stand beside what comes before them, and the
-    // others at the end of the page, under this title. Empty: all stay together.
+    // If not empty, the cards are ordered by use: the first card may stay beside the previous
+    // group, and the others move to the end of the page under this title.
     std::string title_of_others {};
 };
 
-// One thing in place of the cards, shown large, with what can be changed about it.
+// One item shown large in place of the cards, with sliders that change it.
 struct StartStudy {
     struct Picture {
-        std::string title {}; // A word or two.
-        // A square, as of StartCard; null: not there yet.
+        std::string title {}; // One or two words.
+        // Square picture as in StartCard; null: not ready.
         std::shared_ptr<render::Image const> picture {};
     };
     struct Slider {
-        std::string text {}; // What it says at its value.
-        double most = 1;     // The values are from 0 to this.
+        std::string text {}; // Label, including the current value.
+        double most = 1;     // Values range from 0 to this.
         double value = 0;
     };
     Picture large {};
-    std::vector<Picture> details {}; // Beside it: four.
-    std::vector<Picture> others {};  // Below: six.
+    std::vector<Picture> details {}; // Four pictures beside the large one.
+    std::vector<Picture> others {};  // Six pictures below.
     std::vector<Slider> sliders {};
-    std::string accept {}; // The button that is pressed when it is as it shall be.
+    std::string accept {}; // Label of the button that accepts the item.
 };
 
 struct StartPageState {
     std::string title = "What do you want to draw?";
-    std::vector<StartCards> groups {};  // None of them without cards.
-    std::string note {};                // A sentence for the person, in place of the title.
-    std::optional<StartStudy> study {}; // In place of the groups.
+    std::vector<StartCards> groups {};  // Groups of cards; none is empty.
+    std::string note {};                // Message shown in place of the title.
+    std::optional<StartStudy> study {}; // Replaces the groups.
     bool is_beside_drawing = false;     // There is a drawing to go back to: see leave().
-    bool is_opening = false;    // A card was chosen: others count for nothing until it opens.
-    std::uint64_t revision = 0; // Changes when anything of this does.
+    bool is_opening = false; // A card was chosen; further choices are ignored until it has opened.
+    std::uint64_t revision = 0; // Changes with any other member.
 };
 
-// What the window shows before there is a drawing. Called from the window's thread only.
+// Model of the page that the window shows before there is a drawing. For use on the window's thread
+// only.
 class StartPageModel {
 public:
     virtual ~StartPageModel() = default;
 
-    // Valid until the next choose() or until the window's model advances.
+    // Current state, valid until the next choose() or advance() of the window's model.
     virtual StartPageState const& state() const = 0;
 
-    // Opens what the card shows; the page goes when it is open.
+    // Opens a card; the page disappears once it has opened.
     virtual void choose(std::size_t group, std::size_t card) = 0;
 
-    // Sets what a slider of the study changes; called whenever it moves.
+    // Sets the value of a slider of the study; called whenever the slider moves.
     virtual void slide(std::size_t /*slider*/, double /*value*/) { }
 
-    // Takes what the study shows as it is.
+    // Accepts the item shown by the study.
     virtual void accept() { }
 
-    // Goes back to the drawing without a choice; only if there is one.
+    // Returns to the drawing without a choice. Only if there is a drawing.
     virtual void leave() { }
 };
 

@@ -14,7 +14,8 @@
 
 namespace tractus::view {
 
-// A tool is mostly in hand for many strokes, and what shows them keeps something between them.
+// Reuses the previewer as long as the tool's kind stays the same, as it caches data between
+// strokes.
 StationView::Preview StationView::Previewing::show(WantedPreview const& wanted)
 {
     auto* const make = wanted.tool.kind().previewer;
@@ -34,7 +35,7 @@ StationView::Preview StationView::Previewing::show(WantedPreview const& wanted)
 
 StationView::StationView(station::Station const& station, document::Document const& document)
     : preview_(std::make_unique<NewestJob<WantedPreview, Preview>>(
-        // Shared by the copies of the function, of which one is called.
+        // Shared, as the function object is copied; only one copy is called.
         [previewing = std::make_shared<Previewing>()](WantedPreview const& wanted) {
             return previewing->show(wanted);
         }))
@@ -60,7 +61,8 @@ void StationView::show(station::Station const& station, document::Document const
     take_proposal();
     show_live(station, document);
     bool const is_drawing = is_drawing_ || !document.waiting().empty();
-    auto const snapshot = document.newest(); // After what waits: no stroke is seen in neither.
+    // Read after the waiting strokes, so that a stroke is always in one of the two.
+    auto const snapshot = document.newest();
     state_.unkept_steps = snapshot->unkept;
     if (snapshot->drawn_revision != shown_drawn_revision_)
         show_scene(snapshot);
@@ -69,7 +71,7 @@ void StationView::show(station::Station const& station, document::Document const
     else
         take_kept(snapshot);
     if (!is_drawing && std::exchange(is_outcome_proposed_, false))
-        propose({}); // The stroke has changed nothing.
+        propose({}); // The stroke changed nothing, so its preview is removed.
     show_drawn_glyph();
 }
 
@@ -114,7 +116,8 @@ void StationView::show_pen(std::vector<station::PenMoment> const& moments)
         state_.pen = state_.pen_path.back();
 }
 
-// The surface follows its sensor while no pen is there or it rests, but not the sensor's noise.
+// Shows the surface's height: it follows the sensor while no pen is near or the pen rests, but
+// ignores changes as small as the sensor's noise.
 void StationView::show_surface(station::Station const& station)
 {
     constexpr double kSeen_mm = 0.5;
@@ -130,14 +133,14 @@ void StationView::show_surface(station::Station const& station)
         state_.pen.in_range = station.pen_in_range();
         state_.pen.touching = tip->touching;
         state_.pen.tip_mm = tip->position_mm.cast<float>();
-        if (station.pen_rests() && !tip->touching) // It goes with the surface on which it rests.
+        if (station.pen_rests() && !tip->touching) // A resting pen moves with the surface.
             state_.pen.tip_mm.z() = static_cast<float>(state_.surface_height_mm);
     }
     if (std::exchange(shown_surface_mm_, state_.surface_height_mm) != state_.surface_height_mm)
         ++state_.live_revision;
 }
 
-// Under way, and finished but not yet in the scene.
+// Shows the ink of strokes in progress, and of finished strokes not yet in the scene.
 void StationView::show_ink(station::Station const& station, Inks inks,
                            std::vector<tools::ToolStroke> const& waiting)
 {
@@ -156,7 +159,7 @@ void StationView::show_ink(station::Station const& station, Inks inks,
 
 void StationView::show_live(station::Station const& station, document::Document const& document)
 {
-    // Without a tip there is nothing new to see: the hand rests, or is away.
+    // Nothing to update without new tips.
     auto const tips = station.counts().pen_samples + station.counts().tips_in_silence;
     if (std::exchange(shown_tips_, tips) != tips)
         ++state_.live_revision;
@@ -164,7 +167,7 @@ void StationView::show_live(station::Station const& station, document::Document 
     state_.tools = station.tools();
     if (auto const before = std::exchange(state_.hand, station.tool());
         grown_scene_ && !(before == state_.hand)) {
-        layers_.show(*grown_scene_, state_.hand); // It may ask for others.
+        layers_.show(*grown_scene_, state_.hand); // The new tool may ask for other layers.
         see_layers();
     }
     state_.remembered = station.remembered();
@@ -179,7 +182,7 @@ void StationView::show_live(station::Station const& station, document::Document 
     show_preview(station, inks);
 }
 
-// The branches follow the ink as fast as they can.
+// Previews the outcome of the stroke in progress, as often as the background thread can.
 void StationView::show_preview(station::Station const& station, Inks inks)
 {
     if (inks.empty())
@@ -218,12 +221,12 @@ void StationView::set_preview(Preview preview)
 {
     state_.preview_note = std::move(preview.note);
     if (std::exchange(previewed_, preview.lines) == preview.lines)
-        return; // Most samples of the pen change nothing.
+        return; // Most pen samples leave the preview unchanged.
     ++state_.preview_revision;
     state_.preview = preview.lines ? *preview.lines : std::vector<tools::SkeletonLine>();
 }
 
-// While a pen selects, its path so far, and what is undetermined, are seen in their own colours.
+// While a pen selects, highlights its path so far and the branches that are undetermined.
 void StationView::show_selecting(station::Station const& station, Inks inks)
 {
     auto const& tool = station.tool();
@@ -264,7 +267,8 @@ void StationView::show_scene(std::shared_ptr<document::Snapshot const> const& sn
     list_orphans(snapshot->scene);
 }
 
-// Those that were shown before keep their ink: their tips need not be read again.
+// Shows the scene's finished strokes. Ink already shown is reused, so that its tips need not be
+// read again.
 void StationView::show_strokes(scene::Scene const& scene)
 {
     std::unordered_map<void const*, std::size_t> before;
@@ -275,14 +279,14 @@ void StationView::show_strokes(scene::Scene const& scene)
     for (auto const number : scene::shaping_numbers(scene)) {
         auto const& tips = scene.associations[number].what.stroke.tips;
         if (!inked.empty() && inked.back().id() == tips.id())
-            continue; // One that shapes several branches is shown once.
+            continue; // A stroke that shapes several branches is shown once.
         auto const found = before.find(tips.id());
         if (found != before.end()) {
             lines.push_back(std::move(state_.strokes[found->second]));
         } else if (auto const read = tips.in_memory()) {
             lines.push_back(thinned(ink_line(*read, {}, nib_)));
         } else {
-            state_.status = read.error().message; // Looked for again when the strokes change.
+            state_.status = read.error().message; // Reading is tried again when the strokes change.
             continue;
         }
         inked.push_back(tips);
@@ -304,14 +308,14 @@ void StationView::pass(Duration step)
     see_layers();
 }
 
-// Where others are seen than before, or otherwise.
+// Updates the layers if their visibility or lines changed.
 void StationView::see_layers()
 {
     if (state_.layers == layers_.seen())
         return;
     state_.layers = layers_.seen();
     ++state_.strokes_revision;
-    ++state_.skeleton_revision; // They are seen with the skeleton, too.
+    ++state_.skeleton_revision; // Layers are also shown with the skeleton.
 }
 
 void StationView::list_orphans(scene::Scene const& scene)
@@ -326,7 +330,7 @@ void StationView::list_orphans(scene::Scene const& scene)
 
 void StationView::show_skeleton(tools::ShownSkeleton::Touched const& touched)
 {
-    bool const aims = aims_at_ && !is_proposed_; // Else at a branch of another plant.
+    bool const aims = aims_at_ && !is_proposed_; // A proposed scene may have another active plant.
     auto const next = aims ? aims_at_(*grown_scene_) : std::vector<SegmentId>();
     state_.skeleton = skeleton_.lines(touched, next);
     state_.skeleton_box_mm = skeleton_.box_mm();
@@ -344,7 +348,7 @@ void StationView::grow_plant(std::shared_ptr<document::Snapshot const> const& sn
     preview(grown_scene_->growth);
 }
 
-// What differs in it is seen by nobody: the tips of a step's strokes are in the file now.
+// Takes a snapshot whose strokes were moved to the file; nothing visible differs.
 void StationView::take_kept(std::shared_ptr<document::Snapshot const> const& snapshot)
 {
     if (&snapshot->scene == grown_scene_.get())
@@ -389,7 +393,7 @@ void StationView::take_proposal()
         show_in_place(*scene);
 }
 
-// Picture, plant and skeleton, until the next snapshot.
+// Shows picture, plant and skeleton of a scene until the next snapshot.
 void StationView::show_in_place(std::shared_ptr<scene::Scene const> const& scene)
 {
     show_picture(*scene);
@@ -410,7 +414,7 @@ static bool is_same_file(std::shared_ptr<scene::BackPicture const> const& one,
     return one && other && (one->file == other->file || *one->file == *other->file);
 }
 
-// A picture that is another one is read in the background.
+// Shows the scene's picture; a new one is decoded in the background.
 void StationView::show_picture(scene::Scene const& scene)
 {
     auto const before = std::exchange(picture_, scene.state.picture);
@@ -448,7 +452,7 @@ void StationView::take_picture()
     ++state_.picture_revision;
 }
 
-// Larger pictures than a screen shows are made smaller.
+// Decodes a picture and reduces it to the size of a large screen.
 StationView::ReadPicture StationView::read(std::shared_ptr<std::string const> const& file)
 {
     constexpr int kLongest_px = 3000;

@@ -19,9 +19,9 @@
 
 namespace tractus::view {
 
-// A station and the document that its strokes go to as the window shows them, wherever the reports
-// come from: the hand, its strokes, what is selected, and the plant, which is grown anew in the
-// background after each stroke. Whoever owns it says in state() what else is to be seen.
+// View state of a station and of the document that receives its strokes: the hand, its strokes, the
+// selection, and the plant, which is regrown in the background after each stroke. It does not
+// depend on where the reports come from. The owner adds everything else to state().
 class StationView {
 public:
     StationView(station::Station const& station, document::Document const& document);
@@ -29,59 +29,60 @@ public:
     WindowState& state() { return state_; }
     WindowState const& state() const { return state_; }
 
-    // What has changed since the last call.
+    // Updates the state with all changes since the last call.
     void show(station::Station const& station, document::Document const& document);
 
-    // So much of the window's time goes by: lines that are seen for a while fade.
+    // Advances the window's clock, which fades layers.
     void pass(Duration step);
 
-    // What a stroke has done, in the status.
+    // Sets the status to what a stroke has done.
     void tell(document::DrawnStroke const& drawn);
 
-    // Waits for the plant as it was wanted last, and for all variations, and shows them.
+    // Waits for the plant requested last and for all variations, and shows them.
     void settle();
 
-    // What the pen did since the last call, for who lets it work the window. After show().
+    // Reports the pen's movements since the last call, for windows operated by the pen. Call after
+    // show().
     void show_pen(std::vector<station::PenMoment> const& moments);
 
-    // Another station in place of the one before, or one that has begun again.
+    // Replaces the station, or starts over with one that was restarted.
     void begin_again(station::Station const& station, document::Document const& document);
 
-    // What other growth was previewed is gone.
+    // Ends the preview of another growth.
     void show_growth();
 
-    // What other growth would give.
+    // Previews another growth.
     void preview(scene::SetGrowth const& growth);
 
-    // What another season would give.
+    // Previews another season.
     void preview(std::optional<scene::Season> const& season);
 
-    // Shows the document as edits of it would leave it, before they are made; none: as it is. What
-    // has changed meanwhile is shown without them.
+    // Previews the document as edits would change it; an empty list ends the preview. New snapshots
+    // are shown without the edits.
     void propose(std::vector<scene::Edit> edits);
 
-    // Grows so many variations of the plant, from its own seed on.
+    // Grows `count` variations of the plant, starting at its own seed.
     void collect(std::size_t count);
 
-    // What the plant grows from, as of the last change that was not only previewed. Shared with who
-    // grows it in the background; nobody changes it.
+    // The scene from which the plant was grown, without previews. Immutable; shared with the
+    // background thread.
     std::shared_ptr<scene::Scene const> const& grown_scene() const { return grown_scene_; }
 
 private:
     struct WantedPreview {
-        std::shared_ptr<scene::Scene const> scene; // Shared with this; nobody changes it.
+        std::shared_ptr<scene::Scene const> scene; // Immutable and shared.
         tools::Tool tool {};
         std::vector<TipSample> ink {};
-        std::uint32_t orders = 0; // Only branches of lower orders than this are looked at.
-        std::size_t stroke = 0;   // Which it is, by its number.
+        std::uint32_t orders = 0; // Only branches of lower orders than this are considered.
+        std::size_t stroke = 0;   // The stroke's number.
     };
     struct Preview {
-        // Shared by those in which they are alike; nobody changes them. Null: none.
+        // Null: no preview. Immutable; shared by equal previews.
         std::shared_ptr<std::vector<tools::SkeletonLine> const> lines {};
         std::string note {};
-        std::size_t stroke = 0; // Of which stroke, by its number.
+        std::size_t stroke = 0; // The stroke's number.
     };
-    // What shows strokes under way, on the thread that does.
+    // The previewer of strokes in progress; used on the background thread.
     struct Previewing {
         Preview show(WantedPreview const& wanted);
 
@@ -91,11 +92,11 @@ private:
     };
 
     struct WantedProposal {
-        std::shared_ptr<scene::Scene const> scene; // Shared with this; nobody changes it.
+        std::shared_ptr<scene::Scene const> scene; // Immutable and shared.
         std::vector<scene::Edit> edits;
     };
 
-    // A picture's file, read: null where it cannot be, for a reason.
+    // A decoded picture, or null and the reason for the failure.
     struct ReadPicture {
         std::shared_ptr<std::string const> file;
         std::shared_ptr<render::Image const> image;
@@ -103,7 +104,7 @@ private:
     };
     static ReadPicture read(std::shared_ptr<std::string const> const& file);
 
-    // Station::inks(), which are copied once for a frame.
+    // Station::inks(), copied once per frame.
     using Inks = std::span<std::vector<TipSample> const>;
 
     void show_grown();
@@ -131,50 +132,55 @@ private:
     void grow_plant(std::shared_ptr<document::Snapshot const> const& snapshot);
     void take_kept(std::shared_ptr<document::Snapshot const> const& snapshot);
 
-    // On the heap, since a thread knows it.
+    // On the heap, as a thread refers to it.
     std::unique_ptr<PlantGrower> grower_ = std::make_unique<PlantGrower>();
-    std::shared_ptr<scene::Scene const> grown_scene_; // Of a snapshot; shared with the grower.
-    std::uint64_t shown_revision_ = 0;                // Of that snapshot,
-    std::uint64_t shown_drawn_revision_ = 0;          // and of what is seen as drawn.
-    // The strokes that state_.strokes begins with, in its order: they need not be in memory.
+    std::shared_ptr<scene::Scene const> grown_scene_; // Part of a snapshot; shared with the grower.
+    std::uint64_t shown_revision_ = 0;                // Revision of the snapshot shown.
+    std::uint64_t shown_drawn_revision_ = 0;          // Revision of its drawn content.
+    // Tips of the strokes shown in state_.strokes, in the same order; used as identity only, so
+    // they need not be in memory.
     std::vector<SharedVector<TipSample>> inked_;
     ShownLayers layers_;
-    Nib nib_ = Nib::Point; // The end of the pen whose ink is shown.
+    Nib nib_ = Nib::Point; // Nib of the pen whose ink is shown.
     std::size_t finished_strokes_ = 0;
     std::size_t shown_tips_ = 0;
-    double shown_surface_mm_ = 0; // That the last picture of the pad was made for.
-    // What a selecting pen is drawn over, and the plant that it was made of; none before it is
-    // needed.
+    double shown_surface_mm_ = 0; // Surface height at the last change of live_revision.
+    // Skeleton on which a selecting pen draws, and the scene it was made from; created on demand.
     std::optional<tools::ShownSkeleton> shown_skeleton_;
-    std::shared_ptr<scene::Scene const> shown_scene_; // Shared with the document, which may go on.
-    std::vector<SegmentId> (*aims_at_)(scene::Scene const& scene) = nullptr; // Of the tool in hand.
-    std::optional<tools::ShownSkeleton::Touched> shown_touched_; // As the skeleton shows it.
+    // Shared with the document, which may move on.
+    std::shared_ptr<scene::Scene const> shown_scene_;
+    // Function of the selected tool, or null.
+    std::vector<SegmentId> (*aims_at_)(scene::Scene const& scene) = nullptr;
+    // Touched branches as currently highlighted.
+    std::optional<tools::ShownSkeleton::Touched> shown_touched_;
     SkeletonPicture skeleton_;
     scene::SelectionAngle shown_angle_;
     bool is_selecting_ = false;
-    std::unique_ptr<NewestJob<WantedPreview, Preview>> preview_; // On the heap, as the grower.
-    std::uint64_t previewed_live_ = 0;                           // The ink's revision.
-    std::shared_ptr<std::vector<tools::SkeletonLine> const> previewed_; // As the state has them.
-    // On the heap, as the grower. It gives null for edits that cannot be made.
+    // On the heap, as a thread refers to it.
+    std::unique_ptr<NewestJob<WantedPreview, Preview>> preview_;
+    std::uint64_t previewed_live_ = 0; // live_revision for which a preview was requested last.
+    // Preview shown in the state.
+    std::shared_ptr<std::vector<tools::SkeletonLine> const> previewed_;
+    // On the heap, as a thread refers to it. Returns null if the edits fail.
     std::unique_ptr<NewestJob<WantedProposal, std::shared_ptr<scene::Scene const>>> proposal_;
     std::unique_ptr<NewestJob<std::shared_ptr<std::string const>, ReadPicture>> reading_;
-    std::shared_ptr<scene::BackPicture const> picture_; // Picture that is shown, or being read.
-    // Scene of plant and skeleton as they are shown.
+    std::shared_ptr<scene::BackPicture const> picture_; // Picture that is shown or being decoded.
+    // Scene of the plant and skeleton currently shown.
     std::shared_ptr<scene::Scene const> shown_in_place_;
-    std::shared_ptr<scene::Scene const> glyph_scene_;   // That the drawn glyph shows,
-    tools::DrawnGlyphKind const* glyph_kind_ = nullptr; // and how.
-    std::uint64_t proposed_live_ = 0;                   // As previewed_live_.
-    bool is_outcome_proposed_ = false;                  // Of a stroke under way.
-    bool is_proposed_ = false; // Edits that are not made yet are shown, or will be.
+    std::shared_ptr<scene::Scene const> glyph_scene_;   // Scene shown by the drawn gizmo.
+    tools::DrawnGlyphKind const* glyph_kind_ = nullptr; // Kind of the drawn gizmo.
+    std::uint64_t proposed_live_ = 0;  // live_revision for which an outcome was requested last.
+    bool is_outcome_proposed_ = false; // True while the outcome of an unfinished stroke is shown.
+    bool is_proposed_ = false;         // True while proposed edits are shown or about to be.
     bool is_drawing_ = false;
-    std::size_t shown_waiting_ = 0; // Strokes as ink.
-    // On the heap, since the state points to it when this moves.
+    std::size_t shown_waiting_ = 0; // Number of waiting strokes shown as ink.
+    // On the heap, so that the state's pointer stays valid when this object moves.
     std::unique_ptr<mesh::Mesh const> plant_;
     WindowState state_;
 };
 
-// The growth that a person sets, all else as it is. Fails, as the user's fault, for a preset that
-// there is not.
+// Applies the user's settings to a plant's growth; everything else stays. Fails with a user error
+// for an unknown preset.
 Result<scene::SetGrowth> growth_set_to(GrowthView const& wanted, scene::SetGrowth growth);
 
 } // namespace tractus::view

@@ -50,16 +50,16 @@ struct GrowthBrushTool {
 // The habit of a species.
 Habit habit_of(GrowthBrushTool::Species species);
 
-// What a stroke of the tool amounts to: a tree, or how one grows on. Fails, as the user's fault,
-// for a stroke without tips.
+// Interprets a stroke of the tool: a new tree, or further growth of the active one. Fails with a
+// user error if the stroke has no tips.
 struct BrushedLife {
-    scene::ItemId plant = 0; // The tree that grows on; 0: a new one.
+    scene::ItemId plant = 0; // Tree to continue; 0: a new one.
     LifePart part {};
 };
 Result<BrushedLife> brushed_life(GrowthBrushTool const& tool, Stroke const& stroke,
                                  scene::Scene const& scene);
 
-// Shows the tree, without leaves, as it grows under the pen.
+// Previews the tree, without leaves, as it grows under the pen.
 std::unique_ptr<tools::StrokePreviewer> growth_brush_previewer();
 
 } // namespace tractus::self_organising
