@@ -92,7 +92,8 @@ void CalibrationController::push(std::size_t device, Timestamp received,
             push_pen(sample);
     } else if (height_decoder_ && device == height_device_) {
         new_heights_.clear();
-        (void)height_decoder_->decode(received, report, new_heights_); // The good ones are there.
+        // Samples decoded before an error are kept.
+        (void)height_decoder_->decode(received, report, new_heights_);
         for (auto const& sample : new_heights_)
             push_height(sample);
     }
@@ -167,7 +168,7 @@ Result<void> CalibrationController::capture(Timestamp time, std::string_view hei
     return {};
 }
 
-// A capture that is given up leaves the refused one before it refused.
+// Undoes the last capture. Cancelling a capture in progress keeps an earlier refusal in force.
 void CalibrationController::undo()
 {
     if (pending_) {
@@ -244,7 +245,7 @@ Result<void> CalibrationController::command(Timestamp time, std::string_view wor
                     takes_captures(procedure()) ? "capture MM, undo or drop N" : "begin or end"));
 }
 
-// Forgets what came before the movement.
+// Discards everything received before the movement.
 void CalibrationController::begin_movement()
 {
     pens_.clear();
@@ -312,8 +313,8 @@ Result<CalibrationOutcome> CalibrationController::finish_height(std::string cons
     CalibrationOutcome outcome { .rig = calib::with_height(options_.rig, calibration, date),
                                  .height_fit = calibration.fit };
     if (pen_decoder_ && !pen_decoder_->traits().is_size_assumed)
-        outcome.rig.tablet_size_mm
-            = (pen_decoder_->traits().size_mm.array() * 1000).round() / 1000; // Micrometres.
+        // Rounded to micrometres.
+        outcome.rig.tablet_size_mm = (pen_decoder_->traits().size_mm.array() * 1000).round() / 1000;
     outcome.report = describe(calibration, outcome.rig);
     if (doubt)
         outcome.report += fmt::format("  kept by force: {}\n", doubt->reason);

@@ -20,22 +20,22 @@
 
 namespace tractus::calibration {
 
-// Procedures by which a person calibrates.
+// Calibration procedures.
 enum class CalibrationProcedure {
-    Height,  // Meaning of the sensor's readings.
-    Travel,  // How the surface moves aside while it rises.
-    Latency, // How much later the pen arrives than the height.
-    Tilt,    // How far beside its nib the tablet sees a pen that leans.
-    Zero,    // Where height zero is; the scale stays.
-    Check,   // Nothing: tells how exact the rig is.
+    Height,  // Conversion of the sensor's readings to heights.
+    Travel,  // Sideways movement of the surface while it rises.
+    Latency, // Delay of the pen relative to the height.
+    Tilt,    // Offset between the nib and the place where the tablet sees a tilted pen.
+    Zero,    // Position of height zero; the scale stays.
+    Check,   // Determines nothing, but reports the rig's accuracy.
 };
 
-std::string_view name_of(CalibrationProcedure procedure); // "height", "travel", …
+std::string_view name_of(CalibrationProcedure procedure); // "height", "travel", and so on.
 
-// Whether a procedure consists of captures at rest; the others are one movement, from begin to end.
+// True if a procedure consists of captures at rest. The others consist of one movement.
 bool takes_captures(CalibrationProcedure procedure);
 
-// Whether a procedure looks at the height sensor at all.
+// True if a procedure uses the height sensor.
 inline bool needs_height(CalibrationProcedure procedure)
 {
     return procedure != CalibrationProcedure::Tilt;
@@ -43,56 +43,59 @@ inline bool needs_height(CalibrationProcedure procedure)
 
 // Result of a procedure.
 struct CalibrationOutcome {
-    calib::Rig rig {}; // The rig with what was found out, and its record.
-    std::optional<calib::HeightFit> height_fit {}; // After Height.
-    std::string report {}; // Text for the person; lines that end in a line break.
+    calib::Rig rig {};                             // The rig with the new results and their record.
+    std::optional<calib::HeightFit> height_fit {}; // Only after Height.
+    std::string report {}; // Text for the user; each line ends in a line break.
 };
 
-// A calibration under way: devices' reports and a person's commands in, a rig out. Live devices,
-// simulated ones and a log go through it alike: it is told the time with everything, and a log of
-// what it was told gives the same rig. Commands are words, as they stand behind "calibrate" in a
-// log's tool lines:
+// A calibration in progress: its input are device reports and the user's commands, its result is a
+// rig. Live devices, simulated ones and logs are treated alike: all input carries its time, and a
+// log of the input gives the same rig. Commands are words, as they follow "calibrate" in a log's
+// tool lines:
 //
-//     capture 120.5    the surface is at 120.5 mm and rests; what the sensor sends from now on for
-//                      kCaptureTime is the capture
-//     undo             the last capture was wrong; or the one under way is given up
-//     drop 3           the third capture was wrong
-//     begin, end       of the movement of travel, latency and tilt; in a log without them it is all
-//                      of it
+//     capture 120.5    the surface rests at 120.5 mm; sensor readings of the next kCaptureTime are
+//                      the capture
+//     undo             deletes the last capture, or cancels the one in progress
+//     drop 3           deletes the third capture
+//     begin, end       start and end of the movement of travel, latency and tilt; a log without
+//                      them is one movement
 //     cause slipped    why height zero is off: slipped or moved (zeroing.h)
-//     press            the pen's touch under way presses a button: it is no rest, and no movement
+//     press            the current touch of the pen presses a button: it is neither a rest nor a
+//                      movement
 class CalibrationController {
 public:
     struct Options {
         CalibrationProcedure procedure = CalibrationProcedure::Height;
-        calib::Rig rig {}; // The rig so far.
+        calib::Rig rig {}; // The rig to start from.
         calib::HeightFitOptions height {};
         std::optional<calib::ZeroCause>
-            zero_cause {};      // No value: what the captures tell, or the usual.
-        bool is_forced = false; // Whether a height fit is kept in spite of a doubt about it.
+            zero_cause {};      // No value: inferred from the captures, or the default.
+        bool is_forced = false; // True: a height fit is accepted in spite of a doubt about it.
     };
 
-    // Takes the first pen and the first height sensor. Fails, as the user's fault, if one that the
-    // procedure needs is not there, and for a tilt if the tablet tells none.
+    // Uses the first pen and the first height sensor. Fails with a user error if the procedure
+    // needs one that is missing, and for Tilt if the tablet reports no tilt.
     static Result<CalibrationController> create(std::span<drivers::DeviceInfo const> devices,
                                                 Options options);
 
-    // One report of one of the devices, in the order of their times. Broken ones are left out.
+    // Processes one report of one of the devices, in the order of time. Invalid reports are
+    // ignored.
     void push(std::size_t device, Timestamp received, std::span<std::byte const> report);
 
-    // Fails, as the user's fault, for words that mean nothing here, and for times that go back.
+    // Processes a command. Fails with a user error for unknown words, and for times that go
+    // backwards.
     Result<void> command(Timestamp time, std::string_view words);
 
-    // Says what is wrong with the last capture: a sentence that says what to do. Empty if nothing
-    // is.
+    // Sentence about the problem of the last capture and what to do about it; empty if there is
+    // none.
     std::string const& refusal() const { return refusal_; }
 
-    // Why the heights captured so far had better not be kept; no value if they may be, if there is
-    // no fit yet, and after other procedures than Height.
+    // Reason not to keep the heights captured so far; no value if there is none, if there is no fit
+    // yet, and after procedures other than Height.
     std::optional<calib::HeightFitDoubt> doubt() const;
 
-    // Returns what the captures of Zero amount to, if it matters why heights are off and nothing
-    // tells it yet; otherwise no value.
+    // The result of Zero if it depends on why heights are off and nothing tells the cause yet;
+    // otherwise no value.
     std::optional<calib::Zeroing> open_question() const;
 
     bool is_capturing() const { return pending_.has_value(); }
@@ -103,16 +106,16 @@ public:
     std::vector<calib::HeightCapture> const& captures() const { return captures_; }
     std::optional<calib::HeightReading> reading() const { return recent_.reading(); }
     calib::SensorIdentity const& sensor() const { return sensor_; } // The sensor of that reading.
-    std::optional<drivers::PenSample> const& pen() const { return pen_; } // The last one.
-    std::size_t touches() const { return touches_; } // Touches of the movement, so far.
+    std::optional<drivers::PenSample> const& pen() const { return pen_; } // Latest pen sample.
+    std::size_t touches() const { return touches_; } // Number of touches in the movement so far.
 
-    // True when the pen has touched for a while without moving, once for each touch: a person's
-    // sign that the surface rests. The time is that of the data.
+    // True, once per touch, when the pen has touched for a while without moving: the user's sign
+    // that the surface rests. Uses the time of the data.
     bool take_pen_rest();
 
-    // Returns what follows from everything so far. Fails as the procedure's fit does, if a capture
-    // was refused and not made again, and for a doubt about the heights that is not forced. The
-    // report names every capture that was refused, those that were made again, too.
+    // Computes the result of everything so far. Fails like the procedure's fit, if a refused
+    // capture was not repeated, and if there is a doubt about the heights that is not forced. The
+    // report lists every refused capture, including repeated ones.
     Result<CalibrationOutcome> finish(std::string const& date) const;
 
 private:
@@ -151,24 +154,24 @@ private:
     calib::SensorIdentity sensor_;
 
     calib::RecentReadings recent_;
-    std::vector<drivers::HeightSample> new_heights_; // Kept for its memory.
-    std::vector<drivers::PenSample> new_pens_;       // Likewise.
+    std::vector<drivers::HeightSample> new_heights_; // A member to reuse its memory.
+    std::vector<drivers::PenSample> new_pens_;       // A member to reuse its memory.
     std::optional<Pending> pending_;
     std::vector<calib::HeightCapture> captures_;
-    std::optional<double> last_ruler_mm_; // Where the surface was last captured, dropped or not.
+    std::optional<double> last_ruler_mm_; // Height of the last capture, even if it was dropped.
     std::string refusal_;
-    std::vector<std::string> refusals_; // Kept for the report, all of them.
+    std::vector<std::string> refusals_; // All refusals, for the report.
     std::optional<Timestamp> last_command_;
 
     std::optional<drivers::PenSample> pen_;
-    std::optional<drivers::PenSample> touch_; // The present touch's first sample.
+    std::optional<drivers::PenSample> touch_; // First sample of the current touch.
     bool is_rest_told_ = false;
-    bool is_pressing_ = false; // The present touch is none of the calibration's.
+    bool is_pressing_ = false; // The current touch does not belong to the calibration.
 
     bool is_moving_ = true; // Always true in a log without begin and end.
     std::size_t touches_ = 0;
     std::vector<drivers::PenSample> pens_; // Pen samples of the movement.
-    std::size_t pens_before_touch_ = 0;    // Number of pens_ before the present touch.
+    std::size_t pens_before_touch_ = 0;    // Number of pens_ before the current touch.
     std::vector<drivers::HeightSample> heights_;
 };
 

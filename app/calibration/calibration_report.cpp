@@ -33,7 +33,7 @@ std::string describe_slips(calib::HeightCalibration const& calibration)
     return text;
 }
 
-// Whether something is left to be done, though the fit is made.
+// Remaining doubts about a successful fit, and what to do about them.
 std::string describe_doubts(calib::HeightCalibration const& calibration)
 {
     auto const& fit = calibration.fit;
@@ -182,7 +182,8 @@ std::string describe_question(calib::Zeroing const& zeroing)
 
 std::string describe_heights(double low_mm, double high_mm)
 {
-    auto const tenths = [](double mm) { return std::round(mm * 10) / 10 + 0.0; }; // No "-0.0".
+    // Adding 0.0 avoids "-0.0".
+    auto const tenths = [](double mm) { return std::round(mm * 10) / 10 + 0.0; };
     return fmt::format("{:.1f} to {:.1f} mm", tenths(low_mm), tenths(high_mm));
 }
 

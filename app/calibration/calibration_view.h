@@ -10,31 +10,31 @@
 
 namespace tractus::calibration {
 
-// Everything that the calibration's panel shows at one moment.
+// Everything that the calibration panel shows at one moment.
 struct CalibrationView {
     CalibrationProcedure procedure = CalibrationProcedure::Height;
-    std::string reading {}; // The sensor's, with noise and whether it rests.
+    std::string reading {}; // The sensor's reading, its noise, and whether it rests.
     bool is_on_rail = false;
-    bool may_capture = false; // The surface rests, and nothing is being captured.
+    bool may_capture = false; // True if the surface rests and no capture is in progress.
     bool is_capturing = false;
     bool is_moving = false; // True between begin and end of a movement.
     std::vector<calib::HeightCapture> captures {};
-    std::vector<double> residuals_mm {}; // One per capture, or empty before the first fit.
-    std::vector<std::size_t> slipped {}; // Captures that the fit leaves out.
-    double proposed_mm = 0;              // The height to go to next, and to capture there.
-    std::string message {};              // Says what to do, or what was refused and why.
-    bool is_refusal = false;             // The message is one.
+    std::vector<double> residuals_mm {}; // One per capture; empty before the first fit.
+    std::vector<std::size_t> slipped {}; // Indices of captures that the fit leaves out.
+    double proposed_mm = 0;              // Next height to go to and capture.
+    std::string message {};              // What to do, or what was refused and why.
+    bool is_refusal = false;             // True if the message is a refusal.
     std::string report {};               // Report of the fit so far; empty before the first.
     std::vector<Plot> plots {};          // Plots of the fit so far.
-    bool may_keep = false;               // There is something to write to the rig's file.
+    bool may_keep = false;               // True if there is a result to save in the rig's file.
 };
 
-// Requests of a person in the panel.
+// Commands of the user in the panel follow.
 struct ChooseProcedure {
     CalibrationProcedure procedure = CalibrationProcedure::Height;
 };
 struct ProposeHeight {
-    double height_mm = 0; // The height that is captured next, by CaptureAt or by the pen's rest.
+    double height_mm = 0; // Height that CaptureAt or a rest of the pen captures next.
 };
 struct CaptureAt {
     double ruler_mm = 0;
@@ -42,18 +42,18 @@ struct CaptureAt {
 struct UndoCapture { };
 struct BeginMovement { };
 struct EndMovement { };
-struct KeepRig { }; // Writes the rig's file.
+struct KeepRig { }; // Saves the rig's file.
 struct PressWithPen {
-}; // The pen's touch under way presses what the panel shows, and means no more.
+}; // The pen's current touch presses a control of the panel and has no other effect.
 using CalibrationCommand = std::variant<ChooseProcedure, ProposeHeight, CaptureAt, UndoCapture,
                                         BeginMovement, EndMovement, KeepRig, PressWithPen>;
 
-// Where the panel's contents come from. Called from the window's thread only.
+// Supplies the panel's contents. For use on the window's thread only.
 class CalibrationModel {
 public:
     virtual ~CalibrationModel() = default;
 
-    // The present state; valid until the next perform() or until the window's model advances.
+    // Current state, valid until the next perform() or advance() of the window's model.
     virtual CalibrationView const& view() const = 0;
 
     virtual void perform(CalibrationCommand const& command) = 0;

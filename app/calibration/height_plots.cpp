@@ -13,7 +13,7 @@ using From = calib::HeightCapture::From;
 using Kind = PlotSeries::Kind;
 
 constexpr int kCurvePoints = 120;
-constexpr double kBandDeviations = 2; // 95 % of what is normal.
+constexpr double kBandDeviations = 2; // Covers 95 % of a normal distribution.
 
 bool is_slipped(calib::HeightFit const& fit, std::size_t capture)
 {
@@ -32,10 +32,10 @@ constexpr Group kGroups[] { { From::Nowhere, PlotTone::FromNowhere, "first captu
 
 enum class Labels {
     Shown,
-    Hidden, // Another plot beside this one has them.
+    Hidden, // A plot beside this one shows them.
 };
 
-// The captures, each at the place that `place` gives it; slipped ones as crosses.
+// Adds the captures at the positions that `place` returns; slipped ones as crosses.
 template<typename Place>
 void add_captures(Plot& plot, calib::HeightFit const& fit, Captures captures, Labels labels,
                   Place const& place)
@@ -77,7 +77,7 @@ Plot fit_plot(calib::HeightFit const& fit, Captures captures)
     return plot;
 }
 
-// Adds bands of two deviations to either side: of a capture, and of the model itself.
+// Adds bands of ±2 standard deviations: of a capture, and of the model itself.
 void add_bands(Plot& plot, calib::HeightFit const& fit)
 {
     double const capture_mm = kBandDeviations * fit.capture_error_mm;
@@ -109,7 +109,7 @@ Plot residual_plot(calib::HeightFit const& fit, Captures captures)
                 .x_label = "height, mm",
                 .y_label = "ruler less model, mm" };
     add_bands(plot, fit);
-    // A slip of 20 mm would leave nothing to see of the others: it stands at the border.
+    // Outliers are drawn at the border: a slip of 20 mm would flatten everything else.
     double border_mm = kBandDeviations * fit.capture_error_mm;
     for (std::size_t i = 0; i < captures.size(); ++i)
         if (!is_slipped(fit, i))
@@ -122,8 +122,8 @@ Plot residual_plot(calib::HeightFit const& fit, Captures captures)
     return plot;
 }
 
-// Shows by how much the model's height is greater than the ruler's, going up and going down, in
-// order of height, with the mean of each.
+// Shows how far the model's height exceeds the ruler's, separately for upward and downward
+// movement, in order of height, with both means.
 Plot hysteresis_plot(calib::HeightFit const& fit, Captures captures)
 {
     Plot plot { .title = "Up against down: too few captures to tell",

@@ -9,8 +9,8 @@
 
 namespace tractus::calibration {
 
-// Four diagrams of a height calibration: the fit with its captures, the residuals with the bands in
-// which they should lie, up against down, and how readings scatter at rest.
+// Four diagrams of a height calibration: the fit with its captures, the residuals with their
+// expected bands, upward against downward captures, and the scatter of readings at rest.
 std::vector<Plot> height_plots(calib::HeightFit const& fit,
                                std::span<calib::HeightCapture const> captures,
                                std::int32_t full_scale_counts);

@@ -13,7 +13,8 @@ namespace tractus::calibration {
 namespace {
 
 constexpr Duration kShowEvery = std::chrono::milliseconds(100);
-constexpr Duration kCaptureEndsAfter = calib::kCaptureTime + std::chrono::seconds(2); // Or never.
+// Timeout of a capture.
+constexpr Duration kCaptureEndsAfter = calib::kCaptureTime + std::chrono::seconds(2);
 constexpr char kEndOfInput = '\4';
 constexpr char kBackspace = '\b';
 constexpr char kDelete = '\177';
@@ -38,7 +39,7 @@ public:
             is_moving_ = false;
     }
 
-    // False when the person went away.
+    // Returns false if the user quit.
     Result<bool> run(std::atomic<bool> const& stop)
     {
         ask();
@@ -88,19 +89,20 @@ private:
         if (was_capturing_)
             return hear_while_capturing();
         if (takes_captures(controller_.procedure()) && controller_.take_pen_rest() && next_height())
-            return enter(newest_); // However late we notice it.
+            return enter(newest_); // Uses the time of the data, however late it is noticed.
         if (auto const key = next_key())
             return press(*key);
         return {};
     }
 
-    // Keys that are typed wait until the capture is over, but for a person who wants out.
+    // Handles keys during a capture: only quitting and undo act at once, others wait until it is
+    // over.
     Result<void> hear_while_capturing()
     {
         if (person_.is_script)
             return {};
         auto const key = person_.key();
-        if (!key || *key == kEndOfInput) // The end of input comes again.
+        if (!key || *key == kEndOfInput) // The end of input is reported again later.
             return {};
         if (*key == 'q') {
             is_away_ = true;
@@ -116,7 +118,7 @@ private:
         return {};
     }
 
-    // The readings stopped coming.
+    // Cancels the capture, as the readings stopped coming.
     Result<void> give_up_capture()
     {
         was_capturing_ = false;
@@ -193,7 +195,7 @@ private:
         }
         auto const height = next_height();
         if (!height)
-            return {}; // An empty line.
+            return {}; // The line was empty.
         TRY(command(time, "capture " + *height));
         entry_.clear();
         was_capturing_ = controller_.is_capturing();
@@ -201,7 +203,7 @@ private:
         return {};
     }
 
-    // Returns what was typed, else what is to be measured again, else the next of the list.
+    // The height that was typed, otherwise one to repeat, otherwise the next of the list.
     std::optional<std::string> next_height() const
     {
         if (!entry_.empty())
@@ -261,8 +263,8 @@ private:
         return finish();
     }
 
-    // Captures that disagree with the others are dropped, for their heights to be measured again.
-    // A script's are refused when its rig is made.
+    // Drops captures that disagree with the others, so that their heights are measured again. For a
+    // script, they are refused when the rig is computed.
     Result<bool> may_finish()
     {
         auto const doubt = controller_.doubt();
@@ -285,14 +287,14 @@ private:
     {
         if (!takes_captures(controller_.procedure()))
             return {};
-        TRY(command(options_.now(), "undo")); // The one under way, if there is one.
+        TRY(command(options_.now(), "undo")); // Cancels the movement in progress, if there is one.
         person_.say(fmt::format("  {} captures are left", controller_.captures().size()));
         ask();
         return {};
     }
 
-    // Nobody says anything more: the pen's rest captures the heights that are left, and a movement
-    // is all that the devices send.
+    // Continues without a user: rests of the pen capture the remaining heights, and a movement
+    // lasts until the devices end.
     Result<void> go_on_alone()
     {
         if (takes_captures(controller_.procedure()))
@@ -303,7 +305,7 @@ private:
     Result<void> finish()
     {
         if (!controller_.refusal().empty())
-            TRY(command(options_.now(), "undo")); // The refused capture is not wanted any more.
+            TRY(command(options_.now(), "undo")); // Withdraws the refused capture.
         if (!takes_captures(controller_.procedure()))
             TRY(command(options_.now(), "end"));
         is_done_ = TRY(may_finish());
@@ -343,12 +345,12 @@ private:
     LiveCalibrationOptions const& options_;
     std::vector<devices::LiveReport> reports_;
     std::string entry_;
-    std::string typed_;            // During a capture.
+    std::string typed_;            // Keys typed during a capture.
     std::vector<double> again_mm_; // Heights whose captures disagreed.
     bool was_capturing_ = false;
     Timestamp capture_began_ {};
     bool is_moving_ = false;
-    bool is_asking_cause_ = false; // Why the height is off.
+    bool is_asking_cause_ = false; // Asks why heights are off.
     bool is_done_ = false;
     bool is_away_ = false;
     Timestamp newest_ {}; // Time of the newest report.

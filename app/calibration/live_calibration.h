@@ -15,47 +15,48 @@
 
 namespace tractus::calibration {
 
-// A person at a terminal, or a script that writes to standard input in one's place. Characters:
+// A user at a terminal, or a script that writes to standard input instead. Characters:
 //
-//     digits, point, minus   a height; backspace takes one back
-//     Enter                  captures there, or begins and ends the movement
-//     u                      the last capture was wrong, or the one under way is given up
-//     f                      done: fit; captures that disagree are to be measured again first
-//     s, m                   the string slipped, or the table moved, when that is asked
-//     q                      away at any time, and nothing is changed
+//     digits, point, minus   a height; backspace deletes a character
+//     Enter                  captures at that height, or starts and ends the movement
+//     u                      deletes the last capture, or cancels the one in progress
+//     f                      finishes with a fit, after repeating captures that disagree
+//     s, m                   answers that the string slipped or the table moved, when asked
+//     q                      quits at any time without changes
 struct CalibrationPerson {
-    std::function<std::optional<char>()> key;     // No value: none now. '\4' is the input's end.
-    std::function<void(std::string const&)> say;  // A line, without its break.
-    std::function<void(std::string const&)> show; // Shows what the line under all others says now.
-    bool is_script = false; // Nobody is there to try again: what is refused is a failure.
+    // Next character, or no value if none is waiting. '\4' is the end of input.
+    std::function<std::optional<char>()> key;
+    std::function<void(std::string const&)> say;  // Prints a line; the text has no line break.
+    std::function<void(std::string const&)> show; // Replaces the status line at the bottom.
+    bool is_script = false; // Nobody is there to try again, so a refusal is a failure.
 };
 
 struct LiveCalibrationOptions {
-    std::vector<double> heights_mm {}; // To be captured in this order; empty: the person says them.
-    bool is_forced = false;            // Captures that disagree are no reason to go on.
-    devices::LiveRecorder* recorder = nullptr; // Not owned; null: nothing is recorded.
+    // Heights to capture in this order; empty: the user enters them.
+    std::vector<double> heights_mm {};
+    bool is_forced = false;                    // True: captures that disagree need not be repeated.
+    devices::LiveRecorder* recorder = nullptr; // Not owned; null: no recording.
     Timestamp start {};                        // Start of the recording.
     std::function<Timestamp()> now {};
     std::function<void(Duration)> rest {};
 };
 
-// Lets a person calibrate with live devices until the end: heights are captured at Enter, or when
-// the pen has rested on the tablet. The controller sees times as a log has them, so that the
-// recording gives the same rig. At the input's end nobody is there any more: the pen's rests
-// capture the heights that are left, and a movement is all that comes until the devices end. True
-// when all was done, false when the person went away or `stop` was set. Fails if the devices end
-// before, if the recording cannot be written, and, with a script, if a capture is refused or the
-// sensor falls silent during one.
+// Runs a calibration with live devices and a user until the end. Heights are captured when the user
+// presses Enter or rests the pen on the tablet. The controller receives times as in a log, so that
+// the recording gives the same rig. After the end of input, rests of the pen capture the remaining
+// heights, and a movement lasts until the devices end. Returns true when complete, false if the
+// user quit or `stop` was set. Fails if the devices end too early, if the recording cannot be
+// written, and, with a script, if a capture is refused or the sensor falls silent during one.
 Result<bool> calibrate_live(CalibrationController& controller, devices::LiveDevices& devices,
                             CalibrationPerson const& person, LiveCalibrationOptions const& options,
                             std::atomic<bool> const& stop);
 
-// Describes the reading in one line for the screen: "2034 counts (49.7 %), noise 1.0, at rest,
-// 123.4 mm". Of a procedure without heights, how the pen leans: "leans 23 degrees right, 5 away".
+// Describes the reading in one line: "2034 counts (49.7 %), noise 1.0, at rest, 123.4 mm". For a
+// procedure without heights it describes the pen's tilt: "leans 23 degrees right, 5 away".
 std::string describe_reading(CalibrationController const& controller);
 
-// What a person does before and during the movement of a procedure that takes no captures, as
-// sentences without their end.
+// What the user does before and during the movement of a procedure, as sentences without a full
+// stop.
 struct MovementWords {
     std::string_view before;
     std::string_view during;

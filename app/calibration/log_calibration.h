@@ -9,11 +9,11 @@
 
 namespace tractus::calibration {
 
-// The word in front of a calibration's commands in a log's tool lines.
+// Precedes a calibration's commands in a log's tool lines.
 constexpr std::string_view kCalibrateTool = "calibrate";
 
-// Does a recorded calibration again, as its commands in the log say. The same log and options give
-// the same outcome. Fails as the controller does; messages name the log.
+// Repeats a recorded calibration by the commands in its log. Deterministic: the same log and
+// options give the same outcome. Fails like the controller; messages contain the log's name.
 Result<CalibrationOutcome> calibrate_from_log(drivers::Log const& log,
                                               CalibrationController::Options options,
                                               std::string const& date);

@@ -7,17 +7,17 @@
 
 namespace tractus::calibration {
 
-// Diagrams as values: drawn as SVG beside the rig file (plot_svg.h) and in the window.
+// Data of diagrams, drawn as SVG beside the rig file (plot_svg.h) and in the window.
 
-// Subject of a series; each drawing has its own colours for them.
+// Subject of a series; each renderer has its own colours for them.
 enum class PlotTone {
     Model,     // The fit.
-    FromBelow, // Captures, by where the carriage came from …
+    FromBelow, // Captures after the carriage moved up.
     FromAbove,
     FromNowhere,
-    Slipped,  // … and those that were left out.
-    Expected, // Errors as they should be.
-    Measured, // Errors as they are.
+    Slipped,  // Captures that were left out.
+    Expected, // Expected errors.
+    Measured, // Actual errors.
 };
 
 struct PlotSeries {
@@ -26,12 +26,12 @@ struct PlotSeries {
         Dots,
         Crosses,
         Bars, // Bars from zero to y, `bar_width` wide.
-        Band, // A band between points and upper.
+        Band, // A band between `points` and `upper`.
     };
 
     Kind kind = Kind::Line;
     PlotTone tone = PlotTone::Model;
-    std::string label {}; // Label for the legend; empty: not in it.
+    std::string label {}; // Text in the legend; empty: not listed.
     std::vector<Vec2> points {};
     std::vector<Vec2> upper {};
     double bar_width = 0;
@@ -39,25 +39,25 @@ struct PlotSeries {
 
 struct Plot {
     std::string title {};
-    std::string x_label {}; // Label with the unit.
+    std::string x_label {}; // Includes the unit.
     std::string y_label {};
-    Vec2 low = Vec2::Zero();           // The corner of what is shown …
-    Vec2 high = Vec2::Ones();          // … and the opposite one, greater in both.
-    std::vector<PlotSeries> series {}; // The first lies below.
+    Vec2 low = Vec2::Zero();           // Lower left corner of the visible range.
+    Vec2 high = Vec2::Ones();          // Upper right corner of the visible range.
+    std::vector<PlotSeries> series {}; // In drawing order, the bottom one first.
 };
 
-// Sets low and high so that everything shows, with a margin, and zero in the middle if asked for.
+// Sets low and high so that everything is visible, with a margin.
 enum class PlotRange {
     Tight,
-    SymmetricY, // The range goes as far below zero as above.
+    SymmetricY, // The range is symmetric about zero.
     FromZeroY,
 };
 void fit_range(Plot& plot, PlotRange range);
 
-// Round numbers between two, about `count` of them.
+// About `count` round numbers between two values.
 std::vector<double> ticks_between(double low, double high, int count);
 
-// A tick's number as it is written, without noise in its last digits.
+// Formats a tick's number, without rounding noise in its last digits.
 std::string tick_text(double value);
 
 } // namespace tractus::calibration

@@ -13,13 +13,12 @@ namespace {
 constexpr double kPlotWidth = 600;
 constexpr double kPlotHeight = 430;
 constexpr double kSheetTop = 96;
-constexpr double kLeft = 76; // Within a plot, around its frame.
+constexpr double kLeft = 76; // Margins of a plot around its frame.
 constexpr double kRight = 24;
 constexpr double kTop = 66;
 constexpr double kBottom = 58;
 
-// Okabe's and Ito's colours, as in the window, darker ones for white paper; in the order of
-// PlotTone.
+// Okabe and Ito's colours as in the window, darkened for white paper, in the order of PlotTone.
 constexpr std::array<std::string_view, 7> kColors { "#007d5b", "#0072b2", "#d08700", "#777777",
                                                     "#d0342c", "#c9d6df", "#7fb3d5" };
 
@@ -48,7 +47,7 @@ std::string escaped(std::string_view text)
     return result;
 }
 
-// One plot at its place on the sheet.
+// Draws one plot at its place on the sheet.
 class SvgPlot {
 public:
     SvgPlot(Plot const& plot, Vec2 const& corner)
@@ -174,7 +173,7 @@ private:
 
     void print_legend()
     {
-        constexpr double kLetter = 6.9; // Its width, about.
+        constexpr double kLetter = 6.9; // Approximate width of a letter.
         double x = corner_.x() + kLeft;
         double const y = corner_.y() + 48;
         for (auto const& series : plot_.series) {

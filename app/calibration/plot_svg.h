@@ -12,8 +12,7 @@ struct PlotSheet {
     std::string subtitle {};
 };
 
-// Diagrams side by side, two to a row, as an SVG picture on white. The same plots give the same
-// bytes.
+// Draws diagrams two to a row, as an SVG image on white. Deterministic to the byte.
 std::string print_svg(PlotSheet const& sheet, std::span<Plot const> plots);
 
 } // namespace tractus::calibration

@@ -10,20 +10,21 @@ namespace tractus::calibration {
 
 namespace {
 
-constexpr Duration kUntilCapture = std::chrono::milliseconds(700); // After the pen came to rest.
+// Delay between the pen's rest and the capture.
+constexpr Duration kUntilCapture = std::chrono::milliseconds(700);
 
 struct Command {
     Timestamp time {};
     std::string words;
 };
 
-// Actions of the person: what the hand draws, and how it is said.
+// What the simulated user does: strokes of the hand, and commands.
 struct Performance {
     std::vector<sim::HandStroke> strokes;
     std::vector<std::string> words; // One per stroke for captures.
 };
 
-// A line too short and slow to be one: a pen that is held still for two seconds.
+// A pen held still for two seconds: a line too short and slow to count as one.
 sim::HandStroke hold_still(double height_mm)
 {
     return { .path
@@ -31,7 +32,7 @@ sim::HandStroke hold_still(double height_mm)
              .speed_mm_s = 1 };
 }
 
-// A line of a tenth of a millimetre, for a nib in a dent.
+// A nib held in a dent: a line of a tenth of a millimetre.
 sim::HandStroke stay_in_dent(double height_mm, double seconds)
 {
     constexpr double kDent_mm = 0.1;
@@ -44,7 +45,7 @@ sim::HandOptions hand_of(SimulatedCalibration const& calibration)
 {
     sim::HandOptions options { .seed = calibration.person.seed, .height_tremor_mm = 0.02 };
     if (calibration.procedure == CalibrationProcedure::Tilt) {
-        options.plane_tremor_mm = 0.03; // The dent holds it.
+        options.plane_tremor_mm = 0.03; // The dent holds the nib.
         options.tilt_rad = Vec2::Zero();
         options.leaned_around_rad = Vec2(0.7, 0.6);
     }

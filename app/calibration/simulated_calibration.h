@@ -11,27 +11,27 @@
 
 namespace tractus::calibration {
 
-// The heights at which the simulated person captures, and which the program proposes: closer
-// together at the bottom, where a string runs aslant and a slip would pass for another string.
-// Millimetres; none for movements.
+// Heights in millimetres that the program proposes, and at which the simulated user captures. They
+// are denser at the bottom, where a string runs at an angle and a slip could pass for a different
+// string length. Empty for movements.
 std::vector<double> proposed_heights_mm(CalibrationProcedure procedure);
 
 struct SimulatedCalibration {
     CalibrationProcedure procedure = CalibrationProcedure::Height;
-    std::vector<double> heights_mm {}; // Empty: the proposed ones.
-    sim::PersonOptions person {};      // The devices have its seed, too.
+    std::vector<double> heights_mm {}; // Empty: the proposed heights.
+    sim::PersonOptions person {};      // Its seed is also used for the devices.
     sim::RigGeometry geometry {};
 };
 
-// A rig whose surface moves a little aside, as real ones do. Of Tilt, one whose tablet sees the pen
-// nine millimetres above its nib; for the others it is seen where it is.
+// A rig whose surface moves slightly sideways, like real ones. For Tilt its tablet senses the pen
+// nine millimetres above the nib; otherwise at the nib.
 sim::RigGeometry simulated_geometry(CalibrationProcedure procedure = CalibrationProcedure::Height);
 
-// Lets a simulated person calibrate the simulated rig, and writes the log that a recording of it
-// would have given, commands included. At each height the person holds the pen still on the tablet
-// as well, as a sign that the surface rests. Travel follows an upright edge, latency an inclined
-// one, and for a tilt the nib stays in a dent. A pure function. Fails, as the user's fault, for
-// heights out of the rig's reach.
+// Simulates a user who calibrates the simulated rig, and writes the log that a recording would
+// contain, including commands. At each height the user also holds the pen still on the tablet, as a
+// sign that the surface rests. Travel follows a vertical edge, latency a slanted one, and for tilt
+// the nib stays in a dent. A pure function. Fails with a user error for heights out of the rig's
+// reach.
 Result<void> write_simulated_calibration(std::ostream& out,
                                          SimulatedCalibration const& calibration);
 

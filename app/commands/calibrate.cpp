@@ -49,7 +49,8 @@ struct CalibrateArguments {
     std::string screenshot;
 };
 
-// The rig so far: its file, else the log's, else one that height makes from nothing.
+// The rig to start from: its file, otherwise the log's rig, otherwise a new one, which only the
+// height procedure may create.
 Result<calib::Rig> load_start(CalibrateArguments const& arguments, std::string const& log_rig)
 {
     std::error_code error;
@@ -59,7 +60,8 @@ Result<calib::Rig> load_start(CalibrateArguments const& arguments, std::string c
         return calib::parse_rig(log_rig, arguments.log);
     if (arguments.procedure == calibration::CalibrationProcedure::Height)
         return calib::Rig { .sample_times = calib::SampleTimes::Evened };
-    // A rig without heights of its own would draw with made-up ones, so only height makes one.
+    // A rig without calibrated heights would draw with made-up ones, so only the height procedure
+    // creates a rig.
     bool const needs_heights = calibration::needs_height(arguments.procedure);
     return fail(
         Fault::User,
@@ -132,7 +134,7 @@ calibration::CalibrationPerson person_at(terminal::TerminalKeys& keys)
     };
 }
 
-// No value if the person went away.
+// Returns no value if the user quit.
 Result<std::optional<calibration::CalibrationOutcome>>
 from_devices(CalibrateArguments const& arguments)
 {
@@ -179,7 +181,7 @@ Result<void> keep(CalibrateArguments const& arguments,
                                + TRY(calibration::save_calibration(outcome, arguments.rig)));
 }
 
-// Real devices, or a log that is played at its pace.
+// Opens real devices, or a log that is played in real time.
 Result<devices::LiveDevices> open_for_window(CalibrateArguments const& arguments)
 {
     if (!arguments.log.empty())
@@ -283,7 +285,7 @@ void add_window_options(CLI::App& command, CalibrateArguments& arguments)
         ->needs(window);
 }
 
-// One procedure as a command of its own.
+// Adds one procedure as a command of its own.
 CLI::App* add_procedure(CLI::App& parent, calibration::CalibrationProcedure procedure,
                         std::string const& text, options::Action& action)
 {

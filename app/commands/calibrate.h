@@ -4,8 +4,8 @@
 
 namespace tractus::commands {
 
-// tractus calibrate height|travel|latency|tilt|zero|check: finds out a rig's numbers, or how good
-// they are, and keeps them in its file.
+// Command `tractus calibrate height|travel|latency|tilt|zero|check`: determines a rig's parameters,
+// or checks their accuracy, and saves them in its file.
 void add_calibrate_command(CLI::App& root, options::Action& action);
 
 } // namespace tractus::commands

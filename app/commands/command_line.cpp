@@ -42,7 +42,7 @@ namespace tractus::commands {
 static constexpr int kExitFailure = 1;
 static constexpr int kExitUsage = 2;
 
-// The commands that the arguments name, from the program itself to the last one.
+// The commands named by the arguments, from the root to the innermost one.
 static std::vector<CLI::App const*> chosen_commands(CLI::App const& root)
 {
     std::vector<CLI::App const*> chosen { &root };
@@ -80,8 +80,8 @@ static std::vector<std::string> command_names(CLI::App const& parent)
     return names;
 }
 
-// What is wrong with the arguments. A word that nothing takes comes first, since what else is
-// missing may be missing because of it.
+// Message about wrong arguments. An unknown word is reported first, as it may be the cause of a
+// missing argument.
 static std::string usage_error(CLI::App const& root, CLI::ParseError const& error)
 {
     auto const extras = root.remaining(true);
@@ -108,7 +108,7 @@ static int fail_action(Error const& error)
     return kExitFailure;
 }
 
-// The action's result; what the system or a library throws on the way is one, too.
+// Runs the action and turns exceptions from the system or libraries into errors.
 static Result<void> carry_out(options::Action const& action)
 {
     try {
@@ -122,7 +122,7 @@ static Result<void> carry_out(options::Action const& action)
     }
 }
 
-// Registers each command, in the order that --help lists them.
+// Registers all commands, in the order in which --help lists them.
 static void add_commands(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     add_demo_command(root, action, methods);
@@ -149,7 +149,7 @@ static void add_commands(CLI::App& root, options::Action& action, tools::Methods
     add_desktop_commands(root, action);
 }
 
-// The groups of commands in --help, by what a person does.
+// Sets the groups of commands in --help, by the user's activity.
 static void group_commands(CLI::App& root)
 {
     static std::map<std::string, std::string, std::less<>> const groups {
@@ -169,12 +169,13 @@ static void group_commands(CLI::App& root)
         if (command->get_group().empty()) // Commands without a group are not listed.
             continue;
         auto const group = groups.find(command->get_name());
-        command->group(group == groups.end() ? "Make plants" : group->second); // Those of methods.
+        // Commands that methods add have no entry.
+        command->group(group == groups.end() ? "Make plants" : group->second);
     }
 }
 
-// The arguments after the program's name, last first, as CLI::App::parse() takes them. "help X" is
-// another way to say "X --help".
+// The arguments after the program's name in reverse order, as CLI::App::parse() expects. "help X"
+// is turned into "X --help".
 static std::vector<std::string> reversed_arguments(int argc, char const* const* argv)
 {
     std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
@@ -196,7 +197,7 @@ int run_command_line(int argc, char const* const* argv, tools::Methods const& me
     options::Action action;
     add_commands(root, action, methods);
     group_commands(root);
-    root.footer( // After the commands, which would inherit it.
+    root.footer( // Set after the commands are added, as they would inherit it.
 
         "\"tractus COMMAND --help\" says what each can do; \"tractus demo\" is the way to begin.\n"
         "Exit codes: 0 success, 1 a failure that the message on standard error explains,\n"
@@ -205,7 +206,7 @@ int run_command_line(int argc, char const* const* argv, tools::Methods const& me
     try {
         root.parse(reversed_arguments(argc, argv));
     } catch (CLI::CallForHelp const& help) {
-        if (!root.remaining(true).empty()) // Help with a command that is none.
+        if (!root.remaining(true).empty()) // Help was requested together with an unknown command.
             return fail_usage(root, usage_error(root, help));
         action = [&] { return terminal::print_out(root.help()); };
     } catch (CLI::CallForVersion const&) {

@@ -35,7 +35,7 @@ constexpr char const* kTopView = "top";
 struct ConvertArguments {
     fs::path input;
     fs::path output;
-    std::string format; // Empty: as the output's name says.
+    std::string format; // Empty: given by the output's name.
     std::string ids;
     std::string rig;
     std::string height;
@@ -43,7 +43,7 @@ struct ConvertArguments {
     tools::Methods methods;
 };
 
-// "256c:006e" → both numbers.
+// Parses ids such as "256c:006e" into both numbers.
 std::optional<std::pair<std::uint16_t, std::uint16_t>> parse_ids(std::string const& text)
 {
     auto const number = [](std::string const& digits) -> std::optional<std::uint16_t> {
@@ -73,8 +73,9 @@ CLI::Validator device_ids()
              "" };
 }
 
-// hid-recorder knows HID devices alone, and of them no more than name, path and ids. Where each of
-// the log's devices has gone; no value for those that stay behind.
+// Removes the devices that hid-recorder's format cannot describe (it covers HID devices only, with
+// name, path and ids). Returns the new index of each of the log's devices, or no value for a
+// removed one.
 std::vector<std::optional<std::size_t>> keep_what_hid_recorder_knows(drivers::LogHeader& header)
 {
     std::vector<std::optional<std::size_t>> places;
@@ -135,7 +136,7 @@ bool wants_strokes(ConvertArguments const& arguments)
     return arguments.format.empty() && io::is_written_of_strokes(arguments.output);
 }
 
-// Whether a tool draws something: not those that choose, point or erase.
+// True for tools that draw something, false for those that select, point or erase.
 bool is_drawing(tools::ToolKind const& tool)
 {
     return tool.previewer && tool.ink.look == tools::InkStyle::Look::Line;

@@ -35,18 +35,19 @@ struct Options {
 
 using Sink = std::function<Result<void>(std::string_view)>;
 
-// One device of the log, and what came of its reports.
+// Enough intervals for a representative median.
 constexpr std::size_t kMostIntervals = 50'000; // Typical ones are among the first, too.
 
 struct Device {
-    std::unique_ptr<drivers::PenDecoder> pen {}; // Null if it is none.
+    std::unique_ptr<drivers::PenDecoder> pen {}; // Null if the device is not a pen.
     drivers::PenSilence silence {};
     std::size_t reports = 0;
     std::size_t samples = 0;
     std::size_t touching = 0;
     std::size_t strokes = 0;
     bool was_touching = false;
-    std::vector<Duration> intervals {}; // Times between the first kMostIntervals samples.
+    // Times between samples, of the first kMostIntervals samples.
+    std::vector<Duration> intervals {};
     Timestamp last {};
     std::size_t bad_reports = 0;
     std::string first_problem {};
@@ -59,8 +60,8 @@ void append_integer(std::string& text, std::int64_t value)
     text.append(digits, end);
 }
 
-// A number with a fixed count of decimals, several times faster than printf. |value| must be below
-// 1e12 or so.
+// Appends a number with fixed decimals, several times faster than printf. The absolute value must
+// be below about 1e12.
 void append_fixed(std::string& text, double value, int decimals)
 {
     static constexpr std::int64_t kPowers[] = { 1, 10, 100, 1'000, 10'000, 100'000, 1'000'000 };
@@ -130,8 +131,8 @@ void count(Device& device, drivers::PenSample const& sample)
     device.was_touching = sample.touching;
 }
 
-// Feeds every report of a pen to its decoder, in the log's order. Gives the time from the earliest
-// report of all devices to the latest.
+// Passes every report of a pen to its decoder, in the log's order. Returns the time from the
+// earliest to the latest report of all devices.
 Result<Duration>
 decode_all(drivers::Log const& log, std::vector<Device>& devices,
            std::function<Result<void>(std::size_t, drivers::PenSample const&)> const& use)
@@ -166,7 +167,8 @@ decode_all(drivers::Log const& log, std::vector<Device>& devices,
     return latest - earliest;
 }
 
-// The log's pens. Names the devices that are none on standard error, and fails if all are.
+// The log's pens. Prints the devices that are not pens on standard error, and fails if there is no
+// pen.
 Result<std::vector<Device>> find_pens(drivers::Log const& log)
 {
     std::vector<Device> devices;
@@ -190,7 +192,7 @@ Result<std::vector<Device>> find_pens(drivers::Log const& log)
     return devices;
 }
 
-// Says once per device what could not be decoded; fails if that was everything.
+// Reports once per device what could not be decoded, and fails if nothing could.
 Result<void> report_problems(drivers::Log const& log, std::vector<Device> const& devices)
 {
     if (auto const warnings = drivers::summarize_warnings(log); !warnings.empty())
@@ -231,7 +233,8 @@ Result<void> write_csv(drivers::Log const& log, bool raw, Sink const& sink)
     return sink(text);
 }
 
-// The median, since pens pause: ", typically 200 per second", or empty where there is none.
+// Median rate as ", typically 200 per second", or an empty text if unknown. The median ignores
+// pauses of the pen.
 std::string describe_rate(std::vector<Duration> intervals)
 {
     if (intervals.empty())

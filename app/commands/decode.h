@@ -4,7 +4,8 @@
 
 namespace tractus::commands {
 
-// tractus decode FILE [--csv [--raw] [-o FILE]]: what a device log's pens did.
+// Command `tractus decode FILE [--csv [--raw] [-o FILE]]`: prints what the pens in a device log
+// did.
 void add_decode_command(CLI::App& root, options::Action& action);
 
 } // namespace tractus::commands

@@ -4,7 +4,7 @@
 
 namespace tractus::commands {
 
-// tractus derive MODEL.l: rewrites a model's string and prints it, or what it consists of.
+// Command `tractus derive MODEL.l`: derives a model's string and prints it or its symbols' counts.
 void add_derive_command(CLI::App& root, options::Action& action);
 
 } // namespace tractus::commands

@@ -4,9 +4,8 @@
 
 namespace tractus::commands {
 
-// Two commands for the desktop's sake, which --help does not list: "complete", which the shells'
-// scripts in app/desktop ask what may come next, and "man-pages", which the build asks for the
-// manual pages.
+// Adds two commands that --help does not list: "complete", used by the shell completion scripts in
+// app/desktop, and "man-pages", used by the build to generate the manual pages.
 void add_desktop_commands(CLI::App& root, options::Action& action);
 
 } // namespace tractus::commands

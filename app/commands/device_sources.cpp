@@ -15,7 +15,7 @@ std::atomic<bool> const& stop_on_signals()
     auto const ask_to_stop = [](int) { stop_asked = true; };
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
-    // The terminal has gone, unless nohup says that this does not matter.
+    // The terminal was closed; nohup ignores SIGHUP, which is kept.
     if (std::signal(SIGHUP, ask_to_stop) == SIG_IGN)
         std::signal(SIGHUP, SIG_IGN);
     return stop_asked;

@@ -9,18 +9,17 @@
 
 namespace tractus::commands {
 
-// Opens what a command reads: the devices and logs that were named, or else every pen and height
-// sensor that is found. Says on standard error what did not go well (DeviceInfo::warnings). Fails,
-// as the user's fault, if none was named and none is found; `purpose` says what for, such as "to
-// record".
+// Opens the devices and logs that were named, by default every pen and height sensor found. Prints
+// problems on standard error (DeviceInfo::warnings). Fails with a user error if none was named and
+// none is found; `purpose` completes the message, such as "to record".
 Result<devices::LiveDevices> open_devices(std::vector<std::string> const& names,
                                           std::string const& purpose);
 
-// Opens the devices that can be opened; the others are named on standard error. Fails if none can,
-// as the first of them does.
+// Opens all devices that can be opened and prints the others on standard error. If none can be
+// opened, fails with the error of the first one.
 Result<devices::LiveDevices> open_found(std::vector<drivers::DeviceInfo> const& found);
 
-// Set by SIGINT and SIGTERM from now on, in place of ending the program.
+// Flag that SIGINT and SIGTERM set from now on, instead of ending the program.
 std::atomic<bool> const& stop_on_signals();
 
 } // namespace tractus::commands

@@ -57,7 +57,7 @@ std::string as_json_text(std::vector<diagnosis::DeviceFacts> const& devices)
         if (device.poll_hz)
             list.back()["poll_hz"] = *device.poll_hz;
     }
-    // A device may call itself anything, in no encoding.
+    // Invalid UTF-8 is replaced, as device names can contain any bytes.
     return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

@@ -4,8 +4,8 @@
 
 namespace tractus::commands {
 
-// tractus devices [--json]: the HID devices that this machine has, and what they are to the
-// station.
+// Command `tractus devices [--json]`: lists the machine's HID devices and their roles for the
+// program.
 void add_devices_command(CLI::App& root, options::Action& action);
 
 } // namespace tractus::commands

@@ -4,7 +4,7 @@
 
 namespace tractus::commands {
 
-// `tractus doctor`: what keeps the devices from working, and what to do about it.
+// Command `tractus doctor`: finds out why devices do not work, and what to do about it.
 void add_doctor_command(CLI::App& root, options::Action& action);
 
 } // namespace tractus::commands

@@ -42,11 +42,11 @@ struct GrowArguments {
     options::DrawingArguments drawing;
     std::filesystem::path output;
     batch::PlantFileOptions file;
-    std::size_t ages = 0;   // Ages of an animation in one file; 0 for none.
-    std::size_t frames = 0; // Frames of one in a file for each; 0 for none.
+    std::size_t ages = 0;   // Number of ages of an animation in one file; 0: no animation.
+    std::size_t frames = 0; // Number of frames of an animation in separate files; 0: no animation.
     double seconds = 10;
-    std::string habit; // Of a tree that grows by itself, in a model's place; empty: a model.
-    int years = 20;    // How many years that grows.
+    std::string habit; // Habit of a tree that grows by itself, instead of a model; empty: a model.
+    int years = 20;    // Age of the tree that grows by itself.
     bool report = false;
 
     bool is_varied() const
@@ -61,7 +61,7 @@ struct GrowArguments {
     }
 };
 
-// tree.glb becomes tree-01.glb and so on.
+// Path of a frame: tree.glb becomes tree-01.glb and so on.
 std::filesystem::path frame_path(std::filesystem::path const& output, std::size_t frame,
                                  std::size_t frames)
 {
@@ -70,7 +70,7 @@ std::filesystem::path frame_path(std::filesystem::path const& output, std::size_
     return output.parent_path() / name;
 }
 
-// A plant at several ages, one after the other.
+// Grows a plant at successive ages.
 class AgeingPlant {
 public:
     AgeingPlant(variation::GrowthPlan const& plan, scene::Scene const& scene, bool along_ground)
@@ -81,7 +81,7 @@ public:
     {
     }
 
-    // Holds until the next call.
+    // Valid until the next call.
     Plant const& grow(double age = 1)
     {
         auto const& grown = grower_.grow(key_, age);
@@ -107,7 +107,7 @@ Result<variation::GrowthPlan> plan_animation(scene::Scene const& scene, std::str
     return scene::plan_growth(scene);
 }
 
-// What was written; a graph has no triangles.
+// Message about what was written; a graph has no triangles to count.
 std::string said_of(Plant const& plant, std::uint64_t triangles,
                     std::filesystem::path const& output)
 {
@@ -116,13 +116,13 @@ std::string said_of(Plant const& plant, std::uint64_t triangles,
     return output.extension() == ".mtg" ? text : fmt::format("{}, {} triangles", text, triangles);
 }
 
-// Ages evenly apart, the last one full-grown.
+// Age of a frame: evenly spaced, the last one is fully grown.
 double age_of(std::size_t frame, std::size_t frames)
 {
     return static_cast<double>(frame) / static_cast<double>(frames);
 }
 
-// A file for each age, with what has grown by then.
+// Writes a file for each age, with the parts grown by then.
 Result<void> write_sequence(GrowArguments const& arguments, scene::Scene const& scene,
                             std::string const& name)
 {
@@ -132,7 +132,7 @@ Result<void> write_sequence(GrowArguments const& arguments, scene::Scene const& 
     if (arguments.output.extension() == ".png") {
         render::Framing framing({}, batch::PictureSize().aspect());
         framing.add(mesh::make_mesh(ageing.grow()));
-        file.camera = framing.camera(); // One for all ages: it sees the whole plant.
+        file.camera = framing.camera(); // One camera for all ages, fitted to the fully grown plant.
     }
     for (std::size_t i = 1; i <= arguments.frames; ++i) {
         double const age = age_of(i, arguments.frames);
@@ -201,7 +201,7 @@ Result<void> write_varied(GrowArguments const& arguments, scene::Scene const& sc
     return write_one(arguments, plant, name);
 }
 
-// What is drawn counts only where growth follows it.
+// Warns if drawn indicators have no effect because growth does not follow them.
 void warn_of_ignored_indicators(scene::Scene const& scene)
 {
     auto const& growth = scene.growth;
@@ -213,7 +213,8 @@ void warn_of_ignored_indicators(scene::Scene const& scene)
         scene.indicators.size(), scene.indicators.size() == 1 ? "" : "s"));
 }
 
-// A session says itself how its plant is derived; another seed is another variation of it.
+// Loads a session. The session defines how its plant is derived; a different seed gives another
+// variation of it.
 Result<scene::Scene> load_session(GrowArguments const& arguments, std::filesystem::path const& path,
                                   scene::EditKinds kinds)
 {
@@ -228,7 +229,7 @@ Result<scene::Scene> load_session(GrowArguments const& arguments, std::filesyste
     return scene::apply_edit(std::move(scene), growth);
 }
 
-// A model grows as drawn, and not as it might have grown, unless it is said how.
+// Loads a model. Without growth options it is shown as derived, without variation.
 Result<scene::Scene> load_model_scene(GrowArguments const& arguments,
                                       std::filesystem::path const& path)
 {
@@ -252,7 +253,7 @@ Result<scene::Scene> load_model_scene(GrowArguments const& arguments,
                                                 arguments.model.seed.value_or(1) });
 }
 
-// A tree that grows by itself, as it grew unless it is said how.
+// Loads a tree that grows by itself. Without growth options it is not varied.
 Result<scene::Scene> load_tree_scene(GrowArguments const& arguments)
 {
     if (arguments.is_for_a_model())
@@ -266,7 +267,7 @@ Result<scene::Scene> load_tree_scene(GrowArguments const& arguments)
                              scene::SetGrowth { TRY(variation::growth_preset("as drawn")), seed });
 }
 
-// A variability that is given counts on top of what a session has.
+// Applies growth options to a scene. A given variability is multiplied by the session's.
 Result<scene::Scene> with_growth(batch::GrowthOptions const& options, scene::Scene scene)
 {
     auto growth = scene.growth;
@@ -294,7 +295,7 @@ Result<scene::Scene> add_drawing(batch::DrawingOptions const& options, scene::Sc
     return std::move(drawing.scene);
 }
 
-// The plant that the arguments name, and whether it is a session's.
+// The plant that the arguments name, and whether it comes from a session.
 struct NamedPlant {
     scene::Scene scene;
     std::string name;
@@ -369,7 +370,7 @@ void add_animation_options(CLI::App& command, GrowArguments& arguments)
                           ".glb: a morph target for each of N ages, and an animation of them")
               ->type_name("N")
               ->check(options::whole_number(2, 10'000))
-              ->excludes("--organs") // Morph targets blend one mesh, of floats.
+              ->excludes("--organs") // Morph targets need a single mesh with float coordinates.
               ->excludes("--quantized")
               ->excludes("--compressed");
     command.add_option("--seconds", arguments.seconds, "How long the animation takes")
@@ -394,7 +395,7 @@ void add_grow_command(CLI::App& root, options::Action& action, tools::Methods co
     auto* const command = root.add_subcommand(
         "grow", "Grow a model and write it as glTF, OBJ, a graph or a picture");
     options::add_model_options(*command, arguments->model);
-    command->get_option("MODEL")->required(false); // A habit may stand in its place.
+    command->get_option("MODEL")->required(false); // A habit may replace it.
     add_habit_options(*command, *arguments);
     options::add_cost_options(*command, arguments->cost);
     options::add_companion_options(*command, arguments->companions);

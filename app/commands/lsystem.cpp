@@ -36,7 +36,7 @@ std::string features_text(lsystem::Model const& model)
     return text;
 }
 
-// Draws the string, since what the turtle leaves out is known only then.
+// Draws the string, as warnings about skipped symbols become known only then.
 Result<std::string> drawing_text(lsystem::Model const& model, lsystem::ModuleString const& string,
                                  lsystem::DeriveOptions const& options)
 {
@@ -78,7 +78,7 @@ Result<void> check(LsystemArguments const& arguments)
         drawing + methods::describe_uses(path, document::load_options(arguments.cost)));
 }
 
-// A plant of a few lines, each of which says what it does.
+// Rules of the example that `tractus lsystem new` writes; comments explain each line.
 constexpr std::string_view kNewModel = R"(/* A young tree. Change a number, save, and look again:
      tractus grow THIS.l -o tree.png */
 #define STEPS 7     /* of growth */
@@ -98,7 +98,7 @@ A(s) --> ~l(4)
 endlsystem
 )";
 
-// Its looks.
+// View of that example.
 constexpr std::string_view kNewView
     = R"(/* How the tree looks: colours, and the organs that the rules draw by ~LETTER. */
 material: 1 bark kind=bark color=0.43,0.36,0.30
@@ -135,7 +135,7 @@ void add_lsystem_command(CLI::App& root, options::Action& action)
     command->require_subcommand(1);
     auto* const check_command = command->add_subcommand(
         "check", "List what a model uses, its warnings, and the modules after each step");
-    // Shared with the callback, which outlives this.
+    // Shared with the callback, which outlives this function.
     auto const arguments = std::make_shared<LsystemArguments>();
     options::add_model_options(*check_command, arguments->model);
     options::add_cost_options(*check_command, arguments->cost);

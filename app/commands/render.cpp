@@ -36,7 +36,7 @@ struct Size {
     int height = 0;
 };
 
-// "1200x900". Nothing if it is no size, or none that we draw.
+// Parses a size such as "1200x900". No value if the text is not a size or is out of range.
 std::optional<Size> parse_size(std::string_view text)
 {
     Size size;
@@ -95,7 +95,7 @@ Result<void> run(RenderArguments const& arguments, scene::EditKinds kinds)
 
 void add_render_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
-    // Shared with the callback, which outlives this.
+    // Shared with the callback, which outlives this function.
     auto const arguments = std::make_shared<RenderArguments>();
     auto* const command = root.add_subcommand(
         "render", "Draw the plants of a glTF file, or of a session, as a picture");

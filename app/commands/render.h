@@ -5,7 +5,7 @@
 
 namespace tractus::commands {
 
-// tractus render FILE.glb -o FILE.png [--size WxH] [--azimuth DEG] [--elevation DEG]
+// Command `tractus render FILE.glb -o FILE.png [--size WxH] [--azimuth DEG] [--elevation DEG]`.
 void add_render_command(CLI::App& root, options::Action& action, tools::Methods const& methods);
 
 } // namespace tractus::commands

@@ -22,7 +22,7 @@ struct SimArguments {
     std::optional<double> rate_hz;
 };
 
-// The devices that were named, or all.
+// The devices that were named, by default all.
 Result<std::vector<std::size_t>> choose_devices(drivers::Log const& log,
                                                 SimArguments const& arguments)
 {

@@ -30,13 +30,13 @@ struct SimEncoderArguments {
     unsigned counts = 40;
 };
 
-// How long an encoder rests before and after it moves: counting begins where it rests, and all of
-// its edges are told before it goes.
+// How long an encoder rests before and after its movement. A reader starts counting while it rests,
+// and has read all edges before it disappears.
 constexpr Duration kEncoderRest = std::chrono::seconds(2);
 
-// The height of a recording, for a converter that is asked for it, from when it is asked first: the
-// kernel's own driver may have the converter open without reading it. And a fault when its time
-// comes. It rests where the heights begin and end for a while, if it is to.
+// Plays a recording's heights on a converter and finally triggers its fault, if any. Time starts
+// with the first read request, as the kernel's own driver may open the converter without reading
+// it. The height may rest at the start and the end.
 class HeightPart final : public play::DevicePart {
 public:
     explicit HeightPart(sim::HeightCurve heights, Duration rest = Duration(0))

@@ -4,7 +4,7 @@
 
 namespace tractus::commands {
 
-// "tractus sim gadget"; `sim` is the command above.
+// Adds "tractus sim gadget" to the command `sim`.
 void add_sim_gadget_command(CLI::App& sim, options::Action& action);
 
 } // namespace tractus::commands

@@ -12,7 +12,7 @@
 
 namespace tractus::commands {
 
-// Options that the ways of "tractus sim" that play a recording or a script share.
+// Options shared by those "tractus sim" commands that play a recording or a script.
 struct SimPlayArguments {
     std::string log;
     std::string script;
@@ -23,17 +23,16 @@ struct SimPlayArguments {
 
 void add_sim_play_options(CLI::App& command, SimPlayArguments& arguments);
 
-// The recording to play: what was named, or what "tractus record --simulate" would make of the
-// script. Fails, as the user's fault, if there are no reports in it.
+// The recording to play: the named log, or the log that "tractus record --simulate" would make of
+// the script. Fails with a user error if it contains no reports.
 Result<drivers::Log> load_sim_play(SimPlayArguments const& arguments);
 
-// The reports of one of the log's devices, their times since the log's first report; or in even
-// steps, so many per second. The log must outlive them.
+// The reports of one of the log's devices, with times since the log's first report, or at a
+// constant rate of `rate_hz`. The log must outlive the result.
 std::function<play::NextReport()> reports_of(drivers::Log const& log, std::size_t device,
                                              std::optional<double> rate_hz);
 
-// Plays until it is over or a signal asks to stop, and says on standard error when it begins and
-// how it went.
+// Plays until the end or a signal, and prints on standard error when it begins and how it went.
 Result<void> run_sim_play(play::DevicePlay play, SimPlayArguments const& arguments);
 
 } // namespace tractus::commands

@@ -25,7 +25,7 @@ namespace tractus::commands {
 namespace {
 
 struct StreamArguments {
-    std::string log; // Empty: devices.
+    std::string log; // Empty: read devices.
     std::vector<std::string> devices;
     std::string socket; // Empty: standard output.
     std::string rig;
@@ -48,7 +48,7 @@ Result<stream::StreamOutput> open_stream_output(StreamArguments const& arguments
     return output;
 }
 
-// Warns of reports that nobody can use.
+// Warns about reports that could not be decoded.
 void warn_of_losses(station::Station const& station)
 {
     auto const& counts = station.counts();
@@ -72,7 +72,7 @@ Result<void> stream_recording(StreamArguments const& arguments)
     auto replay = TRY(station::LogReplay::create(log, options));
     for (auto const& sentence : replay.left_out())
         terminal::print_warning(sentence);
-    // Catches signals before there is a socket to be taken away.
+    // Installs the signal handlers before the socket is created, so that it gets removed on exit.
     auto const& stop = stop_on_signals();
     auto output = TRY(open_stream_output(arguments, replay.station().volume_mm()));
     TRY(stream::stream_log(replay, output, arguments.speed, stop));
@@ -88,7 +88,7 @@ bool has_sensor_of_height(devices::LiveDevices const& devices)
     });
 }
 
-// The one that was named, the played log's, or else the user's own.
+// The rig that was named, otherwise the played log's, otherwise the user's own.
 Result<std::optional<calib::Rig>> find_stream_rig(StreamArguments const& arguments,
                                                   devices::LiveDevices const& devices)
 {
@@ -102,7 +102,7 @@ Result<std::optional<calib::Rig>> find_stream_rig(StreamArguments const& argumen
     return std::optional<calib::Rig>();
 }
 
-// The size of the first tablet, where no rig tells it.
+// A rig with the size of the first tablet, if no other rig is known.
 calib::Rig rig_of_first_tablet(devices::LiveDevices const& devices)
 {
     calib::Rig rig;

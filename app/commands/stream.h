@@ -5,7 +5,7 @@
 
 namespace tractus::commands {
 
-// `tractus stream [LOG]`: tips and strokes as lines for other programs.
+// Command `tractus stream [LOG]`: prints tips and strokes as lines for other programs.
 void add_stream_command(CLI::App& root, options::Action& action, tools::Methods const& methods);
 
 } // namespace tractus::commands

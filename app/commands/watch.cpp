@@ -26,7 +26,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration kScreenPeriod = 100ms; // Faster than that nobody reads.
+constexpr Duration kScreenPeriod = 100ms; // Nobody can read faster updates.
 constexpr Duration kPlainPeriod = 1s;
 constexpr std::size_t kPlainWidth = 200;
 
@@ -40,7 +40,7 @@ Timestamp now()
     return Timestamp(diagnosis::read_clocks().monotonic);
 }
 
-// The devices and what is known of them, and a recording while one is made.
+// The devices and their statistics, and the recording while there is one.
 class Watch {
 public:
     explicit Watch(devices::LiveDevices devices)
@@ -50,7 +50,7 @@ public:
             monitors_.emplace_back(info);
     }
 
-    // Takes in what has come. False if nothing had.
+    // Processes new reports; returns false if there were none.
     Result<bool> step()
     {
         devices_.take(reports_);
@@ -76,7 +76,7 @@ public:
         return devices::watch_lines(readings, width);
     }
 
-    // Begins a recording in the working folder, or ends it.
+    // Starts a recording in the working folder, or ends it.
     Result<void> toggle_recording()
     {
         if (recorder_) {
@@ -109,9 +109,9 @@ public:
 private:
     devices::LiveDevices devices_;
     std::vector<diagnosis::DeviceMonitor> monitors_; // One per device.
-    std::vector<devices::LiveReport> reports_;       // Kept for its memory.
+    std::vector<devices::LiveReport> reports_;       // A member to reuse its memory.
     std::optional<devices::LiveRecorder> recorder_;
-    std::string recording_; // The recording's file.
+    std::string recording_; // Path of the recording.
     std::string status_;
 };
 
@@ -123,7 +123,7 @@ Result<void> print_lines(std::vector<std::string> const& lines)
     return terminal::print_out(text);
 }
 
-// True if the person wants to end.
+// Handles pressed keys; returns true if the user wants to quit.
 Result<bool> take_keys(terminal::Terminal& terminal, Watch& watch)
 {
     while (auto const key = terminal.key()) {
@@ -151,7 +151,7 @@ Result<void> run(WatchArguments const& arguments)
         if (terminal)
             wants_to_end = TRY(take_keys(*terminal, watch));
         bool const is_over = arguments.seconds && to_seconds(now() - begin) >= *arguments.seconds;
-        // A log's last report stays on the screen until a key is pressed.
+        // After the end of a log, the last state stays on the screen until a key is pressed.
         goes_on = !stop && !wants_to_end && !is_over && (terminal || watch.goes_on());
         if (now() >= next || !goes_on) {
             next = now() + (terminal ? kScreenPeriod : kPlainPeriod);

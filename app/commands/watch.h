@@ -4,7 +4,7 @@
 
 namespace tractus::commands {
 
-// `tractus watch [DEVICE...]`: what devices send, live in the terminal.
+// Command `tractus watch [DEVICE...]`: shows live in the terminal what devices send.
 void add_watch_command(CLI::App& root, options::Action& action);
 
 } // namespace tractus::commands

@@ -43,24 +43,24 @@ constexpr auto kUsualModel = "broadleaf";
 
 struct WindowArguments {
     tools::Methods methods;
-    std::string file; // A log or a session: sort_out() makes it one of the next two.
+    std::string file; // A log or a session; sort_out() moves it to `log` or `session`.
     std::string log;
     std::vector<std::string> devices;
-    std::string played; // A log whose devices are taken for real ones.
+    std::string played; // A log whose devices are treated as real ones.
     std::string recording;
-    std::vector<std::string> least; // TOOL=MM: see tools/least_extent.h.
+    std::vector<std::string> least; // Pairs TOOL=MM; see tools/least_extent.h.
     std::string session;
-    std::string model;             // Empty: the start page, or kUsualModel where there is none.
-    bool wants_start_page = false; // Whatever else is said.
+    std::string model; // Empty: the start page, or kUsualModel if there is no start page.
+    bool wants_start_page = false; // Overrides everything else.
     std::string rig;
     std::string height;
-    std::string picture; // To be laid behind what is drawn.
-    std::string socket;  // Where other programs are told what is drawn; empty: nowhere.
+    std::string picture; // Picture to lay behind the drawing.
+    std::string socket;  // Socket on which other programs receive strokes; empty: none.
     bool fills_display = false;
-    std::string display; // The one to fill; empty: as `fills_display` says.
+    std::string display; // Name of the display to fill; empty: see `fills_display`.
     bool is_on_stage = false;
-    std::optional<bool> is_light {};       // No value: as the person chose it last.
-    std::optional<bool> is_left_handed {}; // Likewise.
+    std::optional<bool> is_light {};       // No value: the user's last choice.
+    std::optional<bool> is_left_handed {}; // No value: the user's last choice.
     double scale = 0;
     int frames = 0;
     std::string screenshot;
@@ -73,20 +73,21 @@ std::string window_title(std::string const& hand, std::string const& drawing)
     return fmt::format("tractus: {} on {}", hand, drawing);
 }
 
-// Where a drawing has to be of something.
+// The model to draw on, where a drawing needs one.
 Result<std::filesystem::path> model_of(WindowArguments const& arguments)
 {
     return files::find_plant(arguments.model.empty() ? kUsualModel : arguments.model);
 }
 
-// What a program looks at, or a film, is the same for everybody.
+// True if the user's window settings apply. They do not for screenshots, films and runs of a fixed
+// number of frames, which must look the same for everybody.
 bool keeps_look(WindowArguments const& arguments)
 {
     return arguments.frames == 0 && arguments.film.empty() && arguments.screenshot.empty()
         && !user_look_path().empty();
 }
 
-// As the arguments say, else as the person chose it last.
+// Window settings from the arguments, otherwise as the user chose them last.
 window::WindowLook look_for(WindowArguments const& arguments)
 {
     window::WindowLook look;
@@ -143,7 +144,8 @@ Result<void> show_replay(WindowArguments const& arguments)
         if (!trouble.empty())
             terminal::print_warning(trouble);
     }
-    drivers::ClosingSignals const signals; // Held until the window is closed and all is kept.
+    // Held until the window is closed and everything is saved.
+    drivers::ClosingSignals const signals;
     auto window = TRY(controllers::ReplayWindow::create(
         log, options, std::move(scene), std::filesystem::current_path(), std::move(session)));
     auto const name = std::filesystem::path(log.name).filename().string();
@@ -152,13 +154,13 @@ Result<void> show_replay(WindowArguments const& arguments)
     return window::run_window(window, window_options(arguments, title));
 }
 
-// The simulated hand alone, which a person watches.
+// True if only the simulated hand draws, watched by the user.
 bool plays_hand(WindowArguments const& arguments)
 {
     return arguments.devices == std::vector<std::string> { "simulated" };
 }
 
-// Nothing was asked for that a window could begin with, or end with.
+// True if the arguments give the window nothing to open and no fixed end.
 bool begins_with_start_page(WindowArguments const& arguments)
 {
     if (arguments.wants_start_page)
@@ -168,8 +170,8 @@ bool begins_with_start_page(WindowArguments const& arguments)
         && arguments.screenshot.empty();
 }
 
-// Opens what was asked for, kept in its session; else in a new one, of which the person is told.
-// Returns its name; of the start page none.
+// Opens the requested drawing with its session, by default a new one, and tells the user. Returns
+// its name, or an empty text for the start page.
 Result<std::string> open_first_drawing(WindowArguments const& arguments,
                                        controllers::LiveWindowOptions& options)
 {
@@ -196,11 +198,12 @@ Result<std::string> open_first_drawing(WindowArguments const& arguments,
     return drawing.name;
 }
 
-// A hand that draws now has no end at which a movement could be over.
+// Runs a window with live devices. Live drawing has no end, so no movement of the view needs to
+// wait for it.
 Result<void> draw_in_window(devices::LiveDevices devices, controllers::LiveWindowOptions options,
                             window::WindowOptions const& how)
 {
-    // Held until the window is closed and all is kept.
+    // Held until the window is closed and everything is saved.
     drivers::ClosingSignals const signals;
     auto window = TRY(controllers::LiveWindow::create(std::move(devices), std::move(options)));
     return window::run_window(window, how);
@@ -208,7 +211,7 @@ Result<void> draw_in_window(devices::LiveDevices devices, controllers::LiveWindo
 
 struct Clock {
     std::function<Timestamp()> now;
-    std::shared_ptr<Timestamp> counted {}; // Time by frames, if it is not the machine's.
+    std::shared_ptr<Timestamp> counted {}; // Time counted in frames, if the real clock is not used.
 };
 
 Clock clock_for(WindowArguments const& arguments)
@@ -219,7 +222,7 @@ Clock clock_for(WindowArguments const& arguments)
     return { [counted] { return *counted; }, counted };
 }
 
-// Those of the command line, else those that the person keeps.
+// Least extents from the command line, otherwise those in the user's settings.
 Result<tools::LeastExtents> read_least_extents(WindowArguments const& arguments)
 {
     auto extents
@@ -249,7 +252,7 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
     if (!arguments.height.empty())
         options.height_mm = TRY(options::constant_height_mm(arguments.height));
     options.least_extents = TRY(read_least_extents(arguments));
-    // Last, since it may begin a file.
+    // Done last, as it may create a file.
     auto const drawing = TRY(open_first_drawing(arguments, options));
     options.folder = std::filesystem::current_path();
     if (auto const folder = files::user_folder(); !folder.empty()) {
@@ -264,7 +267,7 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
     options.now = clock.now;
     options.counted_time = clock.counted;
     if (!clock.counted)
-        options.mouse.emplace(options.now); // Else the log's pen draws.
+        options.mouse.emplace(options.now); // Otherwise the played log's pen draws.
     auto const name = devices.infos().empty() ? "mouse" : devices.infos().front().name;
     auto how = window_options(arguments, drawing.empty() ? "tractus" : window_title(name, drawing));
     auto const tidy_up = [unnamed = options.unnamed] {
@@ -277,7 +280,8 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
     return done;
 }
 
-// A session is gone on with, a plant is drawn on; anything else is a recording.
+// Sorts the file argument: a session is continued, a plant is drawn on, and anything else is a
+// recording.
 Result<WindowArguments> sort_out(WindowArguments arguments)
 {
     if (batch::is_session_file(arguments.file)) {
@@ -318,8 +322,8 @@ Result<WindowArguments> sort_out(WindowArguments arguments)
     return arguments;
 }
 
-// A film has an end, and a folder of its own: its pictures are numbered, and those of a longer one
-// before it would be taken for its end.
+// Checks that a film has an end, and creates a new folder for it: leftover numbered pictures of a
+// longer film would be mistaken for its end.
 Result<void> prepare_film(WindowArguments const& arguments)
 {
     if (arguments.log.empty() && arguments.frames == 0)
@@ -336,11 +340,12 @@ Result<void> prepare_film(WindowArguments const& arguments)
     return check_writable(std::filesystem::path(arguments.film) / "00001.png");
 }
 
-// Opens what was asked for; else the devices that are there; else a mouse.
+// Opens what was requested, otherwise the connected devices, otherwise a drawing by mouse.
 Result<void> open_window(WindowArguments const& arguments)
 {
     batch::return_large_blocks();
-    if (!arguments.picture.empty()) // Else the person would learn of it in the window.
+    // Checked here, so that an error appears in the terminal rather than in the window.
+    if (!arguments.picture.empty())
         TRY(controllers::load_back_picture(arguments.picture, Vec2(1, 1)));
     if (!arguments.screenshot.empty())
         TRY(check_writable(arguments.screenshot));
@@ -362,7 +367,7 @@ Result<void> open_window(WindowArguments const& arguments)
     return show_devices(arguments, TRY(std::move(devices)), clock);
 }
 
-// What is drawn with, and where it is kept.
+// Adds options for devices and saving.
 void add_drawing_options(CLI::App& command, WindowArguments& arguments)
 {
     command
@@ -395,7 +400,7 @@ void add_drawing_options(CLI::App& command, WindowArguments& arguments)
         ->check(options::name_ending_in({ ".tractus" }));
 }
 
-// How the window looks, and for how long.
+// Adds options for the window's appearance and duration.
 void add_look_options(CLI::App& command, WindowArguments& arguments)
 {
     command.add_flag("--full-screen", arguments.fills_display,

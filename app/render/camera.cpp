@@ -9,9 +9,9 @@
 
 namespace tractus::render {
 
-// The share of the picture that the framed shape may fill: the rest is air.
+// Share of the picture that the framed shape may fill; the rest is margin.
 static constexpr double kFill = 0.94;
-// Distance from the eye to what is framed, as a share of its radius.
+// Least distance from the eye to the framed shape, as a share of its radius.
 static constexpr double kLeastClearance = 0.3;
 
 Eigen::Matrix4f T_camera_world(Camera const& camera)
@@ -50,7 +50,8 @@ Eigen::Matrix4f projection_matrix(Camera const& camera, double aspect)
 
 namespace {
 
-// How far the upright elliptic cylinder inside `box` reaches in a direction of any length.
+// Extent of the upright elliptic cylinder inscribed in `box` along a direction, which need not be a
+// unit vector.
 double reach(Bounds const& box, Vec3 const& direction)
 {
     Vec3 const half = (box.max_mm - box.min_mm) / 2;
@@ -68,7 +69,7 @@ Bounds not_empty(Bounds box)
     return box;
 }
 
-// The directions of a view, all of length 1.
+// Unit vectors of a view's axes.
 struct ViewAxes {
     explicit ViewAxes(ViewAngles const& angles)
         : back(std::sin(angles.azimuth_rad) * std::cos(angles.elevation_rad),
@@ -84,7 +85,7 @@ struct ViewAxes {
     Vec3 up;
 };
 
-// How steeply the view pyramid opens, but for the air.
+// Slopes of the view pyramid's sides, reduced by the margin.
 struct Slopes {
     explicit Slopes(double aspect)
         : up(std::tan(Camera().field_of_view_rad / 2) * kFill)
@@ -96,7 +97,7 @@ struct Slopes {
     double right;
 };
 
-// Normals of the view pyramid's four planes, outwards, and the way to the eye.
+// Outward normals of the view pyramid's four planes, and the direction to the eye.
 std::array<Vec3, 5> pyramid(ViewAxes const& axes, Slopes const& slopes)
 {
     return { axes.back * slopes.up + axes.up, axes.back * slopes.up - axes.up,
@@ -104,9 +105,9 @@ std::array<Vec3, 5> pyramid(ViewAxes const& axes, Slopes const& slopes)
              axes.back };
 }
 
-// The four planes of the view pyramid are pushed out until each touches what is framed, which
-// reaches so far along their normals: the eye lies in the middle between opposite planes, as far
-// back as the wider pair asks, and before what points at it.
+// Moves the view pyramid's four planes outwards until each touches the framed shape, whose extents
+// along their normals are `reach`. The eye is centred between opposite planes, as far back as the
+// wider pair requires, and in front of everything that points at it.
 Camera touching_camera(ViewAngles const& angles, double aspect, std::array<double, 5> const& reach,
                        Bounds const& box)
 {

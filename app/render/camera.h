@@ -8,57 +8,58 @@
 
 namespace tractus::render {
 
-// Where one looks from. World frame, millimetres.
+// Point of view and projection. World frame, millimetres.
 struct Camera {
     enum class Projection { Perspective, Orthographic };
 
     Vec3 eye_mm { 0, -1000, 300 };
     Vec3 target_mm = Vec3::Zero();
-    Vec3 up = Vec3::UnitZ(); // Need not be perpendicular to the direction of view, nor may it be
-                             // parallel.
+    // Need not be perpendicular to the viewing direction, but must not be parallel to it.
+    Vec3 up = Vec3::UnitZ();
     Projection projection = Projection::Perspective;
-    double field_of_view_rad = 0.55; // Vertical; Perspective only.
-    double view_height_mm = 1000;    // Height that the picture shows; Orthographic only.
-    double near_mm = 10;             // Nothing nearer or farther is drawn.
+    double field_of_view_rad = 0.55; // Vertical angle; Perspective only.
+    double view_height_mm = 1000;    // Visible height; Orthographic only.
+    double near_mm = 10;             // Near clipping distance.
     double far_mm = 10000;
 
     double distance_mm() const { return (target_mm - eye_mm).norm(); }
 };
 
-// Takes world coordinates to the camera's: x right, y up, looking along -z.
+// Transforms world coordinates to camera coordinates: x right, y up, looking along -z.
 Eigen::Matrix4f T_camera_world(Camera const& camera);
 
-// Takes the camera's coordinates to OpenGL's clip space. `aspect` is width over height.
+// Transforms camera coordinates to OpenGL's clip space. `aspect` is width divided by height.
 Eigen::Matrix4f projection_matrix(Camera const& camera, double aspect);
 
-// Direction of the view.
+// Direction from which a camera looks.
 struct ViewAngles {
-    // 0: from -y, where the person sits; growing: walking to the right, around the plant.
+    // 0: from -y, where the user sits; increasing: walking to the right around the plant.
     double azimuth_rad = 0;
     double elevation_rad = 0.2; // Above the horizon; below pi/2.
 };
 
-// A perspective camera that sees what a plant fills of its box, an upright elliptic cylinder, in
-// the middle of the picture with some air around it, and the ground beyond it. An empty box counts
-// as one of 100 mm on the origin.
+// A perspective camera that centres a plant with some margin and shows the ground beyond it. The
+// plant is assumed to fill an upright elliptic cylinder inside its box. An empty box counts as one
+// of 100 mm at the origin.
 Camera framing_camera(Bounds const& box, ViewAngles const& angles, double aspect);
 
-// Frames meshes by what they draw, and not by their boxes: a plant that leans into a corner of its
-// box is not cut, and one that does not fill it is not small.
+// Frames meshes by their geometry rather than by their bounding boxes, so that a plant leaning into
+// a corner of its box is not cut off and one that does not fill it is not shown small.
 class Framing {
 public:
     Framing(ViewAngles const& angles, double aspect);
 
     void add(mesh::Mesh const& mesh);
 
-    // Sees all that was added, with some air around it. Nothing counts as 100 mm on the origin.
+    // A camera that shows everything added, with some margin. Without meshes it shows 100 mm at the
+    // origin.
     Camera camera() const;
 
 private:
     ViewAngles angles_;
     double aspect_;
-    std::array<Vec3, 5> directions_; // Out of the view: up, down, right, left, and to the eye.
-    std::array<double, 5> reach_;    // How far the meshes go there.
+    std::array<Vec3, 5> directions_; // View directions: up, down, right, left, and to the eye.
+    std::array<double, 5> reach_;    // Extent of the meshes in each direction.
     Bounds box_;
 };
 

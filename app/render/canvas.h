@@ -5,25 +5,25 @@
 
 namespace tractus::render {
 
-// Surface that the renderer draws on: an off-screen picture with four samples to a pixel.
+// Render target of the renderer: an off-screen framebuffer with four samples per pixel.
 class Canvas {
 public:
-    // `width` and `height` are pixels, at least 1.
+    // `width` and `height` are in pixels, at least 1.
     Canvas(int width, int height);
 
     int width() const { return width_; }
     int height() const { return height_; }
 
-    // Drawing goes here until another framebuffer is bound.
+    // Directs drawing to this canvas until another framebuffer is bound.
     void bind() const;
 
-    // Joins the samples of each pixel: after drawing, before texture() or image() is used.
+    // Averages the samples of each pixel. Call it after drawing, before texture() or image().
     void resolve() const;
 
-    // The resolved picture as a texture, rows from bottom to top; it lives as long as the canvas.
+    // The resolved picture as a texture, rows from bottom to top. Valid as long as the canvas.
     GLuint texture() const { return texture_.name(); }
 
-    // The resolved picture as a value.
+    // The resolved picture as an image in memory.
     Image image() const;
 
 private:

@@ -6,7 +6,7 @@
 
 namespace tractus::render {
 
-// A line in space to be drawn: a stroke, a branch of a skeleton, an indicator, a grid line.
+// A line in space to draw: a stroke, a branch of a skeleton, an indicator, a grid line.
 struct Curve {
     struct Point {
         Vec3f position_mm = Vec3f::Zero();   // World frame.
@@ -14,7 +14,8 @@ struct Curve {
         float width = 2;                     // Diameter, in the curve's unit.
     };
 
-    // Pixels stay the same near and far; millimetres shrink with the distance, as tubes do.
+    // Widths in pixels do not depend on the distance; widths in millimetres shrink with it, like
+    // those of tubes.
     enum class WidthUnit { Pixels, Millimetres };
 
     // Flat lines keep their colour; round ones are shaded as tubes.
@@ -23,11 +24,11 @@ struct Curve {
     // Shape of the last point.
     enum class End { Plain, Arrow };
 
-    std::vector<Point> points; // One point draws a dot.
+    std::vector<Point> points; // A single point is drawn as a dot.
     WidthUnit width_unit = WidthUnit::Pixels;
     Look look = Look::Round;
     End end = End::Plain;
-    bool fades = false; // Fades with the depth: see Stage::fade.
+    bool fades = false; // True: the colour fades with depth; see Stage::fade.
 };
 
 } // namespace tractus::render

@@ -6,7 +6,7 @@ namespace tractus::render {
 
 namespace {
 
-// One end of a segment, and a whole segment, as the shader reads them.
+// Vertex data of one end of a segment, as the shader reads it.
 struct EndVertex {
     Vec3f position_mm = Vec3f::Zero();
     Vec3f color = Vec3f::Zero();
@@ -16,13 +16,14 @@ struct EndVertex {
 struct SegmentVertex {
     EndVertex begin {};
     EndVertex end {};
-    Vec2f traits = Vec2f::Zero(); // x: 1 for widths in millimetres; y: a sum of what follows.
+    Vec2f traits = Vec2f::Zero(); // x: 1 if widths are in millimetres; y: sum of the flags below.
 };
 
-constexpr float kArrowWidth = 4.5f; // The head's base and length, in line widths.
+// Width of an arrow head's base, in line widths; kArrowLength likewise.
+constexpr float kArrowWidth = 4.5f;
 constexpr float kArrowLength = 7.0f;
 
-// Summands of SegmentVertex::traits.y.
+// Flags of a segment, summed in SegmentVertex::traits.y.
 constexpr float kRound = 1;
 constexpr float kHead = 2;
 constexpr float kFades = 4;
@@ -32,8 +33,8 @@ EndVertex vertex(Curve::Point const& point)
     return { point.position_mm, point.color, point.width };
 }
 
-// A cone beyond the last point. Where widths are pixels the shader makes it as long in pixels; here
-// its end says only the direction.
+// A cone beyond the last point. If widths are in pixels the shader computes its length; here its
+// end only gives the direction.
 SegmentVertex arrow_head(Curve const& curve, Vec2f const& traits)
 {
     auto const& last = curve.points.back();

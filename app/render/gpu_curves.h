@@ -8,15 +8,15 @@
 
 namespace tractus::render {
 
-// Curves on the graphics card: made once, drawn many times. Lives and dies with the context.
+// Curves uploaded to the GPU: created once, drawn many times. Must not outlive the OpenGL context.
 class GpuCurves {
 public:
     explicit GpuCurves(std::span<Curve const> curves);
 
-    // The box around all points. Empty where there are none.
+    // Bounding box of all points; empty if there are none.
     Bounds const& bounds() const { return bounds_; }
 
-    // Draws every segment as one strip of four corners; the curve shader is in use.
+    // Draws every segment as one strip of four corners. The curve shader must be in use.
     void draw() const;
 
 private:

@@ -14,15 +14,17 @@ namespace tractus::render {
 
 namespace {
 
-constexpr float kRhombusBelow_px = 11;   // Shorter organs are drawn as rhombi.
-constexpr float kSmallestArea_px = 2.5f; // Smaller rhombi are drawn fewer and larger,
-constexpr float kSmallestShare = 0.02f;  // but no fewer than this share of them.
-constexpr int kPictureUnit = 2;          // The first of five; the sun's shadow has those before.
+constexpr float kRhombusBelow_px = 11; // Organs shorter than this are drawn as rhombi.
+// Rhombi smaller than this are drawn in smaller number but larger.
+constexpr float kSmallestArea_px = 2.5f;
+constexpr float kSmallestShare = 0.02f; // At least this share of the rhombi is drawn.
+// First of five texture units for pictures; lower ones belong to the sun's shadow.
+constexpr int kPictureUnit = 2;
 constexpr std::uint32_t kShuffleStream = 0x72656e64;
 
 struct InstanceVertex {
     Vec3f translation_mm = Vec3f::Zero();
-    std::array<float, 4> rotation {}; // x, y, z, w.
+    std::array<float, 4> rotation {}; // Quaternion x, y, z, w.
     Vec3f scale = Vec3f::Ones();
     float sky = 1;
 };
@@ -42,7 +44,7 @@ void add_vertex_values(GpuMesh::Part& part, GLuint index, Values const& values)
     float_attribute(index, static_cast<GLint>(sizeof(Value) / sizeof(float)), 0, 0);
 }
 
-// Uploads triangles as a vertex array, which stays bound; the part keeps the buffers.
+// Uploads triangles to a vertex array, which stays bound; the part keeps the buffers.
 void add_triangles(GpuMesh::Part& part, gl::VertexArray const& vertex_array,
                    mesh::TriangleMesh const& triangles)
 {
@@ -63,8 +65,9 @@ bool is_flat(mesh::TriangleMesh const& mesh, std::size_t first_index)
         && mesh.normals[mesh.indices[first_index + 2]] == normal;
 }
 
-// How many of a surface's indices are tubes, whose inner sides nobody sees: make_mesh() puts
-// polygons, which are flat and have two sides, behind them. Surfaces of unknown origin have none.
+// Number of a surface's indices that belong to tubes, whose inner sides are never visible.
+// make_mesh() puts two-sided polygons after the tubes. Surfaces of unknown origin count as having
+// no tubes.
 GLsizei tube_index_count(Material const& material, mesh::TriangleMesh const& surface)
 {
     if (material.kind != Material::Kind::Bark && material.kind != Material::Kind::Stem)
@@ -75,7 +78,8 @@ GLsizei tube_index_count(Material const& material, mesh::TriangleMesh const& sur
     return static_cast<GLsizei>(count);
 }
 
-// The instances as attributes of a vertex array; the buffer may serve several.
+// Sets up a buffer of instances as attributes of a vertex array. Several vertex arrays may share
+// the buffer.
 void use_instances(gl::VertexArray const& vertex_array, GLuint instances)
 {
     glBindVertexArray(vertex_array.name());
@@ -90,8 +94,7 @@ void use_instances(gl::VertexArray const& vertex_array, GLuint instances)
     glBindVertexArray(0);
 }
 
-// Returns instances in an order that has nothing to do with the plant's, so that the first ones
-// stand for all.
+// Returns the instances in random order, so that the first ones are representative of all.
 std::vector<InstanceVertex> shuffled_instances(mesh::InstancedMesh const& organ,
                                                SkyVisibility const& sky)
 {
@@ -138,7 +141,7 @@ void draw_from_afar(GpuMesh::Part const& part, Shader const& shader, float pixel
     auto const& rhombus = *part.rhombus;
     float const area_px = rhombus.length_mm * rhombus.width_mm / (2 * pixel_mm * pixel_mm);
     float const share = std::clamp(area_px / kSmallestArea_px, kSmallestShare, 1.0f);
-    // Narrow organs grow across only, or they would reach out of the plant.
+    // Narrow organs are only widened; lengthened, they would stick out of the plant.
     bool const narrow = rhombus.width_mm < 0.25f * rhombus.length_mm;
     float const across = narrow ? 1 / share : 1 / std::sqrt(share);
     shader.set("instance_growth", Vec3f(across, narrow ? 1 : across, narrow ? across : 1));
@@ -150,22 +153,23 @@ void draw_from_afar(GpuMesh::Part const& part, Shader const& shader, float pixel
                             std::min(count, part.instance_count));
 }
 
-// Whether organs of a part are drawn with their pictures, or by their mean as what stands for them.
+// Whether organs of a part are drawn with their pictures, or in the pictures' mean colour, as for
+// the rhombi.
 enum class Picture { Drawn, Mean };
 
-// Uniforms: a picture's sampler, and how much it counts; 0 where there is none.
+// Sets the uniforms of a picture: its sampler, and its strength, which is 0 if there is no picture.
 void set_picture(Shader const& shader, int index, SurfacePicture const* picture, char const* name,
                  char const* strength_name, float strength)
 {
     shader.set(strength_name, picture ? strength : 0.0f);
-    // A sampler without a picture may not share its unit with one of another kind.
+    // Every sampler gets a unit of its own, as samplers of different types must not share one.
     shader.set(name, kPictureUnit + index);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kPictureUnit + index));
     glBindTexture(GL_TEXTURE_2D, picture ? picture->texture.name() : 0);
     glActiveTexture(GL_TEXTURE0);
 }
 
-// Uniforms: base_color, linear, and what the material's pictures are.
+// Sets the uniforms base_color and linear, and those of the material's pictures.
 void set_pictures(GpuMesh::Part const& part, Shader const& shader, Picture how)
 {
     auto const& textures = part.material.textures;
@@ -188,7 +192,7 @@ void set_pictures(GpuMesh::Part const& part, Shader const& shader, Picture how)
     set_picture(shader, 4, seen(part.translucency), "passings", "passing", 1);
 }
 
-// A mesh's own mistake, not a file's: readers check their indices.
+// A failed check is a bug in the mesh, not a bad file: readers check their indices.
 Material const& material_of(mesh::Mesh const& mesh, mesh::TriangleMesh const& triangles)
 {
     CHECK(triangles.material < mesh.materials.size());

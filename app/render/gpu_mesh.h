@@ -12,54 +12,56 @@
 
 namespace tractus::render {
 
-// A mesh on the graphics card: made once, drawn many times. Lives and dies with the context.
+// A mesh uploaded to the GPU: created once, drawn many times. Must not outlive the OpenGL context.
 class GpuMesh {
 public:
-    // How much sky a place sees takes time to find; without light it does not matter.
+    // Whether the sky's visibility is traced, which takes time, or assumed to be open, which is
+    // enough without lighting.
     enum class Sky { Traced, Open };
     explicit GpuMesh(mesh::Mesh const& mesh, Sky sky = Sky::Traced);
 
-    // The box around all that is drawn, plant frame. Empty for an empty mesh.
+    // Bounding box of everything drawn, in the plant frame. Empty for an empty mesh.
     Bounds const& bounds() const { return bounds_; }
 
-    // One draw call: the triangles of one material, once or in many places.
+    // One draw call: the triangles of one material, drawn once or as many instances.
     struct Part {
         Material material;
-        // The mesh's pictures of the material; null where it has none.
+        // The material's pictures; null for those that it does not have.
         SurfacePicture const* picture = nullptr;
         SurfacePicture const* normal = nullptr;
         SurfacePicture const* occlusion = nullptr;
         SurfacePicture const* roughness = nullptr;
         SurfacePicture const* translucency = nullptr;
         GLsizei index_count = 0;
-        GLsizei tube_index_count = 0; // The first ones; drawn from outside only.
-        GLsizei instance_count = 0;   // 0: drawn once, where it is.
+        // Number of leading indices that belong to tubes; of these only outer sides are drawn.
+        GLsizei tube_index_count = 0;
+        GLsizei instance_count = 0; // 0: drawn once, without instancing.
         gl::VertexArray vertex_array;
         std::vector<gl::Buffer> buffers;
 
-        // Organs that are thin: the same seen from afar, a rhombus as long and of the same area,
-        // or two that cross.
+        // Simplified shape of thin organs seen from afar: a rhombus of the same length and area, or
+        // two crossed ones.
         struct Rhombus {
             gl::VertexArray vertex_array;
             GLsizei index_count = 0;
-            float length_mm = 0; // Mean of the instances.
+            float length_mm = 0; // Mean over the instances, as is width_mm.
             float width_mm = 0;
         };
         std::optional<Rhombus> rhombus;
     };
     std::vector<Part> const& parts() const { return parts_; }
 
-    // Draws one part with `shader`, which is in use. Attributes: 0 position, 1 normal, 2 texture
-    // coordinate, 3 sky visibility of the vertex; of the instance 4 translation, 5 rotation (a
-    // quaternion, scalar last), 6 scale, 7 sky visibility. Uniforms: instance_growth,
-    // is_instanced, and those of the material's colour and pictures.
-    //
-    // `pixel_mm` is what a pixel shows. Organs of a few pixels are drawn as rhombi, and where these
-    // are smaller than pixels, some of them for all, larger by as much (Cook, Halstead, Planck, Ryu
-    // 2007, "Stochastic simplification of aggregate detail").
+    // Draws one part with `shader`, which must be in use. Vertex attributes: 0 position, 1 normal,
+    // 2 texture coordinate, 3 sky visibility. Instance attributes: 4 translation, 5 rotation (a
+    // quaternion, scalar last), 6 scale, 7 sky visibility. Uniforms: instance_growth, is_instanced,
+    // and those of the material's colour and pictures. `pixel_mm` is the size of a pixel. Organs a
+    // few pixels in size are drawn as rhombi; where these would be smaller than pixels, a random
+    // subset is drawn, enlarged accordingly (Cook, Halstead, Planck, Ryu 2007, "Stochastic
+    // simplification of aggregate detail").
     void draw(Part const& part, Shader const& shader, float pixel_mm) const;
 
-    // How much sky the ground below the plant sees: a texture of one channel and where it lies.
+    // Sky visibility of the ground below the plant: a single-channel texture, and the rectangle
+    // that it covers.
     GLuint ground_texture() const { return ground_texture_.name(); }
     Vec2f const& ground_corner_mm() const { return ground_corner_mm_; }
     Vec2f const& ground_size_mm() const { return ground_size_mm_; }

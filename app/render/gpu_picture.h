@@ -5,7 +5,8 @@
 
 namespace tractus::render {
 
-// A picture on the graphics card, smooth in any size. Lives and dies with the context.
+// A picture uploaded to the GPU, filtered smoothly at any size. Must not outlive the OpenGL
+// context.
 class GpuPicture {
 public:
     explicit GpuPicture(Image const& picture);

@@ -52,10 +52,10 @@ void paste(Image& onto, Image const& picture, int x, int y)
 
 namespace {
 
-// The source pixels that one destination pixel covers along one axis, and how much of each.
+// The source pixels that one destination pixel covers along one axis, with weights.
 struct Coverage {
     int first = 0;
-    std::vector<float> weights; // Sum 1.
+    std::vector<float> weights; // Their sum is 1.
 };
 
 std::vector<Coverage> coverages(int from, int to)

@@ -10,7 +10,7 @@
 
 namespace tractus::render {
 
-// A colour as people write it: sRGB, 0 to 255, straight (not premultiplied) alpha.
+// An sRGB colour, 0 to 255, with straight (not premultiplied) alpha.
 struct Color {
     std::uint8_t red = 0;
     std::uint8_t green = 0;
@@ -20,13 +20,13 @@ struct Color {
     bool operator==(Color const&) const = default;
 };
 
-// Makes a colour from 0-to-1 components, clamped and rounded.
+// Makes a colour from components in 0 to 1, which are clamped and rounded.
 Color color_from(Vec3f const& srgb);
 
-// Light of a colour, 0 to 1, as near to sRGB's as the shaders take it: to the power of 2.2.
+// Linear light of an sRGB colour, 0 to 1, with the shaders' approximation: the power of 2.2.
 Vec3f linear_light(Vec3f const& srgb);
 
-// A picture in memory: rows from top to bottom, pixels from left to right.
+// An image in memory: rows from top to bottom, pixels from left to right.
 class Image {
 public:
     Image() = default;
@@ -52,18 +52,18 @@ private:
     std::vector<Color> pixels_;
 };
 
-// Copies `picture` into `onto` with its upper left corner at (x, y). What lies outside is left out.
+// Copies `picture` into `onto` with its upper left corner at (x, y). Parts outside are clipped.
 void paste(Image& onto, Image const& picture, int x, int y);
 
-// Upside down: OpenGL's rows go up.
+// The image upside down, for OpenGL, whose rows go from bottom to top.
 Image flipped(Image const& picture);
 
-// The picture in another size, each pixel the mean of the area that it covers. For making smaller;
-// a larger picture shows its pixels as blocks.
+// The image in another size; each pixel is the mean of the area that it covers. Meant for reducing;
+// enlarged pixels become blocks.
 Image resized(Image const& picture, int width, int height);
 
-// Writes a PNG (ISO/IEC 15948) with 8 bits per channel: RGB where every pixel is opaque, else RGBA.
-// Fails, as the station's fault, if the stream refuses bytes or the picture is empty.
+// Writes a PNG file (ISO/IEC 15948) with 8 bits per channel: RGB if every pixel is opaque,
+// otherwise RGBA. Fails with a system error if the stream cannot be written or the image is empty.
 Result<void> write_png(std::ostream& out, Image const& picture);
 
 } // namespace tractus::render

@@ -10,7 +10,8 @@ namespace tractus::render {
 
 struct OffscreenContext::Handles {
     EGLDisplay display = EGL_NO_DISPLAY;
-    EGLSurface surface = EGL_NO_SURFACE; // A pixel buffer, only where contexts cannot do without.
+    // A pixel buffer, only on systems where a context requires a surface.
+    EGLSurface surface = EGL_NO_SURFACE;
     EGLContext context = EGL_NO_CONTEXT;
 
     Handles() = default;
@@ -41,7 +42,7 @@ tl::unexpected<Error> no_context(std::string_view what)
 
 EGLDisplay open_display()
 {
-    // EGL_MESA_platform_surfaceless: a display that belongs to no window system.
+    // EGL_MESA_platform_surfaceless provides a display without a window system.
     if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
         auto* const display
             = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -69,8 +70,8 @@ bool make_current(EGLDisplay display, EGLContext context, EGLConfig config, EGLS
 {
     if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
         return true;
-    // A system without EGL_KHR_surfaceless_context: the smallest surface there is will do, since we
-    // draw into framebuffers of our own.
+    // Without EGL_KHR_surfaceless_context a surface is required. The smallest one is enough, since
+    // everything is drawn into framebuffers of our own.
     constexpr std::array<EGLint, 5> kSmall { EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE };
     surface = eglCreatePbufferSurface(display, config, kSmall.data());
     return surface != EGL_NO_SURFACE && eglMakeCurrent(display, surface, surface, context);

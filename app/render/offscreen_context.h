@@ -6,13 +6,13 @@
 
 namespace tractus::render {
 
-// An OpenGL 3.3 core context without window or display, current on the thread that made it until
-// it is destroyed. It needs neither a graphics card nor a running display server: Mesa's software
-// renderer will do.
+// An OpenGL 3.3 core context without window or display, current on the creating thread until it is
+// destroyed. It needs neither a graphics card nor a display server: Mesa's software renderer
+// suffices.
 class OffscreenContext {
 public:
-    // Fails, as the user's fault, where the system has no EGL or no OpenGL 3.3; the message names
-    // the Debian packages that bring them.
+    // Fails with a user error if the system has no EGL or no OpenGL 3.3; the message names the
+    // Debian packages to install.
     static Result<OffscreenContext> create();
 
     OffscreenContext(OffscreenContext&&) noexcept;

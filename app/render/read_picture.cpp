@@ -14,8 +14,8 @@ namespace tractus::render {
 
 namespace {
 
-// How the rows and columns of a JPEG lie, as the camera that took it says: 1 to 8 (Exif 2.32,
-// section 4.6.4, "Orientation"). 1, the upright one, where it says nothing.
+// Orientation that a JPEG's camera recorded, 1 to 8 (Exif 2.32, section 4.6.4, "Orientation").
+// Defaults to 1, upright.
 int orientation_of(std::string_view bytes)
 {
     std::unique_ptr<ExifData, void (*)(ExifData*)> const data(
@@ -30,8 +30,8 @@ int orientation_of(std::string_view bytes)
     return orientation >= 1 && orientation <= 8 ? orientation : 1;
 }
 
-// Orientations 5 to 8 have columns for rows; of each four, the second and the third are mirrored
-// from left to right, the third and the fourth from top to bottom, as the eye sees them.
+// Turns an image upright. Orientations 5 to 8 swap rows and columns. Of each four orientations, the
+// second and third are mirrored horizontally, the third and fourth vertically.
 Image upright(Image picture, int orientation)
 {
     if (orientation == 1)
@@ -52,7 +52,7 @@ Image upright(Image picture, int orientation)
     return turned;
 }
 
-static_assert(sizeof(Color) == 4); // As both libraries write it.
+static_assert(sizeof(Color) == 4); // Both libraries write pixels of this layout.
 
 constexpr std::int64_t kMostPixels = 100'000'000;
 
@@ -71,7 +71,8 @@ Result<Image> read_png(std::string_view bytes)
     return image;
 }
 
-// What the library only warns of, as of bytes between segments, many cameras and programs write.
+// Decodes a JPEG. Warnings of the library are ignored: many cameras and programs write files that
+// cause them, for example with stray bytes between segments.
 Result<Image> read_jpeg(std::string_view bytes)
 {
     std::unique_ptr<void, int (*)(void*)> const decoder(tjInitDecompress(), tjDestroy);

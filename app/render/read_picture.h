@@ -7,9 +7,9 @@
 
 namespace tractus::render {
 
-// Reads a PNG or JPEG picture of at most 100 megapixels, upright as the camera that took it says;
-// one without alpha is opaque. Fails, as the user's fault, in a sentence without the file's name.
-// Any bytes are safe to give, and sizes that they claim are looked at before memory is taken.
+// Decodes a PNG or JPEG image of at most 100 megapixels and turns it upright as recorded by the
+// camera. Images without alpha become opaque. Fails with a user error whose message lacks the
+// file's name. Safe for arbitrary bytes; sizes are checked before memory is allocated.
 Result<Image> read_picture(std::string_view bytes);
 
 } // namespace tractus::render

@@ -19,7 +19,7 @@ Result<Shader> surface_shader(std::string_view name, std::string_view kind)
                              shaders::kSurfaceFragment } });
 }
 
-// The larger the picture, the finer the sun's map: about two of its pixels to one of the picture's.
+// Side of the shadow map: about two of its pixels for each pixel of the picture.
 int shadow_map_side(Canvas const& canvas)
 {
     int const longest = std::max(canvas.width(), canvas.height());
@@ -40,15 +40,15 @@ struct Renderer::Parts {
     SunShadow shadow;
     gl::VertexArray no_vertices {};
 
-    // State that the passes of one picture share.
+    // State shared by the passes of one picture.
     struct View {
         Stage const& stage;
         Camera const& camera;
         Canvas const& canvas;
         Bounds box {};
         Eigen::Matrix4f T_clip_world = Eigen::Matrix4f::Identity();
-        float pixels_per_mm = 1;           // Scale at clip w = 1.
-        Vec2f depth_terms = Vec2f::Zero(); // The projection's elements (2, 2) and (2, 3).
+        float pixels_per_mm = 1;           // Scale where clip w is 1.
+        Vec2f depth_terms = Vec2f::Zero(); // Elements (2, 2) and (2, 3) of the projection matrix.
     };
 
     void draw_backdrop(View const& view) const;
@@ -120,8 +120,7 @@ void Renderer::draw(Stage const& stage, Camera const& camera, Canvas const& canv
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     parts_->draw_backdrop(view);
-    // Passes from here on say by their alpha how much of a pixel they cover; the picture itself is
-    // opaque.
+    // The following passes use alpha for coverage; the picture itself stays opaque.
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     if (stage.picture)
         parts_->draw_picture(view);
@@ -248,11 +247,11 @@ void Renderer::Parts::draw_meshes(View const& view) const
         shader->set("sun_strength", view.stage.sun.strength);
         shader->set("is_lit", view.stage.lighting == Stage::Lighting::Lit ? 1.0f : 0.0f);
     }
-    // Size of a pixel at the target; nearer organs are drawn no finer.
+    // Size of a pixel at the target; organs closer to the camera use the same level of detail.
     bool const perspective = view.camera.projection == Camera::Projection::Perspective;
     float const pixel_mm
         = (perspective ? static_cast<float>(view.camera.distance_mm()) : 1.0f) / view.pixels_per_mm;
-    // A masked picture's edges are smooth like those of curves.
+    // Smooths the edges of alpha-masked pictures, like those of curves.
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     for (auto const& placed : view.stage.meshes) {
         float const scale = placed.T_world_plant.linear().col(0).norm();
@@ -265,7 +264,8 @@ void Renderer::Parts::draw_meshes(View const& view) const
             shader.set("metalness", material.metalness);
             shader.set("translucency", material.translucency);
             shader.set("veins", material.kind == Material::Kind::Leaf ? 1.0f : 0.0f);
-            // Texture coordinates of a leaf that has its own picture are no unit square.
+            // The shader's own veins need texture coordinates in the unit square, which leaves with
+            // pictures lack.
             shader.set("drawn_veins", material.textures.base_color ? 0.0f : 1.0f);
             placed.mesh->draw(part, shader, pixel_mm / scale);
         }
@@ -277,7 +277,7 @@ void Renderer::Parts::draw_curves(View const& view) const
 {
     if (view.stage.curves.empty())
         return;
-    // The samples of a pixel stand for its coverage: smooth edges, and still a depth for each.
+    // Multisample coverage gives smooth edges while every sample keeps a depth of its own.
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     curve.use();
     curve.set("T_clip_world", view.T_clip_world);

@@ -9,17 +9,15 @@
 
 namespace tractus::render {
 
-// Draws stages. The same in a window and off screen: it needs an OpenGL 3.3 core context, current
-// on the calling thread from create() to the renderer's end, and leaves no state behind that others
-// have to know but the bound framebuffer.
-//
-// Light: a sun with a soft shadow, a sky that fills in and that a plant's inside sees less of
-// (sky_visibility.h), light that shines through leaves and petals. Materials show their colour's
-// picture and its mask; without one, bark and veins are made of the texture coordinates. The same
-// stage gives the same pixels each time.
+// Draws stages, in a window or off screen. It needs an OpenGL 3.3 core context, current on the
+// calling thread from create() to the renderer's destruction, and changes no state that others rely
+// on except the bound framebuffer. Lighting: a sun with a soft shadow, ambient light from the sky
+// that is attenuated inside a plant (sky_visibility.h), and light that shines through leaves and
+// petals. Materials show their colour picture and its mask; without pictures, bark and leaf veins
+// are procedural. Rendering is deterministic.
 class Renderer {
 public:
-    // Fails, as the station's fault, if the driver does not take the shaders.
+    // Fails with a system error if the driver rejects the shaders.
     static Result<Renderer> create();
 
     Renderer(Renderer&&) noexcept;
@@ -29,7 +27,7 @@ public:
     // Draws over the whole canvas and resolves it.
     void draw(Stage const& stage, Camera const& camera, Canvas const& canvas);
 
-    // Draws a picture as a value. Pixels; both at least 1.
+    // Renders to an image. Width and height are in pixels, at least 1.
     Image picture(Stage const& stage, Camera const& camera, int width, int height);
 
 private:

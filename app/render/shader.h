@@ -9,17 +9,17 @@
 
 namespace tractus::render {
 
-// The pieces of GLSL that make up one program; each list is joined in order after "#version 330".
+// GLSL sources of a program; each list is joined in order after "#version 330".
 struct ShaderSource {
-    std::string_view name; // Name for errors.
+    std::string_view name; // Name in error messages.
     std::initializer_list<std::string_view> vertex;
     std::initializer_list<std::string_view> fragment;
 };
 
-// A linked program. Made, used and destroyed with the same context current.
+// A linked shader program. It must be created, used and destroyed with the same context current.
 class Shader {
 public:
-    // Fails, as the station's fault, with the driver's message if it does not compile.
+    // Fails with a system error that contains the driver's message if the source does not compile.
     static Result<Shader> build(ShaderSource const& source);
 
     Shader(Shader&& other) noexcept;
@@ -28,8 +28,8 @@ public:
 
     void use() const { glUseProgram(program_); }
 
-    // Sets a uniform; call use() first. A name that the program does not have is ignored, since
-    // compilers remove what no pixel needs.
+    // Sets a uniform; call use() first. Unknown names are ignored, since compilers remove unused
+    // uniforms.
     void set(char const* name, int value) const;
     void set(char const* name, float value) const;
     void set(char const* name, Vec2f const& value) const;

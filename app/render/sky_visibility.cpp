@@ -11,11 +11,11 @@ namespace tractus::render {
 
 namespace {
 
-constexpr int kLongestSide = 28; // Cells.
-// Share of the longest side, around the plant, for the ground's shade.
+constexpr int kLongestSide = 28; // In cells.
+// Margin around the plant for the ground's shade, as a share of the longest side.
 constexpr float kMargin = 0.2f;
 
-// Half of the area of a surface turned any way hides the light behind it on the average.
+// On average, a randomly oriented surface hides light over half of its area.
 constexpr float kExtinction = 0.5f;
 
 struct Patch {
@@ -23,7 +23,7 @@ struct Patch {
     float area_mm2 = 0;
 };
 
-// The triangles of a prototype; all of them as one where it is smaller than a cell.
+// The triangles of a prototype, merged into one patch if it is smaller than a cell.
 std::vector<Patch> surface_patches(mesh::TriangleMesh const& prototype, float cell_mm)
 {
     std::vector<Patch> patches;
@@ -44,7 +44,7 @@ std::vector<Patch> surface_patches(mesh::TriangleMesh const& prototype, float ce
     return { whole };
 }
 
-// Zenith, and two rings of four; a direction counts by the cosine of its angle to the zenith.
+// The zenith and two rings of four directions, weighted by the cosine of the zenith angle.
 std::array<Vec3f, 9> sky_directions()
 {
     std::array<Vec3f, 9> result;
@@ -68,7 +68,7 @@ SkyVisibility::SkyVisibility(mesh::Mesh const& mesh)
     box.add(Vec3((box.min_mm.x() + box.max_mm.x()) / 2, (box.min_mm.y() + box.max_mm.y()) / 2, 0));
     Vec3f extent = (box.max_mm - box.min_mm).cast<float>();
     if (!extent.allFinite())
-        return; // A file's numbers may be finite and yet too far apart.
+        return; // Coordinates from a file may be finite and yet too far apart.
     float const margin = std::max(1.0f, extent.maxCoeff() * kMargin);
     corner_mm_ = box.min_mm.cast<float>() - Vec3f(margin, margin, 0);
     extent += Vec3f(2 * margin, 2 * margin, 0);
@@ -87,7 +87,7 @@ std::size_t SkyVisibility::index(Eigen::Vector3i const& cell) const
 
 void SkyVisibility::add_area(Vec3f const& position_mm, float area_mm2)
 {
-    // Shared among the eight nearest cells, so that what lies between two belongs to both.
+    // Distributes the area among the eight nearest cells, which interpolates between them.
     Vec3f const place = (position_mm - corner_mm_) / cell_mm_ - Vec3f::Constant(0.5f);
     Eigen::Vector3i const low = place.array().floor().cast<int>();
     Vec3f const share = place - low.cast<float>();
@@ -109,7 +109,8 @@ void SkyVisibility::deposit(mesh::Mesh const& mesh)
             auto const& b = surface.positions_mm[surface.indices[i + 1]];
             auto const& c = surface.positions_mm[surface.indices[i + 2]];
             add_area((a + b + c) / 3,
-                     mesh::triangle_area(a, b, c) / 2); // Half: the other side is the same branch.
+                     // Half, as the other side belongs to the same branch.
+                     mesh::triangle_area(a, b, c) / 2);
         }
     for (auto const& organ : mesh.organs) {
         auto const patches = surface_patches(organ.prototype, cell_mm_);
@@ -122,7 +123,7 @@ void SkyVisibility::deposit(mesh::Mesh const& mesh)
 
 float SkyVisibility::transmitted(Vec3f from, Vec3f const& direction) const
 {
-    // `from` is in cells. The place's own cell counts half, since half of it lies behind.
+    // `from` is in cells. The first cell counts half, as half of it lies behind the point.
     float depth = 0;
     Vec3f const limit = size_.cast<float>();
     for (bool first = true; (from.array() >= 0).all() && (from.array() < limit.array()).all();
@@ -161,7 +162,7 @@ float SkyVisibility::at(Vec3f const& position_mm) const
 {
     if (visibility_.empty())
         return 1;
-    // Trilinear between cell centres, held at the border.
+    // Trilinear interpolation between cell centres, clamped at the border.
     Vec3f const place = (position_mm - corner_mm_) / cell_mm_ - Vec3f::Constant(0.5f);
     Vec3f const limit = (size_ - Eigen::Vector3i::Ones()).cast<float>();
     Vec3f const inside = place.cwiseMax(0.0f).cwiseMin(limit);

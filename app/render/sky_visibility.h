@@ -6,26 +6,26 @@
 
 namespace tractus::render {
 
-// How much of the sky each place in and around a plant sees through the plant's own leaves and
-// branches: the ambient light of a crown falls off towards its inside and below it.
-//
-// The plant is taken as a cloud whose density is its surface per volume, in the cells of a coarse
-// grid, and light from a few directions of the upper half sphere fades by Beer and Lambert's law
-// (as light models of canopies do: Monsi and Saeki 1953, "Über den Lichtfaktor in den
-// Pflanzengesellschaften").
+// Visibility of the sky in and around a plant through its own leaves and branches: ambient light
+// decreases towards the inside of a crown and below it. The plant is modelled as a cloud on a
+// coarse grid with density surface per volume; light from a few directions of the upper hemisphere
+// is attenuated by the Beer-Lambert law, as in light models of canopies (Monsi and Saeki 1953,
+// "Über den Lichtfaktor in den Pflanzengesellschaften").
 class SkyVisibility {
 public:
     SkyVisibility() = default; // Open sky everywhere.
     explicit SkyVisibility(mesh::Mesh const& mesh);
 
-    // 0 dark to 1 open sky. Plant frame; beyond the grid, which has a margin, as at its border.
+    // Visibility from 0, dark, to 1, open sky, at a place in the plant frame. The grid has a
+    // margin; beyond it the value at its border applies.
     float at(Vec3f const& position_mm) const;
 
-    // Visibility on the ground below the plant, as a square picture for a texture.
+    // Visibility on the ground below the plant, as a square image for a texture.
     struct GroundPicture {
-        std::vector<float> values; // side * side, rows along +x, first row at the least y.
+        // side * side values in rows along +x, the first row at the lowest y.
+        std::vector<float> values;
         int side = 0;
-        Vec2f corner_mm = Vec2f::Zero(); // Corner of the first value, plant frame.
+        Vec2f corner_mm = Vec2f::Zero(); // Corner at the first value, in the plant frame.
         Vec2f size_mm = Vec2f::Ones();
     };
     GroundPicture ground() const;
@@ -39,9 +39,9 @@ private:
 
     Vec3f corner_mm_ = Vec3f::Zero();
     float cell_mm_ = 1;
-    Eigen::Vector3i size_ = Eigen::Vector3i::Zero(); // Cells along x, y, z.
-    std::vector<float> density_;                     // Surface per volume, 1/mm; one per cell.
-    std::vector<float> visibility_;                  // One per cell, at its centre.
+    Eigen::Vector3i size_ = Eigen::Vector3i::Zero(); // Number of cells along x, y, z.
+    std::vector<float> density_;                     // Surface per volume of each cell, in 1/mm.
+    std::vector<float> visibility_;                  // Visibility at each cell's centre.
 };
 
 } // namespace tractus::render

@@ -12,7 +12,7 @@ namespace tractus::render {
 
 namespace {
 
-constexpr int kGroundLevels = 8; // Coarser ones would be a handful of pixels.
+constexpr int kGroundLevels = 8; // Coarser levels would be only a few pixels wide.
 
 void set_filter(GLenum minifying, GLenum magnifying)
 {
@@ -72,7 +72,7 @@ void SunShadow::draw(Stage const& stage, Bounds const& box, int side)
 {
     CHECK(side >= 64 && side <= 2048);
     resize(side);
-    // A box-shaped sight around the sphere that holds everything.
+    // Orthographic view around the bounding sphere of everything.
     Vec3 const center = (box.min_mm + box.max_mm) / 2;
     double const radius_mm = std::max(1.0, (box.max_mm - box.min_mm).norm() / 2 * 1.03);
     sun_ = stage.sun.direction.normalized();
@@ -129,7 +129,7 @@ void SunShadow::draw_ground(Stage const& stage)
     glDisable(GL_DEPTH_TEST);
     ground_shader_.use();
     apply(ground_shader_);
-    // Compared by hand there, so the map is read as numbers.
+    // The shader compares depths itself, so the map is read as plain numbers.
     glActiveTexture(GL_TEXTURE0);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_NONE);
     ground_shader_.set("T_world_clip", Eigen::Matrix4f(T_clip_world_.inverse()));

@@ -6,19 +6,20 @@
 
 namespace tractus::render {
 
-// View of the sun: a depth map for the shadows on plants, and made from it a map of how much of the
-// ground is hidden and from how far, whose coarser levels give the ground's shadow a blur that
-// grows with the distance to what casts it. Lives and dies with the context.
+// The sun's view: a depth map for shadows on plants, and derived from it a map of how much of the
+// ground is in shadow and how distant the occluder is. Coarser levels of the second map blur the
+// ground's shadow more the farther its occluder is. Must not outlive the OpenGL context.
 class SunShadow {
 public:
-    // Fails, as the station's fault, if the driver does not take the shaders.
+    // Fails with a system error if the driver rejects the shaders.
     static Result<SunShadow> create();
 
-    // Draws the stage from the sun with a map of `side` pixels, 64 to 2048. Binds a framebuffer of
-    // its own.
+    // Renders the stage from the sun into a map of `side` pixels, 64 to 2048. Binds a framebuffer
+    // of its own.
     void draw(Stage const& stage, Bounds const& box, int side);
 
-    // Gives a shader the maps (texture units 0 depth, 1 ground) and how to look places up in them.
+    // Sets a shader's maps (texture units 0 depth, 1 ground) and the transforms for looking up
+    // places in them.
     void apply(Shader const& shader) const;
 
 private:
@@ -40,7 +41,7 @@ private:
     Eigen::Matrix4f T_clip_world_ = Eigen::Matrix4f::Identity();
     Vec3f sun_ = Vec3f::UnitZ();
     float texel_mm_ = 1;
-    float depth_mm_ = 1; // Depth from the near to the far plane.
+    float depth_mm_ = 1; // Distance from the near to the far plane.
 };
 
 } // namespace tractus::render

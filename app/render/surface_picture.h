@@ -9,19 +9,21 @@
 
 namespace tractus::render {
 
-// A picture on the graphics card, with mipmaps, rows as texture coordinates count them.
+// A picture uploaded to the GPU, with mipmaps and rows in texture coordinate order.
 struct SurfacePicture {
     gl::Texture texture;
-    Vec3f mean_color = Vec3f::Ones(); // Linear, of what is at least half there; of colours only.
+    // Linear mean of pixels with an alpha of at least half; only for colour pictures.
+    Vec3f mean_color = Vec3f::Ones();
 };
 
-// The pictures of a mesh's materials, each once. Lives and dies with the context.
+// The pictures of a mesh's materials, each uploaded once. Must not outlive the OpenGL context.
 class SurfacePictures {
 public:
-    // What the bytes of a picture stand for: sRGB, or numbers as they are.
+    // Content of a picture: sRGB colours, or plain numbers.
     enum class Meaning { Color, Numbers };
 
-    // Null for no picture, and for bytes that are none: such a surface does without.
+    // Null if the slot is empty or its bytes cannot be decoded; the surface is then drawn without a
+    // picture.
     SurfacePicture const* find_or_add(TextureSlot const& slot, Meaning meaning);
 
 private:

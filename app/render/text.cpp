@@ -11,7 +11,7 @@ namespace tractus::render {
 
 namespace {
 
-// The next character of UTF-8 text (RFC 3629), which is taken off. Malformed bytes become U+FFFD.
+// Removes and returns the next character of UTF-8 text (RFC 3629). Malformed bytes become U+FFFD.
 int next_code_point(std::string_view& text)
 {
     auto const lead = static_cast<unsigned char>(text.front());
@@ -52,10 +52,10 @@ void blend(Color& pixel, Color const& over, int coverage)
 
 struct GlyphPlace {
     int glyph = 0;
-    double x_px = 0; // Distance of its origin from the line's left end.
+    double x_px = 0; // Distance of the glyph's origin from the line's left end.
 };
 
-// Where each glyph of a line goes, kerned; the line's width comes with it.
+// Kerned positions of a line's glyphs, and the line's width.
 struct Line {
     std::vector<GlyphPlace> glyphs;
     double width_px = 0;

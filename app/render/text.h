@@ -6,14 +6,14 @@
 
 namespace tractus::render {
 
-// How one line of text is set.
+// Style of one line of text.
 struct TextStyle {
-    double size_px = 24; // Size from the highest ascender to the lowest descender.
+    double size_px = 24; // From the highest ascender to the lowest descender.
     Color color { 40, 42, 46, 255 };
 };
 
-// Draws one line of UTF-8 text whose box has its upper left corner at (x, y). What lies outside the
-// picture is left out; characters that the font lacks show as its box.
+// Draws one line of UTF-8 text; the upper left corner of its box is at `corner_px`. Parts outside
+// the picture are clipped; characters that the font lacks are drawn as its box.
 void draw_text(Image& picture, Vec2 const& corner_px, std::string_view text,
                TextStyle const& style);
 

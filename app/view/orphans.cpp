@@ -6,8 +6,9 @@
 
 namespace tractus::view {
 
-// "segment 6 of branch 2 at segment 4 of stem 1", all counted from 1; of a branch that its source
-// names, "40 % of a branch that is gone"; in a part, "... of the plant 12 that was put on".
+// Describes a place on a plant, counting from 1: "segment 6 of branch 2 at segment 4 of stem 1". A
+// branch that its source names becomes "40 % of a branch that is gone"; a place in a grafted part
+// ends in "... of the plant 12 that was put on".
 static std::string place_in_words(SegmentAddress const& address)
 {
     if (auto const part = part_of(address); part != 0)

@@ -2,8 +2,8 @@
 
 namespace tractus::render::shaders {
 
-// Each segment becomes a rectangle on the screen around its two round ends; the fragment shader
-// finds how far a pixel lies from the segment's middle line.
+// Expands each segment to a screen rectangle around its two round ends; the fragment shader
+// computes a pixel's distance from the segment's centre line.
 std::string_view const kCurveVertex = R"(
 layout(location = 0) in vec3 begin_position;
 layout(location = 1) in vec3 begin_color;

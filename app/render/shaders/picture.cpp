@@ -17,7 +17,7 @@ void main()
 }
 )";
 
-// A picture's colours are the screen's: they are neither lit nor toned.
+// The picture's colours are shown as they are, without lighting or tone mapping.
 std::string_view const kPictureFragment = R"(
 uniform sampler2D picture;
 uniform float strength;

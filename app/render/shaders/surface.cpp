@@ -47,7 +47,7 @@ void main()
 }
 )";
 
-// One text, three programs: BARK, THIN (leaves and petals, with VEINS) or neither.
+// One source for three programs: BARK, THIN (leaves and petals, with VEINS), or neither.
 std::string_view const kSurfaceFragment = R"(
 in vec3 world;
 in vec3 world_normal;
