@@ -17,8 +17,8 @@ namespace tractus::lines {
 namespace {
 
 using Box = Eigen::AlignedBox2d;
-constexpr double kLongest_mm
-    = 32; // Length of the leaf on the tablet, where there is little room beside a plant.
+// Length of the leaf on the tablet, where there is little room beside a plant.
+constexpr double kLongest_mm = 32;
 // Size of the midrib and section beside the leaf, relative to the leaf.
 constexpr double kBesideSize = 0.6;
 constexpr double kGap_mm = 4; // Gap between the leaf's lines.

@@ -13,9 +13,8 @@ namespace tractus::lines {
 struct AddLine {
     static scene::EditKind const kKind;
 
-    scene::ItemId plant
-        // Id of the plant; 0: the line is the stem of a new plant, which becomes the active one.
-        = 0;
+    // Id of the plant; 0: the line is the stem of a new plant, which becomes the active one.
+    scene::ItemId plant = 0;
     Stroke stroke {}; // World frame.
     // The line is an additional stem of the plant: attached to another stem if it begins on one,
     // and separate otherwise.

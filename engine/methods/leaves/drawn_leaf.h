@@ -41,9 +41,8 @@ struct DrawnLeaf {
     int tooth_count = 0; // Number of teeth on each half.
     double tooth_depth = 0;
     double tooth_lean = 0;
-    std::vector<Main>
-        // The midrib first, then the others from the outermost right to the outermost left one.
-        mains;
+    // The midrib first, then the others from the outermost right to the outermost left one.
+    std::vector<Main> mains;
     double hub = 0; // Length of the segment on which the main veins begin, if there are several.
     // Turn of the side veins towards the main vein's end, for those at its beginning and those at
     // its end; negative: away from it.
@@ -67,8 +66,8 @@ struct LeafFit {
         std::size_t parent = 0;
         double drawn_at = 0; // Position of its beginning, as a share of the parent's length.
         double fitted_at = 0;
-        double drawn_angle_deg
-            = 0; // Angle to the parent's direction, or to the leaf's axis; positive to the right.
+        // Angle to the parent's direction, or to the leaf's axis; positive to the right.
+        double drawn_angle_deg = 0;
         double fitted_angle_deg = 0;
         double drawn_length_mm = 0;
         double fitted_length_mm = 0; // Length to the margin.

@@ -17,7 +17,7 @@ constexpr int kMostWhorl = 12;
 // Phyllotactic pattern of the branches around their parent axis.
 struct Pattern {
     enum Kind {
-        Even,      // As far apart as possible; no nodes.
+        Even,      // No nodes: branches are as far apart as possible.
         Spiral,    // One branch per node, divergence angle 144 degrees.
         Decussate, // Opposite pairs, each at right angles to the pair below.
         Whorls,    // `whorl` branches per node, placed in the gaps of the node below.
@@ -25,8 +25,8 @@ struct Pattern {
         Horizontal // Opposite pairs, all in the plane of the drawing.
     } kind
         = Even;
-    int whorl = kUsualWhorl; // Branches per node of Whorls, kLeastWhorl to kMostWhorl; other kinds
-                             // ignore it.
+    // Number of branches per node of Whorls, kLeastWhorl to kMostWhorl; other kinds ignore it.
+    int whorl = kUsualWhorl;
 
     constexpr Pattern() = default;
     constexpr Pattern(Kind of) // NOLINT(google-explicit-constructor): a kind alone is a pattern
@@ -42,7 +42,8 @@ struct Pattern {
     }
 
     bool operator==(Pattern const&) const = default;
-    bool operator==(Kind of) const { return kind == of; } // Ignores `whorl`.
+    // Compares only the kind and ignores `whorl`.
+    bool operator==(Kind of) const { return kind == of; }
 };
 
 // Reads "even", "spiral", "decussate", "whorls", "two-rows" or "horizontal"; no value for any other
@@ -78,9 +79,9 @@ struct ArrangementOptions {
     // Falloff of the proximity term (Wither 2009: 20). Default: 2 per branch.
     std::optional<double> alpha {};
     int proposals = 3000;
-    // How the patterns that have nodes use them.
+    // Use of nodes by patterns that have them.
     enum class Nodes {
-        Whole, // All branches of a node share one u (whole_whorls.h).
+        Whole, // The branches of a node share one u (whole_whorls.h).
         Snap, // Added branches move to the nearest node after the search, so nodes can hold more or
               // fewer branches than the pattern has.
         Free  // Branches need not be at nodes.
@@ -90,10 +91,11 @@ struct ArrangementOptions {
 
 // Result of arrange().
 struct Arrangement {
-    std::vector<Place> places; // The drawn branches first, in their order.
+    std::vector<Place> places; // Positions of all branches: first the drawn ones, in their order.
     double cost_before = 0;
-    double cost_after = 0; // Never above cost_before. Both are taken before snapping.
-    int accepted = 0;      // Number of proposed moves that were accepted.
+    // Final cost, never above cost_before. Both costs are taken before snapping.
+    double cost_after = 0;
+    int accepted = 0; // Number of proposed moves that were accepted.
 };
 
 // Distributes branches around their parent by depletion and replacement (Wither 2009, after

@@ -29,8 +29,8 @@ public:
     };
 
     BranchingAngles(); // Default: 80 degrees at the base, 35 at the tip.
-    // At least one sample, in any order. Angles are measured to the chord over the first `over` of
-    // a branch's length; 0 means the tangent at its base.
+    // Makes the function from samples in any order, at least one. Angles are measured to the chord
+    // over the first `over` of a branch's length; 0 means the tangent at its base.
     explicit BranchingAngles(std::vector<Sample> samples, double over = 0);
 
     double at_deg(double t) const;
@@ -65,9 +65,9 @@ struct BranchEnd {
 // Input of the search for a branch: the trunk's samples, those where a branch may start, and the
 // outline that it should stay inside.
 struct BranchSearch {
-    std::span<Vec2 const> trunk; // At least two, equally spaced.
+    std::span<Vec2 const> trunk; // Trunk samples, at least two, equally spaced.
     Run bases;
-    std::span<Vec2 const> outline {}; // Empty: branches are not limited.
+    std::span<Vec2 const> outline {}; // Outline that limits branches; empty: no limit.
     BranchingAngles const& angles;
 };
 

@@ -27,9 +27,9 @@ struct Bearer {
 Space space_of(Bearer const& bearer, Standing const& standing, Branch const& branch,
                double share = 1);
 
-// Like space_of(), but inside a drawn crown surface. Branches of branches rotate back towards the
-// plane in which their parent was fitted to the surface, and shrink, as far as needed to stay
-// inside.
+// Transform of a placed branch, like space_of(), but inside a drawn crown surface. Branches of
+// branches rotate back towards the plane in which their parent was fitted to the surface, and
+// shrink, as far as needed to stay inside.
 Space space_under(SurfaceFit const& surface, Bearer const& bearer, Standing const& standing,
                   Branch const& branch);
 

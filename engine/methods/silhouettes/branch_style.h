@@ -10,8 +10,8 @@ constexpr double kMostChildren = 500;
 constexpr double kMostBare = 0.99;
 constexpr double kMostUneven = 10;
 
-// How many branches the axes of one level have, where, and at which angles. Lengths are shares of
-// the parent's length, so a style applies to plants of any size.
+// The number of branches of the axes of one level, their positions and their angles. Lengths are
+// shares of the parent's length, so a style applies to plants of any size.
 struct BranchStyle {
     double children = 0; // Mean number of children of an axis that has any; 0: no style is set.
     double children_deviation = 0;

@@ -23,9 +23,9 @@ struct InferenceOptions {
 // A trunk, the silhouette around it, and the branches inferred from them, in millimetres of the
 // drawing plane.
 struct BranchingSystem {
-    std::vector<Vec2> outline; // Equally spaced points, counter-clockwise.
-    std::vector<Vec2> trunk;   // 64 samples, base first,
-    // Where the trunk is extended to: its apex, or as far as there are branches ahead of its end.
+    std::vector<Vec2> outline; // Outline of the crown: equally spaced points, counter-clockwise.
+    std::vector<Vec2> trunk;   // Trunk as 64 samples, base first.
+    // End of the trunk's extension: its apex, or as far as there are branches ahead of its end.
     std::optional<Vec2> trunk_goes_on_to;
     Run inside; // Range of trunk samples where branches may start.
     ChordalAxis::Counts triangles;
@@ -33,17 +33,19 @@ struct BranchingSystem {
     // First one branch per lateral bump, in the order of the bumps (a drawn branch where one ends
     // in the bump), then the other drawn branches, then the added ones.
     std::vector<Branch> branches;
-    double coverage_before = 0; // Shares of the outline's area that are covered by crowns:
-    double coverage_after = 0;  // with the branches of bumps only, and with all branches.
+    // Share of the outline's area covered by the crowns of the bumps' branches.
+    double coverage_before = 0;
+    double coverage_after = 0; // Share of the outline's area covered by the crowns of all branches.
     std::vector<std::string> notes;
-    // The outline was drawn for this branch, or the system follows the style of such a system.
+    // True if the outline was drawn for this branch, or if the system follows the style of such a
+    // system.
     bool is_of_own_outline = false;
     // Number of touches that matched one of its bumps (bump_touch.h).
     std::size_t touches_taken = 0;
     // Set if the whole crown is one leaf; there are no branches then.
     std::optional<LeafBlade> leaf {};
-    // It follows a sibling's style, or its siblings follow its style. It takes no other style
-    // (sibling_style.h).
+    // True if the system follows a sibling's style, or if its siblings follow its style. It takes
+    // no other style then (sibling_style.h).
     bool is_in_siblings_style = false;
 
     // The trunk with its extension, equally spaced or nearly so. Where an apex branch continues the

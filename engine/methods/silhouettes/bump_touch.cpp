@@ -94,7 +94,7 @@ Vec2 chord_middle(std::span<Vec2 const> outline, Arc const& arc)
 void pull_inside(Bump& bump, std::span<Vec2 const> outline)
 {
     constexpr int kSteps = 8;
-    constexpr double kLeast = 0.1; // Least distance from the outline, as a share of the radius.
+    constexpr double kLeast = 0.1; // Minimum distance from the outline, as a share of the radius.
     Vec2 const from = bump.end;
     Vec2 const to = chord_middle(outline, bump.arc);
     for (int i = 1; i <= kSteps; ++i) {
@@ -121,10 +121,11 @@ Bump bump_on(std::span<Vec2 const> outline, Arc const& arc, double strength)
 std::uint32_t split_sample(std::span<Vec2 const> outline, Bump const& bump, Vec2 const& place)
 {
     constexpr double kLeastPart = 0.2;
-    constexpr double kTooNear = 0.25;  // A touch nearer to the ray's origin than this share of the
-                                       // bump's height has no clear direction.
-    constexpr double kBehindEnd = 1.5; // Least distance of the ray's origin from the tip, as a
-                                       // multiple of the distance from tip to end.
+    constexpr double kTooNear = 0.25; // A touch nearer to the ray's origin than this share of the
+                                      // bump's height has no clear direction.
+    // Minimum distance of the ray's origin from the tip, as a multiple of the distance from tip to
+    // end.
+    constexpr double kBehindEnd = 1.5;
     Vec2 const back = chord_middle(outline, bump.arc) - bump.tip;
     Vec2 const from = bump.tip
         + std::max(back.norm(), kBehindEnd * (bump.end - bump.tip).norm())

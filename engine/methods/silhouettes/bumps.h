@@ -18,10 +18,10 @@ enum class Role {
 // A protruding part of a silhouette: a limb of its chordal axis that protrudes by more than a
 // threshold.
 struct Bump {
-    Arc arc;                 // The part of the outline that belongs to the bump.
-    Arc cap;                 // The part of the arc around the bump's end, beyond `end`.
-    Vec2 end = Vec2::Zero(); // Central point E of Wither 2009: near the middle of a lobe, near the
-                             // tip of a spike.
+    Arc arc; // The part of the outline that belongs to the bump.
+    Arc cap; // The part of the arc around the bump's end, beyond `end`.
+    // Central point E of a bump (Wither 2009): near the middle of a lobe, near the tip of a spike.
+    Vec2 end = Vec2::Zero();
     // Direction in which a branch reaches E, towards the cap. Unit vector.
     Vec2 tangent = Vec2::Zero();
     double radius = 0;       // Radius of the cap, taken as a circle.
@@ -36,8 +36,9 @@ struct Bump {
 // Thresholds for a limb to count as a bump: how far it must rise out of the circumcircle of its
 // junction triangle.
 struct BumpThresholds {
-    double rise_of_diagonal = 0.012; // As a share of the diagonal of the outline's bounding box,
-    double rise_of_chord = 0.06;     // and of the chord at its base.
+    // Minimum rise as a share of the diagonal of the outline's bounding box.
+    double rise_of_diagonal = 0.012;
+    double rise_of_chord = 0.06; // Minimum rise as a share of the chord at the limb's base.
 };
 
 // The bumps of an outline, in the order of their arcs. Limbs that rise too little are removed,

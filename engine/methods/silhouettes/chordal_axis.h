@@ -13,7 +13,8 @@ struct Arc {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
 
-    std::size_t inner_count(std::size_t points) const // Number of points without the two ends.
+    // Number of points of the arc without its two ends.
+    std::size_t inner_count(std::size_t points) const
     {
         return (last + points - first) % points - (first == last ? 0 : 1);
     }
@@ -61,8 +62,8 @@ public:
     // The other chords of the neighbouring triangle.
     std::vector<Chord> onward(Chord const& chord) const;
 
-    // How far the outline beyond a chord protrudes from the circumcircle of the chord's triangle: 0
-    // or more, up to rounding.
+    // Distance by which the outline beyond a chord protrudes from the circumcircle of the chord's
+    // triangle: 0 or more, up to rounding.
     double rise(Chord const& chord) const;
 
 private:

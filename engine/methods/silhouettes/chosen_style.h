@@ -9,7 +9,7 @@
 
 namespace tractus::silhouette {
 
-// All paths that occur in `styles`, as target or as source, without duplicates.
+// The paths that occur in `styles`, as target or as source, without duplicates.
 std::set<std::string> paths_in(ChosenStyles const& styles);
 
 // Path of the branch whose style `branch` finally has, following chosen styles from source to
@@ -17,7 +17,7 @@ std::set<std::string> paths_in(ChosenStyles const& styles);
 std::string source_of(ChosenStyles const& styles, std::string branch);
 
 // Adds chosen styles or replaces existing ones; a source of "" removes the branch's choice. A
-// source that has a chosen style itself stands for its own source. Fails with a user error if a
+// source that has a chosen style itself is replaced by its own source. Fails with a user error if a
 // branch does not exist, if a source has no children or is on a deeper level, if branches were
 // drawn on the target, or if a style is removed where none was chosen.
 Result<void> choose_styles(ChosenStyles& styles, ChosenStyles const& chosen,

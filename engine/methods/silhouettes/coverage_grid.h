@@ -19,7 +19,7 @@ public:
     // The cells whose centres are inside a polygon (even-odd rule).
     struct Cells {
         int first_row = 0;
-        std::vector<std::uint64_t> bits; // Four words per row.
+        std::vector<std::uint64_t> bits; // Bits of the cells, four words per row.
         std::size_t count = 0;
     };
     Cells cells_of(std::span<Vec2 const> polygon) const;

@@ -92,7 +92,7 @@ double area_at(CrownSurface const& surface, double theta_deg)
 // wide. Otherwise the outline would look empty.
 double most_off_deg_in(CrownSurface const& surface, double theta_deg, double most_deg)
 {
-    // Least share of the sector's area at theta_deg; 0.87 of the width.
+    // Minimum share of the sector's area at theta_deg; 0.87 of the width.
     constexpr double kLeast = 0.75;
     constexpr double kStep_deg = 4;
     double const least = kLeast * area_at(surface, theta_deg);
@@ -163,7 +163,8 @@ Crowd CrowdMaker::make(std::size_t index, LevelOptions const& options) const
     bool const is_whole
         = options.nodes == ArrangementOptions::Nodes::Whole && options.pattern != Pattern::Even;
     auto const smaller = is_whole ? Lean::Smaller::Least : Lean::Smaller::LeftOut;
-    std::optional<SpreadByArea> spread; // Only without a pattern; patterns keep their angles.
+    // Redistribution of azimuths; used only without a pattern, because patterns keep their angles.
+    std::optional<SpreadByArea> spread;
     if (surface.is_drawn() && options.pattern == Pattern::Even)
         spread.emplace(surface);
     for (std::size_t i = 0; i < arrangement.places.size(); ++i) {

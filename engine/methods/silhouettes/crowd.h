@@ -23,10 +23,10 @@ struct Standing {
     Similarity way; // Transform within the system's plane, before the rotation about the parent.
 };
 
-// All branches of a system, placed in space.
+// The branches of a system, placed in space.
 struct Crowd {
     Line parent { { Vec2::Zero(), Vec2::UnitY() } };
-    std::vector<Standing> branches; // Sorted by u.
+    std::vector<Standing> branches; // Branches sorted by u.
 };
 
 // Distributes the branches of systems around their parents and adds others that end at the crown's
@@ -60,8 +60,8 @@ public:
     static void stand(Crowd& crowd, Model const& model, std::size_t i, Place const& place,
                       double moves_to);
 
-    // How an added branch leaves its parent, and the smallest allowed scale relative to the branch
-    // that it copies.
+    // Direction in which an added branch leaves its parent, and the smallest allowed scale relative
+    // to the branch that it copies.
     struct Lean {
         // The direction in the copied branch that gets the angle `angle_deg`.
         Vec2 from = Vec2::UnitX();

@@ -189,10 +189,11 @@ tl::unexpected<Error> not_around(char const* what, CrownLine const& line)
 Result<CrownLineKind> kind_of(CrownLine const& line)
 {
     constexpr double kLeast_mm = 2;
-    // Up to this rise a line counts as a ring, however many turns it makes.
+    // Maximum rise up to which a line counts as a ring, however many turns it makes.
     constexpr double kFlat = 0.12;
     constexpr double kTilted = 0.25;
-    // Most turns of a ring. A closing stroke usually overshoots its beginning a little.
+    // Maximum number of turns of a ring. A closing stroke usually overshoots its beginning a
+    // little.
     constexpr double kMostRing = 1.35;
     constexpr double kLeastClimb = 1.25;
     constexpr double kInPlane = 0.2;

@@ -16,7 +16,7 @@ using CrownLine = std::vector<Vec3>;
 // Classes of crown lines, told apart by shape.
 enum class CrownLineKind {
     Ring,  // Once around the crown at nearly constant height.
-    Climb, // More than once around the crown while rising.
+    Climb, // A line that goes around the crown more than once while rising.
     Side,  // A closed outline in a vertical plane.
 };
 
@@ -32,7 +32,7 @@ double azimuth_deg(CrownLine const& side);
 // Centre of a line in plan view (x to the right, y behind the sheet); of a ring, its centroid.
 Vec2 plan_middle(CrownLine const& line);
 
-double mean_height(CrownLine const& line); // Mean y, millimetres on the sheet.
+double mean_height(CrownLine const& line); // Mean y of the line, millimetres on the sheet.
 
 // True if `line` replaces `other`: two rings within 4 mm in height, two outlines within ten degrees
 // of azimuth, or any two climbing lines.

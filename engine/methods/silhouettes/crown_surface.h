@@ -55,7 +55,7 @@ public:
 
 private:
     TrunkFrame frame_;
-    std::vector<Meridian> meridians_; // Sorted by azimuth.
+    std::vector<Meridian> meridians_; // Meridians sorted by azimuth.
     bool is_drawn_ = false;
 };
 

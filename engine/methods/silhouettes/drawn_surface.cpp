@@ -29,7 +29,7 @@ public:
             curved = (squares[2] - 2 * squares[1] + squares[0]) / (2 * step * step);
             slope_ = (squares[0] - squares[1]) / step + curved * step;
         }
-        constexpr double kLowest = 0.3; // Least cap height, as a share of the last distance.
+        constexpr double kLowest = 0.3; // Minimum height of a cap, as a share of the last distance.
         constexpr double kFlat = 0.4;   // Cap height where the profile does not narrow towards its
                                         // end, as a share of the last distance.
         height_ = height.value_or(std::clamp(end_of(curved, kFlat * radius), kLowest * radius,
@@ -160,7 +160,8 @@ private:
         bool const has_three = share <= 0.5;
         double const last = at(0);
         double const before = at(1);
-        constexpr double kFlat = 1e-6; // Below this distance the crown ends in a point.
+        // Distance from the trunk below which the crown ends in a point.
+        constexpr double kFlat = 1e-6;
         if (last <= kFlat * std::max({ last, before, 1e-12 }))
             return std::nullopt;
         if (height && *height <= 0)

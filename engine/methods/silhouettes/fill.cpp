@@ -292,7 +292,7 @@ private:
     CrownToFill const& crown_;
     FillOptions const& options_;
     CoverageGrid grid_;
-    std::vector<Vec2> trunk_; // Includes the extension.
+    std::vector<Vec2> trunk_; // Trunk including its extension.
     Run run_;
     std::size_t last_;            // Index of the last sample of the drawn trunk.
     std::size_t least_count_ = 0; // Smallest number of cells worth a copy.

@@ -31,10 +31,10 @@ struct Branch {
     BranchCurve path {};
     std::string name {}; // Name kept from an earlier drawing; empty: derived from origin and number
                          // (name_of()).
-    std::vector<Vec2> crown {}; // Counter-clockwise; clockwise if mirrored.
+    std::vector<Vec2> crown {}; // Crown of the branch: counter-clockwise, or clockwise if mirrored.
     double cone_deg = 0;    // Opening angle of the crown's cone, for a branch that ends in a bump.
     bool is_beyond = false; // Its base is on the trunk's extension.
-    // For a copy: the index of the copied branch in the system, and the similarity from there.
+    // Index in the system of the branch that a copy copies, and the similarity from there.
     std::optional<std::size_t> model {};
     Similarity from_model {};
     // The drawn outline of its crown (own_outline.h); empty if none was drawn.
@@ -48,7 +48,7 @@ struct Branch {
     std::vector<BumpTouch> touches {};
     // Set if the branch ends in a leaf; it has no children then.
     std::optional<LeafBlade> leaf {};
-    // For a branch drawn on another branch: the stroke. Empty: it follows `path`.
+    // Stroke of a branch that was drawn on another branch; empty: the branch follows `path`.
     std::vector<Vec2> stroke {};
 
     bool is_outlined() const { return !own_outline.empty(); }
@@ -79,8 +79,8 @@ struct FillOptions {
 // Input of fill_crown(): the crown with its branches so far.
 struct CrownToFill {
     std::span<Vec2 const> outline;
-    std::span<Vec2 const> trunk; // Equally spaced samples.
-    Run run;                     // Range of the samples inside the outline.
+    std::span<Vec2 const> trunk; // Trunk samples, equally spaced.
+    Run run;                     // Range of the trunk samples inside the outline.
     std::optional<Vec2> goes_on; // End of the trunk's extension (set_roles()).
     BranchingAngles const& angles;
     std::span<Branch const> branches; // Existing branches; copies are made of these.

@@ -54,7 +54,7 @@ public:
             systems.push_back(made.system);
     }
 
-    std::vector<BranchingSystem> systems; // In the order of the skeleton's systems.
+    std::vector<BranchingSystem> systems; // Systems in the order of the skeleton.
 };
 
 bool are_on_the_same(Drawing const& one, Drawing const& other)

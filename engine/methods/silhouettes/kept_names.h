@@ -64,7 +64,7 @@ private:
     bool has_borne_twice_ = false;
     // Index of the matching earlier system, for each later system.
     std::vector<std::optional<std::size_t>> earlier_of_;
-    std::vector<Partners> partners_; // For each later system, the partners of its branches.
+    std::vector<Partners> partners_; // Partners of the branches of each later system.
 };
 
 // Infers a drawing. Fails like infer_skeleton().
@@ -90,7 +90,8 @@ struct DrawingToInfer {
     SkeletonOptions const& options;
 };
 
-// Like kept_names() above, but infers the earlier drawing first.
+// Names the branches of a changed drawing like the function above, but infers the earlier drawing
+// first.
 Result<Renamed> kept_names(DrawingToInfer const& before, Drawing& after,
                            SkeletonOptions const& options, std::string const& fresh);
 

@@ -51,7 +51,7 @@ LeafBlade moved(LeafBlade leaf, Similarity const& way)
 std::vector<Vec2> stalk_of(LeafBlade const& leaf, std::span<Vec2 const> line)
 {
     constexpr std::size_t kPoints = 9;
-    constexpr double kLeast = 0.02; // Least petiole length as a share of the leaf's length.
+    constexpr double kLeast = 0.02; // Minimum length of a petiole, as a share of the leaf's length.
     Line const parent({ line.begin(), line.end() });
     if (leaf.stalk * parent.length() <= kLeast * (leaf.tip - leaf.base).norm())
         return { line.front(), line.front() + kLeast * (leaf.tip - leaf.base) };
@@ -67,8 +67,8 @@ OrganShape leaf_organ(std::vector<Vec2> const& outline, MaterialId material)
     for (auto const& triangle : triangulate(outline))
         cut.triangles.push_back(triangle.corner);
     auto const box = box_of(outline);
-    // There is no texture. The texture coordinates only give the blade's extent, which the shader
-    // needs to draw veins.
+    // The texture coordinates give only the blade's extent, which the shader needs to draw veins;
+    // there is no texture.
     cut.stem_in_picture = { 0.5, 0 };
     cut.length_in_picture = -1;
     OrganShape shape { .name = "drawn leaf", .kind = OrganShape::Kind::Leaf, .material = material };

@@ -16,7 +16,8 @@ struct LevelInference {
     InferenceOptions usual;
     InferenceOptions outlined;
     Which which = Which::All;
-    // Whether branches with drawn children get inferred ones as well.
+    // Inferred children of branches that have drawn children: none, or in addition to the drawn
+    // ones.
     enum class Besides { Nothing, Inferred } besides = Besides::Inferred;
 };
 

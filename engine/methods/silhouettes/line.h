@@ -10,7 +10,7 @@ namespace tractus::silhouette {
 // A polyline that can be evaluated for point and direction at a share of its length.
 class Line {
 public:
-    explicit Line(std::vector<Vec2> points); // At least two points.
+    explicit Line(std::vector<Vec2> points); // The points of the line, at least two.
 
     double length() const { return to_.back(); }
     Vec2 at(double u) const;

@@ -44,7 +44,7 @@ private:
     double squares_ = 0;
 };
 
-// Least-squares straight line.
+// A least-squares straight line through points.
 class Slope {
 public:
     void add(double x, double y)
@@ -141,7 +141,7 @@ public:
             add_turns(nodes);
     }
 
-    // No value if there are no children.
+    // Statistics of the level; no value if there are no children.
     std::optional<MeasuredLevel> level() const
     {
         if (counts_.count() == 0)
@@ -181,8 +181,9 @@ private:
         for (std::size_t i = 1; i < nodes.size(); ++i) {
             single += turn_of(nodes[i].children.front().azimuth_deg
                               - nodes[i - 1].children.front().azimuth_deg);
-            Turn one {}; // For opposite pairs: doubled angles, because the order within a pair is
-                         // arbitrary.
+            // Sums for opposite pairs, with doubled angles, because the order within a pair is
+            // arbitrary.
+            Turn one {};
             Turn other {};
             for (auto const& child : nodes[i - 1].children)
                 one += turn_of(2 * child.azimuth_deg);
@@ -234,7 +235,8 @@ private:
     Spread node_sizes_;
     Slope angle_;
     Spread mean_angle_;
-    // With the share of the distance from the first child to the last.
+    // Branching angles, each with the child's share of the distance from the first child to the
+    // last.
     std::vector<std::pair<double, double>> angles_;
     std::array<Spread, 3> lengths_ {};
     Unevenness of_children_;
@@ -354,7 +356,8 @@ TreeForm form_of(MeasuredStyle const& style)
         if (i < static_cast<std::size_t>(form.levels))
             form.styles[i] = within_limits(level.style);
     }
-    form.styles[0].bare = 0; // There is only one trunk, so no parent can be without children.
+    // The trunk is the only parent of the first level, so no parent there can be without children.
+    form.styles[0].bare = 0;
     while (form.levels > 1 && styled_branches(form) > kMostStyled)
         form.styles[static_cast<std::size_t>(--form.levels)] = {};
     if (style.leaves_per_twig > 0) {

@@ -21,20 +21,20 @@ struct MeasuredLevel {
     // concentration: 0 for arbitrary angles, 1 if all are equal.
     double divergence_deg = 0;
     double divergence_sureness = 0;
-    double mean_angle_deg = 0; // Mean over all children.
+    double mean_angle_deg = 0; // Mean branching angle over all children.
     // Mean child length as a share of the parent's length, in the lower, middle and upper third of
     // the branched part; 0 where there are none.
     std::array<double, 3> lengths {};
 };
 
-// How a plant branches, whatever method made it.
+// The branching style of a plant, whatever method made it.
 struct MeasuredStyle {
     // One entry per level: the trunk's branches, then their branches; 1 to 3 entries.
     std::vector<MeasuredLevel> levels;
     int orders = 0;             // Number of branching orders, including twigs that are axes.
-    double leaves_per_twig = 0; // 0 if the plant has no leaves.
-    double leaf_width = 0;      // As a share of a leaf's length.
-    bool has_sprays = false;    // Its twigs are organs (spray.h), not axes.
+    double leaves_per_twig = 0; // Mean number of leaves per twig; 0 if the plant has no leaves.
+    double leaf_width = 0;      // Width of a leaf, as a share of its length.
+    bool has_sprays = false;    // True if the plant's twigs are organs (spray.h) rather than axes.
 };
 
 // Measures a plant. A child that goes straight on from its parent's tip is the parent's

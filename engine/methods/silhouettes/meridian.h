@@ -11,7 +11,8 @@ namespace tractus::silhouette {
 // points (distance from the trunk's line, height along it) from the foot to the top. Units of the
 // drawing.
 struct Meridian {
-    double theta_deg = 0; // Azimuth, 0 to below 360: 0 to the right in the sheet, 90 behind it.
+    // Azimuth of the half plane, 0 to below 360: 0 to the right in the sheet, 90 behind it.
+    double theta_deg = 0;
     std::vector<Vec2> curve;
 };
 
@@ -23,9 +24,9 @@ public:
 
     Vec2 const& foot() const { return foot_; }
 
-    // Point on the sheet to (signed distance to the right of the axis, height along it).
+    // Converts a point on the sheet to (signed distance to the right of the axis, height along it).
     Vec2 of(Vec2 const& point) const;
-    // Point in space (z = distance behind the sheet) to (right, behind, height).
+    // Converts a point in space (z = distance behind the sheet) to (right, behind, height).
     Vec3 of(Vec3 const& point) const;
     Vec2 to_sheet(Vec2 const& point) const;
 

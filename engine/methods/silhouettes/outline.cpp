@@ -20,7 +20,8 @@ constexpr double kShortestBranch = 1e-2; // Shortest branch, as a share of the d
 constexpr double kShareToTell = 0.1; // Add a note if more than this share of the area was left out.
 // Height of the default trunk, as a share of the outline's height.
 constexpr double kTrunkHeight = 0.85;
-constexpr std::size_t kMostCorners = 1024; // Most outline points for the search of crossings.
+// Maximum number of outline points for the search of crossings.
+constexpr std::size_t kMostCorners = 1024;
 
 Result<void> check_points(Drawing const& drawing)
 {

@@ -11,10 +11,10 @@
 
 namespace tractus::silhouette {
 
-// Which branches follow the style of a branch that was drawn on (sibling_style.h).
+// The branches that follow the style of a branch that was drawn on (sibling_style.h).
 enum class StyleTo {
     None,
-    Siblings, // Its siblings that were not drawn on.
+    Siblings, // Siblings that were not drawn on.
     Deeper,   // Siblings, and the descendants of these and of the branch itself, down to the last
               // level.
 };
@@ -24,7 +24,8 @@ struct OwnOutline {
     std::string branch; // Path of the branch (Skeleton::at(), skeleton.h).
     std::vector<Vec2> outline;
     StyleTo style_to = StyleTo::None; // Style propagation from this branch.
-    bool is_leaf = false;             // Declared a leaf, which ends the recursion (leaf_blade.h).
+    // True if the branch is declared a leaf, which ends the recursion (leaf_blade.h).
+    bool is_leaf = false;
 };
 
 // A branch that was drawn on another branch (own_branch.h).
@@ -48,19 +49,20 @@ struct BumpTouch {
 // Chosen styles (chosen_style.h): path of a branch to path of the branch whose style it takes.
 using ChosenStyles = std::map<std::string, std::string>;
 
-// What is drawn for one branching system (Wither, Boudon, Cani, Godin, "Structure from
+// The lines drawn for one branching system (Wither, Boudon, Cani, Godin, "Structure from
 // silhouettes", 2009), in millimetres of the drawing plane (plane.h).
 struct Drawing {
     // The crown's outline: one stroke or more, in any order.
     std::vector<std::vector<Vec2>> outline;
-    std::vector<Vec2> trunk;                    // Base first; empty: not drawn.
+    std::vector<Vec2> trunk;                    // Trunk, base first; empty: not drawn.
     std::vector<std::vector<Vec2>> branches {}; // Branches of the trunk; each begins near it.
     // Drawn crowns of branches, at most one each (own_outline.h).
     std::vector<OwnOutline> own_outlines {};
     std::vector<OwnBranch> own_branches {}; // Branches drawn on branches (own_branch.h).
     ChosenStyles styles {};
-    std::vector<BumpTouch> touches {}; // In the order in which they were made.
-    bool is_leaf = false; // The crown's outline is declared a leaf, which ends the recursion.
+    std::vector<BumpTouch> touches {}; // Touches in the order in which they were made.
+    // True if the crown's outline is declared a leaf, which ends the recursion.
+    bool is_leaf = false;
     // The crown's surface if it was drawn in space (drawn_surface.h); empty: derived from the
     // outline.
     std::vector<Meridian> surface {};
@@ -72,7 +74,8 @@ struct Drawing {
 // stroke is an outline, an open one a branch.
 bool comes_back(std::span<Vec2 const> stroke);
 
-constexpr std::size_t kMostDrawnPoints = 20'000; // Limit for all strokes of a drawing together.
+// Limit on the points of all strokes of a drawing together.
+constexpr std::size_t kMostDrawnPoints = 20'000;
 
 // Options for preparing an outline.
 struct OutlineOptions {
@@ -87,11 +90,11 @@ struct OutlineOptions {
 // scaled gives identical results from here on.
 struct CleanDrawing {
     std::vector<Vec2> outline;
-    std::vector<Vec2> trunk;                    // 64 equally spaced points, base first.
-    std::vector<std::vector<Vec2>> branches {}; // As drawn; none degenerates to a point.
+    std::vector<Vec2> trunk;                    // Trunk as 64 equally spaced points, base first.
+    std::vector<std::vector<Vec2>> branches {}; // Strokes of branches; none degenerates to a point.
     std::vector<BumpTouch> touches {};          // Touches at this outline.
-    Similarity to_sheet;            // From the normalised frame to millimetres of the drawing.
-    std::vector<std::string> notes; // Guesses and omissions, one sentence each.
+    Similarity to_sheet; // Transform from the normalised frame to millimetres of the drawing.
+    std::vector<std::string> notes; // Assumptions made and parts ignored, one sentence each.
 };
 
 constexpr std::size_t kTrunkSamples = 64;

@@ -19,7 +19,7 @@
 
 namespace tractus::silhouette {
 
-class InferredTrees; // inferred_trees.h
+class InferredTrees; // Defined in inferred_trees.h.
 
 // A drawn branch of the trunk; `id` is that of the edit that added it.
 struct DrawnBranch {
@@ -35,10 +35,10 @@ struct DrawnOnBranch {
     Stroke stroke {};
     std::string branch {};
     StyleTo style_to = StyleTo::None;
-    bool is_leaf
-        = false; // For an outline: declared a leaf, which ends the recursion (leaf_blade.h).
-    bool of_bump
-        = false; // For an outline: made by a touch at a bump instead of drawn (bump_leaf.h).
+    // True for an outline that is declared a leaf, which ends the recursion (leaf_blade.h).
+    bool is_leaf = false;
+    // True for an outline that was made by a touch at a bump instead of drawn (bump_leaf.h).
+    bool of_bump = false;
 };
 
 // A touch at a bump; `id` is that of the edit that added it. The path of the branch whose outline
@@ -46,16 +46,17 @@ struct DrawnOnBranch {
 // but has no effect.
 struct DrawnTouch {
     scene::ItemId id = 0;
-    Stroke stroke {}; // Only its midpoint counts.
+    Stroke stroke {}; // Stroke of the touch; only its midpoint counts.
     BumpTouch::Kind kind = BumpTouch::Kind::Split;
-    std::string branch {}; // "": the bump is on the crown's outline.
+    std::string branch {}; // Path of the branch; "": the bump is on the crown's outline.
 };
 
 // A line in space on the crown's surface (drawn_surface.h); `id` is that of the edit that added it.
 struct DrawnCrownLine {
     scene::ItemId id = 0;
-    Stroke stroke {}; // x and y on the sheet like all strokes; z is the distance behind it,
-                      // millimetres.
+    // Stroke with x and y on the sheet, like all strokes, and z as the distance behind it in
+    // millimetres.
+    Stroke stroke {};
 };
 
 // A tree as drawn on paper: strokes in tablet-centred millimetres (x and y only; the height of the
@@ -63,17 +64,19 @@ struct DrawnCrownLine {
 struct OutlinedTree {
     static scene::SourceKind const kKind;
 
-    Stroke trunk {};   // From the foot upwards; no tips: not drawn.
-    Stroke outline {}; // Once around the crown; no tips: not drawn.
+    Stroke trunk {};   // Stroke of the trunk from the foot upwards; no tips: not drawn.
+    Stroke outline {}; // Stroke around the crown; no tips: not drawn.
     std::vector<DrawnBranch> branches {};
-    BranchNames names {}; // Names kept across changes of the lines; empty: see name_of().
+    // Names of branches, kept across changes of the lines; empty: see name_of().
+    BranchNames names {};
     TreeForm form {};
     double scale = 0.1;                         // World millimetres per plant millimetre.
     std::vector<DrawnOnBranch> own_outlines {}; // Outlines of branches, at most one per branch.
     std::vector<DrawnOnBranch> own_branches {}; // Branches drawn on branches, any number.
-    ChosenStyles styles {};             // Entries whose branches do not exist at present are kept.
+    // Chosen styles; entries whose branches do not exist at present are kept.
+    ChosenStyles styles {};
     std::vector<DrawnTouch> touches {}; // Touches at bumps, in the order in which they were made.
-    bool is_leaf = false;               // The crown's outline is declared a leaf.
+    bool is_leaf = false;               // True if the crown's outline is declared a leaf.
     std::vector<DrawnCrownLine> crown_lines {}; // Lines that define the crown's surface in space.
     // Position of the trunk's foot on the paper while no trunk is drawn, for a tree begun with a
     // line in space.
@@ -81,8 +84,8 @@ struct OutlinedTree {
     // Length of the straight extension of a trunk whose tip is just below the crown
     // (trunk_reach.h), in millimetres on the paper; 0: none.
     double trunk_goes_on_mm = 0;
-    // While the tree has no style of its own, its form takes the style of the nearest tree that has
-    // one (nearest_style.h).
+    // True: while the tree has no style of its own, its form takes the style of the nearest tree
+    // that has one (nearest_style.h).
     bool takes_style = false;
     // Cache of inference results, shared by all versions of the tree; null: nothing is cached. Not
     // part of the tree's value.
@@ -115,8 +118,8 @@ struct LineOnBranch {
     scene::ItemId id = 0;
     StyleTo style_to = StyleTo::None;
     Search search = Search::OnTrunk;
-    bool is_leaf = false; // For an outline: declare it a leaf.
-    bool of_bump = false; // The outline is the inferred one, taken from a bump.
+    bool is_leaf = false; // True: declare the outline a leaf.
+    bool of_bump = false; // True: the outline is the inferred one, taken from a bump.
 };
 
 // The branch that ends in the bump at a stroke's midpoint (leaf_on_bump(), bump_leaf.h). Fails like
@@ -129,8 +132,8 @@ Result<std::optional<BumpLeaf>> leaf_on_bump(OutlinedTree const& tree, Stroke co
 Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke,
                                       LineOnBranch const& line);
 
-// Like branch_outlined_by() and with_own_outline(), for a stroke that is a branch of a branch
-// (own_branch.h).
+// Finds the branch to which a stroke belongs as a branch of a branch (own_branch.h), and adds the
+// stroke; these correspond to branch_outlined_by() and with_own_outline().
 Result<std::optional<std::string>> branch_borne_by(OutlinedTree const& tree, Stroke const& stroke,
                                                    Search search = Search::OnTrunk);
 Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke,

@@ -9,9 +9,9 @@ namespace {
 
 // Greatest distance to a branch, as a share of the outline's diagonal.
 constexpr double kNear = 0.025;
-// Least distance to the trunk, as a share of the outline's diagonal.
+// Minimum distance to the trunk, as a share of the outline's diagonal.
 constexpr double kOffTrunk = 0.02;
-constexpr double kShortest = 0.02; // Least length of a stroke, as a share of the parent's length.
+constexpr double kShortest = 0.02; // Minimum length of a stroke, as a share of the parent's length.
 
 bool is_long_enough(std::span<Vec2 const> stroke, Branch const& parent)
 {

@@ -14,7 +14,7 @@ namespace tractus::silhouette {
 // The branches to search.
 enum class Search {
     OnTrunk,  // The trunk's branches only.
-    AnyLevel, // Also the children of branches that were drawn on.
+    AnyLevel, // The trunk's branches and the children of branches that were drawn on.
 };
 
 // The branch of a system at a point, and its distance; no value if there is none.

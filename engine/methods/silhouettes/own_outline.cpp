@@ -16,7 +16,8 @@ constexpr double kMostOfCrown = 0.5;
 constexpr double kMostOfTrunk = 0.5;
 constexpr double kLeastOfBranch = 1.0 / 3;
 constexpr double kLeastShared = 0.2;
-constexpr std::size_t kMostToCross = 512; // Most points of a stroke for the search of crossings.
+// Maximum number of points of a stroke for the search of crossings.
+constexpr std::size_t kMostToCross = 512;
 
 // The outline of the area that a stroke encloses.
 std::vector<Vec2> enclosed(std::span<Vec2 const> stroke)

@@ -166,7 +166,7 @@ std::size_t most_before_sides(Flood const& flood, Mask const& size)
 std::optional<std::size_t> steadiest(Flood const& flood, Mask const& size)
 {
     constexpr float kRise = 0.12f;
-    // Most growth, as a share of its area, at which a flood counts as stable.
+    // Maximum growth, as a share of its area, at which a flood counts as stable.
     constexpr double kRest = 0.9;
     constexpr double kLarge = 0.3;
     auto const all = static_cast<double>(flood.order.size());
@@ -285,8 +285,8 @@ std::vector<Vec2> edge_of(Mask const& mask)
         edge.emplace_back(x - 1, mask.height - 1 - y);
         x += dx;
         y += dy;
-        // Whether the pixel ahead on the given side of the direction belongs to the region. Left is
-        // towards smaller y.
+        // Returns true if the pixel ahead on the given side of the direction belongs to the region.
+        // Left is towards smaller y.
         auto const ahead = [&](int side) {
             int const u = x + (dx > 0 ? 0 : dx < 0 ? -1 : side * dy > 0 ? 0 : -1);
             int const v = y + (dy > 0 ? 0 : dy < 0 ? -1 : side * dx > 0 ? -1 : 0);

@@ -17,21 +17,22 @@ inline double cross(Vec2 const& a, Vec2 const& b)
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// Rotates counter-clockwise.
+// Rotates a vector counter-clockwise.
 Vec2 turned(Vec2 const& v, double angle_rad);
 
 // Unit vector of v; `otherwise` if v has no length.
 Vec2 direction_of(Vec2 const& v, Vec2 const& otherwise = Vec2::UnitY());
 
-// Positive if the outline runs counter-clockwise.
+// Area of an outline, positive if it runs counter-clockwise.
 double signed_area(std::span<Vec2 const> outline);
 
-// Even-odd rule.
+// True if a point is inside an outline by the even-odd rule.
 bool is_inside(std::span<Vec2 const> outline, Vec2 const& point);
 
 double distance_to_segment(Vec2 const& point, Vec2 const& a, Vec2 const& b);
 double distance_to_outline(std::span<Vec2 const> outline, Vec2 const& point);
-double distance_to_line(Vec2 const& point, std::span<Vec2 const> line); // `line` is open.
+// Distance of a point from an open polyline.
+double distance_to_line(Vec2 const& point, std::span<Vec2 const> line);
 
 // Distance to the first intersection of a ray with the outline, as a multiple of `ahead`; no value
 // if it does not meet the outline.
@@ -51,7 +52,7 @@ struct Box {
     double diagonal() const { return (high - low).norm(); }
     Vec2 middle() const { return (low + high) / 2; }
 };
-Box box_of(std::span<Vec2 const> points); // At least one point.
+Box box_of(std::span<Vec2 const> points); // Bounding box of points, at least one.
 
 double length_of(std::span<Vec2 const> points); // Length of an open polyline.
 
@@ -67,16 +68,16 @@ struct Cubic {
     Vec2 base_tangent = Vec2::Zero();
     Vec2 end_tangent = Vec2::Zero();
 
-    Vec2 at(double x) const; // x from 0 to 1.
+    Vec2 at(double x) const; // Point of the curve at x, from 0 to 1.
     std::vector<Vec2> points(std::size_t count) const;
 };
 
 // A similarity transform: translation, rotation and scaling; if it mirrors, y changes its sign
 // before the rotation.
 struct Similarity {
-    Vec2 from = Vec2::Zero();  // This point
-    Vec2 to = Vec2::Zero();    // maps to this one.
-    Vec2 turn = Vec2::UnitX(); // The image of (1, 0); its length is the scale.
+    Vec2 from = Vec2::Zero();  // A point that the similarity maps to `to`.
+    Vec2 to = Vec2::Zero();    // Image of the point `from`.
+    Vec2 turn = Vec2::UnitX(); // Image of the vector (1, 0); its length is the scale.
     bool mirrors = false;
 
     Vec2 vector(Vec2 const& v) const

@@ -13,7 +13,7 @@ struct ReadyForm {
     TreeForm form {};
 };
 
-// Oak, pine, willow, eucalyptus, fir, poplar, fern.
+// The presets: oak, pine, willow, eucalyptus, fir, poplar, fern.
 std::span<ReadyForm const> ready_forms();
 
 } // namespace tractus::silhouette

@@ -10,10 +10,11 @@ namespace {
 
 // Largest angle to the trunk's final direction that counts as straight ahead.
 constexpr double kAhead_deg = 20;
-constexpr double kFork = 1.25; // If a second bump is within this value of closeness(), the trunk
-                               // forks and has no apex.
-constexpr double kOn = 0.85;   // Length of the extension as a share of the distance to the outline,
-                               // if there is no bump ahead.
+// The trunk forks and has no apex if the second-best bump's closeness() is less than this multiple
+// of the best one's.
+constexpr double kFork = 1.25;
+constexpr double kOn = 0.85; // Length of the extension as a share of the distance to the outline,
+                             // if there is no bump ahead.
 
 // The bump through whose arc the trunk enters its run inside the outline, if the trunk passes
 // within the bump's radius of its end.

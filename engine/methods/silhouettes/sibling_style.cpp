@@ -14,7 +14,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kMostOfSibling = 60; // Most children of a branch that follows a sibling's style.
+// Maximum number of children of a branch that follows a sibling's style.
+constexpr double kMostOfSibling = 60;
 
 Side other(Side side)
 {
@@ -251,7 +252,7 @@ void take_style(BranchingSystem& system, Branch const& parent, std::span<ParentS
     double const usual = line.length() / source.length;
     bool const is_mirrored = parent.path.side != source.side;
     std::vector<Branch> branches;
-    // For each source child, the index of its first copy.
+    // Index of the first copy of each source child.
     std::map<std::size_t, std::size_t> first_of;
     for (std::size_t k = 0; k < places.size(); ++k) {
         double const u = places[k];

@@ -16,18 +16,18 @@ struct ParentStyle {
     struct Child {
         double u = 0; // Position as a share of the parent's length.
         double angle_deg = 0;
-        Branch branch; // Includes the side of the parent that it is on.
+        Branch branch; // The child itself, with the side of the parent that it is on.
     };
 
-    double t = 0; // Position of the parent on the trunk,
+    double t = 0; // Position of the parent on the trunk.
     Side side = Side::Left;
-    double length = 0;              // and its length, in the unit of its system.
-    std::vector<Child> children {}; // From the parent's base to its tip; at least one.
+    double length = 0;              // Length of the parent, in the unit of its system.
+    std::vector<Child> children {}; // Children from the parent's base to its tip, at least one.
     double spacing = 0;   // Mean distance between children, in the unit of `length`; 0 if there is
                           // only one child.
     double deviation = 0; // Standard deviation of these distances.
     bool is_of_own_outline = false;
-    bool goes_deeper = false; // StyleTo::Deeper.
+    bool goes_deeper = false; // True if the style also applies to deeper levels (StyleTo::Deeper).
 
     // Shares of the parent's length before the first child and up to the last one.
     double unbranched() const { return children.front().u; }

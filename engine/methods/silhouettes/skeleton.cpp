@@ -67,7 +67,7 @@ std::string_view parent_in(std::string_view path)
 
 std::string_view last_name_in(std::string_view path)
 {
-    // Without a separator, npos + 1 is 0 and the whole path is returned.
+    // Returns the whole path if there is no separator, because npos + 1 is 0.
     return path.substr(path.rfind(kPathSeparator) + 1);
 }
 

@@ -20,12 +20,12 @@ using BranchNames = std::map<std::string, std::vector<std::string>>;
 struct SkeletonOptions {
     int levels = 2; // Branching levels, 1 to 3; 1: only the trunk has branches.
     InferenceOptions tree {};
-    // For inferred crowns; fewer samples are enough.
+    // Options for inferred crowns, for which fewer samples are enough.
     InferenceOptions below { .outline = { .samples = 80, .smoothing_samples = 1 },
                              .bumps = {},
                              .fill = { .steps = 12, .most_branches = 16, .enough = 0.85 },
                              .angles = {} };
-    // For crowns of branches that were drawn.
+    // Options for the crowns of branches that were drawn.
     InferenceOptions outlined { .outline = { .samples = 160 },
                                 .bumps = {},
                                 .fill = { .steps = 16, .most_branches = 32, .enough = 0.92 },
@@ -48,10 +48,10 @@ struct BranchAt {
 // A tree of branching systems: the crown of each branch is the silhouette of the next system.
 // Copies of a branch share its system, transformed by the similarity from the model to the copy.
 struct Skeleton {
-    std::vector<BranchingSystem> systems; // The trunk's system first.
-    // For each branch of each system, the index of its own system; kNoSystem: it has no children.
+    std::vector<BranchingSystem> systems; // Branching systems, the trunk's first.
+    // Index of the system of each branch of each system; kNoSystem: the branch has no children.
     std::vector<std::vector<std::size_t>> system_of;
-    // For each system, the path of its parent (of the model, if it has copies); "": the trunk.
+    // Path of each system's parent (of the model, if it has copies); "": the trunk.
     std::vector<std::string> parents;
     std::vector<Meridian> surface {}; // Surface of the whole tree's crown (Drawing::surface).
 
@@ -99,8 +99,8 @@ public:
 // their style get children as well. Fails like infer_system().
 Result<Skeleton> infer_skeleton(Drawing const& drawing, SkeletonOptions const& options = {});
 
-// Like infer_skeleton() above, with names from `namer`, which may change the drawing's assignment
-// of lines to branches.
+// Infers the whole tree with names from `namer`, which may change the drawing's assignment of lines
+// to branches.
 Result<Skeleton> infer_skeleton(Drawing& drawing, SkeletonOptions const& options,
                                 BranchNamer& namer);
 

@@ -79,8 +79,8 @@ public:
         outlined.outline.least_area_mm2 = 0;
         skeleton_.surface = drawing_.surface;
         std::size_t first = 0;
-        // Below the usual levels, only branches that were drawn on, or that follow a style, have
-        // children.
+        // Branches below the usual levels have children only if they were drawn on or follow a
+        // style.
         for (int level = 1; first < skeleton_.systems.size(); ++level) {
             bool const is_usual = level < options_.levels;
             LevelInference const how { .usual = styled(below, options_.styles, level),
@@ -171,7 +171,7 @@ private:
         });
     }
 
-    // A branch and its copies.
+    // Indices of a branch and its copies.
     std::vector<std::size_t> with_copies(BranchAt const& of) const
     {
         std::vector<std::size_t> numbers;
@@ -193,7 +193,7 @@ private:
                            [](Branch const& branch) { return branch.style_to != StyleTo::None; });
     }
 
-    // Whether a branch is inferred now. A target with copies is inferred as well, because its
+    // True if a branch is inferred now. A target with copies is inferred as well, because its
     // copies keep the inferred children.
     bool is_wanted(BranchAt const& at, Which which) const
     {
@@ -351,7 +351,7 @@ private:
     BranchNamer* namer_;
     Skeleton skeleton_;
     std::vector<Target> targets_; // Targets of the current level.
-    // For each system, styles from the level above for its branches.
+    // Styles from the level above for the branches of each system.
     std::vector<std::vector<ParentStyle>> from_above_;
 };
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint32_t kSprayVariants = 8;
 
-// As shares of the tree's height: length of a parent with the default number of twigs, and lengths
-// of twigs.
+// Length of a parent with the default number of twigs, and lengths of twigs, as shares of the
+// tree's height.
 constexpr double kParent = 0.07;
 constexpr double kLongestSpray = 0.055;
 constexpr double kShortestSpray = 0.016;
@@ -33,7 +33,8 @@ void SprayMaker::add(SprayBearer const& parent, std::vector<double> const& place
     constexpr double kSpiral_deg = 137.5;
     double const start = std::max(from, kBare);
     double const length = parent.line.length();
-    double const height = options_.height_mm / unit_of(parent.space); // In the plane's unit.
+    // Height of the tree in the plane's unit.
+    double const height = options_.height_mm / unit_of(parent.space);
     double const usual
         = static_cast<double>(options_.sprays) * (1 - start) * length / (kParent * height);
     auto const count = std::clamp<std::size_t>(static_cast<std::size_t>(usual),

@@ -13,7 +13,7 @@ namespace tractus::silhouette {
 struct SprayBearer {
     Space const& space; // Transform of its plane.
     Line const& line;
-    // Twigs end inside this crown; empty: they have their default length.
+    // Crown inside which twigs end; empty: they have their default length.
     std::vector<Vec2> const& crown;
     AxisId axis = kNone;
 };
@@ -48,7 +48,7 @@ private:
     struct SprayWay {
         double lean;
         double around;
-        double length; // In the plane's unit.
+        double length; // Length in the plane's unit.
     };
 
     void add(SprayPlace const& place, SprayWay const& way, Random& random);

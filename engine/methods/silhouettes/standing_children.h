@@ -11,9 +11,9 @@ namespace tractus::silhouette {
 struct StandingChild {
     double u = 0;
     double angle_deg = 0;
-    // Relative to a direction that is parallel transported along the parent.
+    // Azimuth relative to a direction that is parallel transported along the parent.
     double azimuth_deg = 0;
-    double length = 0; // As a share of the parent's length.
+    double length = 0; // Length as a share of the parent's length.
 };
 
 // The children of an axis, given their ids, sorted by position from its base. A child that goes

@@ -31,8 +31,8 @@ std::optional<Crowd> StyledCrowdMaker::next(Parent const& parent)
     Crowd crowd { .parent = parent.line, .branches = {} };
     auto const surface = crowds_.surface_of(parent.system);
     auto const drawn = CrowdMaker::drawn_places(crowd.parent, surface, system);
-    // On the trunk, no branch starts below the crown. The crowns of branches are inferred, so there
-    // the style alone decides.
+    // Branches of the trunk do not start below the crown. The crowns of branches are inferred, so
+    // on branches the style alone decides.
     double const crown_u = crowd.parent.place_of(system.trunk[system.inside.first]);
     double const style_u = level_.style.unbranched;
     auto const drawn_by_hand

@@ -19,9 +19,9 @@ public:
 
     struct Parent {
         std::size_t system = 0; // The system whose trunk this parent is.
-        bool is_trunk = false;  // The parent is the tree's trunk.
+        bool is_trunk = false;  // True if the parent is the tree's trunk.
         Line const& line;
-        std::uint32_t number = 0; // Selects its random numbers.
+        std::uint32_t number = 0; // Number of the parent, which selects its random numbers.
     };
     // Places the branches of the next parent; no value if it has none.
     std::optional<Crowd> next(Parent const& parent);

@@ -174,7 +174,7 @@ std::vector<double> StyledPlaces::node_scores(std::size_t nodes, std::uint32_t p
     std::vector<double> scores;
     double const phase = random.uniform();
     for (std::size_t i = 1; i < nodes; ++i) {
-        // Of `nodes` values, none lies beyond this quantile.
+        // Quantile beyond which none of `nodes` values lies.
         double const edge = 0.5 / static_cast<double>(nodes);
         double const share
             = std::clamp(part_of_turn(phase + kGolden * static_cast<double>(i)), edge, 1 - edge);
@@ -229,7 +229,7 @@ std::vector<std::size_t> nearest_in_order(std::vector<double> const& places,
     auto const n = places.size();
     auto const m = others.size();
     CHECK(n <= m);
-    // Least cost for the first i places and the first j others.
+    // Minimum cost for the first i places and the first j others.
     std::vector<std::vector<double>> sums(
         n + 1, std::vector<double>(m + 1, std::numeric_limits<double>::infinity()));
     std::fill(sums[0].begin(), sums[0].end(), 0.0);

@@ -22,9 +22,9 @@ public:
     bool next_bears();
 
     struct Parent {
-        double low = 0;           // Share of its length with no child below.
+        double low = 0;           // Share of the parent's length, from its base, without children.
         std::size_t least = 0;    // Smallest number of children, regardless of the style.
-        std::uint32_t number = 0; // Selects its random numbers.
+        std::uint32_t number = 0; // Number of the parent, which selects its random numbers.
     };
     // Positions on the next parent as shares of its length, ascending; those of one node are equal.
     // At least one.

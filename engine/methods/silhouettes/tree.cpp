@@ -56,7 +56,7 @@ public:
 private:
     // An axis still to be added.
     struct Parent {
-        std::size_t system = kNoSystem; // The system whose trunk it is.
+        std::size_t system = kNoSystem; // The system whose trunk the axis is.
         Space space;
         Line line;
         std::vector<Vec2> crown {};
@@ -64,7 +64,7 @@ private:
         SegmentId parent_segment = kNone;
         AxisId parent_axis = kNone;
         std::uint32_t level = 0;
-        bool is_stroke = false; // It follows a drawn stroke.
+        bool is_stroke = false; // True if the axis follows a drawn stroke.
     };
 
     void add_looks()
@@ -90,7 +90,7 @@ private:
         return options_.levels[options_of(level)];
     }
 
-    // Depth first, so that every axis comes after its parent.
+    // Adds axes depth first, so that every axis comes after its parent.
     void grow(Parent const& parent)
     {
         std::optional<Crowd> own;
@@ -195,8 +195,9 @@ private:
     std::vector<double> node_places(Parent const& parent, Crowd const* crowd) const
     {
         constexpr std::array kSegments { 16, 8, 4, 3 };
-        constexpr int kStyled = 8; // Least number of segments on a styled level, because angles are
-                                   // measured over an eighth of the length.
+        // Minimum number of segments on a styled level, because angles are measured over an eighth
+        // of the length.
+        constexpr int kStyled = 8;
         int own = kSegments[std::min<std::size_t>(parent.level, kSegments.size() - 1)];
         if (parent.level > 0 && level_options(parent.level - 1).style.is_set())
             own = std::max(own, kStyled);
@@ -243,7 +244,7 @@ private:
             return found->second;
         auto& crowd = crowds_[system];
         auto options = level_options(level);
-        // This branch was drawn in as much detail as a tree, so it gets as many added branches.
+        // The branch was drawn in as much detail as a tree, so it gets as many added branches.
         if (skeleton_.systems[system].is_of_own_outline)
             options.added = std::max(options.added, level_options(0).added);
         crowd = maker_.make(system, options);
@@ -278,10 +279,10 @@ private:
     std::vector<std::pair<std::vector<Vec2>, OrganShapeId>> leaf_shapes_;
     std::map<std::size_t, Crowd> crowds_;
     std::map<std::uint32_t, std::vector<PlacedBranch>> told_;
-    std::optional<SurfaceFit> fit_; // No value: no surface was drawn.
+    std::optional<SurfaceFit> fit_; // The drawn surface; no value if none was drawn.
     SprayMaker sprays_ { tree_, options_ };
     CrowdMaker maker_;
-    std::vector<StyledCrowdMaker> styled_; // One for each level.
+    std::vector<StyledCrowdMaker> styled_; // One entry for each level.
 };
 
 } // namespace

@@ -12,20 +12,21 @@
 
 namespace tractus::silhouette {
 
-// How the branches of one level are arranged around their parents.
+// Arrangement of the branches of one level around their parents.
 struct LevelOptions {
     Pattern pattern = Pattern::Even;
     double added = 1.5; // Number of added branches per branch visible in the plane; 0 or more.
     int proposals = 3000;
     ArrangementOptions::Nodes nodes = ArrangementOptions::Nodes::Whole;
-    // If set, gives the number, positions and angles of the branches, and `added` is ignored.
-    // Inferred branches move to the nearest positions; drawn ones stay.
+    // Style that gives the number, positions and angles of the branches, if it is set; `added` is
+    // then ignored. Inferred branches move to the nearest positions; drawn ones stay.
     BranchStyle style {};
 };
 
 struct TreeOptions {
     std::vector<LevelOptions> levels { {},
-                                       { .added = 0.5, .proposals = 600 } }; // Last: deeper levels.
+                                       // The last entry applies to all deeper levels.
+                                       { .added = 0.5, .proposals = 600 } };
     BranchingAngles angles {}; // Branching angles of added branches.
     double height_mm = 8000;   // Height of the drawing.
     std::uint64_t seed = 1;
@@ -52,7 +53,7 @@ double drawn_height(Skeleton const& skeleton);
 // A tree in space.
 struct Tree {
     Plant plant;
-    // For each axis, its path of names from the trunk on, as "b3/L7".
+    // Path of names of each axis, from the trunk on, such as "b3/L7".
     std::vector<std::string> axis_names;
     // Arrangements of the trunk's branches, then of the first system of each further level.
     std::vector<std::vector<PlacedBranch>> arrangements;

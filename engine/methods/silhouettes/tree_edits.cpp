@@ -16,7 +16,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Indexed by the enumerations' values.
+// Names indexed by the enumerations' values.
 constexpr std::array kParts { "trunk",      "outline", "branch", "own_outline",
                               "own_branch", "split",   "join",   "surface" };
 void list(scene::Fields& fields, DrawTree& edit)
@@ -88,7 +88,7 @@ Result<OutlinedTree> tree_of(scene::DocumentState const& state, scene::ItemId pl
     return *tree;
 }
 
-// Checks what building would refuse, without building.
+// Performs the checks of building a tree without building it.
 Result<void> check_tree(OutlinedTree const& tree)
 {
     constexpr double kFarthest_mm = 1e5;

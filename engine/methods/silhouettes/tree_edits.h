@@ -6,7 +6,7 @@
 
 namespace tractus::silhouette {
 
-// Draws a part of a tree on paper (Wither et al. 2009).
+// Edit: draws a part of a tree on paper (Wither et al. 2009).
 struct DrawTree {
     static scene::EditKind const kKind;
 
@@ -23,8 +23,8 @@ struct DrawTree {
     } part
         = Part::Outline;
     Stroke stroke {};
-    bool is_leaf = false; // For an outline: declare it a leaf (leaf_blade.h).
-    bool of_bump = false; // For an outline: it comes from a touch at a bump (bump_leaf.h).
+    bool is_leaf = false; // True: the outline is declared a leaf (leaf_blade.h).
+    bool of_bump = false; // True: the outline comes from a touch at a bump (bump_leaf.h).
     // Style propagation from the branch that is drawn on (sibling_style.h).
     StyleTo style_to = StyleTo::None;
     Search search = Search::OnTrunk; // The branches among which that branch is searched.
@@ -39,21 +39,21 @@ struct DrawTree {
     // World millimetres per plant millimetre; the drawing shows a plant 1 / scale times its size.
     // Becomes the document's scale if none was set.
     double scale = 0.1;
-    // For a trunk or an outline: length by which the trunk is extended from its tip into the crown
+    // Length by which the trunk is extended from its tip into the crown, for a trunk or an outline
     // (OutlinedTree::trunk_goes_on_mm).
     double trunk_goes_on_mm = 0;
-    // A new tree takes the style of the nearest tree that has one (nearest_style.h); `form` already
-    // has it.
+    // True: a new tree takes the style of the nearest tree that has one (nearest_style.h); `form`
+    // already has it.
     bool takes_style = false;
-    // For a new tree that was drawn smaller because it is farther away (picture_ground.h): world
-    // millimetres per millimetre of the paper. 0: shown as large as drawn.
+    // World millimetres per millimetre of the paper, for a new tree that was drawn smaller because
+    // it is farther away (picture_ground.h). 0: shown as large as drawn.
     double enlarged = 0;
     // Id of the plant or part, used in the names of new branches; 0: none assigned yet.
     scene::ItemId id = 0;
 };
 
-// Removes a part of a tree. Refused if neither trunk nor outline would be left; use RemovePlant for
-// the whole.
+// Edit: removes a part of a tree. Refused if neither trunk nor outline would be left; use
+// RemovePlant for the whole.
 struct EraseTreePart {
     static scene::EditKind const kKind;
 
@@ -63,7 +63,7 @@ struct EraseTreePart {
     scene::ItemId branch = 0;
 };
 
-// Declares an outline of a tree a leaf, or revokes that (leaf_blade.h).
+// Edit: declares an outline of a tree a leaf, or revokes that (leaf_blade.h).
 struct DeclareLeaf {
     static scene::EditKind const kKind;
 
@@ -72,7 +72,7 @@ struct DeclareLeaf {
     bool is_leaf = true;
 };
 
-// Gives branches of a tree the styles of others (chosen_style.h).
+// Edit: gives branches of a tree the styles of others (chosen_style.h).
 struct ChooseStyles {
     static scene::EditKind const kKind;
 
@@ -81,14 +81,15 @@ struct ChooseStyles {
     ChosenStyles styles {};
 };
 
-// Sets another form for a tree. Lines drawn on branches stay with the branches whose names are
-// kept.
+// Edit: sets another form for a tree. Lines drawn on branches stay with the branches whose names
+// are kept.
 struct FormTree {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
     TreeForm form {};
-    bool takes_style = false; // Keep taking the style of the nearest tree; `form` already has it.
+    // True: the tree keeps taking the style of the nearest tree; `form` already has it.
+    bool takes_style = false;
 };
 
 // The tree with the edit's part added; `id` becomes the id of that part. Fails like

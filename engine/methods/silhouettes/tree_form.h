@@ -19,10 +19,10 @@ struct TreeForm {
     // Styles by level; on a level with a style, `density` has no effect (measured_style.h).
     std::array<BranchStyle, 3> styles {};
     int leaves = 24;         // Leaves per twig, 1 to 500.
-    double leaf_width = 0.4; // As a share of a leaf's length, 0.01 to 2.
+    double leaf_width = 0.4; // Width of a leaf as a share of its length, 0.01 to 2.
     std::uint64_t seed = 1;  // Seed for everything that the drawing leaves open.
-    // All branches of a node share one position (ArrangementOptions::Nodes::Whole). False for trees
-    // from before this option existed.
+    // True: all branches of a node share one position (ArrangementOptions::Nodes::Whole). False for
+    // trees from before this option existed.
     bool has_whole_nodes = false;
 
     bool operator==(TreeForm const&) const = default;

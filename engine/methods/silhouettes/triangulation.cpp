@@ -51,7 +51,7 @@ private:
         return cross(outline_[c[1]] - outline_[c[0]], outline_[c[2]] - outline_[c[1]]);
     }
 
-    // Only reflex corners can be inside an ear.
+    // True if a triangle contains no other corner of the remaining outline.
     bool is_empty(std::array<std::uint32_t, 3> const& c) const
     {
         auto const& p = outline_[c[0]];
@@ -75,7 +75,7 @@ private:
             if (turn_at(i) > 0 && is_empty(corners_at(i)))
                 return i;
         }
-        // Only collinear corners are left: takes the one with the largest turn.
+        // Only collinear corners are left: clips the one with the largest turn.
         std::size_t best = 0;
         for (std::size_t i = 1; i < n; ++i)
             if (turn_at(i) > turn_at(best))

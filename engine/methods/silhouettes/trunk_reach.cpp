@@ -39,7 +39,7 @@ std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
     constexpr double kOfLength = 0.15;
     // Factor on the tip's distance for a crown that is met obliquely.
     constexpr double kOblique = 2;
-    // Least way through the crown, as a share of the crown's extent in that direction.
+    // Minimum way through the crown, as a share of the crown's extent in that direction.
     constexpr double kThrough = 0.5;
     // Length of the extension, as a share of the way through the crown.
     constexpr double kOn = 0.85;

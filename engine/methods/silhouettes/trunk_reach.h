@@ -22,7 +22,7 @@ namespace tractus::silhouette {
 std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
                                        std::vector<Vec2> const& outline);
 
-// The same for an outline drawn in several strokes.
+// Computes the extension for an outline drawn in several strokes.
 std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
                                        std::vector<std::vector<Vec2>> const& strokes);
 

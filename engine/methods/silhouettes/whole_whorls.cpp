@@ -59,13 +59,13 @@ public:
 private:
     // A branch of a whorl and its slot. There are whorl_ slots around a node.
     struct Member {
-        std::size_t branch; // Index of its place.
+        std::size_t branch; // Index of the branch's place.
         std::size_t slot;
     };
 
     struct Node {
         double u = 0;
-        std::size_t room = 0; // Capacity in branches.
+        std::size_t room = 0; // Maximum number of branches of the node.
         std::vector<Member> members {};
         double turn_deg = 0; // Rotation of all slots relative to the pattern.
     };
@@ -158,8 +158,8 @@ private:
         return best;
     }
 
-    // Of the two phases in which the pattern can begin, takes the one that suits the drawn
-    // branches.
+    // Moves drawn branches to nodes, in the one of the pattern's two possible phases that suits
+    // them better.
     void move_drawn_to_nodes()
     {
         auto const as_it_was = nodes_;
@@ -194,7 +194,7 @@ private:
         std::erase_if(branches, [&](std::size_t i) { return drawn_[i].theta_deg != side_deg; });
         if (branches.empty())
             return 0;
-        // Free slots of the nodes, best first.
+        // A free slot of a node; slots are sorted by cost.
         struct Free {
             std::size_t node;
             double cost;
@@ -351,7 +351,7 @@ private:
     double first_u_;
     double node_;
     std::size_t shift_ = 0;
-    std::vector<Node> nodes_; // Sorted by u.
+    std::vector<Node> nodes_; // Nodes sorted by u.
     std::vector<Place> places_;
 };
 
