@@ -61,7 +61,7 @@ public:
     Result<ModuleString> run();
 
 private:
-    // A piece of the string: its place before and after rewriting.
+    // Places of a piece of the string before and after rewriting.
     struct PiecePlace {
         Place from; // Place in in_.
         Place to;   // Place in out_.

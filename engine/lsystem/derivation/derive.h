@@ -18,7 +18,7 @@ struct DeriveOptions {
     // Number of steps; no value: the model's derivation length. If it is given, the model cannot
     // change it with SetDerivationLength().
     std::optional<int> steps {};
-    // Combined with the model's own seed; different seeds give different plants.
+    // Seed of the derivation, combined with the model's own; different seeds give different plants.
     std::uint64_t seed = 1;
 
     ModelLimits limits {};

@@ -26,7 +26,7 @@ public:
     // A module that changes.
     struct Change {
         std::uint32_t module = 0; // Index of the module, counted from the beginning of the part.
-        // Index of its first parameter, counted from the beginning of the part.
+        // Index of the module's first parameter, counted from the beginning of the part.
         std::uint32_t parameter = 0;
     };
 

@@ -71,7 +71,7 @@ private:
     // Modules whose right neighbours are unknown, in right-to-left order.
     std::vector<Missing> missing_;
     Neighbour right_ = 0; // Right neighbour of the module before the piece.
-    // One for each branch that begins before the piece and ends in it: its right neighbour.
+    // Right neighbour of each branch that begins before the piece and ends in it.
     Column<Neighbour> waiting_;
     std::size_t taken_count_ = 0; // Number of branches that begin in the piece and end after it.
     std::vector<KindId> outside_; // Values of the placeholders kOutside + i.

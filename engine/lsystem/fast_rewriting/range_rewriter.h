@@ -29,8 +29,8 @@ public:
     enum class Way : std::uint8_t {
         Copy,  // The module stays as it is.
         Fixed, // The module always has the same successor.
-        // The same as Chance; in addition, the programs of all rules can run for many modules at
-        // once.
+        // Chance alone chooses, as for Chance; in addition, the programs of all rules can run for
+        // many modules at once.
         Batch,
         Chance, // Chance alone chooses among rules without contexts and conditions.
         Search, // Rules must be tried one after another.
@@ -139,7 +139,8 @@ public:
     std::size_t rewrite_module(Task const& task, std::size_t at, std::size_t parameter);
 
 private:
-    // Room after the range: ForWideRuns if a wide move may write parameters past its end.
+    // Room after the range: ForWideRuns if a wide move may write parameters past the end of the
+    // range.
     enum class Room : std::uint8_t { Tight, ForWideRuns };
 
     void rewrite_bounded(Range const& range);

@@ -59,7 +59,8 @@ public:
         Register value = 0;
         bool is_parameter = false;
         bool is_assigned = false;
-        std::optional<std::size_t> first_read {}; // Position in the text at which it is first read.
+        // Position in the text at which the variable is first read.
+        std::optional<std::size_t> first_read {};
     };
     std::map<std::string, Local, std::less<>> const& locals() const { return locals_; }
 

@@ -83,7 +83,7 @@ private:
     DefinitionParser definitions_parser_ { cursor_, names_ };
     LSystem system_; // The L-system being parsed.
     RuleSet* rules_ = &system_.rules;
-    SymbolList seen_; // Symbols of its ignore: or consider: statement.
+    SymbolList seen_; // Symbols of the ignore: or consider: statement of the L-system being parsed.
     // Symbol lists of the L-systems parsed so far, the main one first.
     std::vector<SymbolList> ignored_;
     bool has_axiom_ = false;

@@ -88,7 +88,7 @@ struct RuleSet {
     bool specified = false;
     int max_depth = 1;
     std::vector<Rule> rules;
-    // Indices of rules by the first kind of their predecessor.
+    // Indices of rules by the first kind of the predecessor.
     std::array<std::vector<std::uint16_t>, 256> by_kind;
 };
 
@@ -106,7 +106,7 @@ struct ArrayVariable {
 // caller, or in the caller's caller, and so on.
 struct ExternalName {
     bool is_array = false;
-    // Index into the globals or arrays of the sub-L-system that declares it.
+    // Index into the globals or arrays of the sub-L-system that declares the name.
     std::uint16_t index = 0;
 };
 

@@ -89,7 +89,7 @@ private:
 // State of the sub-L-system that one ?(...) of a string calls.
 struct SubsystemCall {
     std::uint16_t subsystem = 0; // Index into Model::subsystems.
-    bool has_started = false;    // True once its Start block has run.
+    bool has_started = false;    // True once the sub-L-system's Start block has run.
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;
 };

@@ -24,7 +24,7 @@ struct FixedSuccessor {
     Register const* parameters = nullptr;
     double const* frame = nullptr;
 
-    // The module itself, which is its successor if no rule applies.
+    // Makes the successor of a module to which no rule applies: the module itself.
     static FixedSuccessor copy(KindId kind, std::uint32_t parameter_count)
     {
         FixedSuccessor result;
@@ -68,7 +68,7 @@ struct FixedSuccessor {
         write_parameters(from, to.parameters);
     }
 
-    // Writes the successor without exceeding its size.
+    // Writes the successor into memory of exactly the required size.
     void write_narrowly(float const* from, ModuleWriter& to) const
     {
         to.kinds = std::copy_n(length <= kShort ? first_kinds.data() : kinds, length, to.kinds);

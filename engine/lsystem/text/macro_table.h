@@ -48,9 +48,9 @@ private:
     // A preprocessing token, or a single blank.
     struct Token {
         std::string characters;
-        SourcePlace place; // Position of its first character.
-        // True if it comes from a macro's body; all its characters then have the position of the
-        // call.
+        SourcePlace place; // Position of the token's first character.
+        // True if the token comes from a macro's body; all its characters then have the position of
+        // the call.
         bool is_in_body = false;
         bool is_paste = false; // True for the operator ## in a macro's body.
         // Macros that the token came from, which must not replace it again.

@@ -49,10 +49,10 @@ public:
 private:
     // An open #if.
     struct Condition {
-        bool is_on = false;  // True if its current part is used.
-        bool was_on = false; // True if one of its parts has been used.
+        bool is_on = false;  // True if the current part of the #if is used.
+        bool was_on = false; // True if any part of the #if has been used.
         bool has_else = false;
-        bool is_possible = true; // True if the text around it is used.
+        bool is_possible = true; // True if the text around the #if is used.
         SourcePlace place;
     };
 

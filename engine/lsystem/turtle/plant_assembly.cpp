@@ -181,7 +181,8 @@ void Assembly::lay_out()
         if (visit.gap == gaps.size())
             visits.pop_back();
         else
-            visits.push_back({ gaps[visit.gap++].piece, 0, {} }); // Invalidates visit.
+            // The push invalidates the reference `visit`.
+            visits.push_back({ gaps[visit.gap++].piece, 0, {} });
     }
 }
 

@@ -11,9 +11,10 @@ namespace tractus::lsystem {
 // A piece of a drawing and where it is attached.
 struct DrawnPiece {
     TurtleDrawing drawing;
-    // Index of the piece whose gap this one fills; smaller than its own index.
+    // Index of the piece whose gap this one fills; smaller than the index of this piece.
     std::size_t parent = 0;
-    // Segment of the parent piece to which it is attached; kNone: it stands on the ground.
+    // Segment of the parent piece to which the piece is attached; kNone: the piece stands on the
+    // ground.
     std::uint32_t root_segment = kNone;
 };
 

@@ -23,7 +23,7 @@ Vec3 in_model(Vec3 const& v)
 struct SegmentRow {
     Vec3 heading = Vec3::Zero();
     double length = 0; // Length in turtle units; widths have the same unit.
-    double width = 0;  // Width at its base.
+    double width = 0;  // Width of the segment at its base.
     double tip = -1;   // Width at the tip of the axis; -1 if the axis continues.
     // First segment of the first axis that is attached to this segment; -1: none.
     std::int64_t bears = -1;

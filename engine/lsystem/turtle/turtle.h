@@ -105,7 +105,7 @@ private:
 
     // A symbol with its parameters.
     struct Symbol {
-        std::array<char, 3> name {}; // Its characters, padded with 0.
+        std::array<char, 3> name {}; // Characters of the symbol, padded with 0.
         float const* parameters = nullptr;
         std::size_t count = 0;
 
@@ -145,7 +145,7 @@ private:
         Push,
         Pop,
         Width,
-        Level // Possibly followed by v, which makes it @v.
+        Level // A symbol that may be followed by v, which makes it @v.
     };
     struct Kind {
         char symbol = 0;

@@ -87,9 +87,9 @@ struct TurtleDrawing {
 
     std::pmr::vector<Segment> segments;
     std::pmr::vector<Axis> axes;
-    std::pmr::vector<Organ> organs; // Their shapes are indices into shape_keys.
+    std::pmr::vector<Organ> organs; // Organs; their shapes are indices into shape_keys.
     std::vector<ShapeKey> shape_keys;
-    std::pmr::vector<Polygon> polygons; // Their materials are turtle colours.
+    std::pmr::vector<Polygon> polygons; // Polygons; their materials are turtle colours.
     std::pmr::vector<Vec3> polygon_vertices_mm;
     std::array<bool, 256> has_color {}; // Colours used by segments and polygons.
     std::vector<BezierPatch> patches {};

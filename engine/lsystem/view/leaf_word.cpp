@@ -11,7 +11,8 @@ namespace tractus::lsystem {
 namespace {
 
 struct DamageNumber {
-    std::string_view name; // Part of sheet names in sessions, so it must never change.
+    // Name of the parameter, which is a part of sheet names in sessions and must never change.
+    std::string_view name;
     double LeafDamage::*number;
     double most;
 };

@@ -20,7 +20,7 @@ struct NamedPatch {
     std::string name;
     // Names of neighbours, indexed by BezierPatch::Side; "~" or empty: none.
     std::array<std::string, 4> neighbors;
-    std::vector<double> numbers; // Coordinates of its points; 48 when complete.
+    std::vector<double> numbers; // Coordinates of the patch's points; 48 when complete.
 };
 
 struct Header {
@@ -28,7 +28,7 @@ struct Header {
     Vec3 end = Vec3::Zero();
     Vec3 heading = Vec3::UnitY();
     Vec3 up = -Vec3::UnitZ();
-    double size = 0; // 0 until it has been read.
+    double size = 0; // Size of the surface; 0 until it has been read.
 };
 
 std::vector<std::string_view> words_of(std::string_view line)

@@ -19,12 +19,14 @@ namespace tractus::lsystem {
 
 // A tropism: a direction that bends the turtle's heading before each step. In cpfg's space (+y up).
 struct Tropism {
-    Vec3 direction = Vec3::UnitY(); // Its length is the intensity, at most 1.
+    // Direction of the tropism; its length is the intensity, at most 1.
+    Vec3 direction = Vec3::UnitY();
     // Angle between the preferred heading and the direction: 0 towards it, 90 perpendicular to it.
     double angle_deg = 0;
     double elasticity = 0;      // Initial elasticity.
     double elasticity_step = 0; // Change of the elasticity by @Ti and @Td.
-    bool is_torque = false;     // True: rolls about the heading instead of bending it.
+    // True: the tropism rolls the turtle about its heading instead of bending the heading.
+    bool is_torque = false;
 };
 
 // A tabulated function y(x), x from 0 to 1, from a function file of cpfg.

@@ -124,7 +124,8 @@ Result<void> read_material(ViewReader& reader, std::string_view value)
                 "found '{}', expected kind=, color=, roughness=, translucency= or texture=", part));
         }
     }
-    if (!texture.empty()) // Read last, because its layout depends on kind=, which may follow it.
+    // The texture is read last, because its layout depends on kind=, which may follow it.
+    if (!texture.empty())
         TRY(read_texture(reader, material, texture));
     reader.view.materials.insert_or_assign(index, material);
     return {};

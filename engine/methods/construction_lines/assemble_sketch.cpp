@@ -26,7 +26,7 @@ std::vector<Vec2> on_paper(Polyline const& line)
 // A line composed of one or more strokes.
 struct MadeLine {
     Polyline line;
-    std::vector<std::size_t> strokes; // Indices of its strokes, in drawing order.
+    std::vector<std::size_t> strokes; // Indices of the line's strokes, in drawing order.
 };
 
 // The part of a composed line that one stroke contributes.
@@ -39,7 +39,7 @@ struct Drawn {
 struct Across {
     enum class Reach { Both, Left, Right };
     Reach reach = Reach::Both;
-    double at = 0; // Position of its crossing with the stem, as a share of the stem's length.
+    double at = 0; // Position of the crossing with the stem, as a share of the stem's length.
     MadeLine made;
 };
 
@@ -197,8 +197,8 @@ private:
         return across;
     }
 
-    // Returns the position on the stem where a half line that begins beside it would begin if
-    // extended to it.
+    // Returns the position on the stem at which a half line that begins beside the stem would begin
+    // if extended to it.
     double foot_of(Polyline const& half) const
     {
         auto const near = axis_.place(half.front().head<2>());

@@ -20,18 +20,18 @@ namespace {
 
 // A sketch as one of the L-systems of a composed model.
 struct SubModel {
-    Construction construction; // The measured sketch, with its sizes around the stem.
+    Construction construction; // The measured sketch, with sizes around the stem.
     Pattern pattern {};
     std::vector<LineOrgan> organs {};
     // Index in the model of each organ's sketch; 0 for other organs.
     std::vector<std::size_t> called {};
     std::vector<LayerOrgans> layers {}; // Organs of all layers, from below.
     OrganSurface leaf {};
-    // Number of surfaces of layers' organs that come before its own.
+    // Number of surfaces of layers' organs that come before those of this sketch.
     std::size_t first_surface = 0;
-    std::size_t offset = 0; // Number of functions that come before its own.
-    std::size_t steps = 0;  // Derivation steps until it and its organs are complete.
-    double leaves = 0;      // Number of leaves of its plant.
+    std::size_t offset = 0; // Number of functions that come before those of this sketch.
+    std::size_t steps = 0;  // Derivation steps until the stem and its organs are complete.
+    double leaves = 0;      // Number of leaves of the sketch's plant.
 
     LayerTables tables() const
     {
@@ -86,7 +86,8 @@ Result<void> add_called(std::vector<SubModel>& models, std::size_t number)
         model.leaves += counts[layer] * (plant ? plant->leaves : 1);
         behind = std::max(behind, plant ? plant->steps : 0);
     }
-    constexpr std::size_t kOrganSteps = 4; // Derivation steps from a node to the call of its organ.
+    // Derivation steps from a node to the call of the node's organ.
+    constexpr std::size_t kOrganSteps = 4;
     model.steps = count_steps(model.construction) + kOrganSteps + behind;
     model.called = std::move(called);
     return {};

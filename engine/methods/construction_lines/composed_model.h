@@ -28,7 +28,7 @@ struct ComposedSketch {
     std::vector<MeasuredStem> stems;
     Pattern pattern {};
     std::vector<LineOrgan> organs {};
-    OrganSurface leaf {}; // Surface of its leaves; without patches: plain blades.
+    OrganSurface leaf {}; // Surface of the plant's leaves; without patches: plain blades.
 };
 
 constexpr std::size_t kMostSketches = 12; // Maximum number of sketches in a composed sketch.

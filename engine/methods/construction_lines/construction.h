@@ -26,8 +26,8 @@ struct LineSketch {
     // Number of nodes of each layer between two neighbouring inclination lines, from below; the
     // topmost line has one additional node.
     std::vector<int> nodes_per_layer;
-    // Replaces nodes_per_layer unless empty: the number of nodes between each inclination line, in
-    // the order of the list, and the next one above it. A single number if there are fewer than two
+    // Number of nodes between each inclination line, in the order of the list, and the next one
+    // above it; replaces nodes_per_layer unless empty. A single number if there are fewer than two
     // lines.
     std::vector<int> nodes_above {};
     // Boundaries in space, (u, v, depth): each gives the organs' reach at its azimuth around the
@@ -38,7 +38,7 @@ struct LineSketch {
     // Organs of each layer, from below; the last entry also applies to all layers above. Empty: the
     // plant's organs.
     std::vector<LayerOrgans> organs_per_layer {};
-    // Replaces organs_per_layer unless empty; indexed like nodes_above.
+    // Organs of each layer, indexed like nodes_above; replaces organs_per_layer unless empty.
     std::vector<LayerOrgans> organs_above {};
 };
 
@@ -128,7 +128,7 @@ double size_at(Construction const& construction, std::size_t node, double azimut
 // Treatment of missing lines.
 enum class Missing {
     Refused, // A missing line is an error; the message tells the user what to draw.
-    // Default values until they are drawn: without boundaries the stem has no organs
+    // Defaults are used until the lines are drawn: without boundaries the stem has no organs
     // (Pattern::Bare, sizes 0), and a single inclination line applies to the whole stem.
     Guessed,
 };

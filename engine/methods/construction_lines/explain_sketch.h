@@ -17,7 +17,7 @@ struct StrokeToExplain {
     std::vector<Vec3> points; // Points in the format of LineRecogniser::add().
     // The role that the user has assigned. Without a value the role is to be found.
     std::optional<Role> said {};
-    // Drawn by hand even if its points are far apart: its tremor is removed.
+    // True for a stroke drawn by hand even if its points are far apart: its tremor is removed.
     bool is_by_hand = false;
     bool is_clean = false;   // Hooks and tremor have already been removed.
     bool turn_round = false; // True for a stem that begins where it would be assumed to end.
@@ -26,11 +26,11 @@ struct StrokeToExplain {
 // Interpretation of a stroke.
 struct ExplainedStroke {
     Role role = Role::Unsure;
-    // The stroke with which it forms one line: for a piece, the first drawn stroke of the line; for
-    // a line redrawn wholly or in part, the stroke that it replaces.
+    // The stroke that forms one line with this one: for a piece, the first drawn stroke of the
+    // line; for a line redrawn wholly or in part, the stroke that it replaces.
     std::optional<std::size_t> of {};
-    bool is_replaced = false;     // Another stroke has replaced it completely.
-    bool is_turned_round = false; // The stem was drawn from its top to its foot.
+    bool is_replaced = false;     // True if another stroke has replaced this one completely.
+    bool is_turned_round = false; // True if the stem was drawn from its top to its foot.
     // Reason why a stroke is Unsure: one sentence, with what to draw instead.
     std::string reason {};
 };

@@ -11,7 +11,7 @@ namespace tractus::lines {
 
 // A positional function in the form of cpfg's function editor: a polyline y(x) for x from 0 to 1.
 struct FunctionCurve {
-    std::string name;         // Name of its file in the model, such as heading.
+    std::string name;         // Name of the function's file in the model, such as heading.
     std::vector<Vec2> points; // Points, at least 4, with x ascending from 0 to 1.
 };
 

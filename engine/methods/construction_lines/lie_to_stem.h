@@ -8,13 +8,15 @@ namespace tractus::lines {
 
 // Position of a stroke relative to the stem, as seen on the sheet.
 struct Lie {
-    double first_mm = 0; // Signed distances of its two ends, positive on the left.
+    // Signed distances of the stroke's two ends from the stem, positive on the left.
+    double first_mm = 0;
     double last_mm = 0;
-    int crossings = 0;        // Number of side changes beside the stem.
-    double along = 0;         // Share of the stem that it runs beside.
-    double left_share = 0;    // Share of its points on the left.
-    double least_side_mm = 0; // Greatest distance on the side with the smaller part of it.
-    double lean_deg = 0;      // Angle between its chord and the stem's, 0 to 90.
+    int crossings = 0;     // Number of side changes beside the stem.
+    double along = 0;      // Share of the stem beside which the stroke runs.
+    double left_share = 0; // Share of the stroke's points on the left.
+    // Greatest distance from the stem on the side that has fewer of the stroke's points.
+    double least_side_mm = 0;
+    double lean_deg = 0; // Angle between the chords of stroke and stem, 0 to 90.
 };
 
 // Computes a stroke's position relative to the stem. Both lines must be sampled densely, with

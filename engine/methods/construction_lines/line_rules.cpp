@@ -30,7 +30,7 @@ constexpr std::array<RuleWord, 9> kRuleWords { {
     { "<first>", "", "first[s] + ", "" },        // Offset of the stem's boundaries in azimuth[].
     { "<sides>", "SIDES", "sides[s]", "SIDES" }, // Number of the stem's boundaries.
     { "<ofs>", "", " of stem s", "" },
-    // Share of its diameter that a stem loses towards its top.
+    // Share of the diameter that a stem loses towards its top.
     { "<taper>", "0.7", "taper[s]", "0.7" },
 } };
 

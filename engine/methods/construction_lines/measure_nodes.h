@@ -41,7 +41,7 @@ std::vector<OrganNode> nodes_without_sizes(Construction const& of);
 // The name of a side, for messages.
 struct SideName {
     std::string where;    // Position in words, such as "on the left".
-    std::string boundary; // Name of its boundary, such as "the left boundary".
+    std::string boundary; // Name of the boundary on that side, such as "the left boundary".
 };
 SideName side_named(Side side);
 SideName azimuth_named(double azimuth_deg);

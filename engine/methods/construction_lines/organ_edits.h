@@ -18,7 +18,8 @@ struct DrawOrgan {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
-    scene::ItemId organ = 0; // 0: the line begins a new leaf, as its side.
+    // Leaf to which the line belongs; 0: the line begins a new leaf, as its side.
+    scene::ItemId organ = 0;
     OrganView view = OrganView::Side;
     OrganColor color = OrganColor::Leaf; // New colour of the leaf.
     Stroke stroke {};                    // World frame.

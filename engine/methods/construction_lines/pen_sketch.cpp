@@ -202,7 +202,8 @@ Result<PenSketch> with_role(PenSketch sketch, scene::ItemId line, Role role)
     for (auto& other : sketch.lines)
         if (is_one && other.role == role && other.stem == stem) {
             other.role = Role::Unsure;
-            other.is_said = false; // Its role is determined anew when the lines are read together.
+            // The line's role is determined anew when all lines are read together.
+            other.is_said = false;
             parent = std::exchange(other.parent, std::nullopt);
         }
     for (auto& other : sketch.lines)

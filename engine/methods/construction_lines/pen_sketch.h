@@ -99,7 +99,8 @@ Result<scene::BuiltSource> build_pen_sketch(PenSketch const& sketch,
 
 // A layer of nodes.
 struct Layer {
-    // The line that stores the layer's number of nodes: the line below it, or else the stem.
+    // The line that stores the number of nodes: the one below the layer, or the stem if there is
+    // none.
     scene::ItemId line = 0;
     double from_x = 0;
     double to_x = 1;

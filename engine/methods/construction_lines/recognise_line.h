@@ -21,7 +21,7 @@ enum class Role {
     HalfInclination,
     Unsure,  // A stroke that was not recognised; it has no effect until the user assigns a role.
     Around,  // Boundary in space, at its azimuth around the stem.
-    Outline, // Outline: both boundaries in one stroke, around the stem's top (explain_sketch.h).
+    Outline, // Both boundaries in one stroke, around the stem's top (explain_sketch.h).
 };
 
 // Name of the role, in lower case.
@@ -29,7 +29,7 @@ std::string name_of(Role role);
 
 struct RecognisedLine {
     Role role = Role::Unsure;
-    std::optional<std::size_t> replaces {}; // The earlier stroke that it replaces.
+    std::optional<std::size_t> replaces {}; // The earlier stroke that this line replaces.
     bool is_drawn_again = false;            // True if the stroke lies on the one that it replaces.
     bool is_along_stem = false;             // A boundary that runs along most of the stem.
     // Advice for an Unsure stroke: one sentence that says what to draw instead.

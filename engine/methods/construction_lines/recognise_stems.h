@@ -12,8 +12,9 @@ namespace tractus::lines {
 
 // Role of a stroke in a sketch with several stems, and the stem it belongs to.
 struct KnownLine {
-    RecognisedLine line {};               // `replaces`: index among all strokes of the sketch.
-    std::size_t stem = 0;                 // Number of its stem; for a stem, its own.
+    RecognisedLine line {}; // `replaces`: index among all strokes of the sketch.
+    // Number of the stem to which the stroke belongs; for a stem, its own number.
+    std::size_t stem = 0;
     std::optional<std::size_t> parent {}; // Parent of a stem, see StemLines.
 };
 

@@ -29,14 +29,16 @@ struct ModelStem {
     MeasuredStem const* of = nullptr;
     std::size_t drawn = 0;         // Number of the stem in the sketch.
     std::size_t parent = 0;        // Number, in the model, of the parent stem.
-    std::size_t first_borne = 0;   // Number, in the model, of the first stem attached to this one.
-    std::size_t borne = 0;         // Number of stems attached to this one.
-    double width_cm = 0;           // Diameter at its foot.
-    double taper = kTaper;         // Share of the diameter that it loses towards its top.
-    std::size_t low = 0;           // Offset of its lines among the lines of all stems.
-    std::size_t own_functions = 0; // Number of functions before its heading function.
-    std::size_t organ_functions = 0; // Number of functions before those of its organs, minus two.
-    std::size_t first_azimuth = 0;   // Offset of its boundaries' azimuths among those of all stems.
+    std::size_t first_borne = 0;   // Number, in the model, of the first stem attached to this stem.
+    std::size_t borne = 0;         // Number of stems attached to this stem.
+    double width_cm = 0;           // Diameter of the stem at its foot.
+    double taper = kTaper;         // Share of the diameter that the stem loses towards its top.
+    std::size_t low = 0;           // Offset of the stem's lines among the lines of all stems.
+    std::size_t own_functions = 0; // Number of functions before the stem's heading function.
+    // Number of functions before those of the stem's organs, minus two.
+    std::size_t organ_functions = 0;
+    // Offset of the azimuths of the stem's boundaries among those of all stems.
+    std::size_t first_azimuth = 0;
 };
 
 double width_on(ModelStem const& parent, double foot_x)

@@ -24,8 +24,9 @@ struct StemLines {
 struct MeasuredStem {
     Construction construction;
     std::optional<std::size_t> parent {};
-    double foot_x = 0; // Position of its foot on the parent; 1: on its top.
-    // Number of the stem whose lines define the organs: its own if it has a boundary.
+    // Position of the stem's foot on its parent, as a share of the parent's length; 1: on its top.
+    double foot_x = 0;
+    // Number of the stem whose lines define the organs: this stem if it has a boundary.
     std::size_t functions = 0;
 };
 

@@ -42,16 +42,17 @@ enum class Reading {
 struct SketchLine {
     scene::ItemId id = 0;
     Stroke stroke {};        // World frame.
-    SheetPlacement sheet {}; // Placement of the sheet when it was drawn.
+    SheetPlacement sheet {}; // Placement of the sheet when the line was drawn.
     Role role = Role::Unsure;
     // Number of nodes in the layer above an inclination line, 0 to kMostNodesInLayer; for a stem,
     // in the only layer of a sketch with fewer than two inclination lines.
     int nodes = 0;
-    std::size_t stem = 0; // Number of the stem to which it belongs; for a stem, its own.
+    // Number of the stem to which the line belongs; for a stem, its own number.
+    std::size_t stem = 0;
     std::optional<std::size_t> parent {}; // Parent of a stem, see StemLines.
     DepthBy depth_by = DepthBy::StemsHeight;
-    // Height of the surface that corresponds to depth 0, the height at which its stem begins, mm on
-    // the tablet. No value if the line lies on the sheet or is a stem.
+    // Height of the surface that corresponds to depth 0: the height at which the line's stem
+    // begins, mm on the tablet. No value if the line lies on the sheet or is a stem.
     std::optional<double> level_mm {};
     // Pattern and organ of the layer whose nodes are stored here; organ 0 for plain leaves.
     // Default: those of the plant.

@@ -13,8 +13,8 @@ namespace tractus::lines {
 struct StemCandidate {
     std::vector<std::size_t> strokes; // One, or pieces that continue each other.
     Polyline line; // The joined line, in the direction in which the first stroke was drawn.
-    // Higher if it is short relative to the sketch, bends back, is nearly horizontal, or was not
-    // drawn first.
+    // Cost of the candidate: higher if the line is short relative to the sketch, bends back, is
+    // nearly horizontal, or was not drawn first.
     double cost = 0;
 };
 

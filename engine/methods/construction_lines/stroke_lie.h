@@ -45,14 +45,14 @@ struct StrokeLie {
     double mean_beside = 0; // Mean distance from the axis, unsigned.
     double reach_left = 0;
     double reach_right = 0;
-    double left_share = 0; // Share of its points on the left.
-    double run = 0;        // Share of its length that runs along the axis, 0 to 1.
+    double left_share = 0; // Share of the stroke's points on the left.
+    double run = 0;        // Share of the stroke's length that runs along the axis, 0 to 1.
     // Value of `run` for the part of the stroke that is more than half as far from the axis as its
     // farthest point.
     double run_outside = 0;
-    double climb = 0;    // Difference along the axis between its last and its first point.
-    double lean_deg = 0; // Angle between its chord and the axis there, 0 to 90.
-    // Positions on the axis at which it changes sides, ignoring tremor.
+    double climb = 0;    // Difference along the axis between the stroke's last and first point.
+    double lean_deg = 0; // Angle between the stroke's chord and the axis there, 0 to 90.
+    // Positions on the axis at which the stroke changes sides, ignoring tremor.
     std::vector<double> crossings;
 
     StemAxis::Place const& first() const { return places.front(); }

@@ -51,8 +51,9 @@ struct DrawnLeaf {
     double bend_deg = 0; // Total downward bend of the midrib.
     // Difference between the bends of the midrib's upper and lower half, times two.
     double droop_deg = 0;
-    double rise_deg = 0;     // Upward angle of the blade on both sides of the midrib.
-    double width = 0.014;    // Width of the midrib at its beginning; other veins are proportional.
+    double rise_deg = 0; // Upward angle of the blade on both sides of the midrib.
+    // Width of the midrib at its beginning; other veins are proportional to it.
+    double width = 0.014;
     double spread_deg = 2.5; // Standard deviation of vein angles between leaves.
 
     bool operator==(DrawnLeaf const&) const = default;
@@ -64,7 +65,7 @@ struct LeafFit {
         std::size_t stroke = 0;
         // Stroke index of the parent main vein; for a main vein its own index.
         std::size_t parent = 0;
-        double drawn_at = 0; // Position of its beginning, as a share of the parent's length.
+        double drawn_at = 0; // Position of the vein's beginning, as a share of the parent's length.
         double fitted_at = 0;
         // Angle to the parent's direction, or to the leaf's axis; positive to the right.
         double drawn_angle_deg = 0;

@@ -49,7 +49,8 @@ std::size_t end_without_overshoot(FlatLine const& line)
 // Two lines whose ends meet, and the area that they enclose.
 struct Loop {
     std::size_t first = 0;
-    std::size_t second = 0; // One end of this line may lie outside: a midrib with its stalk.
+    // Index of the other line, one end of which may lie outside: a midrib with its stalk.
+    std::size_t second = 0;
     double area = 0;
     bool ends_meet = false;
 };

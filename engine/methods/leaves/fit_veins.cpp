@@ -97,11 +97,12 @@ struct SideLine {
     std::size_t parent = 0;
     bool is_right = true;
     double at = 0;
-    double angle_deg = 0; // Angle between its straight line and its parent's direction, positive.
+    // Angle between the vein's straight line and its parent's direction, positive.
+    double angle_deg = 0;
     double noise_deg = 0; // Standard error of that angle from tremor.
     double turn_deg = 0;  // Turn from begin to end, positive towards the parent's end.
     double length = 0;
-    double fitted_deg = 0; // Fitted angle at its beginning.
+    double fitted_deg = 0; // Fitted angle at the vein's beginning.
 };
 
 class VeinFitter {

@@ -95,7 +95,7 @@ private:
         char name = 'A';
         Attributes attributes {};
         Frame frame;
-        Dart first = 0;       // Start of one of its edges; of O, unless the face was split.
+        Dart first = 0; // Start of one of the face's edges; of edge O, unless the face was split.
         int edge_count = 0;   // Number of edges when made; splitting neighbours can add more.
         bool is_part = false; // Part of a split face, which may lack some edges.
         int order = 1;        // Branching order as a vein.
@@ -113,7 +113,7 @@ private:
     // Attachment of a child face to its parent: its frame and the ends of the shared edge.
     struct Stand {
         Frame frame;
-        Vec3 left = Vec3::Zero();  // Left end of edge O, where it starts.
+        Vec3 left = Vec3::Zero();  // Left end of edge O, which is its start.
         Vec3 right = Vec3::Zero(); // Right end of edge O.
     };
 
@@ -167,8 +167,9 @@ private:
     Random unevenness_; // Separate stream, so that a pose does not change the flat leaf.
     std::vector<Blade> blades_;
     int step_ = 0;
-    std::size_t work_ = 0;                  // Work so far, as the number of darts visited.
-    std::optional<std::size_t> limb_begin_; // First dart of the limb, if it is filled.
+    std::size_t work_ = 0; // Work so far, as the number of darts visited.
+    // First dart of the limb; no value: the limb is not filled.
+    std::optional<std::size_t> limb_begin_;
     FaceId limb_faces_ = 0;
     Limb limb_;
 };

@@ -96,7 +96,7 @@ private:
     Vec2 const& corner(std::size_t i) const { return corners_[i % corners_.size()]; }
 
     struct Bay {
-        std::size_t behind = 0; // Index of the corner before it.
+        std::size_t behind = 0; // Index of the corner before the bay.
         Vec2 at = Vec2::Zero();
         double area = 0;
     };

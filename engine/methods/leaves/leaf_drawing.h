@@ -16,8 +16,8 @@ struct LeafDrawing {
 };
 
 enum class StrokeRole {
-    Outline,   // The whole outline or one of its halves.
-    Midrib,    // Includes the petiole if it begins outside the outline.
+    Outline,   // Outline of the leaf, or one of its halves.
+    Midrib,    // Midrib; includes the petiole if it begins outside the outline.
     MainVein,  // Begins at the beginning of the midrib.
     SideVein,  // Begins on the midrib or another main vein.
     Stalk,     // A petiole drawn as a separate stroke.
@@ -37,9 +37,9 @@ struct RecognisedLeaf {
 
     struct Vein {
         std::size_t stroke = 0;
-        // Index of the main vein on which it begins; for a main vein its own index.
+        // Index of the main vein on which the vein begins; for a main vein its own index.
         std::size_t parent = 0;
-        std::vector<Vec3> line; // Directed away from its beginning.
+        std::vector<Vec3> line; // Points of the vein, from its beginning on.
     };
     // The midrib first; it begins at the petiole's end, outside the blade.
     std::vector<Vein> mains {};

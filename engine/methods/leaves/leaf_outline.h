@@ -59,7 +59,7 @@ public:
     std::vector<Vec2> between(Vec2 const& from, Vec2 const& to, double tolerance) const;
 
     // True if the way along the outline from `from` to `to`, counter-clockwise, is at most half of
-    // it.
+    // the outline.
     bool goes_forward(Vec2 const& from, Vec2 const& to) const;
 
 private:

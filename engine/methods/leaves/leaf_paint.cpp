@@ -21,9 +21,9 @@ struct LeafPainter::Canvas {
     std::vector<float> profile;      // Profile V of the veins (VeinMaps).
     std::vector<std::uint8_t> order; // Order of the nearest vein (VeinMaps).
     std::vector<float> net;          // Net of the smallest veins, 0 to 1.
-    // 1 in holes, decreasing across their rims. Empty: nothing has been eaten.
+    // Map of eaten parts: 1 in holes, decreasing across their rims. Empty: nothing has been eaten.
     std::vector<float> eaten;
-    // Opacity of spots, of their rings and of mines at each pixel. Empty: there are none.
+    // Opacity of spots, of their rings and of mines at each pixel; empty if the leaf has none.
     std::vector<float> spots;
     std::vector<float> rings;
     std::vector<float> mines;

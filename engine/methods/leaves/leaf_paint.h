@@ -64,7 +64,7 @@ struct LeafPicture {
     std::vector<float> alpha;    // Share of the pixel covered by the leaf, after larvae.
     // Distance to the nearest vein's side, in pixels; 0 inside, at most reach.
     std::vector<float> distance;
-    std::vector<float> closeness;  // D of the colour law: 0 at veins, 1 between them.
+    std::vector<float> closeness;  // Closeness D of the colour law: 0 at veins, 1 between them.
     std::vector<float> protection; // P: 1 where larvae spare a vein.
     std::vector<float> age;        // Local age m of the colour law: 0 young, 1 old.
     std::vector<float> height;     // Height of the relief, in units of twice a vein's height.

@@ -163,7 +163,8 @@ private:
 
     struct Bite {
         double radius = 0;
-        std::complex<double> wobble; // Amplitude and phase of the threefold wave of its edge.
+        // Amplitude and phase of the threefold wave of the bite's edge.
+        std::complex<double> wobble;
     };
     void bite_pixel(std::size_t i, Vec2 const& away, double distance, Bite const& bite)
     {

@@ -58,9 +58,10 @@ private:
 
 // Output maps of map_veins(). Pixels in unmarked tiles only get protection.
 struct VeinMaps {
-    std::vector<float>& distance;     // Distance to the nearest vein's side, in pixels; 0 inside.
-    std::vector<float>& profile;      // V: 1 in the middle of a vein, 0 beside it.
-    std::vector<float>& protection;   // P: 1 where a vein is spared, fading beside it; 0 far away.
+    std::vector<float>& distance; // Distance to the nearest vein's side, in pixels; 0 inside.
+    std::vector<float>& profile;  // Profile V: 1 in the middle of a vein, 0 beside it.
+    // Protection P: 1 where a vein is spared, fading beside it; 0 far away.
+    std::vector<float>& protection;
     std::vector<std::uint8_t>& order; // Order of the vein that V belongs to; 9: none.
 };
 

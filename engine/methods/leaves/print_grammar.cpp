@@ -381,7 +381,7 @@ public:
 
 private:
     Grammar const& grammar_;
-    NameTable names_; // A copy, because looking up a name adds it.
+    NameTable names_; // Copy of the grammar's names, because looking up a name adds it.
     bool lacks_one_ = false;
 };
 

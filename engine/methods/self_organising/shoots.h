@@ -12,7 +12,7 @@ namespace tractus::self_organising {
 struct Shoot {
     Bud bud {};
     int internodes = 1;
-    double length = 1;        // Length of each of its internodes.
+    double length = 1;        // Length of each internode of the shoot.
     Vec3 pull = Vec3::Zero(); // V: the bud's preferred direction.
 };
 

@@ -66,7 +66,7 @@ struct Place {
 // `most_off_deg` of its side of the plane.
 struct DrawnPlace {
     double u = 0;
-    double theta_deg = 0; // The side where it was drawn: 0 (right) or 180 (left).
+    double theta_deg = 0; // Side where the branch was drawn: 0 (right) or 180 (left).
     double most_off_deg = 45;
     bool keeps_u = true; // False: with Nodes::Whole the branch may move to a node.
 };

@@ -48,12 +48,12 @@ private:
 struct BranchCurve {
     Cubic curve {};
     std::size_t trunk_sample = 0;
-    double t = 0;      // Position of its base along the trunk, 0 to 1.
+    double t = 0;      // Position of the branch's base along the trunk, 0 to 1.
     double length = 0; // Arc length, as the sum of sixteen chords.
     // Magnitude of the curve's end tangents as a share of the chord from base to end.
     double tangent_share = 0;
     Side side = Side::Left;
-    double outside = 0; // Greatest distance by which it leaves the outline.
+    double outside = 0; // Greatest distance by which the branch leaves the outline.
 };
 
 // The end of a branch: its position and the branch's direction there.

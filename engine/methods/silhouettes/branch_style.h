@@ -16,7 +16,7 @@ struct BranchStyle {
     double children = 0; // Mean number of children of an axis that has any; 0: no style is set.
     double children_deviation = 0;
     double bare = 0; // Share of the axes without children, below 1. The trunk always has some.
-    double unbranched = 0; // Position of the first child along its parent.
+    double unbranched = 0; // Position of the first child along the parent.
     // Mean distance between consecutive children; 0 between children of one node.
     double spacing = 0;
     double unevenness = 0; // Coefficient of variation of the distance between nodes.

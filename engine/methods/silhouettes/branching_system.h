@@ -40,7 +40,7 @@ struct BranchingSystem {
     // True if the outline was drawn for this branch, or if the system follows the style of such a
     // system.
     bool is_of_own_outline = false;
-    // Number of touches that matched one of its bumps (bump_touch.h).
+    // Number of touches that matched one of the system's bumps (bump_touch.h).
     std::size_t touches_taken = 0;
     // Set if the whole crown is one leaf; there are no branches then.
     std::optional<LeafBlade> leaf {};

@@ -11,8 +11,9 @@ namespace tractus::silhouette {
 
 // The branch that ends in a touched bump, to be declared a leaf.
 struct BumpLeaf {
-    std::string branch;        // Path of the branch (Skeleton::at()).
-    std::vector<Vec2> outline; // Its part of the crown's outline, in millimetres of the drawing.
+    std::string branch; // Path of the branch (Skeleton::at()).
+    // The branch's part of the crown's outline, in millimetres of the drawing.
+    std::vector<Vec2> outline;
 };
 
 // Finds the branch that ends in the touched bump (touched_bump(), bump_touch.h) of the smallest

@@ -10,9 +10,9 @@ namespace tractus::silhouette {
 
 // The function of a bump in the tree.
 enum class Role {
-    Foot,    // The trunk enters through it; no branch ends in it.
-    Apex,    // The trunk ends in it.
-    Lateral, // A lateral branch ends in it.
+    Foot,    // The bump through which the trunk enters; no branch ends in it.
+    Apex,    // The bump in which the trunk ends.
+    Lateral, // A bump in which a lateral branch ends.
 };
 
 // A protruding part of a silhouette: a limb of its chordal axis that protrudes by more than a
@@ -26,10 +26,10 @@ struct Bump {
     Vec2 tangent = Vec2::Zero();
     double radius = 0;       // Radius of the cap, taken as a circle.
     Vec2 tip = Vec2::Zero(); // The cap's farthest point along `tangent`.
-    // Its rise divided by the threshold for bumps; 0: the outline has no junction.
+    // Rise of the bump divided by the threshold for bumps; 0: the outline has no junction.
     double strength = 0;
     Role role = Role::Lateral;
-    // Index of the touch that made it (bump_touch.h), if one did.
+    // Index of the touch that made the bump (bump_touch.h); no value if none did.
     std::optional<std::size_t> touch {};
 };
 

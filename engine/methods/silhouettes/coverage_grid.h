@@ -24,7 +24,7 @@ public:
     };
     Cells cells_of(std::span<Vec2 const> polygon) const;
 
-    // Number of these cells that are already covered.
+    // Number of the given cells that are already covered.
     std::size_t count_covered(Cells const& cells) const;
     void cover(Cells const& cells);
 

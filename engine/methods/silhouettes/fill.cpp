@@ -295,7 +295,7 @@ private:
     std::vector<Vec2> trunk_; // Trunk including its extension.
     Run run_;
     std::size_t last_;            // Index of the last sample of the drawn trunk.
-    std::size_t least_count_ = 0; // Smallest number of cells worth a copy.
+    std::size_t least_count_ = 0; // Minimum number of cells of a copy's crown.
     std::span<Branch const> models_;
     Branch lens_;
     std::optional<std::size_t> first_lens_; // Index of the first lens among the added branches.

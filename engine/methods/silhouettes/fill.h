@@ -16,12 +16,12 @@ namespace tractus::silhouette {
 // A branch of a branching system, with the crown that its own branches will fill.
 struct Branch {
     enum class Origin {
-        Bump, // Ends in a bump of the outline.
-        Copy, // Copy of a sibling, where the crown was empty.
-        Gap,  // Fills a gap too small for a copy.
+        Bump, // A branch that ends in a bump of the outline.
+        Copy, // A copy of a sibling, where the crown was empty.
+        Gap,  // A branch that fills a gap too small for a copy.
         Drawn,
-        Apex, // The trunk's own end, which fills the bump ahead of it. Always the last of its
-              // system.
+        // The trunk's own end, which fills the bump ahead. Always the last of a system's branches.
+        Apex,
     };
     Origin origin = Origin::Bump;
     // Together with `origin`, identifies the branch; most identifiers survive small changes of the
@@ -33,18 +33,19 @@ struct Branch {
                          // (name_of()).
     std::vector<Vec2> crown {}; // Crown of the branch: counter-clockwise, or clockwise if mirrored.
     double cone_deg = 0;    // Opening angle of the crown's cone, for a branch that ends in a bump.
-    bool is_beyond = false; // Its base is on the trunk's extension.
+    bool is_beyond = false; // True if the branch's base is on the trunk's extension.
     // Index in the system of the branch that a copy copies, and the similarity from there.
     std::optional<std::size_t> model {};
     Similarity from_model {};
-    // The drawn outline of its crown (own_outline.h); empty if none was drawn.
+    // The drawn outline of the branch's crown (own_outline.h); empty if none was drawn.
     std::vector<Vec2> own_outline {};
-    // Branches that were drawn on it (own_branch.h), and which branches follow the style of its
-    // children.
+    // Branches that were drawn on this one (own_branch.h), and the branches that follow the style
+    // of these.
     std::vector<std::vector<Vec2>> own_branches {};
     StyleTo style_to = StyleTo::None;
-    std::string style_from {}; // Path of the branch whose style was chosen for it (chosen_style.h).
-    // Touches at bumps of its own outline (bump_touch.h).
+    // Path of the branch whose style was chosen for this one (chosen_style.h).
+    std::string style_from {};
+    // Touches at bumps of the branch's own outline (bump_touch.h).
     std::vector<BumpTouch> touches {};
     // Set if the branch ends in a leaf; it has no children then.
     std::optional<LeafBlade> leaf {};
@@ -54,12 +55,12 @@ struct Branch {
     bool is_outlined() const { return !own_outline.empty(); }
     bool is_drawn_leaf() const { return is_outlined() && leaf; }
     bool is_refined() const { return is_outlined() || !own_branches.empty(); }
-    // True if the branch, or something on it, was drawn: it keeps its place.
+    // True if the branch, or something on it, was drawn, so that it keeps its place.
     bool is_of_hand() const { return origin == Origin::Drawn || is_refined(); }
-    // True if it follows a stroke that was drawn on another branch.
+    // True if the branch follows a stroke that was drawn on another branch.
     bool is_stroke() const { return origin == Origin::Drawn && !stroke.empty(); }
 
-    // Its axis, base first: the stroke, or `count` points of its curve.
+    // Axis of the branch, base first: the stroke, or `count` points of its curve.
     std::vector<Vec2> line(std::size_t count) const;
 };
 

@@ -15,8 +15,8 @@ namespace tractus::silhouette {
 // The inference of a drawing, against which a later drawing is compared.
 struct InferredDrawing {
     Skeleton skeleton {};
-    // Its systems before drawn parts were applied to their branches; empty if nothing was drawn on
-    // branches.
+    // Systems of the skeleton before drawn parts were applied to their branches; empty if nothing
+    // was drawn on branches.
     std::vector<BranchingSystem> as_inferred {};
 
     BranchingSystem const& bare(std::size_t system) const

@@ -192,7 +192,7 @@ std::optional<std::size_t> steadiest(Flood const& flood, Mask const& size)
     return best;
 }
 
-// Dilation (`in`) or erosion (not `in`) by `reach` pixels.
+// Dilates the mask by `reach` pixels, or erodes it if not `in`.
 Mask grown(Mask const& mask, int reach, bool in)
 {
     Mask result = mask;

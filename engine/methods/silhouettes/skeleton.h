@@ -84,7 +84,7 @@ public:
     struct NewSystem {
         BranchingSystem& system;
         std::size_t index;         // Index in the skeleton.
-        std::string const& parent; // Path of its parent; "": the trunk.
+        std::string const& parent; // Path of the system's parent; "": the trunk.
         // Index of the parent's system, kNoSystem for the trunk's; and the indices there of the
         // parent and its copies.
         std::size_t parent_system;

@@ -11,7 +11,7 @@ namespace tractus::silhouette {
 
 // The parent axis of twigs with leaves, already part of the tree.
 struct SprayBearer {
-    Space const& space; // Transform of its plane.
+    Space const& space; // Transform of the parent's plane.
     Line const& line;
     // Crown inside which twigs end; empty: they have their default length.
     std::vector<Vec2> const& crown;

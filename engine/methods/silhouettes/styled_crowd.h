@@ -31,7 +31,7 @@ private:
 
     // One of the positions given by a style.
     struct StyledPlace {
-        // Index of the visible branch that takes it; no value: a branch is added.
+        // Index of the visible branch that takes this position; no value: a branch is added.
         std::optional<std::size_t> branch;
         Place at;
         double share; // Share of the distance from the parent's first position to its last.

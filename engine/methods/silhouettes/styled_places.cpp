@@ -229,7 +229,7 @@ std::vector<std::size_t> nearest_in_order(std::vector<double> const& places,
     auto const n = places.size();
     auto const m = others.size();
     CHECK(n <= m);
-    // Minimum cost for the first i places and the first j others.
+    // Minimum cost of assigning the first i of `places` to some of the first j of `others`.
     std::vector<std::vector<double>> sums(
         n + 1, std::vector<double>(m + 1, std::numeric_limits<double>::infinity()));
     std::fill(sums[0].begin(), sums[0].end(), 0.0);

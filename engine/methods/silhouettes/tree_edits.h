@@ -11,11 +11,11 @@ struct DrawTree {
     static scene::EditKind const kKind;
 
     enum class Part {
-        Trunk,      // Replaces the tree's trunk, if it has one.
-        Outline,    // Replaces the crown's outline, if it has one.
-        Branch,     // Adds a branch of the trunk.
-        OwnOutline, // The outline of the branch that it surrounds (own_outline.h).
-        OwnBranch,  // A branch of the branch on which it begins (own_branch.h).
+        Trunk,      // The tree's trunk; replaces an earlier one.
+        Outline,    // The crown's outline; replaces an earlier one.
+        Branch,     // An additional branch of the trunk.
+        OwnOutline, // The outline of a branch, which the stroke surrounds (own_outline.h).
+        OwnBranch,  // A branch of a branch, on which the stroke begins (own_branch.h).
         Split,      // A touch that splits a bump or undoes a join (bump_touch.h).
         Join,       // A touch that joins two bumps or undoes a split.
         Surface,    // A line in space on the crown's surface (drawn_surface.h); z is the distance
@@ -33,7 +33,7 @@ struct DrawTree {
     scene::ItemId plant = 0;
     Vec3 stands_at_mm = Vec3::Zero(); // Position of the trunk's foot, world frame.
     // Position of the foot on the paper, for a new tree begun with its crown surface. Default:
-    // below it by a quarter of its height.
+    // below the crown by a quarter of its height.
     std::optional<Vec2> ground_mm {};
     TreeForm form {};
     // World millimetres per plant millimetre; the drawing shows a plant 1 / scale times its size.

@@ -322,7 +322,8 @@ private:
         return sum;
     }
 
-    // Uses as many proposals as the search that moves branches one by one.
+    // Rotates whole nodes by random search. Each proposal moves all branches of a node, so
+    // proportionally fewer proposals are made.
     void search(Arrangement& result)
     {
         auto const proposals = options_.proposals / static_cast<int>(whorl_);

@@ -35,7 +35,7 @@ struct TextSpan {
 struct AxisContract {
     std::string count_name {}; // Name of the segment count in the text: "SEGMENTS" or "N".
     TextSpan count {};         // Span of the number after that name.
-    TextSpan length {}; // The length array, from its '[' to its '}'; likewise plane and bend.
+    TextSpan length {}; // Span of the length array, from '[' to '}'; likewise plane and bend.
     TextSpan plane {};
     TextSpan bend {};
     std::vector<double> lengths {}; // Values of the length array, in the model's unit.

@@ -128,8 +128,8 @@ std::string array_of(std::vector<Turn> const& turns, double Turn::*angle_deg)
 // are laterals that are axes themselves.
 struct Ring {
     int laterals = 0;
-    std::string ending {}; // Suffix of the names of its definitions, such as "_A".
-    // Beginning of its apex module, up to the length argument: "L(" or "A(0, ".
+    std::string ending {}; // Suffix of the names of the ring's definitions, such as "_A".
+    // Beginning of the laterals' apex module, up to the length argument: "L(" or "A(0, ".
     std::string apex {};
 };
 

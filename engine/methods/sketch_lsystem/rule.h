@@ -23,13 +23,14 @@ namespace tractus::sketch {
 struct LateralRule {
     double length_ratio = 0.85; // r: ratio of an internode's length to that of the one before it.
     double width_ratio = 0.85;  // q: ratio of an internode's diameter to that of the one before it.
-    int laterals = 2;           // k: number of laterals at each of its nodes.
-    double angle_deg = 45;      // a: branching angle of its laterals.
+    int laterals = 2;           // k: number of laterals at each node of the lateral.
+    double angle_deg = 45;      // a: branching angle between the lateral and its own laterals.
     double lateral_length = 0.5; // s: ratio of a lateral's length to its parent's.
     double lateral_width = 0.55; // v: ratio of a lateral's diameter to its parent's.
     double twist_deg = 90;       // T: azimuth by which successive rings are turned.
     double shortest_mm = 3;      // l_min: length of the shortest allowed internode.
-    int laterals_by = 0; // by: number of its laterals' rule, from 1; 0: the next rule in the list.
+    // by: number of the rule for the lateral's own laterals, from 1; 0: the next rule in the list.
+    int laterals_by = 0;
 
     bool operator==(LateralRule const&) const = default;
 };

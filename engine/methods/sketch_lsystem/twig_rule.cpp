@@ -67,10 +67,10 @@ Foot foot_on(std::vector<Vec3> const& line, Vec3 const& point)
 // A drawn lateral, ordered from its foot outwards.
 struct Lateral {
     std::vector<Vec3> line;
-    // Index of the lateral that bears it; no value: the axis bears it.
+    // Index of the parent lateral; no value: the axis is the parent.
     std::optional<std::size_t> parent;
-    double at_mm = 0;     // Arc length of the foot along its parent.
-    double length_mm = 0; // Length of its chord.
+    double at_mm = 0;     // Arc length along the parent of the lateral's foot.
+    double length_mm = 0; // Length of the lateral's chord.
     int depth = 1;
 
     Vec3 way() const { return (line.back() - line.front()).normalized(); }

@@ -25,7 +25,7 @@ struct TwigRule {
     Rule rule;
     int order = 1;      // Levels of branching: 1 if only the axis bears laterals.
     int nodes = 0;      // Number of the axis's nodes that bear laterals.
-    int bare_nodes = 0; // Number of nodes without laterals below those.
+    int bare_nodes = 0; // Number of nodes without laterals, below the nodes that bear some.
     // Standard deviations of the drawing from the rule.
     double angle_deviation_deg = 0;
     double length_deviation = 0;  // Deviation of laterals' lengths, relative to the length.
