@@ -63,8 +63,8 @@ public:
 private:
     // Places of a piece of the string before and after rewriting.
     struct PiecePlace {
-        Place from; // Place in in_.
-        Place to;   // Place in out_.
+        Place from; // Place of the piece in in_.
+        Place to;   // Place of the rewritten piece in out_.
     };
 
     Result<void> start();

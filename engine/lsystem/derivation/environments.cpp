@@ -348,7 +348,7 @@ public:
             if (cell)
                 demands[*cell] += asked(query, 1, 1);
         }
-        std::map<Cell, double> given; // Amount given per unit of demand.
+        std::map<Cell, double> given; // Amount of water given per unit of demand.
         for (auto const& [cell, demand] : demands) {
             double const taken = std::min(at(cell), uptake_ * demand);
             given[cell] = demand > 0 ? taken / demand : 0;

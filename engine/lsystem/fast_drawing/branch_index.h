@@ -24,7 +24,7 @@ public:
 
     struct End {
         std::size_t module = 0; // The closing bracket; the string's size if none closes the branch.
-        std::size_t parameter = 0; // Index of that module's first parameter.
+        std::size_t parameter = 0; // Index of the first parameter of that module.
     };
 
     // Returns the first module from `module` on at which a long branch may begin; the string's size
@@ -51,16 +51,17 @@ public:
     std::size_t long_branch() const { return long_branch_; }
 
 private:
-    static constexpr std::size_t kBlock = 256;      // Size in modules.
-    static constexpr std::size_t kSuperblock = 256; // Size in blocks.
+    static constexpr std::size_t kBlock = 256;      // Number of modules in a block.
+    static constexpr std::size_t kSuperblock = 256; // Number of blocks in a superblock.
 
-    static constexpr auto kBeyond = std::int64_t { 1 } << 60; // Greater than any depth.
+    static constexpr auto kBeyond = std::int64_t { 1 } << 60; // A value greater than any depth.
 
     struct Step {
         std::uint32_t parameters = 0;
         int depth = 0; // Change of depth from before the module to after it.
     };
-    static constexpr std::int32_t kNoOpening = 1 << 20; // Greater than any depth within a block.
+    // A value greater than any depth within a block.
+    static constexpr std::int32_t kNoOpening = 1 << 20;
     // Effect of two successive modules: blocks are measured two modules at a time.
     struct Pair {
         std::uint16_t parameters = 0;
@@ -71,7 +72,7 @@ private:
     };
     struct Block {
         std::size_t parameter = 0; // Parameter index before the block's first module.
-        std::int64_t depth = 0;    // Depth before the block's first module.
+        std::int64_t depth = 0;    // Bracket depth before the block's first module.
         std::int64_t floor = 0;    // Lowest bracket depth in the block.
         // Lowest depth of a branch that begins in the block; greater than any depth if none does.
         // opens_long is computed from it: true if the branch may be long.
@@ -87,7 +88,7 @@ private:
     ModuleString const& string_;
     std::size_t long_branch_;
     std::size_t kind_count_;
-    std::array<Step, 256> steps_ {}; // Indexed by kind.
+    std::array<Step, 256> steps_ {}; // Effects of modules, indexed by kind.
     std::vector<Pair> pairs_;        // Indexed by first kind * kind_count_ + second kind.
     std::vector<Block> blocks_;
     std::vector<std::int64_t> floors_; // Lowest bracket depth in each superblock.

@@ -32,7 +32,8 @@ enum class Effect : std::uint8_t {
 // Plain: all steps have non-zero lengths and stay within the turtle's bounds.
 enum class StepLengths { Plain, Any };
 
-constexpr double kMaxReachMm = 0.9e12; // Slightly less than the turtle's bounds.
+// Limit on the turtle's distance, slightly less than its bounds.
+constexpr double kMaxReachMm = 0.9e12;
 
 Effect effect_of(ModuleKind const& kind)
 {
@@ -109,7 +110,8 @@ public:
     double reach_mm() const { return reach_mm_; }
 
 private:
-    static constexpr std::uint32_t kClosed = kNone; // The next segment begins an axis.
+    // Marks that the next segment begins a new axis.
+    static constexpr std::uint32_t kClosed = kNone;
 
     struct Step {
         Effect effect = Effect::None;
@@ -123,7 +125,7 @@ private:
         std::size_t at = 0;
         std::size_t parameter = 0;  // Maintained only if step lengths are checked.
         std::size_t axis_count = 0; // Number of axes in the piece so far.
-        std::size_t depth = 0;      // Depth in brackets.
+        std::size_t depth = 0;      // Bracket depth of the current module.
         std::size_t open_polygons = 0;
         double reach_mm = 0;
         std::uint32_t axis = kClosed; // Axis that the next segment continues.
@@ -157,7 +159,7 @@ bool SegmentCounter::count(PlannedPiece& piece, StepLengths lengths,
                            std::vector<PlannedPiece>& branches)
 {
     lengths_.clear();
-    // Upper bounds of both sizes.
+    // Upper bounds of the sizes of both arrays.
     lengths_.reserve(piece.end - piece.begin);
     stack_.reserve(piece.end - piece.begin);
     cutter_.begin(piece.begin, piece.end);

@@ -29,7 +29,7 @@ struct PlannedPiece {
         std::size_t piece = 0;
     };
 
-    std::size_t begin = 0; // Modules [begin, end) of the string.
+    std::size_t begin = 0; // First module of the piece; the piece is [begin, end) of the string.
     std::size_t end = 0;
     // Index of the first parameter of module `end`; not set for the first piece.
     std::size_t end_parameter = 0;

@@ -62,9 +62,10 @@ private:
     unsigned kind_bits_ = 0;
     NeighbourRoles roles_;
     bool is_row_ = true;
-    bool is_one_to_one_ = true;        // True if every successor is a single module.
-    std::vector<std::uint16_t> table_; // Indices into successors_.
-    std::vector<KindId> one_to_one_;   // The successors themselves, if is_one_to_one_.
+    bool is_one_to_one_ = true; // True if every successor is a single module.
+    // Successors by the three kinds, as indices into successors_.
+    std::vector<std::uint16_t> table_;
+    std::vector<KindId> one_to_one_; // Successors by the three kinds, if is_one_to_one_.
     std::vector<FixedSuccessor> successors_;
     std::size_t longest_ = 1;
     // Reserved memory; only the part that is written is touched.

@@ -19,7 +19,7 @@ struct NeighbourRoles {
     enum class Role : std::uint8_t { Seen, Ignored, Opening, Closing };
 
     std::array<Role, 256> of_kind {};
-    KindId none = 0;           // Stands for "no neighbour".
+    KindId none = 0;           // Value that represents "no neighbour".
     bool sees_branches = true; // True if right contexts distinguish branches.
 };
 

@@ -94,7 +94,7 @@ Result<void> SubsystemRewriter::rewrite(RangeRewriter::Task const& task, bool is
             parameters += model_.alphabet[kind].parameter_count;
         i += count;
     }
-    while (stack_.depth() > 0) // Sub-L-systems that no $ has closed.
+    while (stack_.depth() > 0) // Sub-L-systems without a closing $ end here.
         leave();
     return {};
 }

@@ -24,7 +24,7 @@ Result<Register> FrameBuilder::constant(double value)
         return found->second;
     auto const reg = TRY(add(value));
     kinds_[reg] = Kind::Constant;
-    if (!std::isnan(value)) // A map cannot find NaN again.
+    if (!std::isnan(value)) // NaN is not added, because a map cannot find it again.
         constants_.emplace(value, reg);
     return reg;
 }

@@ -46,7 +46,7 @@ private:
 
     Cursor const& cursor_;
     RegisterFile frame_;
-    std::vector<Kind> kinds_; // One per register.
+    std::vector<Kind> kinds_; // Kind of each register.
     std::map<double, Register> constants_;
     std::vector<Register> free_temporaries_;
 };

@@ -13,7 +13,7 @@ struct FunctionEntry {
     int parameter_count;
 };
 
-// Returns nullptr for an unknown name.
+// Finds a function by name; nullptr if there is none.
 FunctionEntry const* find_function(std::string_view name);
 
 // A function of cpfg that is not supported; a call has a fixed value instead.
@@ -21,7 +21,7 @@ struct MissingFunction {
     enum class About {
         Files,  // File access: a model of unknown origin must not read or change the user's files.
         Window, // Functions of cpfg's window: its viewpoint, animation and sounds.
-        Blobs,  // Implicit surfaces.
+        Blobs,  // Functions of implicit surfaces.
     };
     // Value of a call. As in cpfg, some of these functions return their first argument.
     enum class Value { Given, FirstArgument };
@@ -36,7 +36,7 @@ struct MissingFunction {
 // none is similar.
 std::string_view nearest_function(std::string_view name);
 
-// Returns nullptr for an unknown name.
+// Finds a missing function by name; nullptr if there is none.
 MissingFunction const* find_missing_function(std::string_view name);
 
 } // namespace tractus::lsystem

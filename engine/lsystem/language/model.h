@@ -99,7 +99,7 @@ struct Block {
 
 struct ArrayVariable {
     std::string name;
-    std::vector<double> values; // Initial values.
+    std::vector<double> values; // Initial values of the array's elements.
 };
 
 // An external name of a sub-L-system: it refers to the variable or array of that name in its
@@ -124,7 +124,7 @@ struct LSystem {
     Block axiom_program;
     SuccessorTemplate axiom;
     bool stochastic = false;
-    std::uint64_t seed = 0; // The model's own seed; 0: none.
+    std::uint64_t seed = 0; // Seed given in the model; 0: none.
     bool ring = false;
     // Kinds that contexts ignore. As in cpfg, right contexts can also ignore brackets; branches are
     // then treated as part of the axis that bears them.
@@ -156,7 +156,7 @@ struct LSystem {
 struct Model : LSystem {
     std::string name;
     Alphabet alphabet; // Kinds of modules in all L-systems.
-    int steps = 0;     // The derivation length.
+    int steps = 0;     // Derivation length given in the model.
     std::vector<LSystem> subsystems;
     std::vector<PrintFormat> formats; // Format strings of printf.
     View view;

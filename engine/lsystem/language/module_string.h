@@ -88,7 +88,7 @@ private:
 
 // State of the sub-L-system that one ?(...) of a string calls.
 struct SubsystemCall {
-    std::uint16_t subsystem = 0; // Index into Model::subsystems.
+    std::uint16_t subsystem = 0; // Index of the sub-L-system in Model::subsystems.
     bool has_started = false;    // True once the sub-L-system's Start block has run.
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;
@@ -123,10 +123,11 @@ struct ModuleString {
     // rules may use them.
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;
-    std::vector<SubsystemCall> calls; // One for each ?(...) of the string, in order.
-    std::vector<KeptCut> cuts;        // Cuts in the order of the string.
-    std::vector<KeptTurtle> turtles;  // Turtle states; %(x,i) continues with turtle i.
-    std::uint64_t seed = 0;           // Seed of the random numbers in homomorphism rules.
+    // Calls of sub-L-systems, one for each ?(...) of the string, in order.
+    std::vector<SubsystemCall> calls;
+    std::vector<KeptCut> cuts;       // Cuts in the order of the string.
+    std::vector<KeptTurtle> turtles; // Turtle states; %(x,i) continues with turtle i.
+    std::uint64_t seed = 0;          // Seed of the random numbers in homomorphism rules.
 
     std::size_t size() const { return kinds.size(); }
     std::size_t byte_size() const

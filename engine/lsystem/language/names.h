@@ -19,7 +19,7 @@ namespace tractus::lsystem {
 struct Names {
     struct Array {
         std::string name;
-        std::vector<std::size_t> sizes; // One per dimension.
+        std::vector<std::size_t> sizes; // Size of each dimension.
     };
 
     std::vector<std::string> variables;

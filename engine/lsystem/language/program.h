@@ -29,7 +29,7 @@ enum class Op : std::uint8_t {
     NotEqual,
     Negate,
     Not,
-    IsTrue, // 1 unless the operand is 0.
+    IsTrue, // Gives 1 unless the operand is 0.
     Sin,
     Cos,
     Tan,

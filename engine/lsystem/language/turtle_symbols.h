@@ -70,7 +70,7 @@ inline constexpr std::array kTurtleSymbols {
 };
 
 enum class AtDoes : std::uint8_t {
-    Unknown, // Draws nothing and causes a warning.
+    Unknown, // An @-symbol that is not known: it draws nothing and causes a warning.
     Level,   // Rolls until the left vector is horizontal.
     Position,
     Frame,
@@ -87,7 +87,7 @@ enum class AtDoes : std::uint8_t {
     Label, // Label, BackFace and RunProgram are not supported and cause a warning.
     BackFace,
     RunProgram,
-    Ignored, // Meant for other programs.
+    Ignored, // An @-symbol meant for other programs.
 };
 
 // The second character of a symbol that begins with @.

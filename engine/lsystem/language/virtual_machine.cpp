@@ -92,7 +92,7 @@ double VirtualMachine::uniform()
     return unit_number(high, low);
 }
 
-// Box-Muller transform.
+// Draws a normally distributed number by the Box-Muller transform.
 double VirtualMachine::normal()
 {
     double const radius = std::sqrt(-2 * std::log(1 - uniform()));

@@ -68,7 +68,7 @@ public:
                 level.next_parameters += model_.alphabet[rest.kinds[i]].parameter_count;
             level.next += count;
             if (inner)
-                push(*inner); // Invalidates level and rest.
+                push(*inner); // The push invalidates `level` and `rest`.
             if (inner && buffer_.byte_size() > machine_.memory_limit()) {
                 machine_.stop_too(VirtualMachine::Stop::Memory);
                 return 0;

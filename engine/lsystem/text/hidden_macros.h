@@ -24,7 +24,7 @@ public:
     std::optional<Id> with(Id set, std::uint32_t macro);
 
 private:
-    using Set = std::vector<std::uint32_t>; // Sorted.
+    using Set = std::vector<std::uint32_t>; // Macros of a set, sorted by number.
 
     std::optional<Id> id(Set set);
 

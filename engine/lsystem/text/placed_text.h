@@ -15,7 +15,7 @@ namespace tractus::lsystem {
 // Text with the source position of each character.
 struct PlacedText {
     std::string characters;
-    std::vector<SourcePlace> places; // One per character.
+    std::vector<SourcePlace> places; // Source position of each character.
 
     void push(char character, SourcePlace place)
     {

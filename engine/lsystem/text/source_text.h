@@ -16,7 +16,7 @@ using IncludeReader = std::function<Result<std::string>(std::string const& name)
 // Position of a character before preprocessing, or the position that a #line directive gives. Lines
 // and columns count from 1.
 struct SourcePlace {
-    std::uint32_t file = 0; // Index into SourceText::files.
+    std::uint32_t file = 0; // Index of the file in SourceText::files.
     std::uint32_t line = 1;
     std::uint32_t column = 1;
 };
@@ -26,7 +26,7 @@ struct SourceText {
     // File names for messages: the model's own first; includes those given by #line.
     std::vector<std::string> files;
     std::string text;
-    std::vector<SourcePlace> places; // One per character, and one for the end.
+    std::vector<SourcePlace> places; // Source position of each character, and of the end.
     std::vector<std::string> warnings;
 
     // Formats the position of a character as "FILE:LINE:COLUMN".

@@ -78,7 +78,7 @@ std::string_view nearest_beginning(std::string_view line, std::span<std::string_
         return nearest_word(line.substr(0, colon + 1), words);
     for (auto blank = line.rfind(' '); blank != std::string_view::npos && blank > 0;
          blank = line.rfind(' ', blank - 1))
-        for (auto const* const end : { "", ":" }) // The colon may be missing.
+        for (auto const* const end : { "", ":" }) // The user may have forgotten the colon.
             if (auto const meant = nearest_word(std::string(line.substr(0, blank)) + end, words);
                 !meant.empty())
                 return meant;

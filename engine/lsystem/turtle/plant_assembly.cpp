@@ -117,7 +117,7 @@ private:
     View const& view_;
     std::span<DrawnPiece> pieces_;
     OrganCatalogue catalogue_;
-    std::vector<Target> targets_; // One per piece.
+    std::vector<Target> targets_; // Destination of each piece.
     Counts total_;
     // True if axes and segments are already in the plant, with turtle colours in place of
     // materials.

@@ -285,7 +285,7 @@ void Turtle::draw_movement_symbol(Symbol const& symbol)
     case 's':
     case 'i':
     case 'd':
-    case '\0': // Treated as @Ti.
+    case '\0': // @T without a letter is treated as @Ti.
         return set_elasticity(symbol);
     case 'p':
         return state_.frame.carry_from(extras_.carried);

@@ -36,7 +36,7 @@ public:
     // The state that brackets save.
     struct State {
         TurtleFrame frame;
-        double width = 0; // Diameter in turtle units.
+        double width = 0; // Line width, a diameter in turtle units.
         double scale = 1;
         double elasticity = 0; // Elasticity of the older kind of tropism.
         std::uint8_t color = 0;
@@ -131,7 +131,7 @@ private:
     struct OpenPatch {
         PatchBasis basis = PatchBasis::Bezier;
         std::array<Vec3, 16> control;
-        std::uint32_t given = 0; // One bit for each point that has been set.
+        std::uint32_t given = 0; // Bit set of the points given so far.
     };
 
     // The cases that draw_quick() handles.
@@ -151,7 +151,7 @@ private:
         char symbol = 0;
         std::uint8_t parameter_count = 0;
         bool is_single = false; // True for a symbol of one character that is not a cut.
-        bool draws = false;     // True for a step.
+        bool draws = false;     // True for a step that draws or moves.
         Quick quick = Quick::Other;
         double sign = 1; // Sign of a turn or of a change of width.
     };
@@ -159,7 +159,7 @@ private:
     static Quick quick_way(SymbolDoes does);
     static Kind describe(ModuleKind const& kind);
     bool check(Symbol const& symbol);
-    // Defined in turtle_plain.cpp.
+    // Functions defined in turtle_plain.cpp.
     std::size_t name_at_symbol(std::span<KindId const> kinds, Symbol& symbol) const;
     // Returns true if a step only moves or draws a segment, without bending or adding control
     // points.
@@ -224,14 +224,14 @@ private:
     void set_frame(Symbol const& symbol);
     void set_elasticity(Symbol const& symbol);
     void draw_movement_symbol(Symbol const& symbol);
-    // Defined in turtle_organs.cpp.
+    // Functions defined in turtle_organs.cpp.
     void add_organ(char letter, Symbol const& symbol);
     void add_round(OrganShape::Kind kind, Symbol const& symbol);
     void add_circle(Symbol const& symbol);
     void draw_patch_symbol(Symbol const& symbol);
     void add_patch(OpenPatch const& patch);
     double diameter(Symbol const& symbol) const;
-    // Defined in turtle_cylinder.cpp.
+    // Functions defined in turtle_cylinder.cpp.
     void begin_path(Symbol const& symbol);
     void end_path();
     void add_dot(Symbol const& symbol);
@@ -262,11 +262,11 @@ private:
     bool has_extras_ = false;
     std::vector<State> stack_; // Saved states; the first depth_ are in use.
     std::size_t depth_ = 0;
-    std::vector<Extras> extras_stack_; // Used only if there are extras.
+    std::vector<Extras> extras_stack_; // Saved extras; used only if the model has extras.
     std::vector<OpenPolygon> polygons_;
     std::span<KeptTurtle const> kept_;
     std::vector<double> call_scales_; // Scales of the open calls of sub-L-systems.
-    OpenCylinder cylinder_;           // Valid while state_.path is not None.
+    OpenCylinder cylinder_;           // The open cylinder; valid while state_.path is not None.
     std::vector<OpenCylinder> cylinder_stack_;
     std::map<float, OpenPatch> patches_;
     std::map<std::array<std::int32_t, 48>, std::uint32_t> patch_numbers_;

@@ -42,7 +42,7 @@ struct TurtleDrawing {
         Vec3 tip_mm = Vec3::Zero();
         float radius_mm = 0; // Radius at the base of the segment.
         std::uint32_t axis = 0;
-        std::uint32_t index = 0; // Index within the axis.
+        std::uint32_t index = 0; // Index of the segment within the axis.
         std::uint8_t color = 0;
     };
 

@@ -15,7 +15,7 @@ namespace {
 
 struct Number {
     std::string_view key;
-    double value; // Default value.
+    double value; // Default value of the parameter.
     double least;
     double most;
 };

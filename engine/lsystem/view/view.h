@@ -23,7 +23,7 @@ struct Tropism {
     Vec3 direction = Vec3::UnitY();
     // Angle between the preferred heading and the direction: 0 towards it, 90 perpendicular to it.
     double angle_deg = 0;
-    double elasticity = 0;      // Initial elasticity.
+    double elasticity = 0;      // Initial elasticity of the tropism.
     double elasticity_step = 0; // Change of the elasticity by @Ti and @Td.
     // True: the tropism rolls the turtle about its heading instead of bending the heading.
     bool is_torque = false;
@@ -96,13 +96,13 @@ struct View {
     std::vector<Tropism> tropisms;
     std::vector<FunctionTable> functions; // Functions; func(1, x) evaluates the first.
     std::vector<CurveTable> curves;       // Curves; curveX(1, t) evaluates the first.
-    std::map<int, Contour> contours;      // Keyed by the number after @#.
+    std::map<int, Contour> contours;      // Contours, keyed by the number after @#.
     int contour_sides = 8;
     bool twist_of_cylinders = false; // True: generalised cylinders follow the turtle's rolls.
-    std::map<char, BezierSurface> surfaces; // Keyed by the letter after ~.
-    std::map<int, Material> materials;      // Keyed by turtle colour.
+    std::map<char, BezierSurface> surfaces; // Surfaces, keyed by the letter after ~.
+    std::map<int, Material> materials;      // Materials, keyed by turtle colour.
     std::vector<OrganDefinition> organs;
-    EnvironmentChoice environment; // Answers the model's ?E modules.
+    EnvironmentChoice environment; // Environment that answers the model's ?E modules.
     bool pipe_model = false;
     double pipe_exponent = 2;
     double pipe_tip_radius = 0.05;

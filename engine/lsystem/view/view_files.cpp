@@ -20,7 +20,7 @@ std::string stem(std::string const& name)
 using ParseSurface
     = Result<BezierSurface> (*)(std::string const& name, std::string_view text, double size);
 
-// Reads LETTER FILE SIZE.
+// Reads a statement of the form LETTER FILE SIZE.
 Result<void> define_surface(ViewReader& reader, std::string_view value, ParseSurface parse)
 {
     auto const parts = words(value);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint8_t kHalfThere = 128;
 
-// IEC 61966-2-1.
+// Converts an sRGB value to linear light (IEC 61966-2-1).
 double light_of(double srgb)
 {
     return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);

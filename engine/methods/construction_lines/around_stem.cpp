@@ -102,7 +102,7 @@ std::optional<double> azimuth_of(std::span<Vec3 const> line, DrawnStem const& st
     constexpr double kBeyond = 1e-6; // Weight of points beyond the stem's ends.
     Vec2 sum = Vec2::Zero();
     double away = 0;
-    double away_mm = 0; // Sum of the distances.
+    double away_mm = 0; // Sum of the points' distances from the stem.
     for (auto const& point : resample(line, kSamples)) {
         double const x = stem.nearest_place(point);
         auto const frame = stem.frame(x);

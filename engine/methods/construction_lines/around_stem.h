@@ -32,7 +32,7 @@ double distance_in_space_mm(std::span<Vec3 const> line, DrawnStem const& stem);
 struct OrganRay {
     double x = 0;
     double azimuth_deg = 0;
-    double angle_deg = 0; // 0 to 180.
+    double angle_deg = 0; // Angle between organ and stem, 0 to 180.
 };
 
 // Returns the distance from the stem, in mm, at which the organ's direction meets a boundary. Both
@@ -42,7 +42,7 @@ std::optional<double> reach_mm(OrganRay const& organ, DrawnStem const& stem,
 
 // The gap around a stem's cross-section between two neighbouring boundaries.
 struct SizesAside {
-    double low = 0; // Sizes at both boundaries.
+    double low = 0; // Sizes at the two boundaries, `low` and `high`.
     double high = 0;
     double gap_deg = 360; // Azimuth difference between the two; above 0, as the other gaps.
     // Sizes of the boundary before the first one and of the one after the second, and the gaps to

@@ -17,7 +17,7 @@ struct BringOrgan {
 
     scene::ItemId plant = 0;
     Vec3 at_mm = Vec3::Zero(); // Position of the leaf's base on the tablet; z is 0.
-    std::string text {};       // Text as written by print_organ().
+    std::string text {};       // Text of the leaf, as written by print_organ().
     scene::ItemId id = 0;      // Id of the leaf; its lines have the following ids.
 };
 

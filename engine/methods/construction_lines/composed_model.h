@@ -17,7 +17,7 @@ struct ComposedSketch;
 
 // A replacement for plain leaves: a surface, or the plant of another sketch.
 struct LineOrgan {
-    OrganSurface surface {}; // Used if there is no sketch.
+    OrganSurface surface {}; // Surface of the organ; used if there is no sketch.
     std::shared_ptr<ComposedSketch const> sketch {};
 };
 

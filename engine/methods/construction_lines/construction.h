@@ -16,7 +16,7 @@ namespace tractus::lines {
 // are directed (Anastacio, Prusinkiewicz, Sousa, "Sketch-based parameterization of L-systems using
 // illustration-inspired construction lines", 2008). Millimetres on the sheet (drawn_line.h).
 struct LineSketch {
-    std::vector<Vec3> stem; // (u, v, depth), base first.
+    std::vector<Vec3> stem; // Points of the stem, (u, v, depth), base first.
     // Boundaries; empty if not drawn. A missing one is the mirror image of the other.
     std::vector<Vec2> left;
     std::vector<Vec2> right;

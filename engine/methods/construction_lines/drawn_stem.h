@@ -17,7 +17,7 @@ public:
     explicit DrawnStem(std::span<Vec3 const> points);
 
     DrawnLine const& seen() const { return seen_; }
-    double length_mm() const { return at_mm_.back(); } // Length in space.
+    double length_mm() const { return at_mm_.back(); } // Length of the stem in space.
 
     // Converts a position to the arc length of the projected line, and back.
     double seen_mm(double x) const;

@@ -37,7 +37,7 @@ struct ExplainedStroke {
 
 // An interpretation of all strokes of a sketch with one stem.
 struct Explanation {
-    std::vector<ExplainedStroke> strokes; // One for each stroke.
+    std::vector<ExplainedStroke> strokes; // Interpretation of each stroke.
     LineSketch sketch {}; // Consists of the strokes that have an effect; without numbers of nodes.
     // Index of the stroke of each inclination line of the sketch, or of the first of its halves or
     // pieces.

@@ -8,7 +8,7 @@
 
 namespace tractus::lines {
 
-using Polyline = std::vector<Vec3>; // (u, v, depth) in millimetres.
+using Polyline = std::vector<Vec3>; // Points of a line, (u, v, depth) in millimetres.
 
 // Quality of the continuation of one line by another.
 struct Junction {

@@ -13,7 +13,7 @@
 
 namespace tractus::lines {
 
-using scene::name_of; // Formats the number of an item.
+using scene::name_of; // Gives the name of an item, for messages.
 
 namespace {
 

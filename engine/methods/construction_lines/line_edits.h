@@ -15,7 +15,7 @@ struct AddLine {
 
     // Id of the plant; 0: the line is the stem of a new plant, which becomes the active one.
     scene::ItemId plant = 0;
-    Stroke stroke {}; // World frame.
+    Stroke stroke {}; // Stroke of the line, world frame.
     // The line is an additional stem of the plant: attached to another stem if it begins on one,
     // and separate otherwise.
     bool another_stem = false;
@@ -28,7 +28,7 @@ struct AddLine {
     // adopted by a document whose scale has not been set.
     Pattern pattern {};
     double scale = 0.1;
-    Vec3 stands_at_mm = Vec3::Zero(); // World frame.
+    Vec3 stands_at_mm = Vec3::Zero(); // Position of a new plant, world frame.
     scene::ItemId id = 0; // Id of the line, and of the plant that it begins; 0 if not assigned yet.
 };
 
@@ -67,7 +67,7 @@ struct RedrawLine {
 
     scene::ItemId plant = 0;
     scene::ItemId line = 0;
-    Stroke stroke {}; // World frame.
+    Stroke stroke {}; // New stroke of the line, world frame.
 };
 
 // Reverses a line: see with_line_turned().
@@ -83,8 +83,8 @@ struct BendStem {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
-    scene::ItemId line = 0; // The stem.
-    int place = 0;          // Index in kHeadingPlaces.
+    scene::ItemId line = 0; // Id of the stem.
+    int place = 0;          // Index of the place in kHeadingPlaces.
     double heading_deg = 0;
 };
 

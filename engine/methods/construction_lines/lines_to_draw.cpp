@@ -12,7 +12,7 @@ namespace {
 
 using Line = std::vector<Vec2>;
 
-constexpr std::array kSides { 1.0, -1.0 }; // Left and right of the stem.
+constexpr std::array kSides { 1.0, -1.0 }; // Signs of the left and the right side of the stem.
 
 // A curve from the stem's foot to its top, farthest from the stem in the middle.
 Line bow_beside(DrawnLine const& stem, double side)

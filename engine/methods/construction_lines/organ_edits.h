@@ -22,7 +22,7 @@ struct DrawOrgan {
     scene::ItemId organ = 0;
     OrganView view = OrganView::Side;
     OrganColor color = OrganColor::Leaf; // New colour of the leaf.
-    Stroke stroke {};                    // World frame.
+    Stroke stroke {};                    // Stroke of the line, world frame.
     scene::ItemId id = 0;                // Id of the line, and of the leaf that it begins.
 };
 
@@ -32,7 +32,7 @@ struct PaintOrgan {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
-    scene::ItemId organ = 0; // 0: the leaf drawn last.
+    scene::ItemId organ = 0; // Id of the leaf; 0: the leaf drawn last.
     std::string picture {};
 };
 
@@ -42,7 +42,7 @@ struct SetLayerOrgan {
 
     scene::ItemId plant = 0;
     scene::ItemId line = 0;  // Line that owns the layer (see Layer); 0: all layers.
-    scene::ItemId organ = 0; // 0: plain leaves.
+    scene::ItemId organ = 0; // Id of the organ; 0: plain leaves.
     // Id of a plant, 0 for none, from which the organ is taken: one of its organs or, if `organ` is
     // 0, the plant itself, in its present form. A copy is added to the organs of the sketch.
     scene::ItemId of_plant = 0;

@@ -36,7 +36,7 @@ Result<Vec3> parse_color(std::string_view text);
 // number of the line and what to write, or if the views give no surface, or one without breadth.
 Result<OrganFile> parse_organ(std::string_view text, std::string const& name);
 
-// Fails like organ_surface().
+// Computes the surface of a leaf. Fails like organ_surface().
 Result<OrganSurface> surface_of(OrganFile const& organ);
 
 // Returns text that parse_organ() reads back as the same leaf.

@@ -14,7 +14,7 @@ namespace tractus::lines {
 namespace {
 
 using Points = std::vector<Vec2>;
-using Cubic = std::array<Vec2, 4>; // Bézier control points.
+using Cubic = std::array<Vec2, 4>; // The four control points of a Bézier curve.
 
 constexpr double kShortestOrgan_mm = 1e-3;
 

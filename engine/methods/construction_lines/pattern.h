@@ -26,10 +26,10 @@ struct Pattern {
 
     // Rotation of an organ about its own length.
     enum class Face {
-        Pattern, // Flat for Distichous, otherwise with the upper side up.
-        Flat,    // Edges towards the stem's foot and top, as in a frond.
-        Up,      // Upper side towards the stem's top.
-        Down,    // Upper side towards the stem's foot.
+        Pattern, // Orientation by pattern: flat for Distichous, otherwise with the upper side up.
+        Flat,    // Flat: edges towards the stem's foot and top, as in a frond.
+        Up,      // Organs with their upper side towards the stem's top.
+        Down,    // Organs with their upper side towards the stem's foot.
     };
 
     Kind kind = Kind::Distichous;

@@ -117,7 +117,7 @@ Result<Layer> layer_at(PenSketch const& sketch, Vec2 const& place_mm);
 // Returns the line nearest to a point on the sheet, if one is within 15 mm.
 std::optional<scene::ItemId> line_at(PenSketch const& sketch, Vec2 const& place_mm);
 
-// Returns null if there is none.
+// Finds a line by id; null if there is none.
 SketchLine const* find_line(PenSketch const& sketch, scene::ItemId line);
 
 } // namespace tractus::lines

@@ -14,7 +14,7 @@ bool is_read_together(PenSketch const& sketch);
 
 // Interpretation of the lines of a sketch, by stem.
 struct PenReading {
-    std::vector<StemLines> stems; // Includes numbers of nodes and organs.
+    std::vector<StemLines> stems; // Stems of the sketch, with numbers of nodes and organs.
     // Indices, among the sketch's lines, of the strokes of each stem's inclination lines.
     std::vector<std::vector<std::size_t>> inclination_strokes;
     // One for each line of the sketch, if interpreted together; `of` is an index of the sketch's

@@ -58,8 +58,8 @@ bool lies_on(DrawnLine const& stroke, DrawnLine const& line)
 // Half an inclination line, from the stem outwards.
 struct Half {
     std::vector<Vec2> points;
-    double at_mm = 0; // Distance along the stem.
-    double side = 1;  // 1: left; -1: right.
+    double at_mm = 0; // Distance along the stem at which the half begins.
+    double side = 1;  // Side of the stem, 1: left; -1: right.
     std::size_t stroke = 0;
 };
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kLengthByWidth = 60; // Ratio of a stem's length to its diameter at the foot.
 constexpr double kTaper = 0.7;        // Share of its diameter that a stem loses towards its top.
-// Share of its diameter lost by a stem that bears other stems on its top.
+// Share of the diameter lost by a stem that bears other stems on its top.
 constexpr double kForked = 0.4;
 
 // A stem as numbered in the model: the stems attached to the same parent are consecutive, from
@@ -139,7 +139,7 @@ std::size_t count_steps(std::vector<ModelStem> const& stems)
             steps += nodes == 0 ? 1 : 0;
         }
         bear_below(rounded(of.inclinations.back().x));
-        ++steps; // The step of the topmost node.
+        ++steps; // One step makes the topmost node.
         bear_below(1);
         last = std::max(last, ++steps);
     }

@@ -41,7 +41,7 @@ enum class Reading {
 // A line of a sketch as drawn with the pen.
 struct SketchLine {
     scene::ItemId id = 0;
-    Stroke stroke {};        // World frame.
+    Stroke stroke {};        // Stroke of the line, world frame.
     SheetPlacement sheet {}; // Placement of the sheet when the line was drawn.
     Role role = Role::Unsure;
     // Number of nodes in the layer above an inclination line, 0 to kMostNodesInLayer; for a stem,

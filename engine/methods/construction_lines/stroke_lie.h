@@ -28,7 +28,7 @@ public:
     };
     Place place(Vec2 const& point) const;
 
-    Vec2 tangent(double along) const; // Unit vector.
+    Vec2 tangent(double along) const; // Unit tangent of the axis.
     Vec2 point(double along) const;
 
 private:
@@ -38,9 +38,10 @@ private:
 
 // Position of a stroke relative to the axis; lengths in stem lengths.
 struct StrokeLie {
-    std::vector<StemAxis::Place> places; // Evenly spaced along the stroke.
+    // Positions of points that are evenly spaced along the stroke.
+    std::vector<StemAxis::Place> places;
     double length = 0;
-    double lowest = 0; // Range along the axis.
+    double lowest = 0; // Lowest and highest position along the axis.
     double highest = 0;
     double mean_beside = 0; // Mean distance from the axis, unsigned.
     double reach_left = 0;

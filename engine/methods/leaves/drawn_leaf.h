@@ -18,7 +18,7 @@ struct DrawnLeaf {
     // A position on a main vein where side veins begin, on one side or both.
     struct Knot {
         double at = 0;                      // Position as a share of the main vein's length.
-        std::optional<double> right_deg {}; // Angle to the main vein's direction.
+        std::optional<double> right_deg {}; // Angle of the vein to the main vein's direction.
         std::optional<double> left_deg {};
 
         bool operator==(Knot const&) const = default;
@@ -26,7 +26,7 @@ struct DrawnLeaf {
     struct Main {
         double angle_deg = 0; // Angle to the leaf's axis, positive to the right; 0 for the midrib.
         double curve_deg = 0; // Total turn from beginning to end, positive to the right.
-        std::vector<Knot> knots {}; // Sorted from the vein's beginning.
+        std::vector<Knot> knots {}; // Knots, sorted from the vein's beginning.
 
         bool operator==(Main const&) const = default;
     };
@@ -71,7 +71,7 @@ struct LeafFit {
         double drawn_angle_deg = 0;
         double fitted_angle_deg = 0;
         double drawn_length_mm = 0;
-        double fitted_length_mm = 0; // Length to the margin.
+        double fitted_length_mm = 0; // Length from the vein's beginning to the margin.
     };
     DrawnLeaf leaf;
     std::vector<Vein> veins {}; // Veins in the drawing's order.

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kMostEdges = 9'999; // Largest number of edges of a face.
 constexpr std::size_t kMostDarts = 2'000'000;
-constexpr std::size_t kMostWork = 500'000'000; // A few seconds of work.
+// Limit on the work for one leaf, which takes a few seconds.
+constexpr std::size_t kMostWork = 500'000'000;
 
 Vec3 unit_or_x(Vec3 const& v)
 {

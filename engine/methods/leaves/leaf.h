@@ -98,7 +98,7 @@ private:
         Dart first = 0; // Start of one of the face's edges; of edge O, unless the face was split.
         int edge_count = 0;   // Number of edges when made; splitting neighbours can add more.
         bool is_part = false; // Part of a split face, which may lack some edges.
-        int order = 1;        // Branching order as a vein.
+        int order = 1;        // Branching order of the vein to which the face belongs.
         std::size_t blade = 0;
     };
     // Position of an outline in the flat leaf; it begins at the end of a petiole.

@@ -213,7 +213,7 @@ private:
 
     std::vector<Vec2> points_;
     double side_;
-    std::vector<Vec2> corners_; // Counter-clockwise, y upwards.
+    std::vector<Vec2> corners_; // Corners of the polygon, counter-clockwise, y upwards.
 };
 
 } // namespace

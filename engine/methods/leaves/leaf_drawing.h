@@ -18,10 +18,10 @@ struct LeafDrawing {
 enum class StrokeRole {
     Outline,   // Outline of the leaf, or one of its halves.
     Midrib,    // Midrib; includes the petiole if it begins outside the outline.
-    MainVein,  // Begins at the beginning of the midrib.
-    SideVein,  // Begins on the midrib or another main vein.
+    MainVein,  // A main vein, which begins at the beginning of the midrib.
+    SideVein,  // A side vein, which begins on the midrib or another main vein.
     Stalk,     // A petiole drawn as a separate stroke.
-    FinerVein, // Begins on a side vein; ignored.
+    FinerVein, // A vein that begins on a side vein; ignored.
 };
 std::string_view name_of(StrokeRole role);
 
@@ -29,9 +29,10 @@ std::string_view name_of(StrokeRole role);
 struct RecognisedLeaf {
     enum class Edge { Whole, Halves, OneHalf };
 
-    std::vector<StrokeRole> roles {}; // Indexed by stroke.
+    std::vector<StrokeRole> roles {}; // Role of each stroke.
     Edge edge = Edge::Whole;
-    // Closed, with an arbitrary first point; for a single half an open line from base to tip.
+    // Outline of the leaf, closed, with an arbitrary first point; for a single half an open line
+    // from base to tip.
     std::vector<Vec3> outline {};
     Vec3 normal = Vec3::UnitZ(); // Normal of the leaf's upper side.
 

@@ -46,8 +46,8 @@ enum class Function : std::uint8_t {
     Fabs,
     Exp,
     Log,
-    Ran,  // ran(x): uniform, 0 to x.
-    Nran, // nran(mean, deviation): normally distributed.
+    Ran,  // The function ran(x): uniform, 0 to x.
+    Nran, // The function nran(mean, deviation): normally distributed.
 };
 
 struct FunctionName {

@@ -86,7 +86,7 @@ struct Rule {
     // attribute.
     std::vector<std::optional<std::size_t>> formal;
     std::vector<Statement> always;
-    Expression condition; // Empty: always true.
+    Expression condition; // Condition of the rule; empty: always true.
     std::vector<Statement> if_met;
     std::variant<Growing, Splitting, Gluing> kind;
 };
@@ -94,10 +94,10 @@ struct Rule {
 // A leaf grammar (Peyrat, Terraz, Mérillou, Galin, "Generating vast varieties of realistic leaves
 // with parametric 2Gmap L-systems", The Visual Computer 24, 2008).
 struct Grammar {
-    std::string name; // File name, for messages.
+    std::string name; // Name of the grammar's file, for messages.
     std::map<char, Attributes> faces;
     NameTable names;
-    std::map<std::size_t, double> variables; // Initial values.
+    std::map<std::size_t, double> variables; // Initial values of variables, by name index.
     char axiom = 'A';
     Fields axiom_fields;
     std::vector<Rule> rules;
@@ -114,7 +114,7 @@ struct Grammar {
     std::vector<HalfOutline::Point> left;
     // #steps and #size: properties of the adult leaf; 0: not given.
     int steps = 0;
-    double size_mm = 0; // Length of the blade.
+    double size_mm = 0; // Length of the adult leaf's blade.
     // #young and #old: colours, sRGB from 0 to 1.
     Vec3 young { 0.36, 0.54, 0.22 };
     Vec3 old { 0.72, 0.50, 0.16 };

@@ -73,7 +73,7 @@ public:
     // Includes vertices that were merged into others.
     std::size_t vertex_count() const { return positions_.size(); }
 
-    // `flat`: position in the flat leaf.
+    // Adds a vertex; `flat` is its position in the flat leaf.
     Vertex add_vertex(Vec3 const& position, Vec2 const& flat);
     Vertex add_vertex(Vec3 const& position) { return add_vertex(position, position.head<2>()); }
 

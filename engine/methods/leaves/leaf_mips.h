@@ -17,7 +17,7 @@ struct CellPage {
 // Type of content, which determines how four pixels are averaged.
 enum class PageKind {
     Color,  // Colours in sRGB, averaged in linear light; an optional fourth channel is alpha.
-    Normal, // Unit vectors, renormalised.
+    Normal, // Normals as unit vectors, which are renormalised.
     Plain,
 };
 

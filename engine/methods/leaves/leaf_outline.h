@@ -18,7 +18,7 @@ struct HalfOutline {
 
         bool operator==(Point const&) const = default;
     };
-    std::vector<Point> points {}; // Empty: the grammar has no outline.
+    std::vector<Point> points {}; // Points of the outline; empty: the grammar has no outline.
 
     enum class Margin { Entire, Teeth, Scallops };
     Margin margin = Margin::Entire;

@@ -27,7 +27,7 @@ struct LeafPainter::Canvas {
     std::vector<float> spots;
     std::vector<float> rings;
     std::vector<float> mines;
-    std::vector<double> sums; // Sums over rows of tiles.
+    std::vector<double> sums; // Sums of distance and coverage over each row of tiles.
 };
 
 namespace {
@@ -500,7 +500,7 @@ private:
     PictureFrame const& frame_;
     int side_;
     VeinMaps veins_;
-    std::size_t count_;           // Number of pixels.
+    std::size_t count_;           // Number of pixels of the picture.
     std::array<Vec3f, 3> colors_; // Young, old and dead colour, linear.
     Noise patches_;
     Noise mottle_;

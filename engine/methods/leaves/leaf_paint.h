@@ -32,7 +32,7 @@ struct PaintOptions {
     double dead_age = 0; // Progress from the old to the dead colour, 0 to 1, by the same law.
     enum class First { NearVeins, BetweenVeins }; // The places that age first.
     First first = First::NearVeins;
-    double near_veins = 0.8; // Strength of that effect.
+    double near_veins = 0.8; // Strength with which ageing depends on the distance from veins.
     double noise = 0.5;      // Strength with which the noise masks delay ageing.
     double tip = 0;    // Share of the masks, 0 to 1, that is the distance from the tip instead of
                        // noise; at 1 the tip ages first.
@@ -81,7 +81,7 @@ struct PictureFrame {
     }
     // The point of the flat leaf at the horizontal middle of the picture.
     Vec2 origin = Vec2::Zero();
-    double x0 = 0; // Pixel column of that point.
+    double x0 = 0; // Pixel column of the point `origin`.
     double y0 = 0;
     double scale = 1; // Pixels per unit of length.
 };

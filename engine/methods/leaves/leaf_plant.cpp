@@ -186,7 +186,7 @@ Result<scene::BuiltSource> leaf_plant(LeafSketch const& sketch, DrawnLeaf const&
 
 Result<scene::BuiltSource> stems_along(LeafSketch const& sketch)
 {
-    constexpr double kRadius_mm = 0.4; // Radius on the paper.
+    constexpr double kRadius_mm = 0.4; // Radius of stems on the paper.
     constexpr std::size_t kMostNodes = 65;
     auto const drawing = TRY(drawing_of(sketch));
     PaperToPlant const to_plant(TRY(foot_of(sketch)), sketch.scale);

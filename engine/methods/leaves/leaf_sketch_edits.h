@@ -13,7 +13,7 @@ struct AddLeafLine {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0; // 0: begins a new leaf, which becomes the active plant.
-    Stroke stroke {};        // World frame.
+    Stroke stroke {};        // Stroke of the line, world frame.
     // The following fields are for a new leaf only.
     LeafForm form {};
     double scale = 0.1;               // Becomes the document's scale if none was set.

@@ -21,7 +21,7 @@ struct LeafTriangles {
     std::size_t overlapping_faces = 0;
 };
 
-// Includes the limb after Leaf::fill().
+// Triangulates a leaf; includes the limb after Leaf::fill().
 LeafTriangles triangles_of(Leaf const& leaf);
 
 // Triangulates a flat counter-clockwise polygon into n - 2 triangles of its corners.

@@ -40,7 +40,8 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kSide = 256; // A power of two.
+    // Number of entries in a row of the table, a power of two.
+    static constexpr std::uint32_t kSide = 256;
     static constexpr std::uint32_t kMask = kSide - 1;
 
     template<typename At> NoiseTable(int cells, At const& at);

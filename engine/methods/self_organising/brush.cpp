@@ -124,7 +124,7 @@ std::size_t balls_until(BrushSweep const& sweep, int year)
         : balls.back().seconds - balls.front().seconds;
     if (year == sweep.years && sweep.seconds_per_year <= 0)
         return balls.size();
-    if (!(seconds > 0)) // The stroke has no times.
+    if (!(seconds > 0)) // The stroke has no usable times.
         return static_cast<std::size_t>(std::ceil(share * static_cast<double>(balls.size())));
     double const until = balls.front().seconds + share * seconds;
     auto const end = std::partition_point(

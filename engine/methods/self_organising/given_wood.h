@@ -10,7 +10,7 @@
 
 namespace tractus::self_organising {
 
-// Drawn or measured wood from which a tree grows on.
+// Existing wood, drawn or measured, from which a tree continues to grow.
 struct GivenWood {
     // Only the plant's axes are used. The plant and the keys must outlive this struct.
     Plant const& plant;

@@ -14,11 +14,11 @@ namespace tractus::self_organising {
 
 // Counts of one growth step.
 struct StepCount {
-    std::size_t buds = 0;    // Living buds before the step.
-    std::size_t lit = 0;     // Buds that received light or space in this step.
-    std::size_t grown = 0;   // Internodes that grew in this step.
-    std::size_t nodes = 0;   // Nodes after the step.
-    std::size_t markers = 0; // Markers left after the step.
+    std::size_t buds = 0;    // Number of living buds before the step.
+    std::size_t lit = 0;     // Number of buds that received light or space in this step.
+    std::size_t grown = 0;   // Number of internodes that grew in this step.
+    std::size_t nodes = 0;   // Number of nodes after the step.
+    std::size_t markers = 0; // Number of markers left after the step.
 
     bool operator==(StepCount const&) const = default;
 };

@@ -50,7 +50,7 @@ struct GrowingTree {
     std::vector<double> dead_wood; // Pipe-model sum d^e of the branches shed at each node.
     // Moment in kg mm that bent each node's internode to its present shape (sag.h).
     std::vector<Vec3> bent_by;
-    std::uint16_t step = 0; // Growth steps so far.
+    std::uint16_t step = 0; // Number of growth steps so far.
     // True if a brush led the last steps: twigs that found no more space then stay alive.
     bool is_brushed = false;
 

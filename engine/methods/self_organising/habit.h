@@ -17,7 +17,7 @@ struct Habit {
     // Name of a shipped grown leaf (app/leaves); empty: the plain leaf described below.
     std::string leaves {};
 
-    // Annual shoots.
+    // The fields from here on describe annual shoots.
     double internode_mm = 100;
     // Maximum number of internodes of an annual shoot of the trunk.
     double most_internodes = 4, most_internodes_old = 4;
@@ -31,7 +31,8 @@ struct Habit {
     double terminal_loss = 0; // Share of lateral shoots whose terminal bud dies.
     double bud_life = 4;      // Years for which a lateral bud stays alive without growing.
 
-    // Branching; values named "lateral" hold for all axes but the trunk.
+    // The fields from here on describe branching. Values named "lateral" hold for all axes but the
+    // trunk.
     double angle_deg = 50, lateral_angle_deg = 45;
     double divergence_deg = 137.5, lateral_divergence_deg = 137.5;
     double lateral_start_deg = 0; // 90 together with a divergence of 180 makes flat sprays.
@@ -46,7 +47,7 @@ struct Habit {
     // Strength of the pull towards light, or towards a brush's free space.
     double space_weight = 0.35;
 
-    // Light.
+    // The fields from here on describe light and shade.
     double cell_mm = 200; // Side of the cubic cells in which shade is recorded.
     // See the fields of the same names in Laws.
     double shade = 0.08, shade_fall = 2, shade_depth = 4;
@@ -55,14 +56,15 @@ struct Habit {
     // Share of the tree's height, from the ground, in which buds receive no light.
     double clear_share = 0;
 
-    // Wood.
+    // The fields from here on describe wood.
     double pipe_exponent = 2.3;
     double twig_mm = 3; // Diameter of the outermost twigs.
     // Multiplies gravity in the computation of sagging branches; 1: real weight of green wood.
     double weight = 1;
     double flare = 0.5; // Extra width of the trunk at the ground, as a share of its width.
 
-    // Leaves, which the shoots of the last `leaf_years` years bear.
+    // The fields from here on describe leaves, which the shoots of the last `leaf_years` years
+    // bear.
     double leaf_years = 1;
     double leaves_at_node = 1;
     double leaf_mm = 80, leaf_width_mm = 45, petiole_mm = 10;

@@ -15,13 +15,13 @@ namespace {
 struct Law {
     Pattern::Kind kind;
     char const* name;
-    int whorl;       // Branches per node; 0: no pattern.
+    int whorl;       // Number of branches per node; 0: no pattern.
     double turn_deg; // Rotation from one node to the next.
 
     double period_deg() const { return 360.0 / whorl; }
 };
 
-// Indexed by Pattern::Kind.
+// Laws of the patterns, indexed by Pattern::Kind.
 constexpr std::array<Law, 6> kLaws { { { Pattern::Even, "even", 0, 0 },
                                        { Pattern::Spiral, "spiral", 1, 144 },
                                        { Pattern::Decussate, "decussate", 2, 90 },

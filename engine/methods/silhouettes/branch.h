@@ -59,7 +59,7 @@ struct BranchCurve {
 // The end of a branch: its position and the branch's direction there.
 struct BranchEnd {
     Vec2 end = Vec2::Zero();
-    Vec2 tangent = Vec2::UnitY(); // Unit vector.
+    Vec2 tangent = Vec2::UnitY(); // Unit tangent in the branch's direction.
 };
 
 // Input of the search for a branch: the trunk's samples, those where a branch may start, and the

@@ -14,7 +14,8 @@ namespace tractus::silhouette {
 // affects speed only, never results. Thread-safe.
 class InferredTrees {
 public:
-    using Inferred = std::shared_ptr<InferredDrawing const>; // Shared with readers.
+    // A cached inference, shared with readers.
+    using Inferred = std::shared_ptr<InferredDrawing const>;
 
     // The entry of exactly this version; null if it is not cached.
     Inferred find(OutlinedTree const& tree);

@@ -38,8 +38,8 @@ struct OwnBranch {
 // A touch at the bumps of a drawn outline (bump_touch.h).
 struct BumpTouch {
     enum class Kind {
-        Split, // Makes two branches of one.
-        Join,  // Makes one branch of two.
+        Split, // Splits a bump, which makes two branches of one.
+        Join,  // Joins two bumps, which makes one branch of two.
     } kind
         = Kind::Split;
     Vec2 place = Vec2::Zero();

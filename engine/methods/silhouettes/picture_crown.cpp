@@ -51,7 +51,7 @@ Vec3f lab_of(Vec3f const& srgb)
             = srgb[i] <= 0.04045f ? srgb[i] / 12.92f : std::pow((srgb[i] + 0.055f) / 1.055f, 2.4f);
     Eigen::Matrix3f to_xyz;
     to_xyz << 0.4339f, 0.3762f, 0.1899f, 0.2126f, 0.7152f, 0.0722f, 0.0177f, 0.1095f, 0.8728f;
-    Vec3f const xyz = to_xyz * linear; // Relative to the white point.
+    Vec3f const xyz = to_xyz * linear; // The colour in XYZ, relative to the white point.
     auto const f = [](float t) { return t > 0.008856f ? std::cbrt(t) : 7.787f * t + 0.13793f; };
     float const y = f(xyz.y());
     return { 116 * y - 16, 500 * (f(xyz.x()) - y), 200 * (y - f(xyz.z())) };
@@ -92,7 +92,7 @@ std::vector<float> distances_from(std::vector<Vec3f> const& colors, Mask const& 
     };
     each([&](Vec3f const& color) { mean += color, count += 1; });
     mean /= count;
-    // Lower bound of the covariance.
+    // Minimum covariance, added to the measured one.
     Eigen::Matrix3f spread = Eigen::Vector3f(250, 12, 12).asDiagonal();
     each(
         [&](Vec3f const& color) { spread += (color - mean) * (color - mean).transpose() / count; });

@@ -25,7 +25,7 @@ struct ParentStyle {
     std::vector<Child> children {}; // Children from the parent's base to its tip, at least one.
     double spacing = 0;   // Mean distance between children, in the unit of `length`; 0 if there is
                           // only one child.
-    double deviation = 0; // Standard deviation of these distances.
+    double deviation = 0; // Standard deviation of the distances between children.
     bool is_of_own_outline = false;
     bool goes_deeper = false; // True if the style also applies to deeper levels (StyleTo::Deeper).
 

@@ -83,7 +83,7 @@ public:
     // names in SkeletonOptions are already named.
     struct NewSystem {
         BranchingSystem& system;
-        std::size_t index;         // Index in the skeleton.
+        std::size_t index;         // Index of the system in the skeleton.
         std::string const& parent; // Path of the system's parent; "": the trunk.
         // Index of the parent's system, kNoSystem for the trunk's; and the indices there of the
         // parent and its copies.

@@ -107,7 +107,7 @@ private:
     // A range of systems whose branches are inferred together.
     struct Level {
         std::size_t first;
-        std::size_t last; // One past the end.
+        std::size_t last; // Index one past the last system.
     };
 
     // A branch that takes another branch's style.

@@ -48,14 +48,14 @@ private:
     struct SprayWay {
         double lean;
         double around;
-        double length; // Length in the plane's unit.
+        double length; // Length of the twig in the plane's unit.
     };
 
     void add(SprayPlace const& place, SprayWay const& way, Random& random);
 
     Tree& tree_;
     TreeOptions const& options_;
-    SurfaceFit const* surface_ = nullptr; // Null: no surface was drawn.
+    SurfaceFit const* surface_ = nullptr; // The drawn surface; null if none was drawn.
 };
 
 } // namespace tractus::silhouette

@@ -59,12 +59,12 @@ private:
     double extent_phase_ = 0;
     std::size_t counted_ = 0;
     std::size_t angled_ = 0;
-    double bearing_ = 0; // Remainders carried over from earlier parents.
+    double bearing_ = 0; // Remainders of rounding, carried over from earlier parents.
     double count_left_ = 0;
     double first_left_ = 0;
     double angle_left_deg_ = 0;
     double extent_left_ = 0;
-    double squares_left_ = 0; // Remaining sum of squared distances.
+    double squares_left_ = 0; // Sum of squared distances still to be distributed.
 };
 
 // Assigns to each of `places` (ascending) a different one of `others` (ascending, at least as

@@ -282,7 +282,7 @@ private:
     std::optional<SurfaceFit> fit_; // The drawn surface; no value if none was drawn.
     SprayMaker sprays_ { tree_, options_ };
     CrowdMaker maker_;
-    std::vector<StyledCrowdMaker> styled_; // One entry for each level.
+    std::vector<StyledCrowdMaker> styled_; // Makers of styled branches, one for each level.
 };
 
 } // namespace

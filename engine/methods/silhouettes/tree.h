@@ -28,7 +28,7 @@ struct TreeOptions {
                                        // The last entry applies to all deeper levels.
                                        { .added = 0.5, .proposals = 600 } };
     BranchingAngles angles {}; // Branching angles of added branches.
-    double height_mm = 8000;   // Height of the drawing.
+    double height_mm = 8000;   // Height of the drawing in plant millimetres.
     std::uint64_t seed = 1;
     // Number of twigs on a branch of the last level whose length is 7 % of the height.
     std::size_t sprays = 12;

@@ -6,7 +6,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Indexed by Pattern::Kind.
+// Names of patterns, indexed by Pattern::Kind.
 constexpr std::array kPatterns {
     "even", "spiral", "decussate", "whorls", "two-rows", "horizontal"
 };

@@ -181,10 +181,10 @@ private:
     }
 
     struct Pair {
-        std::uint32_t k = 0; // Triangle (a, b, c).
-        std::uint32_t l = 0; // Triangle (b, a, d).
-        std::size_t e = 0;   // Edge from a in k.
-        std::size_t f = 0;   // Edge from b in l.
+        std::uint32_t k = 0; // Index of the triangle (a, b, c).
+        std::uint32_t l = 0; // Index of the triangle (b, a, d).
+        std::size_t e = 0;   // Edge of triangle k that starts at a.
+        std::size_t f = 0;   // Edge of triangle l that starts at b.
     };
 
     // Replaces the edge from a to b by the edge from d to c.

@@ -347,7 +347,7 @@ private:
     Random random_;
     std::size_t count_;
     std::size_t whorl_;
-    double gamma_deg_; // Angle between adjacent slots.
+    double gamma_deg_; // Angle between adjacent slots of a node.
     double alpha_;
     double first_u_;
     double node_;

@@ -44,7 +44,7 @@ struct AxisContract {
 // Result of checking a text against the contract. `lacks` has one sentence for each violation found
 // in the text, with file and line; empty: the contract is kept.
 struct ContractReading {
-    AxisContract contract {}; // Complete only if `lacks` is empty.
+    AxisContract contract {}; // Places in the text; complete only if `lacks` is empty.
     std::vector<std::string> lacks {};
 };
 ContractReading read_contract(std::string const& name, std::string_view text);
@@ -55,7 +55,7 @@ Result<AxisContract> contract_of(std::string const& name, std::string_view text)
 // Values to be written to the places of a contract, as text.
 struct ContractValues {
     std::size_t count = 0;
-    std::string length {}; // Value such as "{9, 8.8}".
+    std::string length {}; // Text of the length array, such as "{9, 8.8}".
     std::string plane {};
     std::string bend {};
 };

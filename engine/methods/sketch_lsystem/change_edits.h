@@ -22,7 +22,7 @@ struct ChangeSketch {
     scene::ItemId part = 0;
     Rule rule {};
     Leaves leaves = Leaves::Leafy;
-    ModelRule model {}; // See GrowAlongStroke::model.
+    ModelRule model {}; // Model that grows instead of the rule, see GrowAlongStroke::model.
 };
 
 // Edit: shortens the stroke at its end, together with what has grown along it.
@@ -41,8 +41,9 @@ struct RedrawSketch {
 
     scene::ItemId plant = 0;
     scene::ItemId part = 0;
-    StrokeSurface surface = StrokeSurface::Space; // Must not be Decided.
-    Stroke stroke {};                             // The new stroke, world frame.
+    // Surface on which the stroke was drawn; must not be Decided.
+    StrokeSurface surface = StrokeSurface::Space;
+    Stroke stroke {}; // The new stroke, world frame.
 };
 
 // A plant or grafted part that grew along a stroke.

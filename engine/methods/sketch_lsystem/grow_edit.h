@@ -20,8 +20,9 @@ struct GrowAlongStroke {
     static scene::EditKind const kKind;
 
     Rule rule {};
-    Stroke stroke {};                             // The drawn stroke, world frame.
-    StrokeSurface surface = StrokeSurface::Space; // Must not be Decided.
+    Stroke stroke {}; // The drawn stroke, world frame.
+    // Surface on which the stroke was drawn; must not be Decided.
+    StrokeSurface surface = StrokeSurface::Space;
     Leaves leaves = Leaves::Leafy;
     // World millimetres per plant millimetre. A document whose scale has not been set adopts this
     // value.

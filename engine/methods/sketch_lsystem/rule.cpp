@@ -12,7 +12,7 @@ namespace tractus::sketch {
 static Result<void> check_range(char const* letter, char const* meaning, double value, double least,
                                 double most)
 {
-    if (value >= least && value <= most) // False for NaN.
+    if (value >= least && value <= most) // The comparison is false for NaN.
         return {};
     return fail(
         Fault::User,

@@ -46,7 +46,7 @@ std::vector<Vec3> steady(std::vector<Vec3> const& points)
 
 struct Foot {
     double away_mm = std::numeric_limits<double>::infinity();
-    double at_mm = 0; // Arc length along the line.
+    double at_mm = 0; // Arc length along the line at the foot.
 };
 
 Foot foot_on(std::vector<Vec3> const& line, Vec3 const& point)
