@@ -47,11 +47,13 @@ CLI::App* find_command(CLI::App& parent, std::string const& name)
     return nullptr;
 }
 
-// State after the words before the line's last word.
+// Parser state after all words but the last.
 struct Place {
     CLI::App* command;
-    CLI::Option* option = nullptr; // Takes the next word, or may take it, if it is no option.
-    int values = 0;                // Number of values that it has taken already.
+    // Option that requires the next word as its value, or may take it if it is not an option
+    // itself.
+    CLI::Option* option = nullptr;
+    int values = 0; // Number of values that the option has taken already.
     std::size_t positionals = 0;
 
     bool needs_value() const { return option && values < option->get_items_expected_min(); }
@@ -73,7 +75,8 @@ struct Place {
     }
 };
 
-// Bash takes --option=value apart; a place where nothing stands behind the = yet is empty.
+// Rejoins the words of --option=value, which bash splits at "="; an "=" without a value yet becomes
+// an empty word.
 std::vector<std::string> without_equals_signs(std::vector<std::string> typed)
 {
     if (!typed.empty() && typed.back() == "=")
@@ -96,7 +99,7 @@ public:
             completion.words.push_back({ text, about });
     }
 
-    // Lists what an option or an argument may be; the words are put behind `prefix`.
+    // Lists the possible values of an option or argument, each with `prefix` in front.
     void values_of(CLI::Option& option, std::string const& prefix = {})
     {
         for (auto const& text : options::words_offered_by(option))

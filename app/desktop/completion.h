@@ -6,28 +6,26 @@
 
 namespace tractus::desktop {
 
-// Words that may stand next on a command line that is being typed: a shell offers them when Tab is
-// pressed.
+// Words that may come next on a command line; a shell offers them when Tab is pressed.
 struct Completion {
     struct Word {
-        std::string text;  // Text in place of what has been typed of the last word.
-        std::string about; // A sentence about it, or nothing.
+        std::string text;  // Replaces the last word that is being typed.
+        std::string about; // Explanatory sentence; may be empty.
     };
     std::vector<Word> words;
 
-    // Names of files or folders that may stand there as well; the shell knows which there are.
+    // Whether names of files or folders may stand there as well; the shell lists these itself.
     enum class Names { None, Folders, Files } names = Names::None;
 };
 
-// `typed` holds the words after the program's name, the last of which is being typed and may be
-// empty. "--option=value" may be one word, or three, as bash takes it apart. Only what begins as
-// the last word does is offered, hidden commands are not. `models` are the plants to offer for a
-// model.
+// `typed` contains the words after the program's name; the last one is being typed and may be
+// empty. "--option=value" may be one word, or three as split by bash. Only words that begin with
+// the last one are offered; hidden commands are not. `models` are the plants offered for a model.
 Completion complete(CLI::App& root, std::vector<std::string> typed,
                     std::vector<std::string> const& models);
 
-// Prints a completion for the shells' scripts: a line for each word, with a tab before what it is
-// about, and at last ":files" or ":folders" if names of such may follow.
+// Formats a completion for the shell scripts: a line for each word, with a tab before its
+// explanation, and finally ":files" or ":folders" if such names may follow.
 std::string print_completion(Completion const& completion);
 
 } // namespace tractus::desktop

@@ -14,7 +14,7 @@ namespace tractus::desktop {
 
 namespace {
 
-// Text as troff prints it: its escape character and what would become another dash or quote.
+// Escapes text for troff: its escape character, and dashes and quotes that it would replace.
 std::string escaped(std::string const& text)
 {
     std::string result;
@@ -33,8 +33,7 @@ std::string escaped(std::string const& text)
     return result;
 }
 
-// Lines of prose run together; an empty line begins a paragraph, and indented lines stay as they
-// are.
+// Joins lines of prose; an empty line starts a paragraph, and indented lines are kept as they are.
 std::string paragraphs(std::string const& text)
 {
     std::istringstream lines(text);
@@ -50,7 +49,7 @@ std::string paragraphs(std::string const& text)
         if (!line.empty())
             result += escaped(line) + "\n";
     }
-    // A paragraph that nothing follows is none.
+    // Removes empty paragraphs.
     for (std::string const twice = ".PP\n.PP\n"; result.find(twice) != std::string::npos;)
         result.replace(result.find(twice), twice.size(), ".PP\n");
     return result + (is_literal ? ".fi\n" : "");
@@ -99,7 +98,7 @@ std::string option_entry(CLI::Option const& option)
     return fmt::format(".TP\n{}\n{}\n", names, escaped(options::option_text(option)));
 }
 
-// Arguments and options below a heading of the given kind, ".SH" or ".SS".
+// Lists arguments and options below a heading of the given kind, ".SH" or ".SS".
 std::string entries(CLI::App const& command, char const* heading)
 {
     std::string text;
@@ -116,7 +115,7 @@ std::string entries(CLI::App const& command, char const* heading)
     return text;
 }
 
-// Examples of a command and of those below it.
+// Lists examples of a command and its subcommands.
 std::string example_section(CLI::App const& command)
 {
     auto lines = options::examples_of(command);

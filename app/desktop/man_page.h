@@ -5,13 +5,14 @@
 
 namespace tractus::desktop {
 
-// The manual page of the whole program, which names its commands, as groff's man macros have it.
+// The program's manual page, which lists its commands, in groff's man macros.
 std::string program_man_page(CLI::App const& root);
 
-// The manual page of one of its commands and of what stands below that: all that --help says.
+// The manual page of a command and its subcommands, with everything that --help shows.
 std::string command_man_page(CLI::App const& command);
 
-// "tractus-vary" for the command vary of tractus; the program's own name for the program.
+// Name of a command's manual page: "tractus-vary" for the command vary; the program's name for the
+// root.
 std::string man_page_name(CLI::App const& command);
 
 } // namespace tractus::desktop

@@ -7,7 +7,7 @@
 
 namespace tractus::devices {
 
-// Says on standard error which devices go away and come back, once each time.
+// Prints on standard error when devices disconnect and reconnect, once for each event.
 class DeviceNews {
 public:
     explicit DeviceNews(LiveDevices const& devices)
@@ -15,11 +15,11 @@ public:
     {
     }
 
-    // Tells what has changed since the last call.
+    // Prints the changes since the last call.
     void tell(LiveDevices const& devices);
 
 private:
-    // News of a device that has been told.
+    // Last printed state of a device.
     struct Told {
         LiveDevices::State state = LiveDevices::State::Connected;
         std::string refusal {};

@@ -84,7 +84,7 @@ Result<void> LiveDevices::add_real(drivers::DeviceInfo info,
     return add(std::move(source), observed);
 }
 
-// The simulated rig is a log, too: what its devices sent while its hand drew the demo.
+// Adds a log. The simulated rig is the log of its devices while its hand drew the demo.
 Result<void> LiveDevices::add_log(std::string const& name)
 {
     auto const demo = files::find_resource("demo/broadleaf.tractus-log");
@@ -111,7 +111,7 @@ Result<LiveDevices> LiveDevices::play_log(std::string const& name,
         .data_begin = log->begin(),
         .real_begin = now(),
         .now = now,
-        .wait = [](Duration) {}, // Readers ask for no patience.
+        .wait = [](Duration) {}, // Readers never need to wait.
     };
     for (std::size_t i = 0; i < log->devices.size(); ++i)
         devices.add_source_without_thread(play::open_paced(log, i, pace));

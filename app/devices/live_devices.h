@@ -21,91 +21,94 @@
 
 namespace tractus::devices {
 
-// How long a loop over devices rests where none has sent anything new.
+// Sleep of a loop over devices when none has sent anything new.
 constexpr Duration kPollRest = std::chrono::milliseconds(2);
 
 // A report of one of several devices.
 struct LiveReport {
     std::size_t device = 0;       // Index in LiveDevices::infos().
-    drivers::RawReport report {}; // Empty: the device went away.
+    drivers::RawReport report {}; // Empty: the device disconnected.
 };
 
-// A device that could not be opened.
+// A device that could not be opened, and why.
 struct RefusedDevice {
     drivers::DeviceInfo info {};
     Error error {};
 };
 
-// Devices that send while the program runs: real ones, which may go away and come back, and logs
-// that are played at their pace. Each is read on a thread of its own; this object belongs to one
-// thread.
+// Devices that send while the program runs: real ones, which may disconnect and reconnect, and logs
+// played in real time. Each is read on a thread of its own; this object belongs to one thread.
 class LiveDevices {
 public:
     enum class State {
         Connected,
-        Away,  // It is looked for.
-        Ended, // A log that is over.
+        Away,  // Disconnected; the program keeps looking for it.
+        Ended, // End of a log.
     };
 
-    // Sources at hand. Fails, as the station's fault, if the system gives no threads.
+    // Starts with existing sources. Fails with an internal error if no thread can be started.
     static Result<LiveDevices> start(std::vector<std::unique_ptr<drivers::ReportSource>> sources);
 
-    // Opens the real devices that can be opened; the others, and why, go into `refused`.
+    // Opens those real devices that can be opened; the others go into `refused` with the reason.
     static LiveDevices open_usable(std::vector<drivers::DeviceInfo> const& devices,
                                    std::vector<RefusedDevice>& refused);
 
-    // Opens the devices and logs that people name: see device_name_help(). Fails, as the user's
-    // fault, for a name that is neither, and as reading the log or opening the device does.
+    // Opens devices and logs by the names that users give (device_name_help()). Fails with a user
+    // error for a name that is neither, and like opening the device or reading the log.
     static Result<LiveDevices> open_named(std::span<std::string const> names);
 
-    // One more, to be read like the others. Fails like start().
+    // Adds a source, which is read like the others. Fails like start().
     Result<void> add_source(std::unique_ptr<drivers::ReportSource> source)
     {
         return add(std::move(source), nullptr);
     }
 
-    // One more that never waits: take() reads it, and no thread does. What it sends is in order
-    // with the calls of take(), whatever the machine is busy with.
+    // Adds a source that never waits. It is read by take() instead of a thread, so that the order
+    // of its reports does not depend on the machine's load.
     void add_source_without_thread(std::unique_ptr<drivers::ReportSource> source);
 
     std::vector<drivers::DeviceInfo> const& infos() const { return infos_; }
     State state(std::size_t device) const;
     bool any_left() const; // False if all have ended.
 
-    // Why a device that is away though it is plugged in cannot be opened; else empty.
+    // Reason why a connected device cannot be opened; empty if there is none.
     std::string refusal(std::size_t device) const;
 
-    // A log as if its devices were there, played by another clock than this machine's; its
-    // calibration is rig_text(). The same at each run: no thread reads it. Its tool lines count for
-    // nothing: the pen that is played chooses the tools. Fails like read_log().
+    // Plays a log as if its devices were connected, on the clock `now`. Its calibration is
+    // rig_text(). Deterministic, as no thread reads it. Tool lines are ignored: the played pen
+    // selects tools in the window. Fails like read_log().
     static Result<LiveDevices> play_log(std::string const& name,
                                         std::function<Timestamp()> const& now);
 
-    // The simulated rig, with a hand that draws our demonstration of every method on the plant that
-    // hand_plant() names. It waits for begin_hand(), and chooses its tools. Fails like read_log(),
-    // and where our own files are not found.
+    // Plays the simulated rig, whose hand draws the demonstration of all methods on the plant
+    // hand_plant(). It waits for begin_hand() and selects its own tools. Fails like read_log(), and
+    // if the program's own files are missing.
     static Result<LiveDevices> play_hand(std::function<Timestamp()> const& now);
     static std::string_view hand_plant() { return "birch"; }
     bool has_hand() const { return hand_.has_value(); }
-    // See SimulatedHand; nothing without a hand.
+    // See SimulatedHand; no effect without a hand.
     void begin_hand();
     std::vector<drivers::LogTool> take_hand_tools();
 
-    // Puts what has come since the last call, in the order of its times, into `reports`. Times are
-    // cut to microseconds, as logs have them: what is drawn live is what its recording draws.
+    // Replaces `reports` by everything that arrived since the last call, in order of time. Times
+    // are truncated to microseconds, as in logs, so that a recording reproduces the live drawing
+    // exactly.
     void take(std::vector<LiveReport>& reports);
 
-    // Reports that came faster than they were taken, or are longer than a RawReport holds.
+    // Number of reports lost because they came faster than they were taken, or were longer than a
+    // RawReport can hold.
     std::uint64_t lost_count() const;
 
-    // The calibration in the first log that was named and has one; empty if there is none.
+    // Calibration of the first named log that has one; empty if there is none.
     std::string const& rig_text() const { return rig_text_; }
 
 private:
     struct Device {
-        std::unique_ptr<drivers::ReportSource> source;     // Null when it has ended.
-        drivers::ThreadedSource const* threaded = nullptr; // Null, too, if no thread reads it.
-        drivers::ReconnectingSource const* reconnecting = nullptr; // Within source; null for a log.
+        std::unique_ptr<drivers::ReportSource> source; // Null after its end.
+        // Null if ended or if no thread reads it.
+        drivers::ThreadedSource const* threaded = nullptr;
+        // Part of `source`; null for a log.
+        drivers::ReconnectingSource const* reconnecting = nullptr;
     };
 
     Result<void> add(std::unique_ptr<drivers::ReportSource> source,
@@ -120,10 +123,10 @@ private:
     std::optional<play::SimulatedHand> hand_ {};
 };
 
-// Describes what open_named() takes, for a command's help.
+// Describes the names that open_named() accepts, for a command's help.
 std::string_view device_name_help();
 
-// The devices that are of use by themselves: every pen tablet and height sensor that can be found.
+// All connected pen tablets and height sensors, which need no further configuration.
 std::vector<drivers::DeviceInfo> find_pens_and_height_sensors();
 
 } // namespace tractus::devices

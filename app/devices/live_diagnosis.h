@@ -8,18 +8,18 @@
 
 namespace tractus::devices {
 
-// Diagnosis of the devices for a person who draws with them: their newest raw values, how regularly
-// they send, and what is the matter with them or with the machine.
+// Diagnosis of the devices while the user draws: latest raw values, regularity of reports, and
+// problems of devices or the computer.
 class LiveDiagnosis {
 public:
-    // Looks at the machine, which takes some milliseconds, and begins to listen.
+    // Examines the computer, which takes some milliseconds, and starts collecting statistics.
     LiveDiagnosis(LiveDevices const& devices, Timestamp now);
 
     void push(LiveReport const& report) { monitors_[report.device].push(report.report); }
     void pass_time(Timestamp now);
 
     std::vector<diagnosis::DeviceReading> readings() const; // One for each device.
-    std::vector<diagnosis::Finding> findings() const;       // Empty if nothing is the matter.
+    std::vector<diagnosis::Finding> findings() const;       // Empty if there are no problems.
 
 private:
     Timestamp begin_;

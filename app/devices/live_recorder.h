@@ -16,28 +16,28 @@
 
 namespace tractus::devices {
 
-// Fails, as the user's fault, if the file is there already: a recording cannot be made again, so it
-// is never written over.
+// Fails with a user error if the file exists: a recording cannot be repeated, so it is never
+// overwritten.
 Result<void> check_new_file(std::filesystem::path const& path);
 
-// Writes what live devices send to a log while it comes, so that whatever happens to the program,
-// little is lost: less than kFlushEvery before its end, and no finished stroke.
+// Writes what live devices send to a log immediately. If the program crashes, at most the last
+// kFlushEvery is lost, and no finished stroke.
 class LiveRecorder {
 public:
     static constexpr Duration kFlushEvery = std::chrono::milliseconds(250);
 
-    // Begins a new file. Fails like check_new_file, or if it cannot be written.
+    // Creates a new file. Fails like check_new_file(), or if it cannot be written.
     static Result<LiveRecorder> create(std::filesystem::path const& path,
                                        drivers::LogHeader const& header);
 
-    // Begins a log in a stream.
+    // Starts a log in a stream.
     LiveRecorder(std::unique_ptr<std::ostream> out, drivers::LogHeader const& header);
 
     void write(LiveReport const& report);
     void write_tool(Timestamp time, std::string_view tool, std::string_view arguments);
 
-    // Hands what was written to the system if kFlushEvery has passed since it last did or a stroke
-    // has ended. Fails, as the user's fault, if the disk is full.
+    // Flushes to the operating system if kFlushEvery has passed since the last flush or a stroke
+    // has ended. Fails with a user error if the disk is full.
     Result<void> flush_if_due(Timestamp now);
     Result<void> flush();
 
@@ -48,14 +48,14 @@ private:
     bool ends_stroke(LiveReport const& report);
 
     struct Pen {
-        std::unique_ptr<drivers::PenDecoder> decoder; // Null for what is no pen.
+        std::unique_ptr<drivers::PenDecoder> decoder; // Null if the device is not a pen.
         bool touching = false;
     };
 
-    std::unique_ptr<std::ostream> out_; // On the heap, since log_ refers to it when this moves.
+    std::unique_ptr<std::ostream> out_; // On the heap, as log_ refers to it when this object moves.
     std::unique_ptr<drivers::LogWriter> log_;
     std::vector<Pen> pens_;                   // One per device.
-    std::vector<drivers::PenSample> samples_; // Kept for its memory.
+    std::vector<drivers::PenSample> samples_; // A member to reuse its memory.
     bool stroke_ended_ = false;
     Timestamp next_flush_ {};
     std::size_t report_count_ = 0;

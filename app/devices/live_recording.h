@@ -18,7 +18,7 @@ struct LiveRecordingOptions {
     std::function<void(Duration)> rest;
 };
 
-// The monotonic clock, and sleeping.
+// Options with the monotonic clock and real sleeping.
 LiveRecordingOptions live_recording_by_the_clock(std::optional<double> seconds);
 
 struct LiveRecordingCounts {
@@ -26,9 +26,9 @@ struct LiveRecordingCounts {
     std::uint64_t lost = 0; // Reports that came faster than they were written.
 };
 
-// Records what devices send, as it comes, until the time is over, `stop` is set (by a signal
-// handler, say) or no device is left. A device that goes away or comes back is named on standard
-// error, and the others go on. Fails if the recorder's stream cannot be written.
+// Records what devices send until the time is over, `stop` is set (by a signal handler, for
+// example) or no device is left. Disconnects and reconnects are printed on standard error; the
+// other devices continue. Fails if the recorder's stream cannot be written.
 Result<LiveRecordingCounts> record_live(LiveDevices& devices, LiveRecorder& recorder,
                                         LiveRecordingOptions const& options,
                                         std::atomic<bool> const& stop);

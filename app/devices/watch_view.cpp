@@ -15,7 +15,7 @@ double milliseconds(Duration duration)
     return to_seconds(duration) * 1e3;
 }
 
-// The newest report, sixteen bytes to a line, beside the sample's fields.
+// Appends the newest report, sixteen bytes per line, beside the sample's fields.
 void append_report(diagnosis::DeviceReading const& reading, std::vector<std::string>& lines)
 {
     auto const bytes = reading.last ? reading.last->bytes() : std::span<std::byte const> {};

@@ -9,14 +9,14 @@
 
 namespace tractus::devices {
 
-// Returns what `tractus watch` shows at one moment, line by line, the same in a terminal's screen
-// and in plain output: per device its name, its pace, and its newest bytes beside what they mean.
-// No line is longer than `width` characters, at least 20.
+// Lines that `tractus watch` shows at one moment, in a terminal as in plain output: for each device
+// its name, its pace, and its latest bytes beside their meaning. No line is longer than `width`
+// characters (at least 20).
 std::vector<std::string> watch_lines(std::span<diagnosis::DeviceReading const> readings,
                                      std::size_t width);
 
-// How regularly a device sends: "200.0/s  every 5.00 ms  jitter 0.12 ms …"; or that it is silent,
-// or gone.
+// Describes the regularity of a device's reports: "200.0/s  every 5.00 ms  jitter 0.12 ms …", or
+// that it is silent or disconnected.
 std::string describe_pace(diagnosis::DeviceReading const& reading);
 
 } // namespace tractus::devices

@@ -13,7 +13,8 @@ namespace tractus::diagnosis {
 using namespace std::chrono_literals;
 
 static constexpr Duration kWindow = 1s;
-static constexpr Duration kPause = 100ms; // Longer intervals are no rhythm: the pen was away.
+// Longer intervals are pauses (the pen was away) and do not count.
+static constexpr Duration kPause = 100ms;
 
 DeviceMonitor::DeviceMonitor(drivers::DeviceInfo const& info)
 {
@@ -24,7 +25,7 @@ DeviceMonitor::DeviceMonitor(drivers::DeviceInfo const& info)
     else if (auto height = drivers::make_height_decoder(info))
         height_ = *std::move(height);
     if (height_) {
-        calib::Rig rig; // A rig without a calibration: jumps cannot be told, the other faults can.
+        calib::Rig rig; // Without a calibration, jumps cannot be detected; other faults can.
         rig.full_scale_counts = height_->full_scale();
         height_monitor_.emplace(rig);
     }
@@ -134,7 +135,7 @@ void DeviceMonitor::watch_pace(Timestamp time)
         ++reading_.backward_times;
         recent_.clear();
     }
-    constexpr std::size_t kMostPerSecond = 20'000; // Beyond what USB's 8 kHz allow.
+    constexpr std::size_t kMostPerSecond = 20'000; // More than USB's 8 kHz allow.
     recent_.push_back(time);
     while (recent_.front() + kWindow < time || recent_.size() > kMostPerSecond)
         recent_.pop_front();

@@ -20,24 +20,24 @@
 
 namespace tractus::diagnosis {
 
-// How regularly reports come, over the last second of them.
+// Regularity of a device's reports, over the last second with reports.
 struct ReportPace {
-    double rate_hz = 0;        // 0 until there are two reports.
-    Duration mean_interval {}; // Mean time between reports; pauses (the pen is away) do not count.
+    double rate_hz = 0;        // 0 before the second report.
+    Duration mean_interval {}; // Mean time between reports, without pauses (pen away).
     Duration jitter {};        // Standard deviation of the intervals.
     Duration longest_interval {};
 };
 
-// What a device sent under one report id.
+// Statistics of the reports with one report id.
 struct ReportIdReading {
     std::size_t reports = 0;
-    std::size_t samples = 0; // Samples of a pen.
-    Timestamp first {};      // Time of the first report …
-    Timestamp last {};       // … and of the last.
+    std::size_t samples = 0; // Decoded pen samples.
+    Timestamp first {};      // Time of the first report.
+    Timestamp last {};       // Time of the last report.
 };
 
-// A touch of the pen, from its first sample to its last. Places are shares of the tablet's active
-// area, so that two formats of one tablet agree on them.
+// A touch of the pen from its first to its last sample. Positions are shares of the tablet's active
+// area, so that a tablet's different report formats agree on them.
 struct PenTouch {
     Timestamp begin {};
     Timestamp end {};
@@ -45,53 +45,53 @@ struct PenTouch {
     Vec2 end_place = Vec2::Zero();
 };
 
-// What a pen did, for judging its tip.
+// Pen statistics, used to judge the tip's switch.
 struct PenReading {
-    static constexpr std::size_t kPressureSteps = 100; // Of 1 %.
+    static constexpr std::size_t kPressureSteps = 100; // Steps of 1 %.
     static constexpr std::size_t kMostTouches = 200;
 
-    std::size_t hovering = 0; // Samples in range that do not touch.
+    std::size_t hovering = 0; // Samples in range without touch.
     std::size_t touching = 0;
-    // Touching samples by pressure; empty where the device tells none.
+    // Histogram of the touching samples' pressure; empty if the device reports none.
     std::vector<std::size_t> pressures {};
-    std::vector<PenTouch> touches {}; // The first kMostTouches of them.
+    std::vector<PenTouch> touches {}; // The first kMostTouches touches.
 };
 
-// Facts about what one device has sent so far, and what became of it.
+// Statistics of everything a device has sent so far.
 struct DeviceReading {
     drivers::DeviceInfo info {};
     drivers::DeviceDescription description {};
-    bool is_away = false; // It went away and has not sent since.
+    bool is_away = false; // The device disconnected and has not sent since.
 
     std::size_t reports = 0;
-    std::size_t samples = 0; // Samples of the pen or of the height.
+    std::size_t samples = 0; // Decoded samples of the pen or the height.
     std::size_t broken_reports = 0;
     std::string first_broken {};
     std::size_t departures = 0;
     std::size_t backward_times = 0; // Reports older than the one before.
-    // By first byte (the report id, if the device uses ids).
+    // Statistics by first byte (the report id, if the device uses ids).
     std::map<std::uint8_t, ReportIdReading> report_ids {};
     PenReading pen {};
     std::optional<Timestamp> last_sample {}; // Time of the newest sample.
     ReportPace pace {};
 
     std::optional<drivers::RawReport> last {};
-    // The newest sample as names and values: ("x", "101.25 mm").
+    // The newest sample as names and values, such as ("x", "101.25 mm").
     std::vector<std::pair<std::string, std::string>> fields {};
 
-    // Faults that a height sensor has or had, a sentence each.
+    // Past and present faults of a height sensor, a sentence each.
     std::vector<std::string> height_faults {};
 };
 
-// Follows one device's reports, in the order in which they come. Knows no clock: a log gives what
-// the live device gave.
+// Collects statistics from one device's reports, in order of arrival. Uses no clock, so that a log
+// gives the same result as the live device.
 class DeviceMonitor {
 public:
     explicit DeviceMonitor(drivers::DeviceInfo const& info);
 
     void push(drivers::RawReport const& report);
 
-    // Time has passed without a report.
+    // Advances the time when no report has arrived.
     void pass_time(Timestamp now);
 
     DeviceReading reading() const;
@@ -106,14 +106,14 @@ private:
     void watch_pace(Timestamp time);
 
     DeviceReading reading_;
-    std::unique_ptr<drivers::PenDecoder> pen_;       // Null if it is none.
-    std::unique_ptr<drivers::HeightDecoder> height_; // Null if it is none.
+    std::unique_ptr<drivers::PenDecoder> pen_;       // Null if the device is not a pen.
+    std::unique_ptr<drivers::HeightDecoder> height_; // Null if the device is not a height sensor.
     std::optional<calib::HeightMonitor> height_monitor_;
     std::optional<Timestamp> begin_;
-    std::vector<drivers::HeightSample> heights_; // Kept for its memory.
-    std::vector<drivers::PenSample> pens_;       // Likewise.
+    std::vector<drivers::HeightSample> heights_; // A member to reuse its memory.
+    std::vector<drivers::PenSample> pens_;       // A member to reuse its memory.
     bool was_touching_ = false;
-    bool keeps_touch_ = false;     // Whether the touch under way is among PenReading::touches.
+    bool keeps_touch_ = false;     // True if the current touch is stored in PenReading::touches.
     std::deque<Timestamp> recent_; // Times of the last second's reports.
 };
 

@@ -23,9 +23,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kHidClass = 3; // USB: human interface devices.
+constexpr int kHidClass = 3; // USB class of human interface devices.
 
-// Says first what works for this device: the rules that we bring, if they name it or its usage.
+// Steps to get permission, the best one first: our udev rules if they cover the device, otherwise a
+// rule of its own.
 std::vector<std::string> how_to_permit(drivers::DeviceInfo const& info)
 {
     constexpr auto kReload = "sudo udevadm control --reload-rules && sudo udevadm trigger";
@@ -53,7 +54,8 @@ Finding not_permitted(DeviceFacts const& device)
              .remedy = how_to_permit(device.info) };
 }
 
-// The only driver of the kernel that keeps a device of ours for itself.
+// Reports a kernel driver that occupies an MCP2221A, the only supported device for which the kernel
+// has such a driver.
 void diagnose_hidden(HiddenHidFacts const& device, std::vector<Finding>& findings)
 {
     drivers::DeviceInfo const ids { .vendor_id = device.vendor_id,
@@ -80,7 +82,7 @@ void diagnose_found(DeviceFacts const& device, std::vector<Finding>& findings)
         findings.push_back(not_permitted(device));
 }
 
-// Finds tablets of which no node carries the pen, though one has to.
+// Finds tablets that should have a pen but none of whose nodes reports one.
 void diagnose_unknown(SystemFacts const& facts, std::vector<Finding>& findings)
 {
     std::set<std::pair<std::uint16_t, std::uint16_t>> with_pen;
@@ -172,7 +174,7 @@ std::vector<Finding> diagnose_system(SystemFacts const& facts)
     return findings;
 }
 
-// The cable answers, and the desk behind it does not, or has lost its place.
+// Reports that the desk behind a working cable does not answer or has lost its position.
 static Finding desk_is_lost(drivers::DeviceInfo const& info, std::string what)
 {
     return { .kind = FindingKind::HeightFault,
@@ -289,7 +291,7 @@ ClockReading read_clocks()
 
 std::vector<Finding> diagnose_clocks(ClockReading const& before, ClockReading const& after)
 {
-    constexpr Duration kTolerance = 200ms; // The clocks are not read at the same instant.
+    constexpr Duration kTolerance = 200ms; // The clocks cannot be read at exactly the same instant.
     auto const passed = after.monotonic - before.monotonic;
     auto const slept = (after.boottime - before.boottime) - passed;
     auto const set = (after.realtime - before.realtime) - (after.boottime - before.boottime);

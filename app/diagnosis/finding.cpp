@@ -68,7 +68,7 @@ std::string print_findings_json(std::span<Finding const> findings)
                          { "subject", finding.subject },
                          { "what", finding.what },
                          { "remedy", finding.remedy } });
-    // A device may call itself anything, in no encoding.
+    // Invalid UTF-8 is replaced, as device names can contain any bytes.
     return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

@@ -7,42 +7,41 @@
 
 namespace tractus::diagnosis {
 
-// Troubles with the hardware and its way into the program.
+// Kinds of problems with the hardware or its drivers.
 enum class FindingKind {
-    Fine,           // Nothing is.
-    NoTablet,       // None is plugged in.
-    NotPermitted,   // The node is there, but may not be opened.
-    NoDriver,       // The kernel knows the device, and no driver makes a node of it.
-    DriverInTheWay, // A driver of the kernel works against us.
-    MouseMode,      // A tablet that reports a mouse's movements.
-    UnknownTablet,  // A tablet whose reports nobody has described to us.
-    BrokenReports,  // Reports that are not as the device announces them.
+    Fine,           // No problem.
+    NoTablet,       // No tablet is connected.
+    NotPermitted,   // The node exists but the user may not open it.
+    NoDriver,       // The kernel knows the device, but no driver creates a node for it.
+    DriverInTheWay, // A kernel driver occupies the device or interferes.
+    MouseMode,      // A tablet that reports mouse movements.
+    UnknownTablet,  // A tablet with an unsupported report format.
+    BrokenReports,  // Reports that do not match the device's description.
     PenNeverLifts,  // A pen that touches whenever it is in range.
-    SentTwice,      // A tablet that sends each report on two nodes.
-    Silent,         // Nothing comes.
-    HeightFault,    // The height sensor is on a rail, stuck, jumps or falls silent.
-    ClockJump,      // Times are not what they should be.
-    OldLibrary,     // A library lacks what we need.
+    SentTwice,      // A tablet that sends every report on two nodes.
+    Silent,         // The device sends nothing.
+    HeightFault,    // The height sensor is at its limit, stuck, jumps or falls silent.
+    ClockJump,      // The clock jumped or went backwards.
+    OldLibrary,     // A library is too old.
 };
 
-// The kind as one word for programs: "not-permitted".
+// The kind as one word for programs, such as "not-permitted".
 std::string_view name_of(FindingKind kind);
 
-// One thing that was found, for a person to act on.
+// One finding on which the user can act.
 struct Finding {
     FindingKind kind = FindingKind::Fine;
-    std::string subject {}; // Device or place that it is about: "Wacom CTL-472 at /dev/hidraw3".
-    std::string what {};    // A sentence: what is the matter, and why.
-    // Steps to take, in this order, a line each: commands and file contents as they are to be
-    // typed.
+    std::string subject {}; // The device or place concerned: "Wacom CTL-472 at /dev/hidraw3".
+    std::string what {};    // Sentence about the problem and its cause.
+    // Steps to take, in order, one line each; commands and file contents are given literally.
     std::vector<std::string> remedy {};
-    bool lacks_size = false; // A tablet that works, and does not tell the size of its surface.
+    bool lacks_size = false; // A working tablet that does not report the size of its surface.
 };
 
-// Whether any of them is a trouble.
+// True if any finding is a problem.
 bool has_trouble(std::span<Finding const> findings);
 
-// Findings as a person reads them, and as JSON.
+// Formats findings for the user; print_findings_json() formats them as JSON.
 std::string print_findings(std::span<Finding const> findings);
 std::string print_findings_json(std::span<Finding const> findings);
 

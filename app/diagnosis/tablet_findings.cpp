@@ -18,11 +18,11 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr drivers::HidUsage kMouse = 0x0001'0002; // HID Usage Tables, Generic Desktop, Mouse.
-constexpr std::size_t kEnoughReports = 20;        // To judge what a device sends.
-constexpr std::uint16_t kKyeVendorId = 0x0458;    // Genius.
+constexpr drivers::HidUsage kMouse = 0x0001'0002; // HID Usage Tables, Generic Desktop page, Mouse.
+constexpr std::size_t kEnoughReports = 20; // Number of reports needed to judge what a device sends.
+constexpr std::uint16_t kKyeVendorId = 0x0458; // Vendor id of KYE, which sells as Genius.
 
-// KYE's mice and keyboards bear its vendor id, too; of its products these are tablets (Linux's
+// True for KYE's tablets; its mice and keyboards have the same vendor id (ids from Linux's
 // drivers/hid/hid-kye.c).
 bool is_kye_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
 {
@@ -39,7 +39,7 @@ bool is_in_mouse_collection(drivers::HidReportDescriptor const& descriptor,
     return false;
 }
 
-// The ids of a mouse's reports; 0 where no ids are used.
+// Ids of the descriptor's mouse reports; contains 0 if no ids are used.
 std::set<std::uint8_t> mouse_report_ids(drivers::DeviceInfo const& info)
 {
     std::set<std::uint8_t> mouse_ids;
@@ -53,7 +53,7 @@ std::set<std::uint8_t> mouse_report_ids(drivers::DeviceInfo const& info)
     return mouse_ids;
 }
 
-// Whether all that came are reports of a mouse.
+// True if all reports so far are mouse reports.
 bool sends_mouse_reports(DeviceReading const& reading)
 {
     auto const mouse_ids = mouse_report_ids(reading.info);
@@ -99,7 +99,7 @@ Finding pen_is_silent(DeviceReading const& reading)
                          "empty where it has one." } };
 }
 
-// The report ids under which the descriptor describes a pen; 0 where no ids are used.
+// Ids of the descriptor's pen reports; contains 0 if no ids are used.
 std::set<std::uint8_t> described_pen_ids(drivers::DeviceInfo const& info)
 {
     std::set<std::uint8_t> ids;
@@ -109,8 +109,8 @@ std::set<std::uint8_t> described_pen_ids(drivers::DeviceInfo const& info)
     return ids;
 }
 
-// When a pen's reports gave way, once and for all, to those of a mouse, or its maker's own to those
-// that the descriptor describes: what a tablet sends that has forgotten its mode.
+// The time at which a tablet lost its mode, if it did: its pen reports were replaced for good by
+// mouse reports, or vendor-specific reports by those of the descriptor.
 std::optional<Timestamp> find_lost_mode(DeviceReading const& reading)
 {
     auto const mouse_ids = mouse_report_ids(reading.info);
@@ -136,7 +136,7 @@ std::string lost_mode_sentence(Timestamp when)
         to_seconds(when));
 }
 
-// The pressure that a share of the touching samples stay below; no value where none is told.
+// A quantile of the touching samples' pressure; no value if the device reports none.
 std::optional<double> pressure_quantile(PenReading const& pen, double share)
 {
     std::size_t below = 0;
@@ -148,14 +148,15 @@ std::optional<double> pressure_quantile(PenReading const& pen, double share)
     return std::nullopt;
 }
 
-// A pen whose tip presses a little all the time. A hand that draws lifts the pen now and then, and
-// every public recording of a pen that touches (DIGImend, hid-devices) has samples that hover.
+// Detects a worn tip that always presses a little. A drawing hand lifts the pen now and then, and
+// every public recording of a touching pen (DIGImend, hid-devices) contains hovering samples.
 void diagnose_tip(DeviceReading const& reading, std::vector<Finding>& findings)
 {
     constexpr std::size_t kEnoughSamples = 100;
-    constexpr double kLiftedShare = 0.1;    // At least so much of the time a hand lifts the pen.
-    constexpr double kLightPressure = 0.25; // With more, it may have drawn all the time.
-    constexpr double kMargin = 2.5;         // It draws until half of the threshold.
+    constexpr double kLiftedShare = 0.1; // Least share of the time for which a hand lifts the pen.
+    // Above this pressure, the pen may really have touched all the time.
+    constexpr double kLightPressure = 0.25;
+    constexpr double kMargin = 2.5; // The pen draws until the pressure falls to half the threshold.
     auto const& pen = reading.pen;
     auto const leak = pressure_quantile(pen, kLiftedShare);
     if (pen.hovering > 0 || pen.touching < kEnoughSamples || !leak || *leak > kLightPressure)
@@ -190,7 +191,7 @@ bool are_one_tablet(DeviceReading const& a, DeviceReading const& b)
 bool is_same_touch(PenTouch const& a, PenTouch const& b)
 {
     constexpr Duration kMostApart = 60ms;
-    constexpr double kNear = 0.02; // As a share of the active area's side.
+    constexpr double kNear = 0.02; // Tolerance as a share of the active area's side.
     auto const is_near = [](Vec2 const& first, Vec2 const& second) {
         return (first - second).cwiseAbs().maxCoeff() <= kNear;
     };
@@ -212,7 +213,7 @@ bool sends_the_same(PenReading const& a, PenReading const& b)
     return same > 0 && static_cast<double>(same) >= kMostOf * static_cast<double>(fewer.size());
 }
 
-// Whether a node of the tablet's lesser mode took over, for good, from that of its full mode.
+// True if the node of the tablet's basic mode took over for good from that of its full mode.
 bool takes_over(DeviceReading const& lesser, DeviceReading const& full)
 {
     if (full.samples < kEnoughReports || lesser.reports < kEnoughReports || !full.last_sample
@@ -232,7 +233,8 @@ std::string device_subject(drivers::DeviceInfo const& info)
                        info.vendor_id, info.product_id, info.location);
 }
 
-// Not the makers of chips, whose ids some tablets bear: they make everything.
+// True if the vendor id belongs to a tablet maker. Ids of chip makers, which some tablets use, do
+// not count: such chips are in all kinds of devices.
 bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
 {
     static std::set<std::uint16_t> const makers = [] {
@@ -251,10 +253,10 @@ bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
         || drivers::find_tablet({ .vendor_id = vendor_id, .product_id = product_id }).has_value();
 }
 
-// Says what a tablet that nobody knows should be asked for.
+// Explains what information about an unsupported tablet is needed.
 std::vector<std::string> how_to_describe_it(drivers::DeviceInfo const& info)
 {
-    // A recording's device has no address.
+    // The device of a recording has no address.
     auto const address = drivers::parse_device_address(info.location) ? info.location : "DEVICE";
     return {
         "A pen's report has to hold: x and y (16 or 24 bits each), pressure (8 to 16 bits), and",
@@ -275,8 +277,7 @@ void diagnose_pen(DeviceReading const& reading, std::vector<Finding>& findings)
     bool const is_pen = reading.description.kind == drivers::DeviceKind::Pen;
     if (reading.reports < kEnoughReports || (!is_pen && !known))
         return;
-    // A mouse with the pressure of a tip is a pen; Genius's in mouse mode lack most of what they
-    // have.
+    // A mouse with tip pressure is a pen. Genius tablets in mouse mode lack most of their reports.
     if (sends_mouse_reports(reading) && (reading.samples == 0 || is_kye))
         findings.push_back(mouse_mode(info,
                                       fmt::format("All of its {} reports are a mouse's: the tablet "

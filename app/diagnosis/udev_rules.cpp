@@ -8,9 +8,9 @@
 
 namespace tractus::diagnosis {
 
-static constexpr std::uint16_t kUsb = 3; // linux/input.h
+static constexpr std::uint16_t kUsb = 3; // BUS_USB in linux/input.h.
 
-// The pattern of the rule for pens by their usage.
+// True if the descriptor matches the udev rule for pens by usage.
 static bool describes_pen_to_udev(std::vector<std::byte> const& descriptor)
 {
     auto const at = [&](std::size_t i) {
@@ -26,7 +26,7 @@ static bool describes_pen_to_udev(std::vector<std::byte> const& descriptor)
     return false;
 }
 
-// The text between KEY==" and the next quotation mark; empty if the line has no such key.
+// The text between KEY==" and the next quotation mark; empty if the line lacks the key.
 static std::string_view value_of_key(std::string_view line, std::string_view key)
 {
     auto const start = line.find(key);
@@ -60,7 +60,7 @@ bool do_rules_permit(drivers::DeviceInfo const& info)
 {
     auto const address = drivers::parse_device_address(info.location);
     if (!address || !std::holds_alternative<drivers::HidrawAddress>(*address))
-        return true; // The rules for USB go by classes that are not known here.
+        return true; // Other devices are covered by rules on USB classes, which are not known here.
     for (auto text = udev_rules_text(); !text.empty();) {
         auto const line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(line.size() + 1, text.size()));

@@ -7,22 +7,22 @@
 
 namespace tractus::diagnosis {
 
-// drivers/70-tractus.rules, as it was when the program was built.
+// Content of drivers/70-tractus.rules at build time.
 std::string_view udev_rules_text();
 
-// Who may use the devices.
+// Users whom the rules permit to use the devices.
 enum class RuleHolder {
-    Seat,  // Whoever sits at the screen.
-    Group, // The members of the group plugdev, over ssh as well.
+    Seat,  // The user at the screen.
+    Group, // Members of the group plugdev, also over ssh.
 };
 
-// The rules file for one of both.
+// The rules file for these users.
 std::string udev_rules(RuleHolder holder);
 
-// Whether the rules permit this device, if they are installed.
+// True if the rules, once installed, permit this device.
 bool do_rules_permit(drivers::DeviceInfo const& info);
 
-// The one rule, in one line, that permits this device and no other model.
+// A one-line rule that permits this device and no other model.
 std::string udev_rule_for(drivers::DeviceInfo const& info);
 
 } // namespace tractus::diagnosis

@@ -22,7 +22,7 @@ FollowedModel::FollowedModel(std::filesystem::path model, std::optional<scene::L
     taken_ = last_look_ = look();
 }
 
-// What it includes counts, too.
+// Included files are watched, too.
 void FollowedModel::list_files(scene::LoadModel const* model)
 {
     files_ = { model_ };

@@ -11,22 +11,21 @@
 
 namespace tractus::io {
 
-// A model that somebody writes while its plant is drawn on: its files are looked at for changes.
-// Files that count are the rules, the view and colours of the model's name, and what the model
-// included when it was last read without a fault.
+// Watches a model for changes while its plant is drawn on. The files are its rules, the view and
+// colours with the same name, and everything it included when it was last read successfully.
 class FollowedModel {
 public:
-    // `drawn_on`: the model as its plant is drawn on; no value: that is another one. Reads nothing:
-    // a model's leaves may take a second to grow.
+    // `drawn_on` is the model as the plant was made from it, or no value if the plant has another
+    // model. Reads nothing, as a model's leaves may take a second to grow.
     FollowedModel(std::filesystem::path model, std::optional<scene::LoadModel> drawn_on);
 
-    // The model, where it has been saved since the last call, or why it is none any more. No value
-    // where its text is what it was, and while its files change: editors write them in several
-    // steps. Looks at them twice a second by the clock `now`; reading them takes milliseconds.
+    // The model if it has been saved since the last call, or the error in it. No value if its text
+    // is unchanged, and while its files are changing, as editors save in several steps. Checks
+    // twice a second by the clock `now`; reading takes milliseconds.
     std::optional<Result<scene::LoadModel>> take_change(Timestamp now);
 
 private:
-    // Of a file; no value where there is none.
+    // Time stamp and size of a file; no value if the file is missing.
     struct Stamp {
         std::filesystem::file_time_type written {};
         std::uintmax_t size = 0;
@@ -40,8 +39,8 @@ private:
 
     std::filesystem::path model_;
     std::vector<std::filesystem::path> files_;
-    std::optional<scene::LoadModel> loaded_ {}; // No value after a fault.
-    Stamps taken_;                              // Of the files as they were read.
+    std::optional<scene::LoadModel> loaded_ {}; // No value after an error.
+    Stamps taken_;                              // Stamps of the files when they were read.
     Stamps last_look_;
     Timestamp next_look_ {};
 };

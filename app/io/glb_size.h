@@ -8,14 +8,14 @@
 
 namespace tractus::io {
 
-// Triangles, as drawn, above which many programs take long to open a file.
+// Number of drawn triangles above which many programs take long to open a file.
 constexpr std::uint64_t kManyTriangles = 5'000'000;
 
-// How large such a file is, as a part of a sentence. Nothing for smaller ones.
+// Describes the size of a large file, as a part of a sentence. No value for smaller ones.
 std::optional<std::string> large_glb_size(exports::GlbSummary const& summary);
 
-// Returns what to say before such a file is written: how large it will be, and the options that
-// make it smaller. Nothing for smaller ones.
+// Note to print before a large file is written: its expected size, and the options that reduce it.
+// No value for smaller ones.
 std::optional<std::string> large_glb_note(exports::GlbSummary const& expected,
                                           exports::GlbOptions const& options);
 

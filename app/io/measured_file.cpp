@@ -27,7 +27,7 @@ std::string lower(std::string text)
     return text;
 }
 
-// The first line that says something, without what it begins with that says nothing.
+// The first line that is not blank, without leading white space.
 std::string_view first_line(std::string_view text)
 {
     while (!text.empty()) {
@@ -40,7 +40,8 @@ std::string_view first_line(std::string_view text)
     return {};
 }
 
-// Some programs write one of the formats under the ending of another.
+// The format of a file. The content takes precedence, as some programs use another format's
+// extension.
 Format format_of(std::string const& ending, std::string_view text)
 {
     auto const line = first_line(text);
@@ -51,7 +52,7 @@ Format format_of(std::string const& ending, std::string_view text)
     return ending == ".mtg" ? Format::Mtg : ending == ".ply" ? Format::Ply : Format::Qsm;
 }
 
-// What has to be done with a file before it is a plant; empty if there is nothing.
+// How to convert a file that is not a plant yet; empty if no conversion is needed.
 std::string_view what_is_missing(std::string const& ending, std::filesystem::path const& path)
 {
     constexpr std::array<std::string_view, 6> kPoints { ".las", ".laz", ".e57",

@@ -21,7 +21,7 @@ namespace tractus::io {
 
 static constexpr std::size_t kMaxFileSize = std::size_t { 16 } << 20;
 
-// Files with an ending in the model's folder, in the order of their names.
+// Files with this extension in the model's folder, sorted by name.
 static std::vector<std::filesystem::path> files_beside(std::filesystem::path const& path,
                                                        std::string const& ending)
 {
@@ -35,7 +35,8 @@ static std::vector<std::filesystem::path> files_beside(std::filesystem::path con
     return files;
 }
 
-// Models say Lsystem: where other files of the same ending, such as control panels, do not.
+// True for models. They contain "Lsystem:", unlike other files with the same extension, such as
+// control panels.
 static bool is_model(std::filesystem::path const& path)
 {
     auto text = read_text_file(path, kMaxFileSize);
@@ -46,8 +47,8 @@ static bool is_model(std::filesystem::path const& path)
     return text->find("lsystem:") != std::string::npos;
 }
 
-// The file beside the model with its name and this ending; where there is none, the only one with
-// the ending in a folder that is this model's alone.
+// The file with the model's name and this extension; otherwise the only file with the extension, if
+// the folder contains no other model.
 static std::optional<std::filesystem::path> find_beside(std::filesystem::path const& path,
                                                         std::string const& ending)
 {
@@ -62,7 +63,7 @@ static std::optional<std::filesystem::path> find_beside(std::filesystem::path co
     return files.size() == 1 && is_alone ? std::optional(files.front()) : std::nullopt;
 }
 
-// The file that gives the view, if any does.
+// The view's file, if there is one.
 static std::optional<std::filesystem::path> view_of(std::filesystem::path const& path,
                                                     ModelCompanions const& companions)
 {
@@ -76,7 +77,7 @@ static std::optional<std::filesystem::path> view_of(std::filesystem::path const&
     return beside;
 }
 
-// The file of colours with this ending, if there is one.
+// The colour file with this extension, if there is one.
 static std::optional<std::filesystem::path> colors_of(std::filesystem::path const& path,
                                                       ModelCompanions const& companions,
                                                       std::string const& ending)
@@ -87,7 +88,7 @@ static std::optional<std::filesystem::path> colors_of(std::filesystem::path cons
                                                    : std::nullopt;
 }
 
-// Appends what a file of colours beside the model says, if there is one, to the view.
+// Appends the statements of a colour file, if there is one, to the view.
 static Result<void> add_colors(std::optional<std::filesystem::path> const& file,
                                Result<std::string> (*statements)(std::string const& name,
                                                                  std::string_view bytes),
@@ -117,7 +118,8 @@ Result<lsystem::ModelSource> load_model_source(std::filesystem::path const& path
     if (!colors.empty() && colors.extension() != ".mat" && colors.extension() != ".map")
         return fail(Fault::User,
                     fmt::format("{}: colours are in .mat or .map files", colors.string()));
-    // Colours come as on cpfg's command line. The first that names a colour counts: materials.
+    // Colours are applied like those on cpfg's command line: the first definition of a colour wins,
+    // so materials come first.
     TRY(add_colors(colors_of(path, companions, ".mat"), lsystem::material_file_statements,
                    source.view_text));
     TRY(add_colors(colors_of(path, companions, ".map"), lsystem::color_map_statements,
@@ -129,7 +131,7 @@ Result<lsystem::ModelSource> load_model_source(std::filesystem::path const& path
     return source;
 }
 
-// Views and colours beside the model that it does not use, one sentence each.
+// Views and colour files beside the model that it does not use, one sentence each.
 static std::vector<std::string> unused_companions(std::filesystem::path const& path,
                                                   ModelCompanions const& companions)
 {
@@ -142,7 +144,7 @@ static std::vector<std::string> unused_companions(std::filesystem::path const& p
             if (used && std::filesystem::equivalent(file, *used, ignored))
                 continue;
             if (std::filesystem::exists(model.replace_extension(path.extension()), ignored))
-                continue; // It is another model's.
+                continue; // It belongs to another model.
             result.push_back(fmt::format("{} is not used, since its name is not the model's; "
                                          "{} {} uses it",
                                          file.string(), option, file.string()));
@@ -150,7 +152,7 @@ static std::vector<std::string> unused_companions(std::filesystem::path const& p
     };
     if (companions.view.empty())
         note(".v", view_of(path, companions), "--view");
-    if (!companions.colors.empty()) // Somebody has chosen.
+    if (!companions.colors.empty()) // The user has chosen colours.
         return result;
     note(".mat", colors_of(path, companions, ".mat"), "--colors");
     note(".map", colors_of(path, companions, ".map"), "--colors");
@@ -188,7 +190,7 @@ Result<scene::LoadModel> load_model_edit(std::filesystem::path const& path,
     scene::LoadModel edit;
     edit.source = TRY(load_model_source(path, companions));
     auto const from_files = model_includes(path);
-    // Compiling it is how to learn what it includes.
+    // Compiles the model to record the files it includes.
     auto const record = [&](std::string const& name) -> Result<std::string> {
         auto text = from_files(name);
         if (text)
@@ -199,7 +201,7 @@ Result<scene::LoadModel> load_model_edit(std::filesystem::path const& path,
     return edit;
 }
 
-// The lines of a file, by its name's ending; empty for one that has none.
+// Reads the lines of a file in the format of its extension; empty for other extensions.
 static Result<std::vector<SkeletonPiece>> load_lines(std::filesystem::path const& path)
 {
     constexpr std::size_t kMaxSkeletonSize = std::size_t { 512 } << 20;
@@ -224,7 +226,7 @@ Result<scene::Edit> load_plant_edit(std::filesystem::path const& path,
     if (measured)
         return *std::move(measured);
     warn_of_unused_companions(path, companions);
-    // A name for it, as g++ 14 warns wrongly of what it would destroy otherwise.
+    // A named variable, as g++ 14 issues a false warning about the temporary's destruction.
     scene::LoadModel model = TRY(load_model_edit(path, companions));
     return model;
 }

@@ -17,16 +17,17 @@ namespace {
 using Then = DevicePlay::Then;
 
 constexpr Duration kKnockEvery = std::chrono::milliseconds(10);
-// Time until `stop` is looked at.
+// Longest sleep before `stop` is checked.
 constexpr Duration kLongestSleep = std::chrono::milliseconds(50);
-// Programs look at a device before they open it for good.
+// Delay before the first report, as programs probe a device before they open it for good.
 constexpr Duration kGreeting = std::chrono::milliseconds(100);
-// Linux lets nothing of a USB HID device through in the first 50 ms, since it may be old.
+// Longer delay for USB HID devices: Linux drops their reports of the first 50 ms as potentially
+// stale.
 constexpr Duration kUsbGreeting = std::chrono::milliseconds(500);
 constexpr Duration kFarewell = std::chrono::milliseconds(100);
 constexpr Duration kLongestFarewell = std::chrono::seconds(2);
 
-// Sleeps until a device's file is ready, at most `timeout`, and serves the devices.
+// Waits until a device's file is ready, at most for `timeout`, and serves the devices.
 Result<void> serve_devices(std::vector<sim::KernelDevice*> const& devices, Duration timeout)
 {
     std::vector<pollfd> files;
@@ -42,7 +43,7 @@ Result<void> serve_devices(std::vector<sim::KernelDevice*> const& devices, Durat
     return {};
 }
 
-// Plays what is due, then sleeps until something is, or the kernel asks something.
+// Plays everything that is due, then waits for the next event or a request from the kernel.
 Result<void> take_step(DevicePlay const& play)
 {
     auto next_due = Timestamp::max();
@@ -97,7 +98,7 @@ Result<void> go_on_for(Duration duration, DevicePlay const& play, std::atomic<bo
     return {};
 }
 
-// Gives readers time to take what waits, and then what the kernel still holds for them.
+// Gives readers time to fetch the queued reports, and then those that the kernel still holds.
 Result<void> say_farewell(DevicePlay const& play, std::atomic<bool> const& stop)
 {
     auto const latest = drivers::monotonic_now() + kLongestFarewell;
@@ -137,7 +138,7 @@ void ReportPart::begin(Timestamp now)
 Timestamp ReportPart::due() const
 {
     if (!read_)
-        return Timestamp::min(); // To be told.
+        return Timestamp::min(); // Reading failed: play() has to report the error.
     if (!begin_)
         return device_.tells_readers_by_reports() && next_ ? next_knock_ : Timestamp::max();
     return next_ ? *begin_ + next_->received.time_since_epoch() : Timestamp::max();
@@ -156,8 +157,8 @@ Result<void> ReportPart::play(Timestamp now)
     return {};
 }
 
-// Some devices learn that they are read from a report's being taken: the first one waits for that.
-// Programs rarely see it, see kUsbGreeting, and it is sent again at the begin.
+// Sends the first report early. Some devices notice a reader only when a report is fetched.
+// Programs rarely see this report (kUsbGreeting), and it is sent again at the start.
 Result<void> ReportPart::knock(Timestamp now)
 {
     next_knock_ = now + kKnockEvery;

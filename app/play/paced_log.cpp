@@ -43,9 +43,9 @@ public:
 
 private:
     std::shared_ptr<drivers::Log const> log_;
-    drivers::LogSource source_; // Source of log_.
+    drivers::LogSource source_; // Reads log_.
     Pace pace_;
-    std::optional<drivers::RawReport> next_; // Read, but its time has not come.
+    std::optional<drivers::RawReport> next_; // The next report, whose time has not come yet.
 };
 
 } // namespace

@@ -10,28 +10,28 @@
 
 namespace tractus::play {
 
-// How a log's time runs beside a person's.
+// Mapping between the time of a log and a clock.
 struct Pace {
-    Timestamp data_begin {}; // This moment of the log…
-    Timestamp real_begin {}; // …is played at this moment of the clock.
-    double speed = 1;        // Above 0; 2 is twice as fast as it was recorded.
+    Timestamp data_begin {}; // Time of the log that is played at real_begin.
+    Timestamp real_begin {}; // Time of the clock at which data_begin is played.
+    double speed = 1;        // Greater than 0; 2 is twice the recorded speed.
 
-    std::function<Timestamp()> now;     // The clock.
-    std::function<void(Duration)> wait; // Lets so much of it pass.
+    std::function<Timestamp()> now;     // Returns the clock's time.
+    std::function<void(Duration)> wait; // Waits for a duration of the clock.
 
-    // When a moment of the log comes.
+    // Clock time at which a moment of the log is played.
     Timestamp real_time(Timestamp data) const;
 
-    // The moment of the log that comes at one of the clock's.
+    // Moment of the log that is played at a clock time.
     Timestamp data_time(Timestamp real) const;
 };
 
-// A pace by the monotonic clock that begins now.
+// A pace on the monotonic clock that starts now.
 Pace pace_from_now(Timestamp data_begin, double speed = 1);
 
-// One device of a log as a source that sends its reports when their time has come, stamped with
-// that time, as if the device were there. When the log is over, reading fails and says so.
-// `log` is shared by the sources of its devices, each on a thread of its own; none changes it.
+// A source that plays one device of a log: its reports arrive when due, stamped with that time, as
+// if the device were connected. After the end of the log, reading fails with a message that says
+// so. The immutable `log` is shared by the sources of its devices, each on a thread of its own.
 std::unique_ptr<drivers::ReportSource> open_paced(std::shared_ptr<drivers::Log const> log,
                                                   std::size_t device, Pace pace);
 

@@ -9,7 +9,7 @@ namespace tractus::play {
 
 namespace {
 
-// Readings that were missed for longer, in a computer's sleep, are not made up for.
+// Readings missed for longer, while the computer slept, are skipped.
 constexpr Duration kLongestDelay = std::chrono::seconds(1);
 
 // The sensor's clock has 32 bits.

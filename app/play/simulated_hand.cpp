@@ -16,9 +16,9 @@ namespace tractus::play {
 struct SimulatedHand::Shared {
     std::shared_ptr<drivers::Log const> log;
     std::function<Timestamp()> now;
-    std::optional<Timestamp> begun {}; // When, on the clock.
+    std::optional<Timestamp> begun {}; // Time of the clock at the start.
 
-    // A moment of the recording on the clock. Only after begin().
+    // Time of the clock for a moment of the recording. Only after begin().
     Timestamp real_time(Timestamp recorded) const { return *begun + (recorded - log->begin()); }
 };
 
@@ -34,7 +34,7 @@ drivers::RawReport as_report(drivers::Log const& log, drivers::LogRecord const& 
     return report;
 }
 
-// What the device sent, when its time has come.
+// Source of a device's recorded reports, when their time has come.
 class HandSource : public drivers::ReportSource {
 public:
     HandSource(std::shared_ptr<SimulatedHand::Shared> shared, std::size_t device)
@@ -59,21 +59,23 @@ public:
     }
 
 protected:
-    // What comes before the recording and after it.
+    // Report while the recording has not begun or is over.
     virtual std::optional<drivers::RawReport> rest() { return std::nullopt; }
 
     drivers::Log const& log() const { return *shared_->log; }
     SimulatedHand::Shared const& shared() const { return *shared_; }
-    bool is_over() const { return shared_->begun.has_value(); } // At rest.
+    // True when the recording has been played completely.
+    bool is_over() const { return shared_->begun.has_value(); }
 
 private:
     std::shared_ptr<SimulatedHand::Shared> shared_;
     std::size_t device_;
-    std::size_t next_ = 0; // In the log's records.
+    std::size_t next_ = 0; // Index into the log's records.
 };
 
-// A height sensor goes on with its first readings, or its last ones: two that differ in turn, for a
-// sensor that rests without any noise is taken for torn.
+// Height source that continues before and after the recording with its first or last readings. It
+// alternates between two different readings, as a sensor without any noise would be diagnosed as
+// broken.
 class HeightSource final : public HandSource {
 public:
     HeightSource(std::shared_ptr<SimulatedHand::Shared> shared, std::size_t device)
@@ -90,7 +92,7 @@ public:
 
 private:
     static constexpr Duration kPeriod = std::chrono::milliseconds(5);
-    // After a stall of the program the sensor has sent no more than this.
+    // Limits the number of readings that are made up after the program stalled.
     static constexpr Duration kLongestCatchUp = std::chrono::seconds(1);
 
     using Readings = std::array<std::optional<drivers::LogRecord>, 2>;
@@ -128,9 +130,9 @@ private:
 
     Readings first_ {};
     Readings last_ {};
-    bool rests_after_ = false; // The recording; else before it.
+    bool rests_after_ = false; // True after the recording, false before it.
     bool is_second_ = false;
-    std::optional<Timestamp> due_ {}; // When the next reading is.
+    std::optional<Timestamp> due_ {}; // Time of the next reading.
 };
 
 } // namespace

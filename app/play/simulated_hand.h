@@ -10,31 +10,29 @@
 
 namespace tractus::play {
 
-// The simulated rig as if it were there, with a hand that draws a recording: its devices send what
-// they sent then, and its tool lines say which tool the hand takes. The hand waits until begin().
-// Before that and when it has drawn, the pen is away and the height sensor, if the recording has
-// one, goes on sending where it rests, so that nobody takes it for broken.
-//
-// Hand and sources belong to one thread, and the sources never wait. The same calls at the same
-// times of the clock give the same reports.
+// Simulated rig whose hand draws a recording: its devices send the recorded reports, and the log's
+// tool lines select the tools. It waits for begin(). Before and after the recording the pen is
+// away, and the height sensor, if there is one, keeps sending its resting value, so that it is not
+// diagnosed as broken. Hand and sources belong to one thread, and the sources never wait.
+// Deterministic for equal calls at equal times.
 class SimulatedHand {
 public:
-    // `now` is the clock of the reports. All of the log is in memory.
+    // `now` is the clock that stamps the reports. The log must be completely in memory.
     SimulatedHand(std::shared_ptr<drivers::Log const> log, std::function<Timestamp()> now);
 
-    // One for each device of the recording, in its order.
+    // One source for each device of the recording, in its order.
     std::vector<std::unique_ptr<drivers::ReportSource>> open_sources() const;
 
-    // The recording begins now, if it has not begun.
+    // Starts the recording, unless it has already begun.
     void begin();
 
-    // The tool lines whose time has come since the last call, with times of the clock.
+    // Tool lines that became due since the last call, with times of the clock.
     std::vector<drivers::LogTool> take_tools();
 
-    struct Shared; // State that it and its sources share.
+    struct Shared; // State shared with the sources.
 
 private:
-    std::shared_ptr<Shared> shared_; // With the sources.
+    std::shared_ptr<Shared> shared_; // Shared with the sources.
     std::size_t next_tool_ = 0;
 };
 

@@ -15,8 +15,8 @@ namespace tractus::play {
 
 namespace {
 
-// An axis as the selection view shows it. Its ends are left out: at the base the pen would touch
-// the parent first, and beyond the tip nothing.
+// An axis as shown by the selection view, without its ends: at the base the pen would touch the
+// parent first, and beyond the tip nothing.
 Result<std::vector<Vec2>> shown_axis(Plant const& plant, Vec2 const& tablet_size_mm,
                                      std::size_t rank)
 {
@@ -53,7 +53,8 @@ void write_reports(drivers::LogWriter& log, sim::SimulatedRun const& run, sim::H
     };
     auto gesture = script.gestures.begin();
     std::size_t stroke = 0;
-    // What is done at once is done when the hand chooses the tool of the stroke behind it.
+    // Actions without a stroke take place when the hand selects the tool of the stroke that
+    // follows.
     auto const write_tools_until = [&](Timestamp time) {
         for (; stroke < hand.strokes().size() && hand.strokes()[stroke].chosen <= time; ++stroke)
             for (bool draws = false; !draws; ++gesture) {

@@ -17,7 +17,7 @@ namespace tractus::render {
 // are procedural. Rendering is deterministic.
 class Renderer {
 public:
-    // Fails with a system error if the driver rejects the shaders.
+    // Fails with an internal error if the driver rejects the shaders.
     static Result<Renderer> create();
 
     Renderer(Renderer&&) noexcept;

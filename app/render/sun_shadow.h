@@ -11,7 +11,7 @@ namespace tractus::render {
 // ground's shadow more the farther its occluder is. Must not outlive the OpenGL context.
 class SunShadow {
 public:
-    // Fails with a system error if the driver rejects the shaders.
+    // Fails with an internal error if the driver rejects the shaders.
     static Result<SunShadow> create();
 
     // Renders the stage from the sun into a map of `side` pixels, 64 to 2048. Binds a framebuffer

@@ -14,7 +14,7 @@ namespace tractus::station {
 
 namespace {
 
-// The first device of the log that is a pen, and its decoder; no decoder if there is none.
+// The first pen of a log, and its decoder; null if there is none.
 struct LogPen {
     std::size_t device = 0;
     std::unique_ptr<drivers::PenDecoder> decoder;
@@ -54,7 +54,7 @@ Result<calib::Rig> choose_rig(drivers::Log const& log, LogPen const& pen,
     return rig;
 }
 
-// Where the scenario's clock begins and ends: at the log's first and last pen sample.
+// Sets the start and end of a scenario's clock to the log's first and last pen sample.
 Result<calib::ScriptedHeight> script_height(drivers::Log const& log, LogPen const& pen,
                                             calib::HeightScenario const& scenario)
 {
@@ -99,7 +99,8 @@ Result<LogReplay> LogReplay::create(drivers::Log const& log, ReplayOptions const
     return LogReplay(log, *std::move(station), std::move(lines), std::move(left_out));
 }
 
-// What no tool or step of this program is called was written by another one, with more of them.
+// Reads the lines about tools and steps. Lines with unknown names come from a program with more
+// tools; they are left out.
 Result<std::vector<LogReplay::Line>> LogReplay::read_lines(drivers::Log const& log,
                                                            tools::Methods const& methods,
                                                            std::vector<std::string>& left_out)
@@ -152,8 +153,8 @@ void LogReplay::push_lines()
             station_.set_least_extents(*extents);
 }
 
-// A step comes after as many strokes as when the log was made: its line may stand later in the log
-// than the reports of strokes that came after it.
+// Hands over each step after the same number of strokes as in the original session: its line may
+// come later in the log than the reports of later strokes.
 void LogReplay::hand_over(document::Document& document)
 {
     auto const hand_steps_over = [&](std::size_t end, std::size_t strokes_before) {

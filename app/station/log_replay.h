@@ -18,56 +18,57 @@
 namespace tractus::station {
 
 struct ReplayOptions {
-    tools::Methods methods {};        // What the log may name.
-    std::optional<calib::Rig> rig {}; // No value: the log's own, else one of the tablet's size.
-    std::optional<calib::HeightScenario> height {}; // In place of the log's height sensor.
+    tools::Methods methods {}; // Tools and edits that the log may contain.
+    // No value: the log's own rig, otherwise one of the tablet's size.
+    std::optional<calib::Rig> rig {};
+    std::optional<calib::HeightScenario> height {}; // Replaces the log's height sensor.
 };
 
-// Feeds a log to a station of its own, in the file's order, as fast as it is asked to: the same log
+// Plays a log on a station of its own, in the file's order, as fast as requested. The same log
 // gives the same strokes, bit for bit. The log must outlive the replay.
 class LogReplay {
 public:
-    // Fails, as the user's fault, if the log has no pen, neither a height sensor nor a scenario, a
-    // height sensor without a calibration, or a tool that does not exist.
+    // Fails with a user error if the log has no pen, neither a height sensor nor a scenario, a
+    // height sensor without a calibration, or an unknown tool.
     static Result<LogReplay> create(drivers::Log const& log, ReplayOptions const& options);
 
-    // Gives what has been drawn, and what was done beside drawing, since the last call to a
-    // document, in the order in which it was done when the log was made.
+    // Passes all strokes and other steps since the last call to a document, in their original
+    // order.
     void hand_over(document::Document& document);
 
-    // Lines of the log that mean nothing to this program, and what is left out for it: a sentence
-    // each.
+    // Sentences about lines of the log that this program does not understand, and what is left out
+    // because of them.
     std::vector<std::string> const& left_out() const { return left_out_; }
 
-    // Everything up to and including `time` of the log. False when there is nothing left, and then
-    // the station has finished.
+    // Plays everything up to and including `time` of the log. Returns false when nothing is left;
+    // the station has finished then.
     bool advance_to(Timestamp time);
 
-    // The same, but no farther than to the end of the next stroke. True while there is more up to
-    // `time`.
+    // Like advance_to(), but stops at the end of the next stroke. Returns true while there is more
+    // up to `time`.
     bool advance_to_stroke(Timestamp time);
 
     bool is_over() const { return finished_; }
 
-    // Of the next report; the last moment that there is when none is left.
+    // Time of the next report, or the largest time stamp if none is left.
     Timestamp next_time();
 
     // Fails if the log could not be read to its end, which ends the replay.
     Result<void> const& outcome() const { return outcome_; }
 
-    // Everything that is left, drawn in the document.
+    // Plays everything that is left into the document.
     void run(document::Document& document);
 
     Station const& station() const { return station_; }
     Station& station() { return station_; }
     Station take_station() && { return std::move(station_); }
 
-    // Of the first and the last report; equal for an empty log.
+    // Time of the first report; end() is that of the last. Equal for an empty log.
     Timestamp begin() const;
     Timestamp end() const;
 
 private:
-    // A line of the log about tools, or what was done beside drawing.
+    // A line of the log about a tool or another step.
     struct Line {
         std::size_t position = 0; // See LogTool.
         Timestamp time {};
@@ -87,8 +88,8 @@ private:
     std::vector<Line> lines_;
     std::vector<std::string> left_out_;
     drivers::LogCursor cursor_;
-    std::size_t next_line_ = 0; // Not reached yet.
-    std::size_t next_step_ = 0; // The next line that may be a step to be handed over.
+    std::size_t next_line_ = 0; // First line that was not reached yet.
+    std::size_t next_step_ = 0; // First line that may be a step still to be handed over.
     std::size_t handed_strokes_ = 0;
     bool finished_ = false;
     Result<void> outcome_ {};

@@ -4,8 +4,8 @@
 
 namespace tractus::station {
 
-// In place of a tool: the touch presses what the window shows; it means nothing to the plant. A
-// state of the station that logs say as they say tools, and none that anybody chooses.
+// Pseudo-tool of a touch that operates the window's controls and draws nothing. Logs record this
+// state like a tool, but users cannot select it.
 tools::Tool const& pressing();
 
 } // namespace tractus::station

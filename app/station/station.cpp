@@ -36,7 +36,7 @@ static bool has_options(tools::ToolKind const& kind)
         || !tools::chosen_numbers(tools::Tool(kind)).empty();
 }
 
-// The kinds that an other end of the pen is with the options that were chosen last.
+// Kinds used by the pen's other end with the options last chosen for them.
 static std::vector<tools::ToolKind const*> kinds_to_remember(tools::ToolKinds tools)
 {
     std::vector<tools::ToolKind const*> kinds;
@@ -172,10 +172,10 @@ void Station::use_pen(Pen& pen, drivers::PenSample const& decoded)
     ++counts_.pen_samples;
     pen_in_range_ = sample.in_range;
     if (!is_height_there_)
-        return; // Nobody knows where it is.
+        return; // Without the sensor the height is unknown.
     pen.fuser.set_may_leave_silently(pen.decoder->silence_limit().has_value());
     auto const tip = pen.fuser.push(sample);
-    follow_surface(pen); // Until this sample.
+    follow_surface(pen); // Applies height readings up to this sample.
     pen.last_sample = sample;
     if (tip) {
         follow_touch(pen, *tip);
@@ -186,15 +186,16 @@ void Station::use_pen(Pen& pen, drivers::PenSample const& decoded)
     take_settled(pen);
 }
 
-// When to change the tool for a tip, in the time of arrivals as all tool changes are. A recording
-// keeps microseconds, so where times are computed the instant has to lie well before the tip's.
+// Time of a tool change that must precede a tip, as an arrival time like those of all tool changes.
+// If sample times are smoothed, it lies half-way between two tips, since a recording rounds it to
+// microseconds.
 Timestamp Station::change_before(TipSample const& tip, std::optional<Timestamp> last_tip) const
 {
     bool const is_exact = sample_times_ == calib::SampleTimes::AsArrived || !last_tip;
     return (is_exact ? tip.time : *last_tip + (tip.time - *last_tip) / 2) + tablet_latency_;
 }
 
-// What a touch is for is decided where it begins.
+// Decides at the start of a touch whether it draws or operates controls.
 void Station::follow_touch(Pen& pen, TipSample const& tip)
 {
     auto const began = change_before(tip, std::exchange(pen.last_tip, tip.time));
@@ -222,7 +223,7 @@ void Station::press_instead()
 
 void Station::keep_moment(Pen const& pen, drivers::PenSample const& sample, TipSample const& tip)
 {
-    if (moments_.size() == kMostMoments) // Nobody takes them, or not in time.
+    if (moments_.size() == kMostMoments) // Nobody fetches the moments, or not often enough.
         moments_.erase(moments_.begin(), moments_.begin() + kMostMoments / 2);
     moments_.push_back({ .in_range = sample.in_range,
                          .touching = tip.touching,
@@ -268,7 +269,7 @@ void Station::push_height(Timestamp received, std::span<std::byte const> report)
         take_settled(pen);
 }
 
-// A pen that touches in silence goes with the surface.
+// Moves a pen that touches without sending reports along with the surface.
 void Station::follow_surface(Pen& pen)
 {
     for (auto const& tip : pen.fuser.take_live()) {
@@ -279,8 +280,8 @@ void Station::follow_surface(Pen& pen)
     }
 }
 
-// The height sensor went away. Strokes under way end with what it has measured; what the pens do
-// from now on has no place in space.
+// Handles the loss of the height sensor: unfinished strokes end with its last readings, and further
+// pen samples are ignored, as their height is unknown.
 void Station::end_with_height()
 {
     if (!is_height_measured_)
@@ -340,7 +341,7 @@ bool Station::pen_rests() const
 
 calib::FuserCounts Station::fuser_counts() const
 {
-    auto sum = pens_.front().fuser.counts(); // All have seen the same heights.
+    auto sum = pens_.front().fuser.counts(); // All pens have received the same heights.
     for (std::size_t i = 1; i < pens_.size(); ++i) {
         auto const& counts = pens_[i].fuser.counts();
         sum.pens += counts.pens;
@@ -363,14 +364,14 @@ void Station::set_tool(Timestamp time, tools::Tool const& tool)
         tool_in_hand_ = tool;
     bool const touch_goes_on = std::any_of(
         pens_.begin(), pens_.end(), [](Pen const& pen) { return pen.touches_since.has_value(); });
-    // A tool that is chosen by pressing is in hand when the press is over.
+    // A tool chosen by pressing a control takes effect when the press ends.
     if (is_press || !is_pressing() || !touch_goes_on)
         change_tool(time, tool);
 }
 
 void Station::change_tool(Timestamp time, tools::Tool const& tool)
 {
-    // Of hours of drawing only the last changes can still matter to a stroke.
+    // Removes old tool changes; after hours of drawing only recent ones can still affect a stroke.
     constexpr Duration kLongestStroke = std::chrono::hours(1);
     while (tool_changes_.size() > 1 && tool_changes_[1].time < time - kLongestStroke) {
         forget(tool_changes_.front().tool);
@@ -428,12 +429,13 @@ std::vector<tools::Tool> Station::tools_to_go_on_with() const
     return tools;
 }
 
-// A stroke belongs to the tool in hand when it began, though it is known to have ended only later.
+// A stroke belongs to the tool that was selected when it began, although its end becomes known
+// later.
 tools::Tool Station::meaning_of(std::vector<TipSample> const& tips) const
 {
     if (tips.empty())
         return tool_in_hand_;
-    // Tool changes are stamped on arrival, tips with the tablet's latency taken off.
+    // Tool changes have arrival times, while tips have the tablet's latency subtracted.
     auto const after = std::upper_bound(
         tool_changes_.begin() + 1, tool_changes_.end(), tips.front().time + tablet_latency_,
         [](Timestamp value, ToolChange const& change) { return value < change.time; });

@@ -16,7 +16,7 @@
 
 namespace tractus::stream {
 
-// An open file descriptor, closed at its end.
+// An owned file descriptor, closed by the destructor.
 class SocketDescriptor {
 public:
     explicit SocketDescriptor(int number)
@@ -44,7 +44,7 @@ private:
     int number_;
 };
 
-// One program that reads.
+// A connected reader and its queue.
 class LineReader {
 public:
     LineReader(SocketDescriptor socket, std::string greeting, Timestamp now)
@@ -68,7 +68,7 @@ public:
             is_gone_ = true;
     }
 
-    // Sends what goes without waiting.
+    // Sends as much as possible without blocking.
     void send(Timestamp now)
     {
         bool has_taken = sent_ == waiting_.size();
@@ -91,10 +91,11 @@ public:
         is_stalled_ = now - last_taken_ >= LineServer::kPatience;
     }
 
-    // It has taken nothing of what waits for it for as long as anybody waits for it.
+    // True if the reader has fetched nothing for kPatience although data is waiting.
     bool is_stalled() const { return is_stalled_; }
 
-    // Whoever only closes what it writes to, as shells do, still reads.
+    // True if the reader has disconnected. A half-closed connection, as shells create it, can still
+    // read.
     bool is_gone() const
     {
         pollfd state { .fd = socket_.number(), .events = 0, .revents = 0 };
@@ -104,7 +105,7 @@ public:
     std::size_t waiting_bytes() const { return waiting_.size() - sent_; }
 
 private:
-    // Called now and then, since the rest has to be moved.
+    // Frees sent data. Done only now and then, as the rest has to be moved.
     void forget_sent()
     {
         if (sent_ < waiting_.size() / 2)
@@ -115,9 +116,9 @@ private:
 
     SocketDescriptor socket_;
     std::string waiting_;
-    std::size_t sent_ = 0; // Part of waiting_ that is sent.
+    std::size_t sent_ = 0; // Length of the part of waiting_ that was sent.
     std::size_t left_out_ = 0;
-    Timestamp last_taken_; // When it last took something, or nothing waited for it.
+    Timestamp last_taken_; // Time at which the reader last fetched data or had none waiting.
     bool is_stalled_ = false;
     bool is_gone_ = false;
 };
@@ -143,7 +144,7 @@ Result<sockaddr_un> socket_address(std::filesystem::path const& path)
     return address;
 }
 
-// Takes away what an ended program has left.
+// Removes the socket that a terminated program has left behind.
 Result<void> make_room(std::filesystem::path const& path, sockaddr_un const& address)
 {
     struct stat there { };
@@ -188,7 +189,8 @@ Result<LineServer> LineServer::listen(std::filesystem::path const& path, std::st
     auto const address = TRY(socket_address(path));
     TRY(make_room(path, address));
     auto socket = new_socket();
-    // Before it has its name, so that there is no moment in which others may use it.
+    // Restricts the permissions before the socket gets its name, so that other users can never
+    // connect.
     if (socket.number() < 0 || ::fchmod(socket.number(), S_IRUSR | S_IWUSR) != 0
         || ::bind(socket.number(), reinterpret_cast<sockaddr const*>(&address), sizeof address) != 0
         || ::listen(socket.number(), kMostReaders) != 0)

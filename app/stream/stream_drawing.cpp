@@ -12,14 +12,14 @@ using namespace std::chrono_literals;
 
 static constexpr Duration kStreamRest = 2ms;
 
-// Nothing is kept of what is drawn, so that everything grows on an empty sheet.
+// Passes the station's output on. Strokes are not kept, so plants always grow on an empty sheet.
 static Result<void> take(station::Station& station, StreamOutput& output)
 {
     static scene::Scene const sheet;
     return output.take(station, sheet);
 }
 
-// Serves until a condition holds, or it is to stop.
+// Serves readers until a condition holds or `stop` is set.
 template<typename Condition>
 static void serve_until(StreamOutput& output, play::Pace const& pace, std::atomic<bool> const& stop,
                         Condition const& holds)
@@ -31,7 +31,7 @@ static void serve_until(StreamOutput& output, play::Pace const& pace, std::atomi
     }
 }
 
-// Streams all reports of the next moment of the log.
+// Streams all reports with the next time stamp of the log.
 static Result<void> stream_moment(station::LogReplay& replay, StreamOutput& output)
 {
     auto const time = replay.next_time();
@@ -67,7 +67,7 @@ Result<void> stream_log(station::LogReplay& replay, StreamOutput& output,
     return replay.outcome();
 }
 
-// A second for readers to take the end.
+// Gives readers a second to fetch the remaining data.
 static void serve_rest(StreamOutput& output, devices::LiveRecordingOptions const& options)
 {
     auto const end = options.now() + Duration(1s);

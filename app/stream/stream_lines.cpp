@@ -8,7 +8,7 @@ namespace tractus::stream {
 
 namespace {
 
-// Text with so many decimals, and never -0.
+// Formats a number with `count` decimals, and never as -0.
 std::string decimals_text(double number, int count)
 {
     auto text = fmt::format("{:.{}f}", number, count);
@@ -21,7 +21,7 @@ std::string millimetres_text(double length_mm)
     return decimals_text(length_mm, 3);
 }
 
-// Seconds to the nanosecond, which a double would not hold.
+// Formats seconds to the nanosecond, which exceeds the precision of a double.
 std::string seconds_text(Timestamp time)
 {
     constexpr std::int64_t kPerSecond = 1'000'000'000;

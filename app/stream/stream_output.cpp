@@ -56,7 +56,7 @@ Result<void> StreamOutput::tell(std::span<station::PenMoment const> moments,
     return {};
 }
 
-// A stroke that has no more tips than it had has no more steps.
+// Writes the growth steps of a stroke. Skipped if no tips were added, as there can be no new steps.
 Result<void> StreamOutput::tell_steps(Stroke const& stroke, tools::Tool const& tool,
                                       scene::Scene const& scene)
 {

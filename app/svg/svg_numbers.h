@@ -5,8 +5,8 @@
 
 namespace tractus::svg {
 
-// Reads the numbers in an SVG attribute, one after another: they stand apart by spaces and commas,
-// or by nothing where a sign or a second point begins the next one.
+// Reads the numbers in an SVG attribute one after another. Numbers are separated by spaces and
+// commas, or by nothing if a sign or a second decimal point begins the next one.
 class SvgNumbers {
 public:
     explicit SvgNumbers(std::string_view text)
@@ -14,16 +14,16 @@ public:
     {
     }
 
-    // The next number, finite; no value if something else comes, or nothing.
+    // The next finite number, or no value if something else or the end follows.
     std::optional<double> number();
 
-    // The next 0 or 1, which needs nothing to stand apart from what follows.
+    // The next 0 or 1, which needs no separator after it.
     std::optional<bool> flag();
 
-    // The next letter or bracket; no value at the end.
+    // The next letter or bracket, or no value at the end.
     std::optional<char> symbol();
 
-    // Returns what is left, without the spaces and commas before it.
+    // The remaining text without leading spaces and commas.
     std::string_view rest();
 
 private:

@@ -14,16 +14,16 @@ namespace {
 
 constexpr int kCurvePieces = 24;
 
-// An arc's command, but for its end.
+// Parameters of an arc command, except its end point.
 struct ArcShape {
     Vec2 radii = Vec2::Zero();
-    double turn = 0; // Turn of the ellipse, radians.
+    double turn = 0; // Rotation of the ellipse in radians.
     bool large = false;
     bool sweep = false;
 };
 
-// Returns an arc's points behind the first, by way of the ellipse's middle and angles (SVG 2,
-// appendix B.2.4).
+// Returns the points of an arc after its start, computed from the ellipse's centre and angles (SVG
+// 2, appendix B.2.4).
 std::vector<Vec2> arc_points(Vec2 const& from, Vec2 const& to, ArcShape const& shape)
 {
     Vec2 radii = shape.radii.cwiseAbs();
@@ -31,7 +31,8 @@ std::vector<Vec2> arc_points(Vec2 const& from, Vec2 const& to, ArcShape const& s
         return { to };
     Eigen::Rotation2Dd const turn(shape.turn);
     Vec2 const half = turn.inverse() * ((from - to) / 2);
-    radii *= std::max(1.0, half.cwiseQuotient(radii).norm()); // Too small ones are made to reach.
+    // Radii that are too small are enlarged until the arc can reach its end.
+    radii *= std::max(1.0, half.cwiseQuotient(radii).norm());
     Vec2 const unit = half.cwiseQuotient(radii);
     double const apart = unit.squaredNorm();
     double const side = shape.large == shape.sweep ? -1 : 1;
@@ -71,7 +72,7 @@ public:
     }
 
 private:
-    // A letter, or more numbers for the one before.
+    // Reads a command letter, or keeps the previous command if numbers follow.
     bool read_command()
     {
         char const next = numbers_.rest().front();
@@ -91,7 +92,7 @@ private:
 
     bool draw(char kind)
     {
-        if (closed_) { // The next line begins where the closed line did.
+        if (closed_) { // The next line begins at the start of the closed one.
             lines_.push_back({ at_ });
             closed_ = false;
         }
@@ -143,7 +144,7 @@ private:
         return true;
     }
 
-    // Its letter has to stand there each time: numbers do not repeat it.
+    // Closes the line. The command needs its letter each time; numbers cannot repeat it.
     bool close(char letter)
     {
         if (letter != command_)
@@ -174,7 +175,8 @@ private:
         return true;
     }
 
-    // The control point that goes on from the last curve of the kind.
+    // The control point of a smooth curve: the previous curve's control point mirrored, if that
+    // curve is of the same kind.
     Vec2 mirrored_control(char kind, char short_kind) const
     {
         bool const goes_on = last_kind_ == kind || last_kind_ == short_kind;
@@ -238,7 +240,7 @@ private:
     SvgNumbers numbers_;
     std::vector<std::vector<Vec2>> lines_;
     Vec2 at_ = Vec2::Zero();
-    Vec2 control_ = Vec2::Zero(); // Control point of the last curve.
+    Vec2 control_ = Vec2::Zero(); // Last control point of the previous curve.
     char command_ = ' ';
     char last_kind_ = ' ';
     bool closed_ = false;

@@ -8,11 +8,12 @@
 
 namespace tractus::svg {
 
-// The lines of an SVG path's data (the attribute d; SVG 2, section 9.3), in its own units, y down:
-// one for each move that draws something. Curves become polylines. No value if it is no path data.
+// Parses SVG path data (attribute d; SVG 2, section 9.3) into lines in its own units, y down: one
+// line for each move command that draws something. Curves become polylines. No value if the data is
+// invalid.
 std::optional<std::vector<std::vector<Vec2>>> parse_svg_path(std::string_view data);
 
-// The points of a polyline's or polygon's attribute of this name.
+// Parses the points attribute of a polyline or polygon. No value if it is invalid.
 std::optional<std::vector<Vec2>> parse_svg_points(std::string_view points);
 
 } // namespace tractus::svg

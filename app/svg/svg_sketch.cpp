@@ -20,11 +20,12 @@ namespace tractus::svg {
 namespace {
 
 constexpr double kPixel_mm = 25.4 / 96;
-constexpr char const* kAnotherStem = "another"; // "another stem".
+constexpr char const* kAnotherStem = "another"; // Start of a label such as "another stem".
 
-// An element that is open: what it hands on to those in it.
+// State inherited by an element's children.
 struct Surroundings {
-    Eigen::Affine2d to_sheet = Eigen::Affine2d::Identity(); // Takes its units to the drawing's.
+    // Transforms the element's units to the drawing's.
+    Eigen::Affine2d to_sheet = Eigen::Affine2d::Identity();
     std::string role;
     bool is_drawn = true;
 };
@@ -35,7 +36,7 @@ struct Drawing {
     std::vector<Surroundings> open;
     std::vector<SvgLine> lines;
     double unit_mm = kPixel_mm;
-    std::string fault; // A sentence; not empty: reading has stopped.
+    std::string fault; // Error message; if not empty, reading has stopped.
 
     void stop(std::string sentence)
     {
@@ -70,7 +71,7 @@ private:
     char const** pairs_;
 };
 
-// The role by which a word begins; empty for other words.
+// The role with which a word begins, or an empty text.
 std::string role_in(std::string_view word, std::vector<std::string> const& roles)
 {
     std::string lower(word);
@@ -91,7 +92,7 @@ std::string role_of(Attributes const& attributes, std::vector<std::string> const
     return {};
 }
 
-// How long a width such as "210mm" is; 0 if it does not say so.
+// Length of an attribute such as "210mm"; 0 if it is missing or in unknown units.
 double length_mm(std::string_view text)
 {
     constexpr std::array<std::pair<std::string_view, double>, 5> kUnits {
@@ -106,7 +107,7 @@ double length_mm(std::string_view text)
     return 0;
 }
 
-// The drawing's width as it is on paper, by its width in its own units.
+// Millimetres on paper per unit of the drawing, from its width and viewBox.
 double unit_of(Attributes const& svg)
 {
     auto const box = parse_svg_points(svg.find("viewBox").value_or(""));
@@ -134,7 +135,7 @@ std::optional<std::vector<std::vector<Vec2>>> lines_of(std::string_view element,
     return std::vector<std::vector<Vec2>> { *std::move(points) };
 }
 
-// Drawn only where something else refers to it, if at all.
+// True for elements that only define content, which is drawn where other elements refer to it.
 bool is_stored(std::string_view element)
 {
     constexpr std::array<std::string_view, 6> kStores { "defs",   "clipPath", "mask",
@@ -185,7 +186,7 @@ void end_element(void* data, char const* /*name*/)
         drawing.open.pop_back();
 }
 
-// A drawing needs no entities of its own, and they can be made to grow without end.
+// Refuses entity declarations: drawings need none, and they can be used to expand without limit.
 void refuse_entity(void* data, char const* /*name*/, int /*is_parameter*/, char const* /*value*/,
                    int /*length*/, char const* /*base*/, char const* /*system*/,
                    char const* /*public_id*/, char const* /*notation*/)
@@ -247,7 +248,7 @@ Result<std::vector<SvgLine>> read_svg_lines(std::string_view text,
     if (drawing.lines.empty())
         return fail(Fault::User,
                     "it has no path, polyline or line: draw the sketch's lines as paths");
-    for (auto& line : drawing.lines) // Upright, and in millimetres.
+    for (auto& line : drawing.lines) // Flips the drawing upright and converts it to millimetres.
         for (auto& point : line.points_mm)
             point = drawing.unit_mm * Vec2(point.x(), -point.y());
     return std::move(drawing.lines);

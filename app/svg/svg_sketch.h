@@ -12,25 +12,23 @@ namespace tractus::svg {
 
 // A line of an SVG drawing, upright and in millimetres.
 struct SvgLine {
-    std::string role; // Empty: it does not say.
+    std::string role; // Empty if the drawing does not state one.
     std::vector<Vec2> points_mm;
 };
 
-// The paths, polylines and straight lines of an SVG drawing, in its order. A line's role is the one
-// of `roles`, lower-case words, by which its id, class or label in Inkscape begins, or that of a
-// group around it.
-//
-// Fails, as the user's fault: text that is no SVG, a path that cannot be read, no line at all.
+// Reads the paths, polylines and straight lines of an SVG drawing in document order. A line's role
+// is the entry of `roles` (lower-case words) with which its id, class or Inkscape label begins, or
+// that of a group around it. Fails with a user error for invalid SVG, an invalid path, and a
+// drawing without lines.
 Result<std::vector<SvgLine>> read_svg_lines(std::string_view text,
                                             std::vector<std::string> const& roles);
 
-// The lines of an SVG drawing as a sketch in JSON (line_sketch_file.h), upright and in millimetres:
-// paths, polylines and straight lines. What a line is says its id, class or label in Inkscape, or
-// that of a group around it, by how it begins: stem, left, right, inclination; another, for
-// another stem, to which the lines belong that follow it. Where none does, they are strokes in the
-// drawing's order. Lines without such a word among others that have one are left out.
-//
-// Fails, as the user's fault: text that is no SVG, a path that cannot be read, no line at all.
+// Converts the paths, polylines and straight lines of an SVG drawing to a sketch in JSON
+// (line_sketch_file.h), upright and in millimetres. A line's role is the beginning of its id, class
+// or Inkscape label, or that of a group around it: stem, left, right, inclination; or another, for
+// another stem, to which the following lines belong. If no line has a role, all are strokes in
+// document order; otherwise lines without one are left out. Fails with a user error for invalid
+// SVG, an invalid path, and a drawing without lines.
 Result<nlohmann::json> svg_as_sketch(std::string_view text);
 
 } // namespace tractus::svg

@@ -7,7 +7,8 @@
 
 namespace tractus::svg {
 
-// An SVG attribute "transform": what is before it in the text is done last. No value if it is none.
+// Parses the SVG attribute "transform"; transforms apply from right to left. No value if it is
+// invalid.
 std::optional<Eigen::Affine2d> parse_svg_transform(std::string_view text);
 
 } // namespace tractus::svg

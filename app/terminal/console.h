@@ -6,15 +6,16 @@
 
 namespace tractus::terminal {
 
-// Makes it safe to print and to write files, whoever started the program: a standard stream that is
-// closed stays one that cannot be used, rather than becoming the next file that is opened; and a
-// file that may not grow further is an error, not the end of the program. Once, before all else.
+// Makes it safe to print and to write files, however the program was started. A closed standard
+// stream stays unusable, rather than becoming the next opened file, and exceeding a file size limit
+// is an error instead of a fatal signal. Call it once, first of all.
 void prepare_console();
 
-// Writes to standard output, at once. Fails, as the user's fault, if it is closed or full.
+// Writes to standard output without buffering. Fails with a user error if it is closed or full.
 Result<void> print_out(std::string_view text);
 
-// Writes to standard error, at once. Where that cannot be written, nobody is there to be told.
+// Writes to standard error without buffering. Errors are ignored, as there is nowhere to report
+// them.
 void print_error(std::string_view text);
 
 } // namespace tractus::terminal

@@ -18,7 +18,7 @@ namespace tractus::terminal {
 namespace {
 
 constexpr std::size_t kMostShownBytes = std::size_t { 16 } << 20;
-constexpr std::size_t kMaxLine = 160; // A longer one shows its part around the column.
+constexpr std::size_t kMaxLine = 160; // A longer line is cut to a part around the column.
 
 constexpr std::string_view kBold = "\033[1m";
 constexpr std::string_view kRed = "\033[1;31m";
@@ -39,15 +39,15 @@ char const* prefix(Fault fault)
     return "error";
 }
 
-// FILE:LINE:COLUMN at the beginning of a message.
+// FILE:LINE:COLUMN at the start of a message.
 struct Place {
     std::string file;
     std::size_t line = 0;
     std::size_t column = 0;
-    std::size_t length = 0; // Length of the text.
+    std::size_t length = 0; // Length of this text.
 };
 
-// A number from `at` on, and the colon behind it; 0 for none.
+// Parses a number at `at` and the colon that follows; 0 if there is none.
 std::size_t take_number(std::string_view text, std::size_t& at)
 {
     std::size_t value = 0;
@@ -75,7 +75,7 @@ std::optional<Place> find_place(std::string_view message)
     return std::nullopt;
 }
 
-// The line with the place, without its end. No value if the file or the line is not there.
+// The line at the place, without its line break. No value if the file or the line does not exist.
 std::optional<std::string> read_line(Place const& place)
 {
     std::error_code ignored;
@@ -94,20 +94,19 @@ std::optional<std::string> read_line(Place const& place)
     return std::string(rest.substr(0, rest.find_first_of("\r\n")));
 }
 
-// The text of a message: what a terminal would take for commands is shown as escapes, as messages
-// quote files from anywhere.
+// The message with control characters escaped, as it may quote files from untrusted sources.
 std::string for_terminal(std::string_view message)
 {
     return printable(message, "\n\t");
 }
 
-// The line and the caret. What a terminal would take for commands is shown as a question mark.
+// The line and a caret below the column. Control characters become question marks.
 std::string excerpt(std::string line, std::size_t column, bool is_colored)
 {
     for (auto& c : line)
         if ((static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f')
             c = '?';
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) // The other control characters of UTF-8.
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) // UTF-8 encoded C1 control characters.
         if (line[i] == '\xc2' && static_cast<unsigned char>(line[i + 1]) < 0xa0)
             line[i] = line[i + 1] = '?';
     std::size_t const begin = column > kMaxLine / 2 ? column - kMaxLine / 2 : 0;

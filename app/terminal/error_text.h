@@ -7,25 +7,25 @@
 
 namespace tractus::terminal {
 
-// How errors and warnings are shown to whoever reads them.
+// Style of errors and warnings.
 enum class ErrorStyle {
     Plain,   // One line, for logs and other programs.
-    Excerpt, // Shows the line of the file that is wrong, and a caret under the column.
+    Excerpt, // Also shows the line of the file with the error, and a caret below the column.
     Colored, // Excerpt in colours.
 };
 
-// How standard error wants them: plain unless it is a terminal, and without colours where NO_COLOR
+// Style suitable for standard error: Plain unless it is a terminal, and without colours if NO_COLOR
 // is set or the terminal is dumb.
 ErrorStyle error_style();
 
-// The error, with its line's end. The excerpt is that of a message that begins with
-// "FILE:LINE:COLUMN: ", if the file can be read.
+// Formats an error, including the line end. An excerpt is shown if the message begins with
+// "FILE:LINE:COLUMN: " and the file can be read.
 std::string error_text(Error const& error, ErrorStyle style);
 
-// Returns the text of what does not end the work.
+// Formats a warning, which does not end the program.
 std::string warning_text(std::string_view message, ErrorStyle style);
 
-// Writes a warning to standard error as it wants them.
+// Writes a warning to standard error in its suitable style.
 void print_warning(std::string_view message);
 
 } // namespace tractus::terminal

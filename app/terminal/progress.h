@@ -7,9 +7,9 @@
 
 namespace tractus::terminal {
 
-// Tells whoever waits what is being done, and keeps the time that each stage took. A stage that is
-// over within a second says nothing. On a terminal the line is rewritten in place; elsewhere each
-// stage says at most one line a second. Standard error.
+// Shows on standard error what the program is doing, and measures the time of each stage. Stages
+// shorter than a second are not shown. On a terminal the line is updated in place; elsewhere each
+// stage prints at most one line per second.
 class Progress {
 public:
     Progress();
@@ -17,10 +17,10 @@ public:
     Progress(Progress const&) = delete;
     Progress& operator=(Progress const&) = delete;
 
-    // Begins a stage, which ends the one before. `total` is how many steps it has, 0 if not known.
+    // Starts a stage and ends the one before. `total` is the number of its steps, or 0 if unknown.
     void begin(std::string stage, std::size_t total = 0);
 
-    // One step of the stage is done.
+    // Counts a step of the stage as done.
     void step();
 
     // Ends the last stage.

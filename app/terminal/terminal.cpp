@@ -8,7 +8,7 @@
 
 namespace tractus::terminal {
 
-// Data that ncurses keeps of the terminal.
+// State that ncurses keeps for the terminal.
 struct Terminal::Screen {
     explicit Screen(SCREEN* opened)
         : curses(opened)

@@ -10,14 +10,13 @@
 
 namespace tractus::terminal {
 
-// Whether somebody looks at standard output and can press keys.
+// True if standard output is a terminal whose user can press keys.
 bool is_terminal();
 
-// The whole screen of the terminal, until it goes: then the terminal is as it was. At most one at a
-// time.
+// The terminal in full-screen mode; the destructor restores it. At most one can exist at a time.
 class Terminal {
 public:
-    // Fails, as the user's fault, if the terminal's kind ($TERM) is not known.
+    // Fails with a user error if the terminal type ($TERM) is unknown.
     static Result<Terminal> open();
 
     Terminal(Terminal&&) noexcept;
@@ -29,7 +28,7 @@ public:
     // Shows these lines from the top, and `status` in the last line.
     void show(std::vector<std::string> const& lines, std::string const& status);
 
-    // A key that was pressed; no value if none was. Does not wait.
+    // The next pressed key, or no value if there is none. Does not wait.
     std::optional<char> key();
 
 private:

@@ -5,9 +5,9 @@
 
 namespace tractus::terminal {
 
-// Keys as they are pressed, from standard input. At a terminal they come without waiting for Enter
-// and are not echoed, until this is destroyed; signals like Ctrl-C work as ever. From a pipe or a
-// file they are its characters.
+// Reads single keys from standard input. On a terminal they arrive without Enter and without echo
+// until this object is destroyed; signals such as Ctrl-C keep working. Pipes and files are read by
+// characters.
 class TerminalKeys {
 public:
     TerminalKeys();
@@ -15,14 +15,16 @@ public:
     TerminalKeys(TerminalKeys const&) = delete;
     TerminalKeys& operator=(TerminalKeys const&) = delete;
 
-    // Does not wait. No value: none now. The input's end is '\4', again and again.
+    // The next key, or no value if none is waiting. Does not wait. After the end of input it keeps
+    // returning '\4'.
     std::optional<char> read();
 
     bool is_terminal() const;
 
 private:
     struct Before;
-    std::unique_ptr<Before> before_; // How the terminal was; null if it is none.
+    // Former state of the terminal; null if input is not a terminal.
+    std::unique_ptr<Before> before_;
 };
 
 } // namespace tractus::terminal

@@ -113,7 +113,7 @@ std::string png_of(leaf::CellPage const& page)
                                 .packing = exports::PngPicture::Packing::Fast });
 }
 
-// Mean colour of the leaves on a page, as linear light.
+// Mean colour (sRGB) of the leaves on a page, averaged in linear light.
 Vec3f color_of_leaves(leaf::CellPage const& page)
 {
     Vec3 sum = Vec3::Zero();
