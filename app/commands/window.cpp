@@ -198,8 +198,7 @@ Result<std::string> open_first_drawing(WindowArguments const& arguments,
     return drawing.name;
 }
 
-// Runs a window with live devices. Live drawing has no end, so no movement of the view needs to
-// wait for it.
+// Runs the window with live devices until the user closes it.
 Result<void> draw_in_window(devices::LiveDevices devices, controllers::LiveWindowOptions options,
                             window::WindowOptions const& how)
 {

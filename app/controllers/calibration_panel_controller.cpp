@@ -46,7 +46,7 @@ void CalibrationPanelController::advance()
     }
     bool const waits = calibration::takes_captures(controller_.procedure()) && !was_capturing_;
     if (controller_.take_pen_rest() && waits)
-        // With the time of the rest, not the time at which it was noticed.
+        // Captures with the time of the pen's rest, not the time at which it was noticed.
         capture(controller_.pen()->time, view_.proposed_mm);
     show_reading();
 }

@@ -63,7 +63,7 @@ private:
 
     void capture(Timestamp time, double ruler_mm);
     bool command(Timestamp time,
-                 std::string const& words); // False if refused; the view gives the reason.
+                 std::string const& words); // Returns false if refused; the view gives the reason.
     void fit();
     void propose();
     void show_reading();

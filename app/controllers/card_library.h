@@ -27,10 +27,10 @@ public:
                                           tools::ToolKind const& kind) const;
 
     // Saves the current tool as a card under an unused name such as "Rule 3", and returns the name.
-    // Fails, as the user's fault, if it cannot be written.
+    // Fails with a user error if it cannot be written.
     Result<std::string> keep(tools::Tool const& hand) const;
 
-    // Fails, as the user's fault, if the new name is not a valid file name or is taken.
+    // Fails with a user error if the new name is not a valid file name or is taken.
     Result<void> rename(std::string const& from, std::string const& to) const;
 
     Result<void> remove(std::string const& name) const;

@@ -38,7 +38,7 @@ public:
     // drawn in it, or is too costly for a thumbnail.
     struct Made {
         std::filesystem::path file;
-        std::shared_ptr<render::Image const> picture; // The only reference.
+        std::shared_ptr<render::Image const> picture; // The only reference to the picture.
     };
     std::optional<Made> take();
 

@@ -31,7 +31,7 @@ struct OpenedDrawing {
 };
 
 // Opens a drawing. If a new session with a generated name cannot be created, the drawing opens
-// without one. Fails, as the user's fault, like load_plant_edit(), Session::open() and
+// without one. Fails with a user error like load_plant_edit(), Session::open() and
 // Session::create().
 Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, scene::EditKinds kinds);
 

@@ -15,8 +15,8 @@ std::string name_in_words(std::string stem);
 // generated file names (unnamed_session.h), otherwise the file's.
 std::string name_of_drawing(std::filesystem::path const& session, std::string const& given);
 
-// Trims spaces around a typed name. Fails, as the user's fault, if it is empty, longer than 60
-// bytes, or has characters that are not printable text.
+// Trims spaces around a typed name. Fails with a user error if it is empty, longer than 60 bytes,
+// or has characters that are not printable text.
 Result<std::string> name_as_typed(std::string_view typed);
 
 // Converts a name to part of a file name.

@@ -35,8 +35,8 @@ bool has_height_sensor(devices::LiveDevices const& devices)
 
 MouseParts add_mouse(devices::LiveDevices& devices, LiveWindowOptions const& options)
 {
-    constexpr double kFirstSurface_mm = 100; // So that part of the plant, below the surface, is
-                                             // visible.
+    // High enough to show part of the plant, which is visible below the surface.
+    constexpr double kFirstSurface_mm = 100;
     if (!options.mouse)
         return MouseParts {};
     MouseParts const parts { .pen = !has_pen(devices), .height = !has_height_sensor(devices) };

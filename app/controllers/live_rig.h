@@ -28,8 +28,8 @@ MouseParts add_mouse(devices::LiveDevices& devices, LiveWindowOptions const& opt
 bool lacks_calibration(devices::LiveDevices const& devices, LiveWindowOptions const& options);
 
 // Returns the rig of the options; otherwise that of a log among the devices; otherwise a default
-// rig with the first tablet's size. Includes the mouse's height sensor if it is used. Fails, as the
-// user's fault, if a rig cannot be read, or if a height sensor is uncalibrated and its calibration
+// rig with the first tablet's size. Includes the mouse's height sensor if it is used. Fails with a
+// user error if a rig cannot be read, or if a height sensor is uncalibrated and its calibration
 // could not be saved.
 Result<calib::Rig> choose_rig(devices::LiveDevices const& devices, LiveWindowOptions const& options,
                               MouseParts const& mouse);

@@ -301,8 +301,8 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
     recorded_from_stroke_ = controller_->document().stroke_count();
     recorder_->write_tool(now, tools::kLeastExtentsLine,
                           tools::print_least_extents(station_.least_extents()));
-    // The station's tools, to continue with the same. The first is included as well as in the line
-    // above, for older programs.
+    // Writes the station's tools, so that the recording starts with the same tools at both ends of
+    // the pen.
     for (auto const& tool : station_.tools_to_go_on_with()) {
         auto const words = tools::words_for(tool);
         recorder_->write_tool(now, words.name, words.arguments);

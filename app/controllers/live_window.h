@@ -79,7 +79,7 @@ public:
     // Fails like Station::create(), LiveRecorder::create() and LineServer::listen(). Without a
     // height sensor or a fixed height, the surface is taken to lie on the controller. The same
     // applies to an uncalibrated height sensor; then the window opens with its calibration, and
-    // creation fails, as the user's fault, if a calibration could not be saved.
+    // creation fails with a user error if a calibration could not be saved.
     static Result<LiveWindow> create(devices::LiveDevices devices, LiveWindowOptions options);
     LiveWindow(LiveWindow&&) = default;
     LiveWindow& operator=(LiveWindow&&) = delete;
@@ -108,8 +108,8 @@ private:
     LiveWindow(devices::LiveDevices devices, LiveWindowOptions options,
                station::StationOptions station_options, station::Station station);
 
-    void perform_kind(view::SetPlaying const&) { } // Live drawing cannot be paused
-    void perform_kind(view::SetSpeed const&) { }   // or change its speed.
+    void perform_kind(view::SetPlaying const&) { } // Live drawing cannot be paused.
+    void perform_kind(view::SetSpeed const&) { }   // The speed of live drawing cannot be changed.
     void perform_kind(view::Restart const&);
     void perform_kind(view::ChooseTool const& command);
     void perform_kind(view::AdjustTool const& command);
@@ -170,22 +170,24 @@ private:
     LiveWindowOptions options_;
     station::StationOptions station_options_; // Kept for starting a new drawing.
     station::Station station_;
-    std::optional<StationController> controller_; // Of the current drawing; always has a value.
+    // Controller of the current drawing; always has a value.
+    std::optional<StationController> controller_;
     LiveCards cards_;
-    std::unique_ptr<ChoicePage> choices_;         // Null until it is opened.
+    // Page on which a picture or leaf is chosen; null until opened.
+    std::unique_ptr<ChoicePage> choices_;
     ChoiceOf choice_of_ = ChoiceOf::Picture;      // What choices_ is for.
     std::vector<DrawnLeafFile> drawn_leaves_ {};  // Leaves of the document among the choices.
     std::vector<DrawnOrganFile> drawn_organs_ {}; // Leaves drawn in three views among the choices.
     std::filesystem::path kept_leaf_ {};     // File of the plant's current foliage; may be empty.
-    std::unique_ptr<LeafPage> leaf_page_;    // Null until it is opened.
+    std::unique_ptr<LeafPage> leaf_page_;    // Page that previews leaves; null until opened.
     std::optional<io::FollowedModel> model_; // The model's file, watched for changes.
     std::optional<devices::LiveRecorder> recorder_;
     std::optional<stream::StreamOutput> stream_; // nullopt if the drawing is not streamed.
     std::vector<station::PenMoment> moments_;    // Pen input that has not been shown yet.
     // Index in the document of the recording's first stroke.
     std::size_t recorded_from_stroke_ = 0;
-    std::optional<devices::LiveDiagnosis> diagnosis_;       // Set while the devices are watched.
-    Timestamp next_look_ {};                                // When its findings are read next.
+    std::optional<devices::LiveDiagnosis> diagnosis_; // Set while the devices are watched.
+    Timestamp next_look_ {}; // Time at which the diagnosis's findings are read next.
     std::optional<CalibrationPanelController> calibration_; // Set during calibration.
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<devices::LiveReport> reports_;        // A member only to reuse its memory.

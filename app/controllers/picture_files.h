@@ -19,8 +19,8 @@ std::vector<std::filesystem::path> pictures_in(std::filesystem::path const& fold
                                                std::size_t most);
 
 // Reads a picture to lay behind the drawing, scaled to fit a tablet of this size with some margin.
-// Fails, as the user's fault and with the file's name, if it cannot be read or decoded, or is
-// larger than a drawing may store.
+// Fails with a user error and the file's name if it cannot be read or decoded, or is larger than a
+// drawing may store.
 Result<scene::LayPicture> load_back_picture(std::filesystem::path const& file,
                                             Vec2 const& tablet_mm);
 

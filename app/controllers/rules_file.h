@@ -14,13 +14,12 @@ namespace tractus::controllers {
 // Models that the user edits while drawing on their plants.
 
 // Writes the model of a plant with editable rules into a new folder and returns the file with the
-// rules. Fails, as the user's fault, if the plant has no rules or no file can be written.
+// rules. Fails with a user error if the plant has no rules or no file can be written.
 Result<std::filesystem::path> write_rules(scene::PlantState const& plant,
                                           std::filesystem::path const& folder);
 
 // The change after a model's file was saved: the active plant is derived again from the new text,
-// keeping what was drawn on it. Fails, as the user's fault, if the active plant is not this
-// model's.
+// keeping what was drawn on it. Fails with a user error if the active plant is not this model's.
 Result<document::WantedStep::Change> take_rules(scene::LoadModel const& model,
                                                 scene::Scene const& scene);
 

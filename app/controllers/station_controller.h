@@ -38,7 +38,7 @@ public:
     // Like show(), after all pending work is done or cannot be done for now.
     void settle(station::Station& station, Timestamp now);
 
-    // Waits until all strokes and steps are saved. Fails, as the user's fault, if some cannot be.
+    // Waits until all strokes and steps are saved. Fails with a user error if some cannot be.
     Result<void> finish(station::Station& station, Timestamp now);
 
     // True if the user may leave, given the result of finish(). On an error, returns false once and

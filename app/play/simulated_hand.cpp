@@ -64,7 +64,7 @@ protected:
 
     drivers::Log const& log() const { return *shared_->log; }
     SimulatedHand::Shared const& shared() const { return *shared_; }
-    // True when the recording has been played completely.
+    // For rest(): true after the recording, false before it.
     bool is_over() const { return shared_->begun.has_value(); }
 
 private:

@@ -63,7 +63,8 @@ Image flipped(Image const& picture);
 Image resized(Image const& picture, int width, int height);
 
 // Writes a PNG file (ISO/IEC 15948) with 8 bits per channel: RGB if every pixel is opaque,
-// otherwise RGBA. Fails with an internal error if the stream cannot be written or the image is empty.
+// otherwise RGBA. Fails with an internal error if the stream cannot be written or the image is
+// empty.
 Result<void> write_png(std::ostream& out, Image const& picture);
 
 } // namespace tractus::render

@@ -19,7 +19,8 @@ struct ShaderSource {
 // A linked shader program. It must be created, used and destroyed with the same context current.
 class Shader {
 public:
-    // Fails with an internal error that contains the driver's message if the source does not compile.
+    // Fails with an internal error that contains the driver's message if the source does not
+    // compile.
     static Result<Shader> build(ShaderSource const& source);
 
     Shader(Shader&& other) noexcept;

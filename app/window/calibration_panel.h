@@ -10,7 +10,7 @@ namespace tractus::window {
 // plots. Draws into the current ImGui window; input goes to the model at once.
 class CalibrationPanel {
 public:
-    // `title_font` comes from theme::apply(); `scale` is the display's.
+    // `title_font` comes from theme::apply(); `scale` is the display's scale factor.
     CalibrationPanel(ImFont* title_font, float scale)
         : title_font_(title_font)
         , scale_(scale)

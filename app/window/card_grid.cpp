@@ -16,7 +16,8 @@ constexpr std::size_t kMostColumns = 8;
 constexpr float kGap_px = 14;
 constexpr float kTitleHeight_px = 44;
 constexpr float kSectionGap_px = 18;
-constexpr float kPictureHeight = 0.69f; // As a share of a card's width.
+// Height of a card's picture as a share of the card's width.
+constexpr float kPictureHeight = 0.69f;
 constexpr float kWordsHeight_px = 74;
 
 // A group of cards under a title.
@@ -106,7 +107,7 @@ std::size_t neighbour(CardGrid const& grid, std::size_t from, Direction directio
         return from == 0 ? 0 : from - 1;
     if (direction == Direction::Right)
         return std::min(from + 1, grid.places.size() - 1);
-    // The nearest row in that direction, and the nearest card in it.
+    // Finds the nearest row in the arrow's direction, then the nearest card in it.
     auto const& here = grid.places[from];
     auto best = from;
     auto const is_farther = [&](CardGrid::Place const& one, CardGrid::Place const& other) {

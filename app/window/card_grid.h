@@ -26,12 +26,13 @@ struct CardGrid {
     std::vector<Title> titles {};
     float card_width = 0; // All cards have the same size.
     float card_height = 0;
-    float picture_height = 0; // The upper part of a card; the text is below it.
-    float height = 0;         // Total height of the page.
+    // Height of the picture in the upper part of a card; the text is below it.
+    float picture_height = 0;
+    float height = 0; // Total height of the page.
 };
 
 // Arranges cards in columns of equal width, as many as leave each card wide enough for its text and
-// for a pen, with each group under its title. `scale` is the display's.
+// for a pen, with each group under its title. `scale` is the display's scale factor.
 CardGrid arrange_cards(std::span<view::StartCards const> groups, float width, float scale);
 
 enum class Direction { Left, Right, Up, Down };

@@ -27,7 +27,7 @@ private:
     void draw(view::VariationView const& variation, Picture& picture, render::Renderer& renderer,
               ImVec2 const& size_px) const;
 
-    std::map<std::uint64_t, Picture> pictures_; // By seed.
+    std::map<std::uint64_t, Picture> pictures_; // Pictures of the variations, by seed.
     bool is_light_ = false;
 };
 

@@ -19,13 +19,14 @@ constexpr char const* kLikeDrawn = "Like the plant"; // Copies the numbers of th
 constexpr float kProgressHeight_px = 10;
 constexpr float kBarAir_px = 8;
 constexpr float kGroupGap_px = 28;
-constexpr float kGreatestPart = 0.6f; // Greatest height as a share of the window's, if the main
-                                      // buttons allow it.
+// Greatest height of the bar as a share of the window's, if the main buttons allow it.
+constexpr float kGreatestPart = 0.6f;
 constexpr std::size_t kMostMainRows = 2;
 constexpr float kLowWindow_px = 640;
 constexpr float kLeastAir_px = 7;   // Space on each side of a button's label.
 constexpr float kToolWidth_px = 96; // Least width of a tool's button.
-constexpr float kLessAir_px = 12; // Space by which the tools' labels have less than other buttons.
+// Tool buttons have this much less space around their label than other buttons.
+constexpr float kLessAir_px = 12;
 
 using Shown = Workbench::Shown;
 constexpr std::array<std::pair<char const*, Shown>, 5> kViews { { { "All", Shown::All },
@@ -193,7 +194,7 @@ void Controls::show_recording(view::RecordingView const& recording)
     ImGui::TextUnformatted(text.c_str());
 }
 
-// True if a handle of the glyph sets this number: it then needs no button while the glyph is shown.
+// True if a handle of the gizmo sets this number: it then needs no button while the gizmo is shown.
 static bool is_set_by_glyph(tools::Meaning const& meaning)
 {
     return tools::chosen_numbers(meaning.tool)[*meaning.number].option.offered

@@ -26,7 +26,7 @@ struct WindowPart {
 // A button of the bar.
 struct BarButton {
     std::string text {};
-    float width = 0; // In pixels at a display scale of 1.
+    float width = 0; // Width in pixels at a display scale of 1.
     bool is_on = false;
     bool begins_group = false; // True for the first button of a group that should stay in one row.
     std::function<void()> press;

@@ -11,7 +11,7 @@ namespace tractus::window {
 // ImGui window.
 class DevicesPanel {
 public:
-    // `title_font` comes from theme::apply(); `scale` is the display's.
+    // `title_font` comes from theme::apply(); `scale` is the display's scale factor.
     DevicesPanel(ImFont* title_font, float scale)
         : title_font_(title_font)
         , scale_(scale)

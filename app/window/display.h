@@ -23,8 +23,8 @@ struct Display {
 // may be a little larger than the picture and rotated by 90°. nullopt if none fits, or several.
 std::optional<std::size_t> tablet_display(std::span<Display const> displays, Vec2 const& area_mm);
 
-// Finds a display by its number, from 1, or by part of its name, ignoring case. Fails, as the
-// user's fault and with a list of the displays, if none or several match.
+// Finds a display by its number, from 1, or by part of its name, ignoring case. Fails with a user
+// error and a list of the displays if none or several match.
 Result<std::size_t> find_display(std::span<Display const> displays, std::string_view which);
 
 } // namespace tractus::window

@@ -20,7 +20,7 @@ constexpr float kSmall = 0.8f;    // Size of small letters relative to normal on
 constexpr float kSmallest = 0.7f; // Size of the letters of labels.
 constexpr float kPanelAir_px = 10;
 constexpr float kHandleRadius_px = 13; // Radius of a handle as drawn.
-constexpr float kReach_px = 22;        // Distance at which a pen grabs it.
+constexpr float kReach_px = 22;        // Distance at which a pen grabs a handle.
 constexpr float kSmallRadius_px = 8;   // Radius of a handle among many.
 constexpr float kSmallReach_px = 14;
 
@@ -70,7 +70,7 @@ std::optional<WindowPart> GlyphPanel::show(view::WindowModel& model, Workbench& 
         is_shown = !is_shown;
     if (is_shown) {
         auto const glyph = is_of_drawn ? *state.drawn_glyph : bench.hand(state).glyph();
-        // A glyph of curves fills the square; one of a rule leaves the corner free for the button.
+        // A gizmo of curves fills the square; one of a rule leaves the corner free for the button.
         auto const corner = is_of_drawn ? ImGui::GetCursorScreenPos() : top;
         show_glyph(model, bench, glyph, { { corner.x + side / 2, corner.y + side / 2 }, side / 2 });
         ImGui::SetCursorScreenPos(corner);

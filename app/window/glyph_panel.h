@@ -9,9 +9,9 @@
 
 namespace tractus::window {
 
-// A small drawing (glyph) of the current tool, or of an object drawn with it, in a corner of the
-// viewport, with handles to drag by pen or mouse (app/tools/glyph.h). While a handle is dragged, a
-// preview is shown; the object changes when it is released.
+// The gizmo (a small drawing) of the current tool, or of an object drawn with it, in a corner of
+// the viewport, with handles to drag by pen or mouse (app/tools/glyph.h). While a handle is
+// dragged, a preview is shown; the object changes when it is released.
 class GlyphPanel {
 public:
     explicit GlyphPanel(float scale)
@@ -19,8 +19,8 @@ public:
     {
     }
 
-    // Shows it in the upper right corner of `pad`, if the tool has one and there is room. Returns
-    // its rectangle, or nullopt if it is not shown.
+    // Shows the gizmo in the upper right corner of `pad`, if the tool has one and there is room.
+    // Returns its rectangle, or nullopt if it is not shown.
     std::optional<WindowPart> show(view::WindowModel& model, Workbench& bench,
                                    Controls const& controls, WindowPart const& pad);
 

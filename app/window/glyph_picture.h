@@ -6,7 +6,7 @@
 
 namespace tractus::window {
 
-// Position of a glyph's square in the window, in pixels.
+// Position of a gizmo's square in the window, in pixels.
 struct GlyphSquare {
     ImVec2 middle { 0, 0 };
     float half = 1;
@@ -15,7 +15,7 @@ struct GlyphSquare {
     Vec2 to_frame(ImVec2 const& place_px) const;
 };
 
-// Draws the glyph's lines into the current ImGui window; `scale` is the display's.
+// Draws the gizmo's lines into the current ImGui window; `scale` is the display's scale factor.
 void draw_glyph(tools::Glyph const& glyph, GlyphSquare const& square, float scale);
 
 } // namespace tractus::window

@@ -10,7 +10,7 @@ namespace tractus::window {
 // State of the mouse at one moment.
 struct MouseMoment {
     ImVec2 place_px { 0, 0 };
-    bool is_down = false; // The left button.
+    bool is_down = false; // State of the left button.
 };
 
 struct KeyPress {

@@ -77,15 +77,15 @@ private:
     Place place() const;
 
     MouseQueue mouse_;
-    MouseMoment last_mouse_; // The newest one in mouse_.
+    MouseMoment last_mouse_; // Newest state stored in mouse_.
     std::vector<KeyPress> presses_;
-    std::vector<std::filesystem::path> dropped_; // Since the last frame.
+    std::vector<std::filesystem::path> dropped_; // Files dropped since the last frame.
     bool has_stirred_ = false;                   // An event arrived since events were last taken.
     std::string lately_held_;                    // Letters pressed since the last frame.
     std::string held_;                           // Letters of the keys that are down now.
     bool library_ = false;
     GLFWwindow* window_ = nullptr;
-    std::string title_; // The title set last; empty: that of the opening.
+    std::string title_; // Title set last; empty: the initial title.
     Place last_place_;  // Position and size before the window became full screen.
     bool imgui_ = false;
     float scale_ = 1;

@@ -25,7 +25,7 @@ namespace tractus::window {
 // the model at once.
 class Layout {
 public:
-    // `title_font` comes from theme::apply(); `scale` is the display's.
+    // `title_font` comes from theme::apply(); `scale` is the display's scale factor.
     Layout(ImFont* title_font, float scale)
         : title_font_(title_font)
         , scale_(scale)

@@ -2,7 +2,8 @@
 
 #include "app/terminal/console.h"
 
-#include <X11/Xlib.h> // Last, and compiled alone: its macros are short common words.
+// Included last, in a file compiled alone, as Xlib's macros are short common words.
+#include <X11/Xlib.h>
 #include <cstdlib>
 #include <fmt/core.h>
 #include <utility>

@@ -13,7 +13,7 @@ namespace tractus::window {
 // grows, saving and exporting, the devices, the window.
 class Menu {
 public:
-    // `title_font` comes from theme::apply(); `scale` is the display's.
+    // `title_font` comes from theme::apply(); `scale` is the display's scale factor.
     Menu(ImFont* title_font, float scale)
         : scale_(scale)
         , devices_(title_font, scale)
@@ -52,7 +52,7 @@ private:
     DevicesPanel devices_;
     // Season being set by a slider; month 0: no season. nullopt: show the plant's own.
     std::optional<scene::Season> wanted_season_;
-    // For the next .glb file.
+    // How the next .glb file stores leaves.
     exports::GlbOptions::Organs organs_ = exports::GlbOptions::Organs::Merged;
 };
 

@@ -15,7 +15,7 @@ public:
     // touch that begins there draws until it ends, wherever the mouse goes.
     void hold(view::WindowModel& model, PenArea const& area, std::span<MouseMoment const> path);
 
-    // Call instead of hold() when there is no such item.
+    // Call instead of hold() when no item shows the pen's area.
     void let_go(view::WindowModel& model);
 
 private:

@@ -12,7 +12,7 @@ namespace tractus::window {
 struct PenArea {
     ImVec2 middle_px { 0, 0 };
     double px_per_mm = 1;
-    Vec2 middle_mm = Vec2::Zero(); // World frame.
+    Vec2 middle_mm = Vec2::Zero(); // Centre of the area in the world frame.
     Vec2 size_mm = Vec2(254, 159);
 
     ImVec2 to_px(Vec2 const& place_mm) const;

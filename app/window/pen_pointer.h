@@ -13,8 +13,9 @@ namespace tractus::window {
 class PenPointer {
 public:
     static constexpr float kLongPress_s = 0.6f;
-    static constexpr float kAtRest_mm = 1.5f; // In space, so that raising the surface with a
-                                              // resting pen counts as drawing.
+    // A touch counts as resting below this movement, measured in space, so that raising the surface
+    // with a resting pen counts as drawing.
+    static constexpr float kAtRest_mm = 1.5f;
 
     // Reads the pen's events and places ImGui's mouse, using the area of the last frame. Call once
     // per frame, before ImGui's NewFrame.
@@ -42,8 +43,8 @@ private:
     bool asks_for_ring_ = false;
     bool has_let_barrel_go_ = false;
     Vec3f touch_mm_ = Vec3f::Zero(); // Where the current touch began.
-    float rest_s_ = 0;               // How long it has stayed there.
-    bool rests_ = false;             // It has not left that place since it began.
+    float rest_s_ = 0;               // How long the current touch has stayed where it began.
+    bool rests_ = false; // True while the current touch has not left the place where it began.
 };
 
 } // namespace tractus::window

@@ -13,7 +13,7 @@ namespace tractus::window {
 namespace {
 
 constexpr double kWheelStep_mm = 10;
-constexpr double kFineWheelStep_mm = 1; // With Shift pressed.
+constexpr double kFineWheelStep_mm = 1; // Step of the mouse wheel with Shift pressed.
 constexpr double kKeySpeed_mm_s = 80;
 
 // Closes an open panel; otherwise leaves the stage; otherwise full screen; otherwise closes the

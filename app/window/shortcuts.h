@@ -6,7 +6,7 @@
 
 namespace tractus::window {
 
-// Keyboard shortcuts.
+// Keyboard shortcuts of the window.
 
 // Handles a shortcut on the drawing page; the calibration page has none of these.
 void take_shortcut(KeyPress const& press, view::WindowModel& model, Workbench& bench,

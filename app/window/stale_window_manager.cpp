@@ -1,7 +1,8 @@
 #include "app/window/stale_window_manager.h"
 
 #include <X11/Xatom.h>
-#include <X11/Xlib.h> // Last, and compiled alone: its macros are short common words.
+// Included last, in a file compiled alone, as Xlib's macros are short common words.
+#include <X11/Xlib.h>
 #include <optional>
 
 namespace tractus::window {
@@ -31,8 +32,9 @@ static std::optional<::Window> named_window(::Display* display, ::Window window,
     return named;
 }
 
-// A live window manager's own window has the property, too, and names itself in it. The server is
-// grabbed so that no window manager starts between the test and the removal.
+// The property is stale unless it names a live window, which has the property, too, and names
+// itself in it. The server is grabbed so that no window manager starts between the test and the
+// removal.
 bool remove_stale_window_manager()
 {
     // Never closed: when its last client disconnects, an X server resets and refuses connections

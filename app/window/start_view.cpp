@@ -17,7 +17,7 @@ constexpr float kCardAir_px = 10; // Space around a card's text.
 constexpr float kBorder_px = 5;   // Width of a card's border around its picture.
 constexpr float kDetailSize_px = 16;
 constexpr float kLeastSize_px = 15; // Least text size when text is shrunk to fit.
-constexpr float kIconSize = 0.62f;  // As a share of the picture's height.
+constexpr float kIconSize = 0.62f;  // Size of an icon as a share of the picture's height.
 constexpr float kIconLine_px = 3;
 constexpr float kScrollFrom_px = 8; // A touch that moves farther scrolls and chooses no card.
 
@@ -128,7 +128,7 @@ void StartView::show_cards(view::StartPageModel& page)
     float const width = ImGui::GetWindowWidth();
     float const height = ImGui::GetWindowHeight();
     grid_ = arrange_cards(state.groups, width, scale_);
-    if (grid_.height > height) // Arranged again, narrower, if a scroll bar is needed.
+    if (grid_.height > height) // Arranges the cards again, narrower, if a scroll bar is needed.
         grid_ = arrange_cards(
             state.groups, width - ImGui::GetStyle().ScrollbarSize - kCardAir_px * scale_, scale_);
     ImGui::PushFont(title_font_);
@@ -260,7 +260,7 @@ void StartView::draw_fitted(std::string const& text, ImVec2 const& place, float 
             shown.resize(beginning_of_last_letter(shown));
         shown += "...";
     }
-    // On the baseline of text of the usual size.
+    // Aligns shrunk text with the baseline of text of the usual size.
     ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size,
                                         { place.x, place.y + (size_px - size) * 0.8f }, color,
                                         shown.c_str());

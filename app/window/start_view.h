@@ -20,7 +20,7 @@ namespace tractus::window {
 // wheel.
 class StartView {
 public:
-    // `title_font` comes from theme::apply(); `scale` is the display's.
+    // `title_font` comes from theme::apply(); `scale` is the display's scale factor.
     StartView(ImFont* title_font, float scale)
         : title_font_(title_font)
         , scale_(scale)
@@ -59,7 +59,7 @@ private:
     ImFont* title_font_ = nullptr;
     float scale_ = 1;
     StudyView study_;
-    CardGrid grid_;                    // As shown in the last frame.
+    CardGrid grid_;                    // Layout of the cards in the last frame.
     std::optional<std::size_t> focus_; // Index of the card with the keyboard focus.
     bool focus_has_moved_ = false;     // The focus moved since the last frame.
     bool scrolls_ = false;             // The current touch scrolls the page.

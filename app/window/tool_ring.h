@@ -11,7 +11,7 @@ namespace tractus::window {
 // An entry of the ring.
 struct RingEntry {
     char const* text = "";
-    char const* icon = ""; // In the notation of ToolKind::icon.
+    char const* icon = ""; // Icon in the notation of ToolKind::icon.
     std::function<void()> choose;
 };
 

@@ -179,7 +179,7 @@ float widest_mm(std::vector<tools::SkeletonLine> const& skeleton)
     return widest;
 }
 
-// Thick for trunks, but never too thin to see or select.
+// Width of a skeleton line: thick for trunks, but never too thin to see or select.
 float width_px(tools::SkeletonLine const& line, float widest)
 {
     float const plain = 1.6f + 5.0f * std::sqrt(line.width_mm / widest);
@@ -243,7 +243,7 @@ std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
     return { line_mm };
 }
 
-// World frame; line widths in millimetres.
+// Curves of the layers, in the world frame with line widths in millimetres.
 std::vector<render::Curve> layer_curves(view::WindowState const& state)
 {
     std::vector<render::Curve> curves;

@@ -114,7 +114,7 @@ public:
     void show_on_stage(view::WindowState const& state, render::Renderer& renderer,
                        ImVec2 const& size_px, ViewDrag drag, bool may_turn);
 
-    // For the buttons of the view tool.
+    // Zooms the view, for the buttons of the view tool; look_at_whole() resets it.
     void zoom(double factor);
     void look_at_whole();
 
@@ -130,12 +130,13 @@ private:
     Orbit orbit_;
     std::optional<render::GpuMesh> mesh_;
     FollowedCurves growing_;
-    Bounds framed_mm_;          // Box that the orbit looks at.
-    Bounds framed_on_stage_mm_; // The same on stage: everything that has been there.
+    Bounds framed_mm_; // Box that the orbit looks at.
+    // Box that the orbit looks at in the stage view: everything shown there so far.
+    Bounds framed_on_stage_mm_;
     std::uint64_t revision_ = 0;
     bool turned_ = false;
     bool is_light_ = false;
-    bool was_on_stage_ = false; // In the last frame.
+    bool was_on_stage_ = false; // True if the stage view was active in the last frame.
     // Revision of the plant when something last grew beside it.
     std::optional<std::uint64_t> grows_on_ {};
 };

@@ -59,10 +59,9 @@ struct WindowOptions {
 // Opens the station's window with the drawing pad, the skeleton and the plant side by side (Streit
 // 2006 section 3), shows `model` until the window is closed (by its button, Escape or q, or as the
 // options say), and closes the model. If the display goes away, the model is closed and the program
-// ends with exit code 1, because the X library does not return.
-//
-// Runs on the calling thread. Fails, as the user's fault, without a display, if the display to fill
-// is not found, without OpenGL 3.3, and in a build without a window (TRACTUS_WINDOW=OFF).
+// ends with exit code 1, because the X library does not return.  Runs on the calling thread. Fails
+// with a user error without a display, if the display to fill is not found, without OpenGL 3.3, and
+// in a build without a window (TRACTUS_WINDOW=OFF).
 Result<void> run_window(view::WindowModel& model, WindowOptions const& options = {});
 
 } // namespace tractus::window

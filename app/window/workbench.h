@@ -19,7 +19,8 @@ constexpr double kZoomStep = 1.12;
 struct Workbench {
     enum class Shown {
         All, // Pad, skeleton and plant side by side.
-        Pad, // Each of the following fills the window, or the tablet's own display.
+        // Pad and the values below fill the window, or the tablet's own display, with one view.
+        Pad,
         Skeleton,
         Plant,
         Collection, // Variations to choose from.
@@ -73,10 +74,10 @@ struct Workbench {
         bool operator==(AskedName const& other) const = default;
     };
     std::optional<AskedName> asked_name {};
-    // Shows the drawing (glyph) of the current tool, if its kind has one.
+    // Shows the gizmo of the current tool, if its kind has one.
     bool glyph_is_shown = true;
-    bool drawn_glyph_is_shown = false; // Shows the glyph of what was last drawn with the tool.
-    bool glyph_is_seen = false; // A glyph was shown in the last frame and needs room in this one.
+    bool drawn_glyph_is_shown = false; // Shows the gizmo of what was last drawn with the tool.
+    bool glyph_is_seen = false; // A gizmo was shown in the last frame and needs room in this one.
     // The current tool with the value that a moving slider or handle has now.
     std::optional<tools::Tool> adjusted {};
     bool wants_to_close = false;
