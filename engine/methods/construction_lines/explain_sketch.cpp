@@ -15,13 +15,13 @@ namespace tractus::lines {
 namespace {
 
 // Number of points to which a stroke is resampled for this analysis.
-constexpr std::size_t kPoints = 60;
+constexpr std::size_t kComparedPoints = 60;
 constexpr double kCorrectionCost = 0.2;
 
 DrawnLine resampled_line(Polyline const& line)
 {
     std::vector<Vec2> points;
-    for (auto const& point : resample(line, kPoints))
+    for (auto const& point : resample(line, kComparedPoints))
         points.emplace_back(point.head<2>());
     auto distinct = without_repeats(points);
     if (distinct.size() < 2)
@@ -59,7 +59,7 @@ public:
         : lines_(lines)
         , strokes_(strokes)
         , stem_(stem)
-        , axis_(resample(stem.line, kPoints))
+        , axis_(resample(stem.line, kComparedPoints))
         , parts_(lines.size(), Part::Nothing)
     {
         for (auto const& line : lines)
