@@ -110,7 +110,8 @@ public:
         end_ = end;
     }
 
-    // Returns a module, at `at` or later, before which no branch that begins needs to be cut off.
+    // Returns a module, `at` or later. No branch that begins between `at` and that module needs to
+    // be cut off.
     std::size_t look_from(std::size_t at)
     {
         if (at >= look_from_)

@@ -63,9 +63,10 @@ private:
     NeighbourRoles roles_;
     bool is_row_ = true;
     bool is_one_to_one_ = true; // True if every successor is a single module.
-    // Successors by the three kinds, as indices into successors_.
+    // Successor for each combination of a module's own kind and its neighbours', as an index into
+    // successors_.
     std::vector<std::uint16_t> table_;
-    std::vector<KindId> one_to_one_; // Successors by the three kinds, if is_one_to_one_.
+    std::vector<KindId> one_to_one_; // Successor for each combination itself, if is_one_to_one_.
     std::vector<FixedSuccessor> successors_;
     std::size_t longest_ = 1;
     // Reserved memory; only the part that is written is touched.

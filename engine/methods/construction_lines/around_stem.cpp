@@ -14,7 +14,7 @@ namespace {
 // Number of samples along a line from which its azimuth is computed.
 constexpr std::size_t kSamples = 200;
 
-// Sizes are raised to at least this value, as in models (line_rules.cpp).
+// Minimum value of a size, the same as in models (line_rules.cpp).
 constexpr double kNothing = 1e-6;
 
 // Sizes are represented by their inverse squares: for an ellipse around the stem these have the
@@ -142,7 +142,7 @@ std::optional<double> reach_mm(OrganRay const& organ, DrawnStem const& stem,
     auto before = in_plane(boundary.front());
     for (auto const& point : boundary.subspan(1)) {
         auto const from = std::exchange(before, in_plane(point));
-        // Signed distances of both ends of a piece from the organ's ray.
+        // Signed distances of a piece's two ends from the organ's ray.
         double const off = cross(way, from);
         double const next_off = cross(way, before);
         if (off * next_off > 0 || off == next_off)

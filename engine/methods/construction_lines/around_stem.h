@@ -44,7 +44,8 @@ std::optional<double> reach_mm(OrganRay const& organ, DrawnStem const& stem,
 struct SizesAside {
     double low = 0; // Sizes at the two boundaries, `low` and `high`.
     double high = 0;
-    double gap_deg = 360; // Azimuth difference between the two; above 0, as the other gaps.
+    // Difference in azimuth between the two boundaries; above 0, as the other gaps.
+    double gap_deg = 360;
     // Sizes of the boundary before the first one and of the one after the second, and the gaps to
     // them; the neighbours may be the same two boundaries.
     double before = low;
@@ -53,12 +54,12 @@ struct SizesAside {
     double behind_gap_deg = 360;
 };
 
-// Returns the size at a share, 0 to 1, of the gap. For gaps up to a right angle it is on a quarter
-// of an ellipse whose half-axes are the two sizes. From half a turn on it is on two quarters that
-// share their mean as a half-axis in the middle of the gap, so that around two opposite boundaries
-// there are two half-ellipses. Gaps in between are interpolated. If three boundaries are within
-// less than half a turn, the curve blends into the ellipse about the stem through all three, so
-// that many boundaries reproduce a cross-section at any azimuth.
+// Returns the size of organs at a share, 0 to 1, of the gap between two boundaries. For gaps up to
+// a right angle it follows a quarter of an ellipse whose half-axes are the two sizes. For half a
+// turn or more it follows two quarters, which meet in the middle of the gap at the mean of both
+// sizes, so two opposite boundaries give two half-ellipses. Gaps in between are interpolated. If
+// three boundaries are within less than half a turn, the curve blends into the ellipse about the
+// stem through all three, so that many boundaries reproduce any cross-section.
 double size_between(SizesAside const& sizes, double share);
 
 } // namespace tractus::lines

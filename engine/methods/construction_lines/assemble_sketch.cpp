@@ -47,13 +47,14 @@ struct Across {
 // side, including the points where it leaves the side.
 Polyline run_on_side(Polyline points, StemAxis const& axis, double side)
 {
-    // A stroke whose ends are closer than this share of its length counts as closed.
+    // Largest gap between the ends of a closed stroke, as a share of its length.
     constexpr double kClosed = 0.15;
     auto const is_there
         = [&](Vec3 const& point) { return axis.place(point.head<2>()).beside * side > 0; };
     bool const is_closed
         = (points.front() - points.back()).norm() < kClosed * polyline_length_mm(points);
-    if (is_closed) { // Rotated so that no run is divided between end and beginning.
+    // A closed stroke is rotated so that no run is divided between its end and beginning.
+    if (is_closed) {
         auto const other = std::find_if_not(points.begin(), points.end(), is_there);
         std::rotate(points.begin(), other, points.end());
     }
@@ -112,7 +113,7 @@ public:
 private:
     static constexpr std::size_t kAxisPoints = 120;
 
-    // Draws each line over the ones before it.
+    // Composes a line of several strokes, each drawn over the ones before it.
     MadeLine made_of(std::vector<Drawn> const& drawn)
     {
         MadeLine made { .line = drawn.front().line, .strokes = { drawn.front().stroke } };
@@ -215,7 +216,7 @@ private:
     // True if two inclination lines are so close that the second is the first one drawn again.
     bool are_same(Across const& a, Across const& b) const
     {
-        // Tolerance as a share of the line's length, plus half a millimetre.
+        // Tolerance for lines drawn again: this share of the line's length, plus half a millimetre.
         constexpr double kApart = 0.05;
         if (a.reach != b.reach)
             return false;

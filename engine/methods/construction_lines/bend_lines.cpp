@@ -180,7 +180,8 @@ struct Bump {
 Bump bump_at(std::vector<std::optional<double>> const& places, std::size_t number,
              DrawnLine const& boundary)
 {
-    constexpr double kLeastReach = 0.05; // Smallest reach, as a share of the line's length.
+    // Smallest reach of a bump, as a share of the line's length.
+    constexpr double kLeastReach = 0.05;
     double const at = *places[number];
     double before = at;
     double behind = boundary.length_mm() - at;
@@ -215,7 +216,8 @@ public:
 
     DrawnLine const& before() const { return before_; }
 
-    // Moves a point beside the stem together with the stem at this distance from its foot.
+    // Moves a point together with the bent stem. `along_mm` is the distance from the stem's foot at
+    // which the point is attached.
     Vec2 moved(Vec2 const& place_mm, double along_mm) const
     {
         return after_.point(along_mm)
@@ -281,11 +283,12 @@ double meets_mm(DrawnLine const& stem, DrawnLine const& line)
                           [&](Vec2 const& a, Vec2 const& b) { return away(a) < away(b); }));
 }
 
-// Bends the other lines with the stem. Inclination lines and attached stems turn rigidly at the
-// place where they meet it; boundaries bend as it does.
+// Bends the other lines with the stem. Inclination lines and attached stems rotate rigidly at the
+// place where they meet the stem; boundaries bend as the stem does.
 Result<PenSketch> bent_with(PenSketch sketch, std::size_t stem, BentStem const& bent)
 {
-    std::map<std::size_t, double> feet_mm; // Feet of the stems that are attached to this stem.
+    // Positions along this stem of the feet of attached stems.
+    std::map<std::size_t, double> feet_mm;
     for (auto const& line : sketch.lines)
         if (line.role == Role::Stem && line.parent == stem)
             feet_mm[line.stem] = bent.before().nearest_mm(TRY(flat_line(line)).points().front());
@@ -313,7 +316,7 @@ Result<Construction> construction_of(PenSketch const& sketch)
     return measure_sketch(TRY(line_sketch(sketch)), Missing::Guessed);
 }
 
-// The sketch of the stem in hand, the only one that is bent.
+// Returns the sketch of the current stem alone, the only one that is bent.
 static Result<PenSketch> drawing_in_hand(PenSketch const& whole)
 {
     return stem_alone(whole, TRY(stem_in_hand(whole)));

@@ -9,14 +9,14 @@
 
 namespace tractus::lines {
 
-// Edits a sketch by setting values of its positional functions: a line is changed locally, as if
-// redrawn by hand.
+// Functions that edit a sketch by setting values of its positional functions: a line is changed
+// locally, as if redrawn by hand.
 
 enum class StemSide { Left, Right };
 
 constexpr double kLeastAngle_deg = 2;
 constexpr double kGreatestAngle_deg = 175;
-constexpr double kLeastSize = 0.01; // Minimum size, as a share of the stem's length.
+constexpr double kLeastSize = 0.01; // Minimum size of organs, as a share of the stem's length.
 constexpr double kGreatestSize = 2;
 
 // A line of a sketch with its new tips.
@@ -29,9 +29,9 @@ struct BentLine {
 Result<Construction> construction_of(PenSketch const& sketch);
 
 // Rotates one half of an inclination line about its crossing with the stem, so that organs along it
-// have this angle to the stem, as seen on the sheet (Inclination). `number`: the line's index in
-// the construction. If only the other half is drawn, that one is rotated. Fails with Fault::User if
-// the line is not drawn, or if the sketch would give no plant.
+// have the angle `angle_deg` to the stem, as seen on the sheet (Inclination). `number` is the
+// line's index in the construction. If only the other half is drawn, that one is rotated. Fails
+// with Fault::User if the line is not drawn, or if the sketch would give no plant.
 Result<BentLine> with_angle(PenSketch const& whole, std::size_t number, StemSide side,
                             double angle_deg);
 
@@ -39,21 +39,21 @@ Result<BentLine> with_angle(PenSketch const& whole, std::size_t number, StemSide
 // middle between each two.
 std::vector<double> size_places(Construction const& construction);
 
-// Moves the boundary along the ray of the organs at one of those positions, so that their size
-// there is this share of the stem's length; the boundary at the neighbouring positions is
-// unchanged. If only the other boundary is drawn, that one is moved. Fails like with_angle(), or if
-// the ray misses the boundary.
+// Moves the boundary along the ray of the organs at one of size_places(), so that their size there
+// is `size`, as a share of the stem's length; the boundary at the neighbouring places is unchanged.
+// If only the other boundary is drawn, that one is moved. Fails like with_angle(), or if the ray
+// misses the boundary.
 Result<BentLine> with_size(PenSketch const& whole, std::size_t place, StemSide side, double size);
 
 // Positions along a stem at which its heading can be set, as shares of its length from foot to top.
 inline constexpr std::array kHeadingPlaces { 0.0, 1.0 / 3, 2.0 / 3, 1.0 };
 constexpr double kGreatestHeading_deg = 90; // Maximum heading to either side.
 
-// Bends a stem so that at one of those positions it has this heading as seen on the sheet: from up,
-// positive to the left. The heading at the neighbouring positions is unchanged. The sheet bends
-// with the stem: lines cross it where they did and reach as far, and stems attached to it keep
-// their shape. Foot and length are unchanged. Fails with Fault::User if the line is no stem, or if
-// the sketch would give no plant.
+// Bends a stem so that at one of kHeadingPlaces it has the heading `heading_deg` as seen on the
+// sheet: from up, positive to the left. The heading at the neighbouring places is unchanged. The
+// sheet bends with the stem: lines cross it where they did and reach as far, and stems attached to
+// it keep their shape. Foot and length are unchanged. Fails with Fault::User if the line is no
+// stem, or if the sketch would give no plant.
 Result<PenSketch> with_heading(PenSketch sketch, scene::ItemId stem, std::size_t place,
                                double heading_deg);
 

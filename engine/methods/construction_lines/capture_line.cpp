@@ -14,7 +14,8 @@ std::vector<Vec3> capture_line(std::span<Vec3 const> tips)
 {
     constexpr double kSpacing_mm = 0.5;
     constexpr std::size_t kLeastControlPoints = 3;
-    // Enough for a line of 4 m; longer lines are captured more coarsely.
+    // Maximum number of control points, enough for a line of 4 m; longer lines are captured more
+    // coarsely.
     constexpr std::size_t kMostControlPoints = 1'000;
     // One round of reverse subdivision reduces 2n - 2 points to n, so three rounds reduce 8n - 14
     // to n.

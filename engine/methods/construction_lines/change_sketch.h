@@ -17,17 +17,18 @@ struct FoundSketch {
     PenSketch sketch;
 };
 
-// Fails with Fault::User if there is no such plant, or it is not drawn with construction lines.
+// Finds the sketch of a plant. Fails with Fault::User if there is no such plant, or if it is not
+// drawn with construction lines.
 Result<FoundSketch> find_sketch(scene::DocumentState const& state, scene::ItemId plant);
 
 // Replaces the sketch of a plant. If the first stem has changed, the plant is moved to its foot, so
 // that all lines stay in place.
 void put_sketch(scene::DocumentState& state, FoundSketch found);
 
-// Returns the line that owns this layer. Fails with Fault::User if there is none.
+// Returns the line that owns a layer. Fails with Fault::User if there is none.
 Result<SketchLine*> find_layer(PenSketch& sketch, scene::ItemId line);
 
-// Position of pen-down for a line, on the tablet at that time.
+// Position on the tablet at which the pen came down to draw a line.
 Vec2 begin_on_tablet(SketchLine const& line);
 
 // Position of the foot of the first stem on the sheet.
@@ -35,7 +36,7 @@ Vec2 foot_on_sheet(PenSketch const& sketch);
 
 void list(scene::Fields& fields, Pattern& pattern);
 
-// Fails with Fault::User if a number is out of range.
+// Checks a pattern. Fails with Fault::User if a number is out of range.
 Result<void> check_pattern(Pattern const& pattern);
 
 std::string describe(Pattern const& pattern);

@@ -74,7 +74,7 @@ Result<void> add_called(std::vector<SubModel>& models, std::size_t number)
         called.push_back(organ.sketch ? TRY(add_sub_model(models, *organ.sketch)) : 0);
     auto& model = models[number];
     auto const counts = organs_of_layers(model);
-    std::size_t behind = 0; // Largest number of derivation steps of any organ.
+    std::size_t behind = 0; // Largest number of derivation steps of any organ of the stem.
     for (std::size_t layer = 0; layer < counts.size(); ++layer) {
         auto const organ = model.layers[layer].organ;
         if (organ > called.size())
@@ -93,7 +93,7 @@ Result<void> add_called(std::vector<SubModel>& models, std::size_t number)
     return {};
 }
 
-// Adds a sketch and the sketches that it uses as organs. Returns its index, from 0.
+// Adds a sketch, and the sketches that it uses as organs, to the model. Returns its index, from 0.
 Result<std::size_t> add_sub_model(std::vector<SubModel>& models, ComposedSketch const& sketch)
 {
     if (models.size() >= kMostSketches)

@@ -334,7 +334,7 @@ bool has_boundary(LineSketch const& sketch)
     return !sketch.left.empty() || !sketch.right.empty() || !sketch.around.empty();
 }
 
-// Measures boundaries that lie on the sheet, the case of the paper.
+// Measures boundaries that lie on the sheet, which is the only case in the paper.
 static Result<void> measure_sides(Construction& of, Boundaries const& boundaries)
 {
     auto left = measure_nodes(of, *boundaries.left, Side::Left);

@@ -45,7 +45,8 @@ struct LineSketch {
 constexpr double kSameAzimuth_deg = 5;
 
 constexpr std::size_t kMostPoints = 20'000; // Maximum number of points in all lines of a sketch.
-Result<void> check_point_count(std::size_t points); // Fails with Fault::User if there are more.
+// Fails with Fault::User if the number of points exceeds kMostPoints.
+Result<void> check_point_count(std::size_t points);
 
 // A half of an inclination line shorter than this share of the stem's length counts as missing.
 constexpr double kLeastHalf = 1e-3;
@@ -79,7 +80,7 @@ struct AzimuthSizes {
     std::vector<double> sizes; // Size at each node, as a share of the stem's length.
 };
 
-// A sketch as measured: the parameters of a plant.
+// The measurements of a sketch: the parameters of a plant.
 struct Construction {
     DrawnStem stem;
     // Inclination lines from below: layer i is between lines i and i + 1.
@@ -117,8 +118,8 @@ struct Reach {
     double length = 0;
 };
 
-// Converts from the projection on the sheet to the organ in space, for a stem with this pitch
-// towards the viewer, and back. The pitch is limited to 80 degrees.
+// Converts an organ between its projection on the sheet and its shape in space, for a stem with
+// this pitch towards the viewer. The pitch is limited to 80 degrees.
 Reach in_space(Reach const& seen, double pitch_deg);
 Reach as_seen(Reach const& organ, double pitch_deg);
 

@@ -9,8 +9,8 @@
 
 namespace tractus::lines {
 
-// Lines on the sketch's sheet: u to the right, v up, millimetres. Headings are angles from up,
-// positive to the left (counter-clockwise); degrees.
+// Geometry of lines on the sketch's sheet: u to the right, v up, millimetres. Headings are angles
+// from up, positive to the left (counter-clockwise); degrees.
 
 // Returns the unit vector of a heading.
 Vec2 direction(double heading_deg);
@@ -51,7 +51,7 @@ public:
     // Heading of the tangent: at a point the mean of its two segments, linear between points.
     double heading_deg(double at_mm) const;
 
-    // Arc length at each point; and (Place) the segment that contains an arc length, with the share
+    // Arc length at each point. A Place is the segment that contains an arc length, with the share
     // of the segment before it.
     std::span<double const> at_mm() const { return at_mm_; }
     struct Place {
@@ -81,7 +81,7 @@ private:
 // relative position in it.
 DrawnLine::Place place_in(std::span<double const> rising, double value);
 
-// Linear interpolation between values at the ascending numbers.
+// Linear interpolation of values at the place found by place_in().
 double value_in(std::span<double const> values, DrawnLine::Place const& place);
 
 // Mirrors points about a line, each to the same distance on its other side. The line is extended

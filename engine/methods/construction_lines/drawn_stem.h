@@ -13,7 +13,8 @@ namespace tractus::lines {
 // front.
 class DrawnStem {
 public:
-    // Points (u, v, w): at least two, all finite, with no two neighbours coinciding on the sheet.
+    // The points (u, v, w), at least two, must be finite, with no two neighbours coinciding on the
+    // sheet.
     explicit DrawnStem(std::span<Vec3 const> points);
 
     DrawnLine const& seen() const { return seen_; }
@@ -23,7 +24,7 @@ public:
     double seen_mm(double x) const;
     double place(double seen_mm) const;
 
-    // Heading of the projected tangent, and (`pitch_deg`) its elevation towards the viewer.
+    // Heading of the projected tangent; pitch_deg() is its elevation towards the viewer.
     double heading_deg(double x) const { return seen_.heading_deg(seen_mm(x)); }
     double pitch_deg(double x) const;
 

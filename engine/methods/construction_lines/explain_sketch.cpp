@@ -45,7 +45,7 @@ Part part_of(Role role)
     case Role::Outline:
         return Part::Outline;
     case Role::Unsure:
-    case Role::Around: // A boundary in space is none of the lines on the sheet.
+    case Role::Around: // A boundary in space is not a line on the sheet.
         break;
     }
     return Part::Nothing;
@@ -336,7 +336,7 @@ Read read_with(std::span<Polyline const> lines, std::span<StrokeToExplain const>
     auto corrected = corrected_stem(read.stem, lines, read.parts);
     if (corrected.strokes.size() == read.stem.strokes.size())
         return read;
-    // The other strokes were drawn for the corrected stem.
+    // The other strokes are read again, because they were drawn for the corrected stem.
     StemCandidate const whole { corrected.strokes, std::move(corrected.line), read.stem.cost };
     SketchReading reading(lines, strokes, whole);
     reading.settle();

@@ -19,7 +19,7 @@ struct StrokeToExplain {
     std::optional<Role> said {};
     // True for a stroke drawn by hand even if its points are far apart: its tremor is removed.
     bool is_by_hand = false;
-    bool is_clean = false;   // Hooks and tremor have already been removed.
+    bool is_clean = false;   // True if hooks and tremor have already been removed.
     bool turn_round = false; // True for a stem that begins where it would be assumed to end.
 };
 
@@ -38,11 +38,13 @@ struct ExplainedStroke {
 // An interpretation of all strokes of a sketch with one stem.
 struct Explanation {
     std::vector<ExplainedStroke> strokes; // Interpretation of each stroke.
-    LineSketch sketch {}; // Consists of the strokes that have an effect; without numbers of nodes.
+    // The sketch of all strokes that have an effect; without numbers of nodes.
+    LineSketch sketch {};
     // Index of the stroke of each inclination line of the sketch, or of the first of its halves or
     // pieces.
     std::vector<std::size_t> inclination_strokes {};
-    // Lower is better; 0 if every stroke is drawn exactly as intended for its role.
+    // Cost of the interpretation: lower is better; 0 if every stroke is drawn exactly as intended
+    // for its role.
     double cost = 0;
 };
 

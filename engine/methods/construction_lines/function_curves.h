@@ -15,7 +15,7 @@ struct FunctionCurve {
     std::vector<Vec2> points; // Points, at least 4, with x ascending from 0 to 1.
 };
 
-// Number of samples at which a model tabulates them.
+// Number of samples at which a model tabulates its functions.
 constexpr int kFunctionSamples = 4001;
 
 // Maximum length of a stem's pieces, as a share of its length: for stems with corners or tight

@@ -66,7 +66,8 @@ std::size_t hook_at_front(std::span<Vec3 const> points, double spacing_mm)
     constexpr double kLongestHook_mm = 4.5;
     constexpr double kLongestShare = 0.2;
     constexpr double kLeastOff_mm = 0.3;
-    // Largest deviation relative to the distance from the fitted part.
+    // Largest deviation of a line that still follows its course, relative to the distance from the
+    // fitted part.
     constexpr double kMostOff = 0.12;
     double const length_mm = spacing_mm * static_cast<double>(points.size() - 1);
     auto const steps = [&](double mm) {
@@ -97,7 +98,8 @@ std::size_t hook_at_front(std::span<Vec3 const> points, double spacing_mm)
     }
     if (hook == 0)
         return 0;
-    constexpr double kLeastTurn_deg = 30; // A smaller turn belongs to the line.
+    // Smallest turn of a hook; a smaller turn belongs to the line.
+    constexpr double kLeastTurn_deg = 30;
     Vec2 const out = (points[0] - points[hook]).head<2>();
     double const turn_deg
         = degrees(std::fabs(std::atan2(cross(course.along, out), course.along.dot(out))));
@@ -279,7 +281,7 @@ Vec2 start_direction(std::span<Vec3 const> points)
 
 std::vector<Vec3> remove_tremor(std::span<Vec3 const> points)
 {
-    // Fewer points between two corners are not enough to measure tremor.
+    // Minimum number of points between two corners for measuring tremor.
     constexpr std::size_t kLeastPoints = 6;
     auto const line = evenly(points, kHandSpacing_mm);
     double const spacing_mm = polyline_length_mm(points) / static_cast<double>(line.size() - 1);

@@ -7,9 +7,9 @@
 
 namespace tractus::lines {
 
-// Removal of artefacts of hand-drawn lines: hooks at the ends, where the pen comes down and is
-// lifted, and tremor of 8 to 12 Hz, which appears on the sheet as a wave whose length depends on
-// the speed of the pen. Points below are (u, v, depth) in millimetres, with no two neighbours
+// Functions that remove artefacts of hand-drawn lines: hooks at the ends, where the pen comes down
+// and is lifted, and tremor of 8 to 12 Hz, which appears on the sheet as a wave whose length
+// depends on the speed of the pen. Points are (u, v, depth) in millimetres, with no two neighbours
 // coinciding on the sheet; hooks and tremor are analysed on the sheet.
 
 // True if the points are as close together as those of a pen's stroke. A line of a few corners,

@@ -12,7 +12,7 @@ using Polyline = std::vector<Vec3>; // Points of a line, (u, v, depth) in millim
 
 // Quality of the continuation of one line by another.
 struct Junction {
-    double quality = 0; // 1: without gap and turn; 0: not at all.
+    double quality = 0; // Quality of the junction, 1: without gap and turn; 0: none at all.
     bool at_end_of_first = true;
     bool at_end_of_second = false;
 };
@@ -21,10 +21,10 @@ struct Junction {
 // by side do not continue each other.
 Junction junction_of(Polyline const& first, Polyline const& second, double most_gap_mm);
 
-// Joins both into one line, in the direction of the first.
+// Joins two lines into one, in the direction of the first.
 Polyline joined(Polyline const& first, Polyline const& second, Junction const& at);
 
-// Reverses the line if necessary, so that it runs upwards along the axis.
+// Reverses a line if necessary, so that it runs upwards along the axis.
 Polyline rising(Polyline line, StemAxis const& axis);
 
 // Combines a line with a correction of the same direction: a piece that extends the line is

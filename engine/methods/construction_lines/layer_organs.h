@@ -11,8 +11,10 @@ namespace tractus::lines {
 
 // The organs at the nodes of a layer, where they differ from those of the rest of the plant.
 struct LayerOrgans {
-    std::optional<Pattern> pattern {}; // Default: the plant's. Its `sizes` are ignored.
-    std::size_t organ = 0;             // Number among the organs of the plant, from 1; 0: leaves.
+    // Pattern of the layer, without its `sizes`; no value: the plant's.
+    std::optional<Pattern> pattern {};
+    // Number of the layer's organ among the organs of the plant, from 1; 0: leaves.
+    std::size_t organ = 0;
 
     bool operator==(LayerOrgans const&) const = default;
 };
@@ -31,10 +33,10 @@ public:
 
     void add(LayerOrgans const& layer); // Appends an entry to each table.
 
-    // The patterns to which the table `pattern` refers by number; the first is the plant's.
+    // Patterns to which pattern_numbers() refer; the first is the plant's.
     std::vector<Pattern> const& patterns() const { return patterns_; }
 
-    // The table entries; each is empty if all layers have the same value.
+    // Entries of the tables; each table is empty if all layers have the same value.
     std::vector<double> pattern_numbers() const;
     std::vector<double> rolls_deg() const;
 

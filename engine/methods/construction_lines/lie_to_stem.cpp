@@ -9,16 +9,17 @@ namespace tractus::lines {
 namespace {
 
 // Tolerances for strokes on a sheet of paper.
-constexpr double kNoSide_mm = 1.5; // A point closer to the stem than this is on neither side.
+// Distance from the stem within which a point is on neither side.
+constexpr double kNoSide_mm = 1.5;
 constexpr double kEachSide_mm = 3; // Minimum reach of an inclination line on each side.
 // Maximum distance from the stem at which half an inclination line begins.
 constexpr double kFromStem_mm = 5;
 constexpr double kGraze_mm = 10; // Maximum reach of a boundary across the stem.
-// Relative to the stem's length: shorter half lines may run along the stem.
+// Length up to which a half line may run along the stem, as a share of the stem's length.
 constexpr double kLongHalf = 0.6;
 constexpr double kLeaning_deg = 20; // Minimum lean of longer half lines.
 constexpr double kBoundary = 0.4;   // Minimum share of the stem along which a boundary runs.
-// A line along a greater share of the stem is not half an inclination line.
+// Maximum share of the stem along which half an inclination line runs.
 constexpr double kWholeStem = 0.75;
 
 double lean_between(DrawnLine const& a, DrawnLine const& b)
@@ -39,7 +40,7 @@ Lie lie_of(DrawnLine const& stroke, DrawnLine const& stem)
     double left = 0;
     double reach_left_mm = 0;
     double reach_right_mm = 0;
-    bool beside = false; // True if a point since then was beside the stem, not beyond its ends.
+    bool beside = false; // True if any point since then was beside the stem, not beyond its ends.
     for (auto const& point : stroke.points()) {
         double const at_mm = stem.nearest_mm(point);
         double const distance_mm = stem.distance_mm(point);
@@ -71,8 +72,8 @@ bool is_inclination(Lie const& lie)
         && std::min(std::fabs(lie.first_mm), std::fabs(lie.last_mm)) > kEachSide_mm;
 }
 
-// True for a boundary. At the stem's top or foot it may cross the stem slightly; an inclination
-// line that does so leans more.
+// True for a stroke like a boundary. At the stem's top or foot it may cross the stem slightly; an
+// inclination line that does so leans more.
 bool is_boundary(Lie const& lie)
 {
     bool const grazes = lie.crossings <= 2 && lie.least_side_mm < kGraze_mm
@@ -80,7 +81,7 @@ bool is_boundary(Lie const& lie)
     return lie.along > kBoundary && (lie.crossings == 0 || grazes);
 }
 
-// True for half an inclination line, which begins at the stem or just behind it.
+// True for a stroke like half an inclination line, which begins at the stem or just behind it.
 bool is_half(Lie const& lie, double length)
 {
     double const near_mm = std::min(std::fabs(lie.first_mm), std::fabs(lie.last_mm));
@@ -91,7 +92,8 @@ bool is_half(Lie const& lie, double length)
         && (length < kLongHalf || lie.lean_deg > kLeaning_deg);
 }
 
-// True for a boundary in space. One in front of the stem or behind it may appear to cross the stem.
+// True for a stroke like a boundary in space. One in front of the stem or behind it may appear to
+// cross the stem.
 bool is_boundary_in_space(Lie const& lie)
 {
     bool const is_across = is_inclination(lie) && lie.lean_deg > kLeaning_deg;

@@ -23,15 +23,17 @@ struct Lie {
 // points at most a few millimetres apart.
 Lie lie_of(DrawnLine const& stroke, DrawnLine const& stem);
 
-// Roles that are possible for a stroke in this position. Several may apply: the caller decides.
+// Tests for the roles that are possible for a stroke in this position. Several may apply; the
+// caller decides.
 bool is_inclination(Lie const& lie);
 bool is_boundary(Lie const& lie);
-bool is_boundary_in_space(Lie const& lie); // Assumes that the stroke also leaves the sheet.
+// True for a boundary in space, provided that the stroke also leaves the sheet.
+bool is_boundary_in_space(Lie const& lie);
 
 // True for half an inclination line; `length` is the stroke's, as a share of the stem's.
 bool is_half(Lie const& lie, double length);
 
-// True if it runs along most of the stem.
+// True if the stroke runs along most of the stem.
 bool is_along_stem(Lie const& lie);
 
 // Returns one sentence: why a stroke in this position has none of these roles, and what to draw

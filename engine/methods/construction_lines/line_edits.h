@@ -9,19 +9,22 @@
 
 namespace tractus::lines {
 
-// Adds a line to a sketch and updates the plant. Items drawn on the plant's branches are kept.
+// Edit: adds a line to a sketch and updates the plant. Items drawn on the plant's branches are
+// kept.
 struct AddLine {
     static scene::EditKind const kKind;
 
     // Id of the plant; 0: the line is the stem of a new plant, which becomes the active one.
     scene::ItemId plant = 0;
     Stroke stroke {}; // Stroke of the line, world frame.
-    // The line is an additional stem of the plant: attached to another stem if it begins on one,
-    // and separate otherwise.
+    // True: the line is an additional stem of the plant, attached to another stem if it begins on
+    // one, and separate otherwise.
     bool another_stem = false;
-    // Sessions from before boundaries had a depth do not contain this field.
+    // Source of the line's depth. Sessions from before boundaries had a depth do not contain this
+    // field.
     DepthBy depth_by = DepthBy::StemsHeight;
-    // Sessions from before lines were interpreted together do not contain this field.
+    // Method of reading the line. Sessions from before lines were read together do not contain this
+    // field.
     Reading reading = Reading::OneByOne;
     int nodes = 8; // Number of nodes in the layer above the line, if it bounds one; see SketchLine.
     // Pattern and scale of a new plant. The scale, in world millimetres per plant millimetre, is
@@ -32,7 +35,7 @@ struct AddLine {
     scene::ItemId id = 0; // Id of the line, and of the plant that it begins; 0 if not assigned yet.
 };
 
-// Sets the number of nodes of a layer.
+// Edit: sets the number of nodes of a layer.
 struct SetLayerNodes {
     static scene::EditKind const kKind;
 
@@ -41,18 +44,18 @@ struct SetLayerNodes {
     int nodes = 8;
 };
 
-// Sets the arrangement of organs around the stem.
+// Edit: sets the arrangement of organs around the stem.
 struct SetLinePattern {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
     Pattern pattern {};
-    // Line that owns the layer (see Layer); 0: applies to all layers and removes their own
-    // patterns. Another kind of pattern also replaces the rules.
+    // Line that owns the layer (see Layer); 0: all layers, whose own patterns are then removed.
+    // Another kind of pattern also replaces the rules.
     scene::ItemId line = 0;
 };
 
-// Sets the role of a line of a sketch: see with_role().
+// Edit: sets the role of a line of a sketch, see with_role().
 struct SetLineRole {
     static scene::EditKind const kKind;
 
@@ -61,7 +64,7 @@ struct SetLineRole {
     Role role = Role::Unsure;
 };
 
-// Replaces the stroke of a line, which keeps its role and nodes (bend_lines.h).
+// Edit: replaces the stroke of a line, which keeps its role and nodes (bend_lines.h).
 struct RedrawLine {
     static scene::EditKind const kKind;
 
@@ -70,7 +73,7 @@ struct RedrawLine {
     Stroke stroke {}; // New stroke of the line, world frame.
 };
 
-// Reverses a line: see with_line_turned().
+// Edit: reverses a line, see with_line_turned().
 struct TurnLine {
     static scene::EditKind const kKind;
 
@@ -78,7 +81,7 @@ struct TurnLine {
     scene::ItemId line = 0;
 };
 
-// Bends a stem: see with_heading().
+// Edit: bends a stem, see with_heading().
 struct BendStem {
     static scene::EditKind const kKind;
 

@@ -17,7 +17,7 @@ std::string arrays(Construction const& construction)
     return fmt::format("define: {{ {}; }}\n", fmt::join(arrays_of(construction), ";\n          "));
 }
 
-// Comment in the model about the functions after those of the two sides, if there are any.
+// Writes the comment about the functions after those of the two sides; empty if there are none.
 std::string around_text(Construction const& construction)
 {
     if (construction.around.empty())
@@ -68,7 +68,7 @@ LineModel write_model(Construction const& measured, Pattern const& pattern, std:
 
 std::vector<Vec3> organ_tips(Construction const& construction, Plant const& plant)
 {
-    constexpr double kPlantScale = 10; // A millimetre on the sheet is a centimetre of the plant.
+    constexpr double kPlantScale = 10; // Plant millimetres per millimetre of the sheet.
     Vec3 const base = construction.stem.point(0);
     std::vector<Vec3> tips;
     for (auto const& organ : plant.organs) {

@@ -23,7 +23,7 @@ struct RuleWord {
 };
 constexpr std::array<RuleWord, 9> kRuleWords { {
     { "<s>", "", "s, ", "" },         // Number of the stem, the first parameter of modules.
-    { "<t>", "", ", t", "" },         // Number of the next stem attached to this one.
+    { "<t>", "", ", t", "" },         // Number of the next stem attached to stem s.
     { "<low>", "", "low[s] + ", "" }, // Offset of the stem's lines in at[] and nodes[].
     { "<own>", "", "own[s] + ", "<offset> + " }, // Offset of the functions for heading and depth.
     { "<organs>", "", "organs[s] + ", "<offset> + " }, // Offset of the functions for organs.
@@ -166,7 +166,7 @@ W(<s>x, i, j<z>) : <any>
     --> O(<s>x, t<z>)
 )";
 
-// Computes sizes like size_between() (around_stem.h).
+// Rule that computes sizes like size_between() (around_stem.h).
 constexpr std::string_view kAround
     = R"(/* An organ t degrees around the stem from its left: its angle has a of the left's, b of the right's. Its size
    lies between those of boundary k and the next one, m, which are "far" degrees apart; the organ stands u degrees

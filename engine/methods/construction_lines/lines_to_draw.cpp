@@ -18,7 +18,7 @@ constexpr std::array kSides { 1.0, -1.0 }; // Signs of the left and the right si
 Line bow_beside(DrawnLine const& stem, double side)
 {
     constexpr int kPieces = 16;
-    constexpr double kWidest = 0.25; // Largest distance, as a share of the stem's length.
+    constexpr double kWidest = 0.25; // Largest distance from the stem, as a share of its length.
     Line bow;
     for (int i = 0; i <= kPieces; ++i) {
         double const x = static_cast<double>(i) / kPieces;
@@ -76,7 +76,8 @@ std::vector<std::vector<Vec2>> lines_to_draw(LineSketch const& sketch)
         return { bow_beside(stem, kSides[0]), bow_beside(stem, kSides[1]) };
     std::vector<Line> lines;
     std::array boundaries { without_repeats(sketch.left), without_repeats(sketch.right) };
-    if (!sketch.around.empty()) // Boundaries in space may be all that the user wants.
+    // Boundaries in space may be all that the user wants, so nothing is suggested.
+    if (!sketch.around.empty())
         return lines;
     for (std::size_t i = 0; i < boundaries.size(); ++i)
         if (boundaries[i].empty())

@@ -9,7 +9,7 @@ namespace tractus::lines {
 
 namespace {
 
-// Boundaries in space, sorted by azimuth.
+// Returns the boundaries in space, sorted by azimuth.
 Result<std::vector<AroundLine>> measure_around(LineSketch const& sketch, DrawnStem const& stem)
 {
     std::vector<AroundLine> result;

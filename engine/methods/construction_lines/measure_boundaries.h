@@ -20,7 +20,7 @@ Result<std::vector<Point>> line_points(std::vector<Point> const& points, std::st
 {
     constexpr double kFarthest_mm = 1e5;
     for (auto const& point : points)
-        // Negated, so that it is also true for NaN.
+        // The negated condition is also true for NaN.
         if (!(point.array().abs() <= kFarthest_mm).all())
             return fail(Fault::User,
                         fmt::format("{} has a point that is farther than {:g} mm away: give "

@@ -15,13 +15,13 @@ namespace tractus::lines {
 enum class Side { Left = 1, Right = -1 };
 
 char const* name_of_side(Side side);
-double azimuth_of_side(Side side); // 0 for the left and 180 for the right.
+double azimuth_of_side(Side side); // Azimuth of a side, 0 for the left and 180 for the right.
 
 // Returns the value with the sign of the side: positive on the left.
 double signed_on(Side side, double value);
 
-// A node's organ on one side of the stem, or at an azimuth around it. No size if its direction
-// misses the boundary.
+// A node's organ on one side of the stem, or at an azimuth around it. `size` has no value if the
+// organ's direction misses the boundary.
 struct SideNode {
     double x = 0;
     double angle_deg = 0; // Angle between organ and stem in space.

@@ -12,7 +12,7 @@
 
 namespace tractus::lines {
 
-// Text fragments common to models with one stem and with several.
+// Functions for text fragments common to models with one stem and with several.
 
 // Formats a number with six digits; negative ones in parentheses, so that a macro expands correctly
 // after a minus sign.
@@ -20,7 +20,7 @@ std::string number_text(double value);
 
 void replace_all(std::string& text, std::string_view word, std::string_view with);
 
-// Returns "array NAME[2] = {1, 2}".
+// Formats an array, such as "array NAME[2] = {1, 2}".
 std::string array_text(char const* name, std::vector<double> const& values);
 
 // Maximum length of the pieces in which a stem is drawn, as a share of its length.
@@ -57,7 +57,7 @@ std::vector<std::string> arrays_of(Construction const& construction);
 // leaves.
 std::vector<std::string> arrays_of(LayerTables const& layers);
 
-// Returns the shape of an organ, a leaf, in the view, for its letter.
+// Returns the view's statement for a plain leaf with this letter.
 std::string leaf_text(char letter, Pattern const& pattern);
 
 // Makes the model from its text and its functions: pairs of file name and contents, in the order of

@@ -12,8 +12,8 @@ namespace tractus::lines {
 // sketch would give no plant.
 Result<PenSketch> with_organ(PenSketch sketch, SketchOrgan organ);
 
-// Draws a line of a leaf. The first leaf is assigned to the whole plant, later ones to the topmost
-// layer of the current stem.
+// Edit: draws a line of a leaf. The first leaf is assigned to the whole plant, later ones to the
+// topmost layer of the current stem.
 struct DrawOrgan {
     static scene::EditKind const kKind;
 
@@ -26,7 +26,7 @@ struct DrawOrgan {
     scene::ItemId id = 0;                // Id of the line, and of the leaf that it begins.
 };
 
-// Sets the picture of a leaf: the bytes of a PNG file, placed as described for
+// Edit: sets the picture of a leaf, the bytes of a PNG file, placed as described for
 // OrganSurface::picture.
 struct PaintOrgan {
     static scene::EditKind const kKind;
@@ -36,7 +36,7 @@ struct PaintOrgan {
     std::string picture {};
 };
 
-// Sets the organs of a layer.
+// Edit: sets the organs of a layer.
 struct SetLayerOrgan {
     static scene::EditKind const kKind;
 

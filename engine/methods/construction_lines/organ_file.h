@@ -15,11 +15,12 @@ namespace tractus::lines {
 // A leaf in three views, as stored in a file (.organ) for use in other plants.
 struct OrganFile {
     OrganViews views {};
-    std::optional<Vec3> color {}; // Red, green and blue from 0 to 1; default: the colour of leaves.
+    // Colour of the leaf, red, green and blue from 0 to 1; no value: the colour of leaves.
+    std::optional<Vec3> color {};
     std::shared_ptr<std::string const> picture {}; // A PNG file, see OrganSurface::picture.
 };
 
-// Parses "#rrggbb". Fails with Fault::User for other text.
+// Parses a colour "#rrggbb". Fails with Fault::User for other text.
 Result<Vec3> parse_color(std::string_view text);
 
 // Reads text in this format, in millimetres as in OrganViews; -- begins a comment:

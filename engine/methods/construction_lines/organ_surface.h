@@ -59,7 +59,7 @@ struct OrganSurface {
 // surface.
 Result<std::vector<BezierPatch>> organ_surface(OrganViews const& views);
 
-constexpr int kAlong = 12; // Number of patches from base to tip.
+constexpr int kAlong = 12; // Number of patches of an organ's surface from base to tip.
 constexpr int kAcross = 4;
 
 } // namespace tractus::lines

@@ -13,9 +13,10 @@
 
 namespace tractus::lines {
 
-// Surfaces in the text of a model. The picture of a surface is a file of the same name with .png.
+// Functions for surfaces in the text of a model. The picture of a surface is a file of the same
+// name with .png.
 
-// Returns a file of cpfg's Bezier editor (.s), whose SIZE is the organ's length.
+// Formats a surface as a file of cpfg's Bezier editor (.s), whose SIZE is the organ's length.
 std::string surface_text(std::vector<BezierPatch> const& patches);
 
 // Replaces the leaves with this letter in the rules by a surface. The file is named after the
@@ -34,8 +35,9 @@ std::size_t count_surfaces(std::span<LineOrgan const> organs);
 std::string surface_rules(std::span<LineOrgan const> organs, std::size_t before,
                           std::string const& place);
 
-// Adds their files, named after the model with _organ_1.s and so on, and their entries in the view.
-// Fails with Fault::User if there are more than kMostSurfaces.
+// Adds the surfaces of organs to the model: their files, named after the model with _organ_1.s and
+// so on, and their entries in the view. Fails with Fault::User if there are more than
+// kMostSurfaces.
 Result<void> add_surfaces(LineModel& model, std::span<LineOrgan const> organs, std::size_t before);
 
 } // namespace tractus::lines

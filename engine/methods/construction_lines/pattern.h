@@ -8,11 +8,11 @@ namespace tractus::lines {
 struct Pattern {
     enum class Kind {
         Distichous, // Two organs per node, one on the left and one on the right.
-        Decussate,  // Pairs, each at right angles to the one below.
-        Spiral,     // One per node, rotated by the divergence angle from the one below.
-        Alternate,  // One per node; with a divergence of 0 alternately left and right.
-        // Several per node, evenly spaced; each whorl is rotated by half a spacing from the one
-        // below.
+        Decussate,  // Pairs of organs, each at right angles to the pair below.
+        Spiral,     // One organ per node, rotated by the divergence angle from the one below.
+        Alternate,  // One organ per node; with a divergence of 0 alternately left and right.
+        // Several organs per node, evenly spaced; each whorl is rotated by half a spacing from the
+        // one below.
         Whorled,
         Bare, // A stem without organs.
     };

@@ -49,7 +49,7 @@ constexpr char const* kNoStem
 
 Result<void> check_stem(LineSketch const& sketch)
 {
-    // Length on the tablet; shorter strokes are touches, not stems.
+    // Minimum length of a stem on the tablet; shorter strokes are accidental touches.
     constexpr double kShortest_mm = 10;
     if (sketch.stem.empty())
         return fail(Fault::User, kNoStem);

@@ -17,11 +17,11 @@ struct PenReading {
     std::vector<StemLines> stems; // Stems of the sketch, with numbers of nodes and organs.
     // Indices, among the sketch's lines, of the strokes of each stem's inclination lines.
     std::vector<std::vector<std::size_t>> inclination_strokes;
-    // One for each line of the sketch, if interpreted together; `of` is an index of the sketch's
-    // lines.
+    // Interpretation of each line of the sketch, if they are read together; `of` is an index of the
+    // sketch's lines.
     std::vector<ExplainedStroke> strokes;
-    // The second-best interpretation of the newest line's stem: the role of each line of the sketch
-    // in it. Empty if there is none.
+    // Second-best interpretation of the newest line's stem: the role in it of each line of the
+    // sketch. Empty if there is none.
     std::vector<Role> second_thought;
 };
 Result<PenReading> read_pen_sketch(PenSketch const& sketch);

@@ -14,10 +14,11 @@ namespace tractus::lines {
 namespace {
 
 // Tolerances for strokes on a sheet of paper.
-constexpr double kOnLine_mm = 6; // Distance between a line and its redrawn version.
-// Distance between the ends of a line and those of its redrawn version.
+constexpr double kOnLine_mm = 6; // Maximum distance between a line and its redrawn version.
+// Maximum distance between the ends of a line and those of its redrawn version.
 constexpr double kSameEnd_mm = 20;
-constexpr double kSameNode_mm = 15; // Two halves form one line if they begin within this distance.
+// Maximum distance between the beginnings of two halves of one line.
+constexpr double kSameNode_mm = 15;
 
 std::vector<Vec2> flat(std::vector<Vec3> const& points)
 {

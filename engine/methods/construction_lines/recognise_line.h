@@ -31,7 +31,7 @@ struct RecognisedLine {
     Role role = Role::Unsure;
     std::optional<std::size_t> replaces {}; // The earlier stroke that this line replaces.
     bool is_drawn_again = false;            // True if the stroke lies on the one that it replaces.
-    bool is_along_stem = false;             // A boundary that runs along most of the stem.
+    bool is_along_stem = false;             // True for a boundary that runs along most of the stem.
     // Advice for an Unsure stroke: one sentence that says what to draw instead.
     std::string reason {};
 };

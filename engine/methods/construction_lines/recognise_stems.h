@@ -10,9 +10,10 @@
 
 namespace tractus::lines {
 
-// Role of a stroke in a sketch with several stems, and the stem it belongs to.
+// The role of a stroke in a sketch with several stems, and the stem to which the stroke belongs.
 struct KnownLine {
-    RecognisedLine line {}; // `replaces`: index among all strokes of the sketch.
+    // Role of the stroke; `replaces` is an index among all strokes of the sketch.
+    RecognisedLine line {};
     // Number of the stem to which the stroke belongs; for a stem, its own number.
     std::size_t stem = 0;
     std::optional<std::size_t> parent {}; // Parent of a stem, see StemLines.

@@ -274,7 +274,7 @@ std::string tables_text(std::vector<ModelStem> const& stems, Lines const& lines)
     return tables.text();
 }
 
-// Text that moves the turtle from the first stem's foot to another stem's foot without drawing.
+// Writes the turtle commands from the first stem's foot to another stem's foot, without drawing.
 std::string way_text(Vec3 const& by_mm)
 {
     if (by_mm.norm() < 1e-6)
@@ -309,7 +309,7 @@ double longest_piece_of(std::vector<ModelStem> const& stems)
     return longest;
 }
 
-// Stems as the model needs them: sizes follow half-ellipses for all stems or for none.
+// Returns the stems as the model needs them: sizes follow half-ellipses for all stems or for none.
 std::vector<MeasuredStem> stems_with_sizes(std::span<MeasuredStem const> stems, Pattern pattern)
 {
     if (std::any_of(stems.begin(), stems.end(),

@@ -94,7 +94,8 @@ Result<void> check_parents(std::vector<StemLines> const& stems)
 
 std::optional<std::size_t> parent_at(std::span<StemLines const> stems, Vec2 const& foot_mm)
 {
-    constexpr double kAtFoot_mm = 8; // Distance from the other stem's foot, along that stem.
+    // Distance from the other stem's foot within which stems are not attached to it.
+    constexpr double kAtFoot_mm = 8;
     double nearest_mm = kOnStem_mm;
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < stems.size(); ++i) {

@@ -20,7 +20,7 @@ struct StemLines {
     std::optional<std::size_t> parent {};
 };
 
-// A stem as measured, at its place of attachment.
+// A measured stem and its place of attachment.
 struct MeasuredStem {
     Construction construction;
     std::optional<std::size_t> parent {};
@@ -47,10 +47,10 @@ std::vector<std::size_t> function_sources(std::span<StemLines const> stems);
 Result<std::vector<MeasuredStem>> measure_stems(std::vector<StemLines> stems,
                                                 Missing missing = Missing::Refused);
 
-// Returns the assumptions made for all stems, one sentence each.
+// Returns the assumptions made in measuring all stems, one sentence each.
 std::vector<std::string> notes_of(std::span<MeasuredStem const> stems);
 
-// True if any of them has a boundary, so that the plant may have organs.
+// True if any of the stems has a boundary, so that the plant may have organs.
 bool has_boundary(std::span<StemLines const> stems);
 
 } // namespace tractus::lines

@@ -27,7 +27,7 @@ struct SheetPlacement {
 // Source of a line's depth.
 enum class DepthBy {
     StemsHeight, // The surface's height, for stems only; all other lines are on the sheet.
-    Height,      // The surface's height, also for boundaries: see Role::Around.
+    Height,      // The surface's height, also for boundaries, see Role::Around.
     Pressure,    // The pen's pressure, for stems only, if there is no height sensor.
 };
 
@@ -58,10 +58,11 @@ struct SketchLine {
     // Default: those of the plant.
     std::optional<Pattern> pattern {};
     std::optional<scene::ItemId> organ {};
-    // A sketch is interpreted together if this is Together for all of its lines.
+    // Method of reading the line. A sketch is read together if this is Together for all of its
+    // lines.
     Reading reading = Reading::OneByOne;
     bool is_said = false;    // True if the user has assigned the role; used with Reading::Together.
-    bool turn_round = false; // The direction of the line, as drawn or as interpreted, is reversed.
+    bool turn_round = false; // True: the direction of the line, as drawn or as read, is reversed.
 };
 
 // Returns the points of a line on the sheet, (u, v, depth), with tremor removed (capture_line.h;

@@ -20,10 +20,12 @@ enum class OrganView {
     Section, // Section seen from the front.
 };
 
-// Colour of a drawn leaf. Picture: that of its picture, or as Leaf if it has none yet.
+// Colour of a drawn leaf. Picture means the colours of its picture, or those of Leaf if it has none
+// yet.
 enum class OrganColor { Leaf, White, Yellow, Pink, Violet, Red, Brown, Picture };
 
-// Red, green and blue from 0 to 1; and (nearest_color()) the nearest colour, never Picture.
+// Red, green and blue of a colour, from 0 to 1. nearest_color() is the inverse and never returns
+// Picture.
 Vec3 rgb_of(OrganColor color);
 OrganColor nearest_color(Vec3 const& rgb);
 
@@ -36,7 +38,8 @@ struct SketchOrgan {
     };
 
     scene::ItemId id = 0;
-    std::vector<Line> lines {}; // One or two sides, at most one midrib and one section.
+    // Lines of the leaf: one or two sides, at most one midrib and one section.
+    std::vector<Line> lines {};
     OrganColor color = OrganColor::Leaf;
     // A PNG file, see OrganSurface::picture; used if the colour is Picture. Shared with earlier
     // states.

@@ -11,7 +11,8 @@ namespace tractus::lines {
 
 // A candidate for the stem of a sketch.
 struct StemCandidate {
-    std::vector<std::size_t> strokes; // One, or pieces that continue each other.
+    // Strokes of the candidate: one, or several that continue each other.
+    std::vector<std::size_t> strokes;
     Polyline line; // The joined line, in the direction in which the first stroke was drawn.
     // Cost of the candidate: higher if the line is short relative to the sketch, bends back, is
     // nearly horizontal, or was not drawn first.
@@ -23,11 +24,11 @@ struct StemCandidate {
 std::vector<StemCandidate> stem_candidates(std::span<Polyline const> lines,
                                            std::span<StrokeToExplain const> strokes);
 
-// The candidate with the strokes that correct it applied in drawing order.
+// A stem candidate after the strokes that correct it have been applied, in drawing order.
 struct CorrectedStem {
     Polyline line;
     std::vector<std::size_t> strokes;  // All strokes of the stem, in drawing order.
-    std::vector<std::size_t> replaced; // Strokes of which nothing is left.
+    std::vector<std::size_t> replaced; // Strokes that corrections have replaced completely.
 };
 CorrectedStem corrected_stem(StemCandidate const& stem, std::span<Polyline const> lines,
                              std::span<Part const> parts);

@@ -70,13 +70,13 @@ double half_cost(StrokeLie const& lie, double stem_mm)
     double const most_gap = std::max(0.06, std::min(0.12, 8 / stem_mm));
     if (out < gap + 0.04 || lie.crossings.size() > 1 || near.along < -0.08 || near.along > 1.08)
         return kImpossible;
-    // Angle above the perpendicular to the stem.
+    // Angle of the half line above the perpendicular to the stem.
     double const rise_deg = degrees(std::atan2(far.along - near.along, out - gap));
+    // This term is for a stroke that returns to the stem.
     return 0.1 + 0.35 * ramp(gap, 0.5 * most_gap, most_gap)
         + 1.5 * ramp(gap, most_gap, 2 * most_gap) + 0.8 * ramp(over, 0.03, 0.08)
         + 1.0 * ramp(rise_deg, 60, 78) + 0.9 * ramp(rise_deg, -20, -55)
-        + 1.2 * ramp(lie.reach() / out, 1.08, 1.5) // The stroke returns to the stem.
-        + 0.5 * ramp(near.along, 0.97, 1.06);
+        + 1.2 * ramp(lie.reach() / out, 1.08, 1.5) + 0.5 * ramp(near.along, 0.97, 1.06);
 }
 
 // Cost of reading a stroke as a boundary of one side, or as a piece of one.
@@ -102,8 +102,8 @@ double stem_cost(StrokeLie const& lie)
     double const range = lie.highest - lie.lowest;
     double const near_end = std::min(std::fabs(lie.first().beside), std::fabs(lie.last().beside));
     double const far_end = std::max(std::fabs(lie.first().beside), std::fabs(lie.last().beside));
-    // A line that leaves the stem is farthest from it at its end; a boundary is farthest in its
-    // middle.
+    // Bulge of the stroke: a line that leaves the stem is farthest from it at its end, a boundary
+    // in its middle.
     double const bulge = lie.reach() - far_end;
     return 0.15 + 1.2 * ramp(lie.mean_beside, 0.05, 0.12) + 1.2 * ramp(far_end, 0.15, 0.3)
         + 0.6 * ramp(near_end, 0.03, 0.07) + 1.2 * ramp(bulge, 0.03, 0.08)

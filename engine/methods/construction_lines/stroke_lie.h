@@ -70,9 +70,9 @@ double small_piece(StrokeLie const& lie);
 enum class Part { Stem, Left, Right, Inclination, Half, Outline, Piece, Nothing };
 constexpr std::size_t kPartCount = 8;
 
-// Cost of interpreting a stroke as each part: 0 if it is drawn exactly as the part is meant, 1 if
-// hardly. Nothing has a fixed cost, and a Piece of an inclination line depends on the line that it
-// continues; these two are not computed here.
+// Cost of interpreting a stroke as each part: 0 if it is drawn exactly as the part is meant, about
+// 1 if it hardly resembles the part. The costs of Part::Nothing, which is constant, and of
+// Part::Piece, which depends on the line that it continues, are not computed here.
 using PartCosts = std::array<double, kPartCount>;
 constexpr double kNothingCost = 1.6;
 constexpr double kImpossible = 50;

@@ -20,7 +20,7 @@ constexpr std::size_t kWaves = 4;
 // A smooth random deformation of the sheet.
 class Bend {
 public:
-    // `from_mm` is the fixed point.
+    // Makes a deformation whose fixed point is `from_mm`.
     Bend(Random& random, Vec2 const& from_mm, double length_mm, double amplitude)
         : from_mm_(from_mm)
         , length_mm_(length_mm)

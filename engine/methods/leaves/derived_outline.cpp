@@ -13,7 +13,7 @@ Result<FlatLine> derived_outline(DrawnLeaf const& drawn)
         TRY(leaf.derive());
     TRY(leaf.fill());
     auto const& map = leaf.map();
-    Dart start = 0; // The first face is the stalk, and its first edge is free.
+    Dart start = 0; // The border begins at the first face, the stalk, whose first edge is free.
     FlatLine line;
     for (auto const d : map.border(start))
         if (map.face(d) != 0)

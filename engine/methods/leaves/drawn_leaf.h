@@ -17,15 +17,17 @@ namespace tractus::leaf {
 struct DrawnLeaf {
     // A position on a main vein where side veins begin, on one side or both.
     struct Knot {
-        double at = 0;                      // Position as a share of the main vein's length.
+        double at = 0; // Position of the knot, as a share of the main vein's length.
         std::optional<double> right_deg {}; // Angle of the vein to the main vein's direction.
         std::optional<double> left_deg {};
 
         bool operator==(Knot const&) const = default;
     };
     struct Main {
-        double angle_deg = 0; // Angle to the leaf's axis, positive to the right; 0 for the midrib.
-        double curve_deg = 0; // Total turn from beginning to end, positive to the right.
+        // Angle of the vein to the leaf's axis, positive to the right; 0 for the midrib.
+        double angle_deg = 0;
+        // Total turn of the vein from beginning to end, positive to the right.
+        double curve_deg = 0;
         std::vector<Knot> knots {}; // Knots, sorted from the vein's beginning.
 
         bool operator==(Main const&) const = default;
@@ -41,11 +43,12 @@ struct DrawnLeaf {
     int tooth_count = 0; // Number of teeth on each half.
     double tooth_depth = 0;
     double tooth_lean = 0;
-    // The midrib first, then the others from the outermost right to the outermost left one.
+    // Main veins: the midrib first, then the others from the outermost right to the outermost left
+    // one.
     std::vector<Main> mains;
     double hub = 0; // Length of the segment on which the main veins begin, if there are several.
-    // Turn of the side veins towards the main vein's end, for those at its beginning and those at
-    // its end; negative: away from it.
+    // Curve of the side veins at the beginning of a main vein, and (side_curve_at_tip_deg) at its
+    // end: the turn towards the main vein's end, negative away from it.
     double side_curve_deg = 0;
     double side_curve_at_tip_deg = 0;
     double bend_deg = 0; // Total downward bend of the midrib.
@@ -67,7 +70,8 @@ struct LeafFit {
         std::size_t parent = 0;
         double drawn_at = 0; // Position of the vein's beginning, as a share of the parent's length.
         double fitted_at = 0;
-        // Angle to the parent's direction, or to the leaf's axis; positive to the right.
+        // Angle of the vein to the parent's direction, or to the leaf's axis; positive to the
+        // right.
         double drawn_angle_deg = 0;
         double fitted_angle_deg = 0;
         double drawn_length_mm = 0;
@@ -79,7 +83,7 @@ struct LeafFit {
     // counter-clockwise.
     FlatLine outline {};
     double asymmetry = 0; // Difference between the halves' areas, as a share of the total area.
-    double tremor_mm = 0; // Standard deviation of the veins' deviation from the fitted curves.
+    double tremor_mm = 0; // Standard deviation of the drawn veins from the fitted curves.
     double sweep_deg = 0; // Sideways turn of the drawn midrib; the grammar's midrib has none.
     BladePlace place {};
 };

@@ -114,8 +114,8 @@ std::optional<Loop> widest_loop(std::span<FlatLine const> strokes, double extent
     return best;
 }
 
-// True if two lines are halves of an outline: they bow to opposite sides of their chord. A midrib
-// hardly leaves it.
+// True if two lines are halves of an outline: they bow to opposite sides of their chord. A midrib,
+// in contrast, is nearly straight.
 bool are_halves(FlatLine const& a, FlatLine const& b)
 {
     constexpr double kLeast = 0.25; // Smallest bow, as a share of the other line's bow.

@@ -15,10 +15,10 @@ namespace tractus::leaf {
 struct FoundOutline {
     RecognisedLeaf::Edge edge = RecognisedLeaf::Edge::Whole;
     std::vector<std::size_t> strokes {};
-    // Set if the midrib closes a half outline.
+    // Index of the midrib, if it closes a half outline.
     std::optional<std::size_t> midrib {};
-    // The outline as references to points of the strokes (stroke index, point index), in order.
-    // Closed, unless it is only one half.
+    // Outline as references to points of the strokes (stroke index, point index), in order. Closed,
+    // unless it is only one half.
     struct Point {
         std::size_t stroke = 0;
         std::size_t point = 0;

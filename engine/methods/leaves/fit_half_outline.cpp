@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    // Weights of the control points in a point of the curve.
+    // The weights of the control points in a point of the curve.
     struct Shares {
         std::size_t first = 0;
         std::array<double, 4> of {}; // Weights of the control points from `first` on.
@@ -264,7 +264,7 @@ std::vector<HalfOutline::Point> fit_half_outline(FlatLine const& half, double to
         stops.insert(corner);
         stops.is_corner[stops.count() - 2] = true;
     }
-    // A single span would be a straight line.
+    // A half with a single span would be a straight line, so it gets a middle point.
     for (std::size_t span = 0; span + 1 < stops.count(); ++span)
         if (stops.count() == 2)
             stops.insert(kSamples / 2);

@@ -100,7 +100,8 @@ struct SideLine {
     // Angle between the vein's straight line and its parent's direction, positive.
     double angle_deg = 0;
     double noise_deg = 0; // Standard error of that angle from tremor.
-    double turn_deg = 0;  // Turn from begin to end, positive towards the parent's end.
+    // Turn of the vein from beginning to end, positive towards the parent's end.
+    double turn_deg = 0;
     double length = 0;
     double fitted_deg = 0; // Fitted angle at the vein's beginning.
 };
@@ -138,7 +139,7 @@ private:
     void find_hub()
     {
         constexpr double kLeast = 0.012;
-        // Beyond this, the limb would follow the outline past the hub.
+        // Maximum length of the hub; beyond it, the limb would follow the outline past the hub.
         constexpr double kMost = 0.016;
         if (blade_.mains.size() < 2)
             return;
@@ -235,7 +236,7 @@ private:
     void steady_angles(std::size_t parent)
     {
         constexpr double kFree_deg = 6; // Standard deviation of angles if there are few veins.
-        // Usual standard deviation of angles if there are many veins.
+        // Usual standard deviation of an angle if there are many veins.
         constexpr double kOwn_deg = 1.5;
         constexpr std::size_t kEnough = 6;
         std::vector<SideLine*> group;

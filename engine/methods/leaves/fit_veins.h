@@ -19,7 +19,7 @@ struct FittedVeins {
     double hub = 0;
     double side_curve_deg = 0;        // Curve of side veins at the beginning of their parents.
     double side_curve_at_tip_deg = 0; // Curve of side veins at the end of their parents.
-    // First the main, then the side veins, in the order of RecognisedLeaf.
+    // Fit of each vein: first the main, then the side veins, in the order of RecognisedLeaf.
     std::vector<LeafFit::Vein> veins {};
 };
 

@@ -21,7 +21,7 @@ public:
     using Terms = Eigen::Matrix<double, kTerms, 1>;
 
     Bow() = default;
-    // Points outside 0 to 1 are ignored.
+    // Fits the polynomial to points, ignoring those outside 0 to 1.
     explicit Bow(std::vector<Vec2> const& places)
     {
         Eigen::Matrix<double, kTerms, kTerms> moments
@@ -108,7 +108,8 @@ std::optional<double> first_on_ring(FlatLine const& ring, Vec2 const& from, Vec2
 // Returns where a line from inside a closed one leaves it, or would leave it if extended.
 double exit_of(FlatLine const& ring, FlatLine const& outwards)
 {
-    constexpr double kMost = 0.15; // Largest part of its length that a midrib may be too short by.
+    // Greatest part of the midrib's length by which it may be too short.
+    constexpr double kMost = 0.15;
     double const length = length_of(outwards);
     auto const last_inside = std::find_if(outwards.rbegin(), outwards.rend(),
                                           [&](Vec2 const& at) { return is_inside(ring, at); });

@@ -24,8 +24,9 @@ struct BladePlace {
 struct FlatBlade {
     double size_mm = 0; // Length of the midrib within the blade, the unit of the fields below.
     double stalk = 0;   // Length of the petiole as a share of size_mm; 0: none was drawn.
-    FlatLine right {};  // Half outlines from base to tip; x is negative in the left one.
-    FlatLine left {};   // Empty: only one half was drawn and is stored as the right one.
+    FlatLine right {};  // Half outlines from base to tip; x is negative in `left`.
+    // Left half outline; empty: only one half was drawn and is stored as the right one.
+    FlatLine left {};
     std::vector<FlatLine> mains {};
     std::vector<FlatLine> sides {};
     double bend_low_deg = 0;  // Downward bend of the midrib over its lower half.
@@ -35,7 +36,8 @@ struct FlatBlade {
     BladePlace place {};
 };
 
-// Fails with a user error if the outline does not surround the midrib.
+// Lays a recognised leaf out flat. Fails with a user error if the outline does not surround the
+// midrib.
 Result<FlatBlade> lay_flat(RecognisedLeaf const& leaf);
 
 } // namespace tractus::leaf

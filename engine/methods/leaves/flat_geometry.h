@@ -4,7 +4,7 @@
 
 namespace tractus::leaf {
 
-// Positive if b is counter-clockwise of a.
+// Cross product, positive if b is counter-clockwise of a.
 inline double cross(Vec2 const& a, Vec2 const& b)
 {
     return a.x() * b.y() - a.y() * b.x();

@@ -28,7 +28,7 @@ double extent_of(std::span<Vec2 const> line);
 // The point of a polyline nearest to a given point.
 struct NearestOnLine {
     double distance = 0;
-    // Position as an index: 2.5 is halfway between the third and the fourth point.
+    // Position on the polyline as an index: 2.5 is half-way between the third and the fourth point.
     double along = 0;
 };
 NearestOnLine nearest_on(std::span<Vec2 const> line, Vec2 const& place);
@@ -36,7 +36,7 @@ NearestOnLine nearest_on(std::span<Vec2 const> line, Vec2 const& place);
 // The point of a polyline at a fractional index.
 Vec2 place_at(std::span<Vec2 const> line, double along);
 
-// `count` (at least 2) evenly spaced points along the polyline, both ends included.
+// Returns `count` (at least 2) evenly spaced points along the polyline, both ends included.
 FlatLine evenly(std::span<Vec2 const> line, std::size_t count);
 
 } // namespace tractus::leaf

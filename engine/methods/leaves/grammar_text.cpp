@@ -182,8 +182,8 @@ constexpr std::array kOperators {
     Operator { "^", Operation::Kind::Power, 8 },
 };
 constexpr int kComparisonRank = 4;
-constexpr int kSignRank = 7;    // -a ^ b means -(a ^ b).
-constexpr int kHighestRank = 9; // Higher than the rank of any operator.
+constexpr int kSignRank = 7;    // Rank of the sign: -a ^ b means -(a ^ b).
+constexpr int kHighestRank = 9; // Rank above that of any operator.
 constexpr int kDeepest = 200;
 
 class ExpressionReader {
@@ -215,7 +215,7 @@ private:
             TRY(text_.expect(":"));
             auto const over = add_skip(Kind::Skip);
             land(test);
-            ++depth_; // Counted here, too, because choices can nest without parentheses.
+            ++depth_; // Choices count towards the depth, because they can nest without parentheses.
             TRY(choice());
             --depth_;
             land(over);

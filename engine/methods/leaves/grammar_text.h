@@ -19,21 +19,21 @@ public:
     // The next significant character; '\0' at the end.
     char peek();
     bool next_is(std::string_view sign);
-    // Consumes `sign` if it is next; false if it is not.
+    // Consumes `sign` and returns true if it comes next.
     bool take(std::string_view sign);
     bool take_arrow();
 
-    // Consumes `sign`; fails if it is not next.
+    // Consumes `sign`; fails if it does not come next.
     Result<void> expect(std::string_view sign);
     // Reads an identifier: letters, digits and underscores, not beginning with a digit. `what`
     // names it in messages.
     Result<std::string_view> word(std::string_view what);
     Result<double> number();
 
-    // While set, the end of the line counts as the end of the text.
+    // True: the end of the line counts as the end of the text.
     void stay_in_line(bool stays) { stays_in_line_ = stays; }
 
-    // Failure with a message about the given position, or the next character.
+    // Makes an error about a given position or the next character.
     tl::unexpected<Error> fail_at(TextPlace const& place, std::string const& what) const;
     tl::unexpected<Error> fail_here(std::string const& what);
     tl::unexpected<Error> fail_expected(std::string_view what);
@@ -45,7 +45,7 @@ private:
     std::string_view text_;
     std::string name_;
     std::size_t at_ = 0;
-    int line_ = 1; // Line number at at_.
+    int line_ = 1; // Number of the line that contains at_.
     std::size_t line_begin_ = 0;
     bool stays_in_line_ = false;
 };

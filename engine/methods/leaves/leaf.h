@@ -45,8 +45,9 @@ public:
     // Limit on the number of faces; derivation fails beyond it.
     static constexpr std::size_t kMostFaces = 100'000;
 
-    // Step 0: the axiom's face. `grammar` must outlive the leaf. Fails with a user error, with file
-    // and line of the grammar, if an attribute is out of range.
+    // Begins the derivation with the axiom's face, which is step 0. `grammar` must outlive the
+    // leaf. Fails with a user error, with file and line of the grammar, if an attribute is out of
+    // range.
     static Result<Leaf> begin(Grammar const& grammar, Options const& options);
 
     // One derivation step: removes the limb, applies to each face, in order of creation, the first
@@ -78,7 +79,8 @@ public:
         Vec2 to = Vec2::Zero();
         double half_width_from = 0;
         double half_width_to = 0;
-        int order = 1; // 1 for main veins; one more for a vein on the side of another.
+        // Order of the vein: 1 for main veins; one more for a vein on the side of another.
+        int order = 1;
     };
     std::vector<Vein> veins() const;
     Outline const& outline() const { return outline_; }
@@ -96,8 +98,9 @@ private:
         Attributes attributes {};
         Frame frame;
         Dart first = 0; // Start of one of the face's edges; of edge O, unless the face was split.
-        int edge_count = 0;   // Number of edges when made; splitting neighbours can add more.
-        bool is_part = false; // Part of a split face, which may lack some edges.
+        // Number of the face's edges when it was made; splitting neighbours can add more.
+        int edge_count = 0;
+        bool is_part = false; // True for a part of a split face, which may lack some edges.
         int order = 1;        // Branching order of the vein to which the face belongs.
         std::size_t blade = 0;
     };
@@ -121,7 +124,7 @@ private:
 
     tl::unexpected<Error> fail_at(TextPlace const& place, std::string const& what) const;
     Result<Attributes> attributes_of(char face, Fields const& fields, TextPlace const& place);
-    // Grown: with bending and twisting. Flat: without.
+    // Shape of the leaf: Grown with bending and twisting, Flat without.
     enum class Shape { Grown, Flat };
     Vec3 place_of(Dart d, Shape shape) const;
     Stand stand_on(Dart edge, Shape shape) const;
@@ -158,16 +161,16 @@ private:
     Grammar const* grammar_;
     LeafMap map_;
     std::vector<Face> faces_;
-    std::vector<double> values_; // Values by name index; NaN: no value yet.
+    std::vector<double> values_; // Values of names by index; NaN: no value yet.
     // Variables hidden by attributes of the same name while a rule is applied.
     std::map<std::size_t, double> hidden_;
     Random random_;
     Outline outline_;
     Pose pose_;
-    Random unevenness_; // Separate stream, so that a pose does not change the flat leaf.
+    Random unevenness_; // Random stream of its own, so that a pose does not change the flat leaf.
     std::vector<Blade> blades_;
     int step_ = 0;
-    std::size_t work_ = 0; // Work so far, as the number of darts visited.
+    std::size_t work_ = 0; // Number of darts visited so far, as a measure of the work.
     // First dart of the limb; no value: the limb is not filled.
     std::optional<std::size_t> limb_begin_;
     FaceId limb_faces_ = 0;

@@ -64,7 +64,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points)
                 hull.pop_back();
             hull.push_back(point);
         }
-        hull.pop_back(); // The other half begins with this point.
+        hull.pop_back(); // The point is removed, because the other half begins with it.
         if (half == 0)
             std::ranges::reverse(points);
     }

@@ -14,12 +14,12 @@ namespace tractus::leaf {
 struct Cutout {
     // Corners in pixels from the picture's upper left corner; within the picture.
     std::vector<Vec2> corners;
-    // Counter-clockwise as seen by a viewer of the picture.
+    // Triangles, counter-clockwise as seen by a viewer of the picture.
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
 struct CutoutOptions {
-    float least_alpha = 0; // Pixels up to this alpha may be outside.
+    float least_alpha = 0; // Maximum alpha of pixels that may be outside.
     // Target number of corners, at least 4; exceeded if the leaf has no simpler shape.
     int most_corners = 16;
     int most_bays = 6; // Greatest number of concave corners.

@@ -25,7 +25,7 @@ enum class StrokeRole {
 };
 std::string_view name_of(StrokeRole role);
 
-// A drawing with a role for each stroke. Points are evenly spaced.
+// A drawing with a role for each stroke; points are evenly spaced.
 struct RecognisedLeaf {
     enum class Edge { Whole, Halves, OneHalf };
 
@@ -42,7 +42,7 @@ struct RecognisedLeaf {
         std::size_t parent = 0;
         std::vector<Vec3> line; // Points of the vein, from its beginning on.
     };
-    // The midrib first; it begins at the petiole's end, outside the blade.
+    // Main veins, the midrib first; it begins at the petiole's end, outside the blade.
     std::vector<Vein> mains {};
     std::vector<Vein> sides {};
     std::vector<Vec3> stalk {}; // Petiole; empty unless it was drawn as a separate stroke.

@@ -125,7 +125,7 @@ FunctionName const* find_function(std::string_view name)
 
 double Expression::value(std::span<double const> values, Random& random) const
 {
-    // Number of operations; the stack never holds more values than that.
+    // Size of the usual stack, in values; an expression of this many operations never needs more.
     constexpr std::size_t kUsual = 64;
     if (operations.size() <= kUsual) {
         std::array<double, kUsual> stack;

@@ -55,7 +55,7 @@ struct FunctionName {
     Function function;
     int arguments;
 };
-// Null if no function has this name.
+// Finds a function by name; null if there is none.
 FunctionName const* find_function(std::string_view name);
 
 // An instruction of a compiled expression (stack machine).

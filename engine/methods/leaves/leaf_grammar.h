@@ -54,7 +54,7 @@ struct Child {
 };
 
 struct Growing {
-    Fields fields; // Overrides for the parent face itself.
+    Fields fields; // Attributes that the rule overrides in the parent face itself.
     std::vector<Child> children;
 };
 

@@ -37,7 +37,8 @@ Result<void> Leaf::fill()
         auto const first_bare = std::ranges::find_if(way, is_bare);
         if (first_bare == way.end()) {
             TRY(fill_way(way));
-        } else if (grammar_->has_base) { // Leaflets have separate limbs.
+            // Leaflets have separate limbs, so the chain is filled in two parts.
+        } else if (grammar_->has_base) {
             auto const behind_last = std::find_if(way.rbegin(), way.rend(), is_bare).base();
             TRY(fill_way({ way.begin(), first_bare }));
             TRY(fill_way({ behind_last, way.end() }));
@@ -47,8 +48,8 @@ Result<void> Leaf::fill()
     return {};
 }
 
-// Fills a chain of edges with limb faces. Where the chain bulges beyond the chord of its ends, it
-// is divided at the farthest vertex.
+// Fills the area beside a chain of edges with limb faces. Where the chain bulges beyond the chord
+// of its ends, it is divided at the farthest vertex.
 Result<void> Leaf::fill_way(std::vector<Dart> const& way)
 {
     constexpr double kInside = -1e-9;
@@ -136,7 +137,8 @@ void Leaf::add_limb_face(std::span<Dart const> way, Margin margin)
     if (margin == Margin::Outline)
         add_margin(way, corners, labels);
     corners.push_back(map_.vertex(LeafMap::a0(way.back())));
-    if (corners.size() + way.size() < 4) // A single edge and its chord enclose nothing.
+    // Nothing is filled, because a single edge and its chord enclose no area.
+    if (corners.size() + way.size() < 4)
         return;
     auto const closing = static_cast<Dart>(labels.size());
     for (std::size_t i = way.size(); i-- > 0;) {

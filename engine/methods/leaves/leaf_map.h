@@ -70,7 +70,7 @@ public:
     Vec2 const& flat_of(Dart d) const { return flat(vertex(d)); }
     bool is_free(Dart d) const { return a2(d) == d; }
     std::size_t dart_count() const { return a1_.size(); }
-    // Includes vertices that were merged into others.
+    // Number of vertices, including those that were merged into others.
     std::size_t vertex_count() const { return positions_.size(); }
 
     // Adds a vertex; `flat` is its position in the flat leaf.

@@ -120,7 +120,8 @@ void scale_to_keep(std::vector<std::uint8_t>& alphas, std::size_t count)
         return;
     auto sorted = alphas;
     std::ranges::sort(sorted, std::ranges::greater());
-    while (count > 0 && sorted[count - 1] == 0) // There are fewer non-zero pixels than requested.
+    // A cell may have fewer non-zero pixels than requested.
+    while (count > 0 && sorted[count - 1] == 0)
         --count;
     if (count == 0)
         return;

@@ -8,7 +8,7 @@ namespace tractus::leaf {
 
 // An atlas of square cells with one leaf each, rows from the top; `channels` bytes per pixel.
 struct CellPage {
-    int side = 0; // Pixels; a multiple of `cell`, which is a power of two.
+    int side = 0; // Side of the page in pixels; a multiple of `cell`, which is a power of two.
     int cell = 0;
     int channels = 4;
     std::vector<std::uint8_t> pixels {};

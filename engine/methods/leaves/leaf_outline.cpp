@@ -11,7 +11,7 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr int kPerSpan = 10; // Points of the line for each span of the outline.
+constexpr int kPerSpan = 10; // Number of points of the line for each span of the outline.
 
 // A Catmull-Rom curve; at corners its tangent points towards the next point.
 std::vector<Vec2> curve_through(std::vector<HalfOutline::Point> const& points)
@@ -104,7 +104,7 @@ std::vector<Vec2> with_margin(std::vector<Vec2> const& line, HalfOutline const& 
 HalfOutline varied(HalfOutline half, Outline::Variation const& variation, double width,
                    Random& random)
 {
-    // Narrow leaves vary less.
+    // Size of the half, which scales the variation: narrow leaves vary less.
     double size = 0;
     for (auto const& point : half.points)
         size = std::max(size, 3 * point.at.x());
@@ -208,8 +208,8 @@ double Outline::span(Place const& from, Place const& to) const
                                  : to.along - from.along + static_cast<double>(line_.size());
 }
 
-// True if the way from one place to another is forward; more than this share of the line counts as
-// a step back.
+// True if the way from one place to another is forward. A way longer than kMost of the line counts
+// as a step back.
 bool Outline::is_forward(Place const& from, Place const& to) const
 {
     constexpr double kMost = 0.7;

@@ -44,18 +44,19 @@ public:
     {
     }
 
-    // Different halves with a common tip; in the left one x is positive to the left.
+    // Makes an outline of different halves with a common tip; in the left one x is positive to the
+    // left.
     Outline(HalfOutline const& right_half, HalfOutline const& left_half, Variation const& variation,
             Random& random);
 
     bool empty() const { return line_.empty(); }
     std::vector<Vec2> const& line() const { return line_; }
 
-    // Distance from a point to the outline in a direction; 0 if there is no intersection.
+    // Distance from a point to the outline in a direction; 0 if it does not meet the outline.
     double reach(Vec2 const& from, Vec2 const& direction) const;
 
-    // The outline's points from next to `from` to next to `to`, counter-clockwise. Empty if either
-    // is farther than `tolerance` from the outline, or if this is more than half the way around.
+    // The outline's points between `from` and `to`, counter-clockwise. Empty if either is farther
+    // than `tolerance` from the outline, or if the way is more than half the way around.
     std::vector<Vec2> between(Vec2 const& from, Vec2 const& to, double tolerance) const;
 
     // True if the way along the outline from `from` to `to`, counter-clockwise, is at most half of
@@ -64,7 +65,7 @@ public:
 
 private:
     struct Place {
-        double along = 0; // Position as a fractional index.
+        double along = 0; // Position on the outline as a fractional index.
         double distance = 0;
     };
     // Part of the outline with its bounding circle, for fast rejection.

@@ -507,7 +507,7 @@ private:
     Noise mildew_;
     std::vector<Vec2> pixels_; // Pixel coordinates of the leaf's vertices.
     Vec2 base_ = Vec2::Zero();
-    double radius_ = 1; // Distance in pixels at which D is 1.
+    double radius_ = 1; // Distance in pixels at which the closeness D is 1.
 };
 
 PictureFrame::PictureFrame(LeafTriangles const& leaf, int side, PictureStand const& stand)

@@ -29,13 +29,15 @@ struct PaintOptions {
     Vec3 young { 0.36, 0.54, 0.22 }; // Colour of a young leaf, sRGB, 0 to 1.
     Vec3 old { 0.72, 0.50, 0.16 };
     Vec3 dead { 0.35, 0.24, 0.14 };
-    double dead_age = 0; // Progress from the old to the dead colour, 0 to 1, by the same law.
+    // Progress from the old to the dead colour, 0 to 1, by the same law as ageing.
+    double dead_age = 0;
     enum class First { NearVeins, BetweenVeins }; // The places that age first.
     First first = First::NearVeins;
     double near_veins = 0.8; // Strength with which ageing depends on the distance from veins.
     double noise = 0.5;      // Strength with which the noise masks delay ageing.
-    double tip = 0;    // Share of the masks, 0 to 1, that is the distance from the tip instead of
-                       // noise; at 1 the tip ages first.
+    // Share of the distance from the tip in the masks, 0 to 1; the rest is noise. At 1 the tip ages
+    // first.
+    double tip = 0;
     double spots = 0;  // Share of the leaf with brown spots, 0 to 1.
     double mildew = 0; // Share of the leaf with white mildew, 0 to 1.
     int mines = 0;     // Number of leaf mines, pale tunnels of larvae under the epidermis.
@@ -65,7 +67,7 @@ struct LeafPicture {
     // Distance to the nearest vein's side, in pixels; 0 inside, at most reach.
     std::vector<float> distance;
     std::vector<float> closeness;  // Closeness D of the colour law: 0 at veins, 1 between them.
-    std::vector<float> protection; // P: 1 where larvae spare a vein.
+    std::vector<float> protection; // Protection P: 1 where larvae spare a vein.
     std::vector<float> age;        // Local age m of the colour law: 0 young, 1 old.
     std::vector<float> height;     // Height of the relief, in units of twice a vein's height.
     float reach = 0;
@@ -86,7 +88,7 @@ struct PictureFrame {
     double scale = 1; // Pixels per unit of length.
 };
 
-// Paints leaves one after another, reusing its memory. The result does not depend on the number of
+// Paints leaves one after another in the same memory. The result does not depend on the number of
 // threads or on earlier leaves. Not thread-safe.
 class LeafPainter {
 public:

@@ -80,7 +80,7 @@ std::vector<Material> materials()
 
 struct DerivedLeaf {
     Grammar grammar;
-    std::optional<Leaf> leaf {}; // Always set; it refers to the grammar.
+    std::optional<Leaf> leaf {}; // The derived leaf, which is always set; it refers to the grammar.
     LeafTriangles triangles {};
 };
 
@@ -227,7 +227,8 @@ Result<std::vector<std::vector<Vec3>>> lines_of_leaf(LeafSketch const& sketch)
     auto const& triangles = made->triangles;
     LeafToPaper const to_paper(sketch.seen->fit.place, *drawn, triangles);
     std::vector<std::vector<Vec3>> lines(1);
-    Dart const start = 0; // The first face is the stalk, and its first edge is free.
+    // The border begins at the first face, the stalk, whose first edge is free.
+    Dart const start = 0;
     for (auto const dart : leaf.map().border(start))
         lines[0].push_back(to_paper(leaf.map().position_of(dart)));
     lines[0].push_back(lines[0].front());

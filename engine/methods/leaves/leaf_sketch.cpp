@@ -300,7 +300,7 @@ Result<std::string> grammar_text(LeafSketch const& sketch, std::string const& ti
     auto const leaf = formed_leaf(sketch);
     if (leaf)
         return print_grammar(*leaf, title);
-    TRY(see_leaf(sketch)); // see_leaf() fails with a message about what is missing.
+    TRY(see_leaf(sketch)); // The call fails with a message about what is missing.
     return fail(Fault::User, "the lines are no leaf yet");
 }
 

@@ -17,25 +17,27 @@ namespace tractus::leaf {
 
 // Adjustments to a drawn leaf; the defaults leave it as drawn.
 struct LeafForm {
-    double bend_deg = 0; // Added to the downward bend of the midrib, -180 to 180.
-    double rise_deg = 0; // Added to the rise of the blade on both sides of the midrib, -90 to 90.
-    double vein_curve_deg = 0; // Added to the side veins' turn towards the tip, -90 to 90.
+    double bend_deg = 0; // Angle added to the downward bend of the midrib, -180 to 180.
+    // Angle added to the rise of the blade on both sides of the midrib, -90 to 90.
+    double rise_deg = 0;
+    double vein_curve_deg = 0; // Angle added to the side veins' turn towards the tip, -90 to 90.
     double vein_width = 1;     // Factor on the width of veins, 0.2 to 5.
-    int teeth = 0;             // Teeth on each half, at most 60; 0: the margin is as drawn.
+    int teeth = 0; // Number of teeth on each half, at most 60; 0: the margin is as drawn.
     // Depth of the teeth as a share of the blade's length, 0 to 0.2; only used with teeth.
     double tooth_depth = 0.02;
     double variation = 1; // Factor on the variation between the leaves of a plant, 0 to 4.
 
     bool operator==(LeafForm const&) const = default;
 };
-// Fails with a user error if a value is out of range.
+// Checks a form. Fails with a user error if a value is out of range.
 Result<void> check_form(LeafForm const& form);
 
 // A drawn line of a leaf.
 struct LeafLine {
     scene::ItemId id = 0;
-    Stroke stroke {}; // World frame; x and y are taken as an upright sheet of paper, z is the
-                      // height of the surface.
+    // Stroke in the world frame; x and y are taken as an upright sheet of paper, z is the height of
+    // the surface.
+    Stroke stroke {};
 };
 
 // Recognition result: the roles of the sketch's lines, and the leaf's parameters.

@@ -8,20 +8,22 @@
 
 namespace tractus::leaf {
 
-// Adds a line to a leaf on paper; see with_line().
+// Edit: adds a line to a leaf on paper, see with_line().
 struct AddLeafLine {
     static scene::EditKind const kKind;
 
-    scene::ItemId plant = 0; // 0: begins a new leaf, which becomes the active plant.
-    Stroke stroke {};        // Stroke of the line, world frame.
+    // Id of the plant; 0: begins a new leaf, which becomes the active plant.
+    scene::ItemId plant = 0;
+    Stroke stroke {}; // Stroke of the line, world frame.
     // The following fields are for a new leaf only.
     LeafForm form {};
-    double scale = 0.1;               // Becomes the document's scale if none was set.
-    Vec3 stands_at_mm = Vec3::Zero(); // Position of foot_of(), world frame.
+    // Scale of the new leaf, which becomes the document's scale if none was set.
+    double scale = 0.1;
+    Vec3 stands_at_mm = Vec3::Zero(); // Position of the leaf's foot (foot_of()), world frame.
     scene::ItemId id = 0; // Id of the line, and of the plant that it begins; 0: none assigned yet.
 };
 
-// Removes a line of a leaf. Removing the last line is refused; use RemovePlant instead.
+// Edit: removes a line of a leaf. Removing the last line is refused; use RemovePlant instead.
 struct EraseLeafLine {
     static scene::EditKind const kKind;
 
@@ -29,7 +31,7 @@ struct EraseLeafLine {
     scene::ItemId line = 0;
 };
 
-// Sets the adjustments to a drawn leaf.
+// Edit: sets the adjustments to a drawn leaf.
 struct FormLeaf {
     static scene::EditKind const kKind;
 
@@ -37,7 +39,7 @@ struct FormLeaf {
     LeafForm form {};
 };
 
-// Null if the plant was not drawn as a leaf.
+// Returns the sketch of a plant; null if the plant was not drawn as a leaf.
 LeafSketch const* leaf_sketch(scene::PlantState const& plant);
 
 // The leaf sketch of the active plant; null if there is none.

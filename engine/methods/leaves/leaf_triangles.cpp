@@ -29,7 +29,7 @@ public:
     // Returns false if the face overlaps itself.
     bool cut(Corners const& corners, std::vector<Triangle>& to)
     {
-        // Ear clipping would take too long for more corners.
+        // Maximum number of corners for ear clipping, which would take too long for more.
         constexpr std::size_t kMostCorners = 2000;
         if (corners.size() == 4)
             return cut_quad(corners, to);
@@ -86,7 +86,7 @@ private:
         // True for a reflex corner, which may lie inside other corners' ears.
         bool is_hollow = false;
     };
-    // Special values that replace a triangle's shape.
+    // Special values in shapes_: the corner is no ear, or it has been cut.
     static constexpr double kNoEar = -1;
     static constexpr double kCut = -2;
 
@@ -175,7 +175,7 @@ private:
         shapes_[i] = !is_ear ? kNoEar : longest > 0 ? area / longest : 0;
     }
 
-    // Returns no value if there is no ear.
+    // Returns the ear with the best shape; no value if there is no ear.
     std::optional<std::size_t> widest_ear() const
     {
         auto const best = std::ranges::max_element(shapes_);

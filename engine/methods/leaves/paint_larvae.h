@@ -15,7 +15,7 @@ struct Larvae {
     double most_radius = 0.025;
     int least_bites = 15;
     int most_bites = 90;
-    int spared_order = 2; // Veins up to this order are not eaten.
+    int spared_order = 2; // Highest order of the veins that are not eaten.
 };
 
 // Input maps for larvae, `side` by `side` pixels: coverage by the leaf, and protection by veins.

@@ -50,7 +50,7 @@ private:
         return values_.data() + static_cast<std::size_t>(j & kMask) * kSide;
     }
 
-    float per_cell_ = 1; // Table entries per cell.
+    float per_cell_ = 1; // Number of table entries per cell.
     std::vector<float> values_;
 };
 

@@ -25,7 +25,8 @@ void TileGrid::find(std::span<float const> coverage, int side)
 {
     side_ = side;
     columns_ = (side + TileGrid::kTile - 1) / TileGrid::kTile;
-    auto const blocks = pixels(columns_ * kBlocks) + 2; // With a margin of one block on all sides.
+    // Number of blocks in a row, with a margin of one block on both sides.
+    auto const blocks = pixels(columns_ * kBlocks) + 2;
     blocks_.assign(blocks * blocks, 0);
     for (int y = 0; y < side; ++y) {
         auto const* const row = coverage.data() + pixels(y) * pixels(side);

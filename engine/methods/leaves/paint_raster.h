@@ -49,7 +49,8 @@ public:
 private:
     void add_line(Vec2 const& a, Vec2 const& b);
     void add_in_row(int y, double height, double x0, double x1);
-    // `middle`: mean position within the pixel, 0 at its left side to 1 at its right.
+    // Adds a part of a pixel; `middle` is its mean position within the pixel, 0 at the left side to
+    // 1 at the right.
     void add_part(int x, int y, double height, double middle);
 
     int side_ = 0;
@@ -66,8 +67,8 @@ struct VeinMaps {
 };
 
 struct VeinMapOptions {
-    float reach = 0;      // Upper limit of distances.
-    int spared_order = 2; // Veins up to this order are spared.
+    float reach = 0;      // Upper limit of distances, in pixels.
+    int spared_order = 2; // Highest order of the veins that are spared.
 };
 
 // Computes exact vein maps. `veins` are in pixels. For each tile only the veins are considered that

@@ -13,7 +13,7 @@ namespace {
 // without.
 constexpr std::string_view kBearingFaces = "QTVWXYZABDFGIJ";
 constexpr char kPlainFace = 'P';
-constexpr double kKnot = 0.008; // Length of a knot.
+constexpr double kKnot = 0.008; // Length of a knot, as a share of the blade's length.
 
 // Formats a number with as few decimals as necessary, at most four.
 std::string text_of(double value)
@@ -233,7 +233,7 @@ private:
                                    [](auto const& main) { return !main.knots.empty(); });
     }
 
-    // Statements that set the range `from` to `to` of a main vein's first piece.
+    // Writes the statements that set the range `from` to `to` of a main vein's first piece.
     std::string first_piece(std::size_t main) const
     {
         auto const begin = main == 0 && has_hub() ? "hub" : "0";
@@ -321,7 +321,8 @@ private:
                              main == 0 ? "bent" : "", main == 0 ? "" : "turn", taper);
     }
 
-    // Statement that turns a bent main vein half-way before and half-way after each knot.
+    // Writes the statement that turns a bent main vein half-way before and half-way after each
+    // knot.
     static std::string turning(std::size_t main, std::size_t i)
     {
         auto const before = i == 0 ? std::string("0") : fmt::format("main{}_at{}", main, i);

@@ -8,9 +8,9 @@
 
 namespace tractus::leaf {
 
-// A drawn leaf as a grammar's text (parse_grammar()). Each parameter is a named variable on its own
-// line, so that a slider or a keyboard can change it. Derived with Options::variation 0, the
-// grammar gives the drawn leaf. `title` is one line of text for the comment at the beginning.
+// Writes a drawn leaf as a grammar's text (parse_grammar()). Each parameter is a named variable on
+// its own line, so that a slider or a keyboard can change it. Derived with Options::variation 0,
+// the grammar gives the drawn leaf. `title` is one line of text for the comment at the beginning.
 std::string print_grammar(DrawnLeaf const& leaf, std::string const& title);
 
 // Reads the parameters back from such a grammar; no value if one is missing.

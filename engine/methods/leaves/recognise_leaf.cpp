@@ -197,7 +197,7 @@ private:
     Result<void> find_midrib()
     {
         constexpr double kMostImbalance = 0.5;
-        // Smallest length, as a share of the outline's extent.
+        // Smallest length of a midrib, as a share of the outline's extent.
         constexpr double kLeastLength = 0.35;
         auto found = outline_.midrib;
         double best = -std::numeric_limits<double>::infinity();

@@ -96,7 +96,7 @@ struct OutlinedTree {
     bool is_refined() const { return !own_outlines.empty() || !own_branches.empty(); }
 };
 
-// Options for inferring its branches, with their kept names.
+// Returns the options for inferring a tree's branches, with their kept names.
 SkeletonOptions options_of(OutlinedTree const& tree);
 
 Result<Drawing> drawing_of(OutlinedTree const& tree);

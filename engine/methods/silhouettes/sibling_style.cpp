@@ -289,7 +289,8 @@ void take_style(BranchingSystem& system, Branch const& parent, std::span<ParentS
 void take_leaf(Branch& branch, Branch const& source, std::span<Vec2 const> outline)
 {
     constexpr int kTries = 8;
-    constexpr double kSmaller = 0.87; // Scale factor of each try; a third after all of them.
+    // Ratio of the scales of successive tries; after all of them the scale is about a third.
+    constexpr double kSmaller = 0.87;
     auto const& leaf = *source.leaf;
     auto way = between(source, branch);
     way.from = leaf.base;
