@@ -23,11 +23,12 @@ namespace tractus::batch {
 
 namespace {
 
-constexpr std::size_t kCompared = 64; // Plants whose diversity the report states.
-constexpr std::size_t kMeasured = 8;  // Plants measured to find the spacing of all.
+constexpr std::size_t kCompared = 64; // Number of plants whose diversity the report states.
+constexpr std::size_t kMeasured = 8;  // Number of plants measured to find the spacing of all.
 // Spacing as a multiple of the plants' width, as leaves protrude and some plants are wider.
 constexpr double kSpacing = 1.15;
-constexpr double kScatter = 0.35; // Greatest displacement to each side, as a share of the spacing.
+// Greatest displacement of a plant to each side, as a share of the spacing.
+constexpr double kScatter = 0.35;
 constexpr std::uint32_t kPlaces = 0x706C; // Random stream of ages and places.
 
 // First plant of a shard; a shard ends where the next one begins. Avoids a product that could
@@ -97,10 +98,11 @@ private:
     CollectionOptions const& options_;
     terminal::Progress& progress_;
     CollectionReport report_;
-    std::set<std::uint32_t> underground_; // Plants with segments below the ground.
+    std::set<std::uint32_t> underground_; // Indices of plants with segments below the ground.
     Plant young_;
-    Plant turned_;                          // The plant in its orientation, for the contact sheet.
-    std::optional<PictureThread> pictures_; // Set if pictures are wanted.
+    Plant turned_; // The plant in its orientation, for the contact sheet.
+    // Thread that renders pictures; set if pictures are wanted.
+    std::optional<PictureThread> pictures_;
     std::optional<Error> picture_error_;
 };
 

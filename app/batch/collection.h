@@ -26,7 +26,7 @@ struct Shard {
 
 // Arrangement of a collection's plants.
 enum class Stand {
-    Grid,    // In a regular grid.
+    Grid,    // Plants stand in a regular grid.
     Scatter, // Randomly displaced from the grid, as if grown naturally, without overlapping places.
 };
 
@@ -75,10 +75,10 @@ struct CollectionOptions {
 // One plant of a collection; a pure function of the collection's seed and size and of the plant's
 // number.
 struct PlantPlace {
-    std::uint32_t index = 0; // Part of its PlantKey, together with the seed.
+    std::uint32_t index = 0; // Index of the plant; together with the seed it makes the PlantKey.
     double age = 1;
     Vec3 position_mm = Vec3::Zero(); // Ground frame: origin at the first plant, +z up.
-    double rotation_rad = 0;         // About +z.
+    double rotation_rad = 0;         // Rotation about +z.
 };
 
 // Places of a shard's plants. `spacing_mm` is the distance between neighbours; `count` and `shard`
@@ -98,7 +98,7 @@ struct CollectionReport {
     double height_mm = 0; // Height of the plant as drawn.
 
     std::filesystem::path manifest;
-    std::filesystem::path sheet; // Empty if there is none.
+    std::filesystem::path sheet; // Path of the contact sheet; empty if there is none.
     std::vector<std::string> notes;
 };
 

@@ -12,7 +12,7 @@ namespace tractus::batch {
 // A plant that was written, and its file.
 struct ManifestPlant {
     PlantPlace place;
-    std::string file; // Relative to the manifest.
+    std::string file; // Path of the file, relative to the manifest.
 };
 
 // Path of a collection's manifest.

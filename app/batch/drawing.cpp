@@ -202,7 +202,8 @@ std::string growth_name(std::filesystem::path const& model, GrowthOptions const&
 Result<std::vector<scene::Edit>>
 growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth, std::uint64_t seed)
 {
-    if (plant.model.empty()) // The drawn plants bring their own growth.
+    // Without a model the drawing makes plants, which bring their own growth.
+    if (plant.model.empty())
         return std::vector<scene::Edit> { session::BeginEmpty {} };
     std::vector<scene::Edit> edits;
     std::optional<variation::GrowthParameters> own;
@@ -277,7 +278,7 @@ Result<std::vector<Stroke>> drawn_strokes(DrawingOptions const& options)
     progress.finish();
     std::vector<Stroke> strokes;
     for (auto const& drawn : drawing.strokes)
-        if (!drawn.stroke.tips.empty()) // An action without a stroke has no tips.
+        if (!drawn.stroke.tips.empty()) // Skips actions without a stroke, which have no tips.
             strokes.push_back(drawn.stroke);
     return strokes;
 }

@@ -22,10 +22,12 @@ struct GrowthOptions {
     // One of growth_presets(). No value: a session's plants grow as saved in it, all others as
     // "usual".
     std::optional<std::string> preset {};
-    double variability = 1;    // See at_variability().
-    bool along_ground = false; // See bend_along_ground().
-    std::string leaves {};     // See dressing_edits(); empty: as saved in the session or model.
-    // No value: as saved in the session, otherwise no season.
+    double variability = 1; // Strength of the variation; see at_variability().
+    // True: branches grow along the ground instead of into it; see bend_along_ground().
+    bool along_ground = false;
+    // Leaves as for dressing_edits(); empty: as saved in the session or model.
+    std::string leaves {};
+    // Season to show; no value: as saved in the session, otherwise none.
     std::optional<scene::Season> season {};
 };
 

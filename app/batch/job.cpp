@@ -100,7 +100,8 @@ private:
     std::vector<InSeason> seasons_;
 };
 
-constexpr std::string_view kReportBegins = "log                   "; // Precedes the log's name.
+// First words of the report's line with the log's name.
+constexpr std::string_view kReportBegins = "log                   ";
 
 // A job in progress; each member function is a stage.
 class Job {

@@ -22,13 +22,13 @@ struct JobOptions {
     std::filesystem::path model {};
     std::uint64_t seed = 1;             // Seed of the variations.
     std::size_t variations = 12;        // Plants in the collection; at least 1.
-    std::filesystem::path folder = "."; // Created if missing.
+    std::filesystem::path folder = "."; // Output folder, created if missing.
     GrowthOptions growth {};
     // How much plants of one bed differ in addition to their growth.
     variation::Individuality individuality { .branches = 0.08, .size = 0.12, .turn = 1 };
     double age = 1;             // Age of all plants; see Grower::grow().
     bool all_seasons = false;   // True: adds the unvaried drawing in four seasons.
-    exports::GlbOptions glb {}; // Options of the collection's file, as is `mesh`.
+    exports::GlbOptions glb {}; // Options of the collection's file; `mesh` contains further ones.
     mesh::MeshOptions mesh {};
     std::filesystem::path session {}; // New session file that saves the drawing; empty: none.
 };

@@ -46,7 +46,7 @@ public:
     struct Cutout {
         Vec3 center_mm = Vec3::Zero();
         double side_mm = 1000;
-        double azimuth_rad = 0; // As in ViewAngles.
+        double azimuth_rad = 0; // Direction of the view, as in ViewAngles.
         int side_px = 256;
     };
     std::vector<render::Image> cutouts(mesh::Mesh const& mesh, std::span<Cutout const> views);

@@ -50,7 +50,7 @@ private:
     Plant const& of_collection(std::size_t number, variation::PlantKey key, double age,
                                Plant& plant);
 
-    std::vector<std::unique_ptr<Member>> members_; // At least one.
+    std::vector<std::unique_ptr<Member>> members_; // The group's plants, at least one.
     Plant whole_;
     bool is_above_ground_ = false;
     std::size_t underground_ = 0;

@@ -100,7 +100,8 @@ Result<void> write_plant(FolderWriter& out, scene::LoadSkeleton const& edit)
 // reserved for the strokes.
 Result<void> write_plant(FolderWriter& out, scene::LoadMeasured const& edit)
 {
-    constexpr std::array kEndings { ".mtg", ".csv", ".ply" }; // In the order of the formats.
+    // File extensions in the order of the formats.
+    constexpr std::array kEndings { ".mtg", ".csv", ".ply" };
     auto const usual = kEndings[static_cast<std::size_t>(edit.format)];
     auto const own = file_name(edit.name, ".txt");
     bool const is_text = edit.format == scene::LoadMeasured::Format::Qsm

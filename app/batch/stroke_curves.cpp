@@ -53,13 +53,14 @@ render::Curve path_curve(scene::Scene const& scene, std::vector<SegmentId> const
 Vec3f stroke_color(std::size_t n)
 {
     static std::array<Vec3f, 7> const colors {
-        Vec3f(0.835f, 0.369f, 0.000f), // Vermillion.
-        Vec3f(0.000f, 0.447f, 0.698f), // Blue.
-        Vec3f(0.000f, 0.620f, 0.451f), // Bluish green.
-        Vec3f(0.800f, 0.475f, 0.655f), // Reddish purple.
-        Vec3f(0.902f, 0.624f, 0.000f), // Orange.
-        Vec3f(0.337f, 0.706f, 0.914f), // Sky blue.
-        Vec3f(0.760f, 0.700f, 0.120f), // Yellow, darkened for light paper.
+        Vec3f(0.835f, 0.369f, 0.000f), // Vermillion, the first stroke's colour.
+        Vec3f(0.000f, 0.447f, 0.698f), // Blue, the second stroke's colour.
+        Vec3f(0.000f, 0.620f, 0.451f), // Bluish green, the third stroke's colour.
+        Vec3f(0.800f, 0.475f, 0.655f), // Reddish purple, the fourth stroke's colour.
+        Vec3f(0.902f, 0.624f, 0.000f), // Orange, the fifth stroke's colour.
+        Vec3f(0.337f, 0.706f, 0.914f), // Sky blue, the sixth stroke's colour.
+        // Yellow, darkened for light paper, the seventh stroke's colour.
+        Vec3f(0.760f, 0.700f, 0.120f),
     };
     return colors[n % colors.size()];
 }

@@ -92,7 +92,7 @@ void CalibrationController::push(std::size_t device, Timestamp received,
             push_pen(sample);
     } else if (height_decoder_ && device == height_device_) {
         new_heights_.clear();
-        // Samples decoded before an error are kept.
+        // Ignores decoding errors, as the samples decoded before an error are kept.
         (void)height_decoder_->decode(received, report, new_heights_);
         for (auto const& sample : new_heights_)
             push_height(sample);
@@ -313,7 +313,7 @@ Result<CalibrationOutcome> CalibrationController::finish_height(std::string cons
     CalibrationOutcome outcome { .rig = calib::with_height(options_.rig, calibration, date),
                                  .height_fit = calibration.fit };
     if (pen_decoder_ && !pen_decoder_->traits().is_size_assumed)
-        // Rounded to micrometres.
+        // Rounds to micrometres.
         outcome.rig.tablet_size_mm = (pen_decoder_->traits().size_mm.array() * 1000).round() / 1000;
     outcome.report = describe(calibration, outcome.rig);
     if (doubt)

@@ -43,8 +43,8 @@ inline bool needs_height(CalibrationProcedure procedure)
 
 // Result of a procedure.
 struct CalibrationOutcome {
-    calib::Rig rig {};                             // The rig with the new results and their record.
-    std::optional<calib::HeightFit> height_fit {}; // Only after Height.
+    calib::Rig rig {}; // The rig with the new results and a record of the calibration.
+    std::optional<calib::HeightFit> height_fit {}; // Fit of the heights; only after Height.
     std::string report {}; // Text for the user; each line ends in a line break.
 };
 
@@ -69,7 +69,9 @@ public:
         calib::Rig rig {}; // The rig to start from.
         calib::HeightFitOptions height {};
         std::optional<calib::ZeroCause>
-            zero_cause {};      // No value: inferred from the captures, or the default.
+            // Cause of the error of height zero; no value: inferred from the captures, or the
+            // default.
+            zero_cause {};
         bool is_forced = false; // True: a height fit is accepted in spite of a doubt about it.
     };
 
@@ -99,13 +101,15 @@ public:
     std::optional<calib::Zeroing> open_question() const;
 
     bool is_capturing() const { return pending_.has_value(); }
-    bool is_moving() const { return is_moving_; } // True between begin and end.
+    // True between the commands begin and end of a movement.
+    bool is_moving() const { return is_moving_; }
 
     CalibrationProcedure procedure() const { return options_.procedure; }
     calib::Rig const& rig() const { return options_.rig; }
     std::vector<calib::HeightCapture> const& captures() const { return captures_; }
     std::optional<calib::HeightReading> reading() const { return recent_.reading(); }
-    calib::SensorIdentity const& sensor() const { return sensor_; } // The sensor of that reading.
+    // The sensor from which reading() comes.
+    calib::SensorIdentity const& sensor() const { return sensor_; }
     std::optional<drivers::PenSample> const& pen() const { return pen_; } // Latest pen sample.
     std::size_t touches() const { return touches_; } // Number of touches in the movement so far.
 
@@ -154,8 +158,9 @@ private:
     calib::SensorIdentity sensor_;
 
     calib::RecentReadings recent_;
-    std::vector<drivers::HeightSample> new_heights_; // A member to reuse its memory.
-    std::vector<drivers::PenSample> new_pens_;       // A member to reuse its memory.
+    // Kept as a member so that its memory is reused.
+    std::vector<drivers::HeightSample> new_heights_;
+    std::vector<drivers::PenSample> new_pens_; // Kept as a member so that its memory is reused.
     std::optional<Pending> pending_;
     std::vector<calib::HeightCapture> captures_;
     std::optional<double> last_ruler_mm_; // Height of the last capture, even if it was dropped.
@@ -168,7 +173,7 @@ private:
     bool is_rest_told_ = false;
     bool is_pressing_ = false; // The current touch does not belong to the calibration.
 
-    bool is_moving_ = true; // Always true in a log without begin and end.
+    bool is_moving_ = true; // True during a movement; always true in a log without begin and end.
     std::size_t touches_ = 0;
     std::vector<drivers::PenSample> pens_; // Pen samples of the movement.
     std::size_t pens_before_touch_ = 0;    // Number of pens_ before the current touch.

@@ -19,14 +19,14 @@ struct CalibrationView {
     bool is_capturing = false;
     bool is_moving = false; // True between begin and end of a movement.
     std::vector<calib::HeightCapture> captures {};
-    std::vector<double> residuals_mm {}; // One per capture; empty before the first fit.
+    std::vector<double> residuals_mm {}; // Residual of each capture; empty before the first fit.
     std::vector<std::size_t> slipped {}; // Indices of captures that the fit leaves out.
     double proposed_mm = 0;              // Next height to go to and capture.
-    std::string message {};              // What to do, or what was refused and why.
-    bool is_refusal = false;             // True if the message is a refusal.
-    std::string report {};               // Report of the fit so far; empty before the first.
-    std::vector<Plot> plots {};          // Plots of the fit so far.
-    bool may_keep = false;               // True if there is a result to save in the rig's file.
+    std::string message {};     // Message about what to do, or about what was refused and why.
+    bool is_refusal = false;    // True if the message is a refusal.
+    std::string report {};      // Report of the fit so far; empty before the first.
+    std::vector<Plot> plots {}; // Plots of the fit so far.
+    bool may_keep = false;      // True if there is a result to save in the rig's file.
 };
 
 // Commands of the user in the panel follow.

@@ -13,7 +13,8 @@ using From = calib::HeightCapture::From;
 using Kind = PlotSeries::Kind;
 
 constexpr int kCurvePoints = 120;
-constexpr double kBandDeviations = 2; // Covers 95 % of a normal distribution.
+// Half width of the bands in standard deviations; covers 95 % of a normal distribution.
+constexpr double kBandDeviations = 2;
 
 bool is_slipped(calib::HeightFit const& fit, std::size_t capture)
 {
@@ -32,7 +33,7 @@ constexpr Group kGroups[] { { From::Nowhere, PlotTone::FromNowhere, "first captu
 
 enum class Labels {
     Shown,
-    Hidden, // A plot beside this one shows them.
+    Hidden, // Labels are hidden, as a plot beside this one shows them.
 };
 
 // Adds the captures at the positions that `place` returns; slipped ones as crosses.

@@ -89,7 +89,7 @@ private:
         if (was_capturing_)
             return hear_while_capturing();
         if (takes_captures(controller_.procedure()) && controller_.take_pen_rest() && next_height())
-            return enter(newest_); // Uses the time of the data, however late it is noticed.
+            return enter(newest_); // Captures at the time of the data, however late it is noticed.
         if (auto const key = next_key())
             return press(*key);
         return {};
@@ -102,7 +102,8 @@ private:
         if (person_.is_script)
             return {};
         auto const key = person_.key();
-        if (!key || *key == kEndOfInput) // The end of input is reported again later.
+        // Ignores the end of input for now, as it is reported again later.
+        if (!key || *key == kEndOfInput)
             return {};
         if (*key == 'q') {
             is_away_ = true;
@@ -195,7 +196,7 @@ private:
         }
         auto const height = next_height();
         if (!height)
-            return {}; // The line was empty.
+            return {}; // Returns without a capture, as the entered line was empty.
         TRY(command(time, "capture " + *height));
         entry_.clear();
         was_capturing_ = controller_.is_capturing();
@@ -350,7 +351,7 @@ private:
     bool was_capturing_ = false;
     Timestamp capture_began_ {};
     bool is_moving_ = false;
-    bool is_asking_cause_ = false; // Asks why heights are off.
+    bool is_asking_cause_ = false; // True while the user is asked why heights are off.
     bool is_done_ = false;
     bool is_away_ = false;
     Timestamp newest_ {}; // Time of the newest report.

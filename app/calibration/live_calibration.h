@@ -28,15 +28,17 @@ struct CalibrationPerson {
     std::function<std::optional<char>()> key;
     std::function<void(std::string const&)> say;  // Prints a line; the text has no line break.
     std::function<void(std::string const&)> show; // Replaces the status line at the bottom.
-    bool is_script = false; // Nobody is there to try again, so a refusal is a failure.
+    // True for a script: nobody is there to try again, so a refusal is a failure.
+    bool is_script = false;
 };
 
 struct LiveCalibrationOptions {
     // Heights to capture in this order; empty: the user enters them.
     std::vector<double> heights_mm {};
-    bool is_forced = false;                    // True: captures that disagree need not be repeated.
-    devices::LiveRecorder* recorder = nullptr; // Not owned; null: no recording.
-    Timestamp start {};                        // Start of the recording.
+    bool is_forced = false; // True: captures that disagree need not be repeated.
+    // Recorder of the calibration, not owned; null: no recording.
+    devices::LiveRecorder* recorder = nullptr;
+    Timestamp start {}; // Start of the recording.
     std::function<Timestamp()> now {};
     std::function<void(Duration)> rest {};
 };

@@ -11,13 +11,13 @@ namespace tractus::calibration {
 
 // Subject of a series; each renderer has its own colours for them.
 enum class PlotTone {
-    Model,     // The fit.
+    Model,     // The fitted model.
     FromBelow, // Captures after the carriage moved up.
     FromAbove,
     FromNowhere,
     Slipped,  // Captures that were left out.
-    Expected, // Expected errors.
-    Measured, // Actual errors.
+    Expected, // Errors expected of a good fit.
+    Measured, // Errors actually measured.
 };
 
 struct PlotSeries {
@@ -39,7 +39,7 @@ struct PlotSeries {
 
 struct Plot {
     std::string title {};
-    std::string x_label {}; // Includes the unit.
+    std::string x_label {}; // Label of the x axis, including the unit.
     std::string y_label {};
     Vec2 low = Vec2::Zero();           // Lower left corner of the visible range.
     Vec2 high = Vec2::Ones();          // Upper right corner of the visible range.

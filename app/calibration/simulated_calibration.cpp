@@ -21,7 +21,7 @@ struct Command {
 // What the simulated user does: strokes of the hand, and commands.
 struct Performance {
     std::vector<sim::HandStroke> strokes;
-    std::vector<std::string> words; // One per stroke for captures.
+    std::vector<std::string> words; // Commands of the user; for captures there is one per stroke.
 };
 
 // A pen held still for two seconds: a line too short and slow to count as one.
@@ -45,7 +45,7 @@ sim::HandOptions hand_of(SimulatedCalibration const& calibration)
 {
     sim::HandOptions options { .seed = calibration.person.seed, .height_tremor_mm = 0.02 };
     if (calibration.procedure == CalibrationProcedure::Tilt) {
-        options.plane_tremor_mm = 0.03; // The dent holds the nib.
+        options.plane_tremor_mm = 0.03; // Small tremor, as the dent holds the nib.
         options.tilt_rad = Vec2::Zero();
         options.leaned_around_rad = Vec2(0.7, 0.6);
     }

@@ -18,8 +18,9 @@ std::vector<double> proposed_heights_mm(CalibrationProcedure procedure);
 
 struct SimulatedCalibration {
     CalibrationProcedure procedure = CalibrationProcedure::Height;
-    std::vector<double> heights_mm {}; // Empty: the proposed heights.
-    sim::PersonOptions person {};      // Its seed is also used for the devices.
+    std::vector<double> heights_mm {}; // Heights to capture; empty: the proposed heights.
+    // Options of the simulated user; the seed is also used for the devices.
+    sim::PersonOptions person {};
     sim::RigGeometry geometry {};
 };
 

@@ -75,7 +75,8 @@ static std::vector<std::string> command_names(CLI::App const& parent)
 {
     std::vector<std::string> names;
     for (auto const* const command : parent.get_subcommands({}))
-        if (!command->get_group().empty()) // Commands without a group are not listed.
+        // Skips commands without a group, which --help does not list.
+        if (!command->get_group().empty())
             names.push_back(command->get_name());
     return names;
 }
@@ -166,10 +167,11 @@ static void group_commands(CLI::App& root)
         for (auto* const below : command->get_subcommands({}))
             if (!below->get_group().empty())
                 below->group("Commands");
-        if (command->get_group().empty()) // Commands without a group are not listed.
+        // Skips commands without a group, which --help does not list.
+        if (command->get_group().empty())
             continue;
         auto const group = groups.find(command->get_name());
-        // Commands that methods add have no entry.
+        // Commands that are added by methods belong to "Make plants".
         command->group(group == groups.end() ? "Make plants" : group->second);
     }
 }

@@ -35,9 +35,10 @@ struct Options {
 
 using Sink = std::function<Result<void>(std::string_view)>;
 
-// Enough intervals for a representative median.
-constexpr std::size_t kMostIntervals = 50'000; // Typical ones are among the first, too.
+// Most intervals kept per device; enough for a representative median.
+constexpr std::size_t kMostIntervals = 50'000;
 
+// State of one device of the log, and statistics of its reports.
 struct Device {
     std::unique_ptr<drivers::PenDecoder> pen {}; // Null if the device is not a pen.
     drivers::PenSilence silence {};

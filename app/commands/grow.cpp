@@ -395,7 +395,8 @@ void add_grow_command(CLI::App& root, options::Action& action, tools::Methods co
     auto* const command = root.add_subcommand(
         "grow", "Grow a model and write it as glTF, OBJ, a graph or a picture");
     options::add_model_options(*command, arguments->model);
-    command->get_option("MODEL")->required(false); // A habit may replace it.
+    // Not required, as a habit may be given in place of a model.
+    command->get_option("MODEL")->required(false);
     add_habit_options(*command, *arguments);
     options::add_cost_options(*command, arguments->cost);
     options::add_companion_options(*command, arguments->companions);

@@ -98,7 +98,7 @@ A(s) --> ~l(4)
 endlsystem
 )";
 
-// View of that example.
+// View of the example that `tractus lsystem new` writes.
 constexpr std::string_view kNewView
     = R"(/* How the tree looks: colours, and the organs that the rules draw by ~LETTER. */
 material: 1 bark kind=bark color=0.43,0.36,0.30
@@ -142,7 +142,8 @@ void add_lsystem_command(CLI::App& root, options::Action& action)
     options::add_companion_options(*check_command, arguments->companions);
     check_command->callback(
         [&action, arguments] { action = [arguments] { return check(*arguments); }; });
-    auto const new_path = std::make_shared<std::string>(); // Shared with the callback.
+    // Path of the new file; shared with the callback.
+    auto const new_path = std::make_shared<std::string>();
     auto* const new_command
         = command->add_subcommand("new", "Write a commented L-system and its view to begin with");
     new_command->add_option("FILE.l", *new_path, "Where to; neither it nor FILE.v may be there yet")

@@ -25,9 +25,9 @@ namespace tractus::commands {
 namespace {
 
 struct StreamArguments {
-    std::string log; // Empty: read devices.
+    std::string log; // Log to stream; empty: read devices.
     std::vector<std::string> devices;
-    std::string socket; // Empty: standard output.
+    std::string socket; // Socket to write to; empty: standard output.
     std::string rig;
     std::string height;
     std::optional<double> speed;

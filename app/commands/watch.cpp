@@ -26,7 +26,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration kScreenPeriod = 100ms; // Nobody can read faster updates.
+constexpr Duration kScreenPeriod = 100ms; // Time between updates; nobody can read faster ones.
 constexpr Duration kPlainPeriod = 1s;
 constexpr std::size_t kPlainWidth = 200;
 
@@ -108,8 +108,8 @@ public:
 
 private:
     devices::LiveDevices devices_;
-    std::vector<diagnosis::DeviceMonitor> monitors_; // One per device.
-    std::vector<devices::LiveReport> reports_;       // A member to reuse its memory.
+    std::vector<diagnosis::DeviceMonitor> monitors_; // Statistics of the devices, one per device.
+    std::vector<devices::LiveReport> reports_; // Kept as a member so that its memory is reused.
     std::optional<devices::LiveRecorder> recorder_;
     std::string recording_; // Path of the recording.
     std::string status_;

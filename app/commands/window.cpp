@@ -51,7 +51,7 @@ struct WindowArguments {
     std::vector<std::string> least; // Pairs TOOL=MM; see tools/least_extent.h.
     std::string session;
     std::string model; // Empty: the start page, or kUsualModel if there is no start page.
-    bool wants_start_page = false; // Overrides everything else.
+    bool wants_start_page = false; // True: opens the start page whatever the other arguments are.
     std::string rig;
     std::string height;
     std::string picture; // Picture to lay behind the drawing.
@@ -59,8 +59,9 @@ struct WindowArguments {
     bool fills_display = false;
     std::string display; // Name of the display to fill; empty: see `fills_display`.
     bool is_on_stage = false;
-    std::optional<bool> is_light {};       // No value: the user's last choice.
-    std::optional<bool> is_left_handed {}; // No value: the user's last choice.
+    std::optional<bool> is_light {}; // Light or dark colours; no value: the user's last choice.
+    // Layout for left-handed use; no value: the user's last choice.
+    std::optional<bool> is_left_handed {};
     double scale = 0;
     int frames = 0;
     std::string screenshot;
@@ -251,7 +252,7 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
     if (!arguments.height.empty())
         options.height_mm = TRY(options::constant_height_mm(arguments.height));
     options.least_extents = TRY(read_least_extents(arguments));
-    // Done last, as it may create a file.
+    // Opens the drawing last, as that may create a file.
     auto const drawing = TRY(open_first_drawing(arguments, options));
     options.folder = std::filesystem::current_path();
     if (auto const folder = files::user_folder(); !folder.empty()) {
@@ -266,7 +267,8 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
     options.now = clock.now;
     options.counted_time = clock.counted;
     if (!clock.counted)
-        options.mouse.emplace(options.now); // Otherwise the played log's pen draws.
+        // The mouse draws, unless a log is played whose pen draws.
+        options.mouse.emplace(options.now);
     auto const name = devices.infos().empty() ? "mouse" : devices.infos().front().name;
     auto how = window_options(arguments, drawing.empty() ? "tractus" : window_title(name, drawing));
     auto const tidy_up = [unnamed = options.unnamed] {

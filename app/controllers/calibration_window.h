@@ -26,7 +26,7 @@ private:
 
     devices::LiveDevices devices_;
     CalibrationPanelController panel_;
-    std::vector<devices::LiveReport> reports_; // A member only to reuse its memory.
+    std::vector<devices::LiveReport> reports_; // Kept as a member so that its memory is reused.
     view::WindowState state_;                  // Empty apart from the calibration.
 };
 

@@ -190,7 +190,7 @@ private:
     Timestamp next_look_ {}; // Time at which the diagnosis's findings are read next.
     std::optional<CalibrationPanelController> calibration_; // Set during calibration.
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
-    std::vector<devices::LiveReport> reports_;        // A member only to reuse its memory.
+    std::vector<devices::LiveReport> reports_; // Kept as a member so that its memory is reused.
     std::vector<devices::LiveDevices::State> states_; // States that have been reported to the user.
     std::uint64_t lost_reports_ = 0;                  // Count that has been reported to the user.
 };

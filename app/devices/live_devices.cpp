@@ -111,7 +111,7 @@ Result<LiveDevices> LiveDevices::play_log(std::string const& name,
         .data_begin = log->begin(),
         .real_begin = now(),
         .now = now,
-        .wait = [](Duration) {}, // Readers never need to wait.
+        .wait = [](Duration) {}, // Does not wait, as the log is read without blocking.
     };
     for (std::size_t i = 0; i < log->devices.size(); ++i)
         devices.add_source_without_thread(play::open_paced(log, i, pace));

@@ -43,7 +43,7 @@ public:
     enum class State {
         Connected,
         Away,  // Disconnected; the program keeps looking for it.
-        Ended, // End of a log.
+        Ended, // The device was a log, which has ended.
     };
 
     // Starts with existing sources. Fails with an internal error if no thread can be started.
@@ -69,7 +69,7 @@ public:
 
     std::vector<drivers::DeviceInfo> const& infos() const { return infos_; }
     State state(std::size_t device) const;
-    bool any_left() const; // False if all have ended.
+    bool any_left() const; // False if all devices have ended.
 
     // Reason why a connected device cannot be opened; empty if there is none.
     std::string refusal(std::size_t device) const;
@@ -104,10 +104,10 @@ public:
 
 private:
     struct Device {
-        std::unique_ptr<drivers::ReportSource> source; // Null after its end.
-        // Null if ended or if no thread reads it.
+        std::unique_ptr<drivers::ReportSource> source; // Source of the device; null after its end.
+        // Part of `source` that runs a thread; null if ended or if no thread reads it.
         drivers::ThreadedSource const* threaded = nullptr;
-        // Part of `source`; null for a log.
+        // Part of `source` that reconnects; null for a log.
         drivers::ReconnectingSource const* reconnecting = nullptr;
     };
 

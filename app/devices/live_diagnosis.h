@@ -18,8 +18,9 @@ public:
     void push(LiveReport const& report) { monitors_[report.device].push(report.report); }
     void pass_time(Timestamp now);
 
-    std::vector<diagnosis::DeviceReading> readings() const; // One for each device.
-    std::vector<diagnosis::Finding> findings() const;       // Empty if there are no problems.
+    // Statistics of the devices, one entry for each.
+    std::vector<diagnosis::DeviceReading> readings() const;
+    std::vector<diagnosis::Finding> findings() const; // Problems found; empty if there are none.
 
 private:
     Timestamp begin_;

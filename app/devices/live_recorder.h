@@ -54,8 +54,8 @@ private:
 
     std::unique_ptr<std::ostream> out_; // On the heap, as log_ refers to it when this object moves.
     std::unique_ptr<drivers::LogWriter> log_;
-    std::vector<Pen> pens_;                   // One per device.
-    std::vector<drivers::PenSample> samples_; // A member to reuse its memory.
+    std::vector<Pen> pens_;                   // Pens among the devices, one entry per device.
+    std::vector<drivers::PenSample> samples_; // Kept as a member so that its memory is reused.
     bool stroke_ended_ = false;
     Timestamp next_flush_ {};
     std::size_t report_count_ = 0;

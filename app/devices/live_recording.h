@@ -13,7 +13,7 @@
 namespace tractus::devices {
 
 struct LiveRecordingOptions {
-    std::optional<double> seconds {}; // No value: until `stop` is set.
+    std::optional<double> seconds {}; // Duration of the recording; no value: until `stop` is set.
     std::function<Timestamp()> now;
     std::function<void(Duration)> rest;
 };
@@ -23,7 +23,8 @@ LiveRecordingOptions live_recording_by_the_clock(std::optional<double> seconds);
 
 struct LiveRecordingCounts {
     std::size_t reports = 0;
-    std::uint64_t lost = 0; // Reports that came faster than they were written.
+    // Number of reports lost because they came faster than they were written.
+    std::uint64_t lost = 0;
 };
 
 // Records what devices send until the time is over, `stop` is set (by a signal handler, for

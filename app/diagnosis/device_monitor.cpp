@@ -135,7 +135,8 @@ void DeviceMonitor::watch_pace(Timestamp time)
         ++reading_.backward_times;
         recent_.clear();
     }
-    constexpr std::size_t kMostPerSecond = 20'000; // More than USB's 8 kHz allow.
+    // Most reports kept from one second; more than USB's 8 kHz allow.
+    constexpr std::size_t kMostPerSecond = 20'000;
     recent_.push_back(time);
     while (recent_.front() + kWindow < time || recent_.size() > kMostPerSecond)
         recent_.pop_front();

@@ -22,7 +22,7 @@ namespace tractus::diagnosis {
 
 // Regularity of a device's reports, over the last second with reports.
 struct ReportPace {
-    double rate_hz = 0;        // 0 before the second report.
+    double rate_hz = 0;        // Reports per second; 0 before the second report.
     Duration mean_interval {}; // Mean time between reports, without pauses (pen away).
     Duration jitter {};        // Standard deviation of the intervals.
     Duration longest_interval {};
@@ -47,10 +47,11 @@ struct PenTouch {
 
 // Pen statistics, used to judge the tip's switch.
 struct PenReading {
-    static constexpr std::size_t kPressureSteps = 100; // Steps of 1 %.
+    // Number of bins of the pressure histogram, 1 % each.
+    static constexpr std::size_t kPressureSteps = 100;
     static constexpr std::size_t kMostTouches = 200;
 
-    std::size_t hovering = 0; // Samples in range without touch.
+    std::size_t hovering = 0; // Number of samples in range but not touching.
     std::size_t touching = 0;
     // Histogram of the touching samples' pressure; empty if the device reports none.
     std::vector<std::size_t> pressures {};
@@ -68,7 +69,7 @@ struct DeviceReading {
     std::size_t broken_reports = 0;
     std::string first_broken {};
     std::size_t departures = 0;
-    std::size_t backward_times = 0; // Reports older than the one before.
+    std::size_t backward_times = 0; // Number of reports older than the one before.
     // Statistics by first byte (the report id, if the device uses ids).
     std::map<std::uint8_t, ReportIdReading> report_ids {};
     PenReading pen {};
@@ -110,8 +111,8 @@ private:
     std::unique_ptr<drivers::HeightDecoder> height_; // Null if the device is not a height sensor.
     std::optional<calib::HeightMonitor> height_monitor_;
     std::optional<Timestamp> begin_;
-    std::vector<drivers::HeightSample> heights_; // A member to reuse its memory.
-    std::vector<drivers::PenSample> pens_;       // A member to reuse its memory.
+    std::vector<drivers::HeightSample> heights_; // Kept as a member so that its memory is reused.
+    std::vector<drivers::PenSample> pens_;       // Kept as a member so that its memory is reused.
     bool was_touching_ = false;
     bool keeps_touch_ = false;     // True if the current touch is stored in PenReading::touches.
     std::deque<Timestamp> recent_; // Times of the last second's reports.

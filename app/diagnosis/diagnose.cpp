@@ -291,7 +291,8 @@ ClockReading read_clocks()
 
 std::vector<Finding> diagnose_clocks(ClockReading const& before, ClockReading const& after)
 {
-    constexpr Duration kTolerance = 200ms; // The clocks cannot be read at exactly the same instant.
+    // Tolerance, as the clocks cannot be read at exactly the same instant.
+    constexpr Duration kTolerance = 200ms;
     auto const passed = after.monotonic - before.monotonic;
     auto const slept = (after.boottime - before.boottime) - passed;
     auto const set = (after.realtime - before.realtime) - (after.boottime - before.boottime);

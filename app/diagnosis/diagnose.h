@@ -35,7 +35,7 @@ std::vector<Finding> diagnose_together(std::span<DeviceReading const> readings);
 // The machine's clocks, read at one instant.
 struct ClockReading {
     Duration monotonic {}; // The program's own clock; it stops while the machine sleeps.
-    Duration boottime {};  // Also counts while the machine sleeps.
+    Duration boottime {};  // A clock that also counts while the machine sleeps.
     Duration realtime {};  // The wall clock, which users and NTP can set.
 };
 

@@ -177,7 +177,7 @@ int opening_error(drivers::DeviceInfo const& info, fs::path const& root)
     if (auto const* const event = std::get_if<drivers::EventAddress>(&*address))
         return access_error(root / fs::path(event->node).relative_path());
     if (std::holds_alternative<drivers::IioAddress>(*address))
-        return 0; // Every user may read these.
+        return 0; // Returns success, as every user may read industrial I/O devices.
     auto const* const usb = std::get_if<drivers::UsbAddress>(&*address);
     auto const& port = usb ? usb->port : std::get<drivers::LibusbAddress>(*address).port;
     auto const folder = root / "sys/bus/usb/devices" / drivers::print_usb_port(port);

@@ -25,14 +25,14 @@ struct DeviceFacts {
 // An interface of a USB device.
 struct UsbInterfaceFacts {
     int number = 0;
-    int usb_class = 0;     // 3: HID, 255: vendor specific.
+    int usb_class = 0;     // USB interface class, such as 3 for HID and 255 for vendor specific.
     std::string driver {}; // Bound kernel driver; empty: none.
     bool has_node = false; // True if the interface has a hidraw node.
 };
 
 // A USB device of any kind.
 struct UsbDeviceFacts {
-    std::string port {}; // For example "1-2.3".
+    std::string port {}; // USB port, such as "1-2.3".
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
     std::string name {}; // The device's own name.
@@ -41,7 +41,7 @@ struct UsbDeviceFacts {
 
 // A HID device without a hidraw node.
 struct HiddenHidFacts {
-    std::string name {}; // The kernel's name: "0003:04D8:00DD.0001".
+    std::string name {}; // The kernel's name of the device: "0003:04D8:00DD.0001".
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
     std::string driver {}; // Bound kernel driver; empty: none.

@@ -18,7 +18,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr drivers::HidUsage kMouse = 0x0001'0002; // HID Usage Tables, Generic Desktop page, Mouse.
+// The usage "Mouse" on the Generic Desktop page of the HID Usage Tables.
+constexpr drivers::HidUsage kMouse = 0x0001'0002;
 constexpr std::size_t kEnoughReports = 20; // Number of reports needed to judge what a device sends.
 constexpr std::uint16_t kKyeVendorId = 0x0458; // Vendor id of KYE, which sells as Genius.
 
@@ -156,7 +157,9 @@ void diagnose_tip(DeviceReading const& reading, std::vector<Finding>& findings)
     constexpr double kLiftedShare = 0.1; // Least share of the time for which a hand lifts the pen.
     // Above this pressure, the pen may really have touched all the time.
     constexpr double kLightPressure = 0.25;
-    constexpr double kMargin = 2.5; // The pen draws until the pressure falls to half the threshold.
+    // Threshold as a multiple of the leaking pressure: the pen draws until the pressure falls to
+    // half the threshold.
+    constexpr double kMargin = 2.5;
     auto const& pen = reading.pen;
     auto const leak = pressure_quantile(pen, kLiftedShare);
     if (pen.hovering > 0 || pen.touching < kEnoughSamples || !leak || *leak > kLightPressure)

@@ -8,7 +8,7 @@
 
 namespace tractus::diagnosis {
 
-static constexpr std::uint16_t kUsb = 3; // BUS_USB in linux/input.h.
+static constexpr std::uint16_t kUsb = 3; // Bus number of USB, BUS_USB in linux/input.h.
 
 // True if the descriptor matches the udev rule for pens by usage.
 static bool describes_pen_to_udev(std::vector<std::byte> const& descriptor)

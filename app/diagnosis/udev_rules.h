@@ -16,7 +16,7 @@ enum class RuleHolder {
     Group, // Members of the group plugdev, also over ssh.
 };
 
-// The rules file for these users.
+// The rules file that permits these users to use the devices.
 std::string udev_rules(RuleHolder holder);
 
 // True if the rules, once installed, permit this device.

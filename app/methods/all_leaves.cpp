@@ -151,12 +151,12 @@ Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Dressing c
     if (auto const kept = state.leaf_grammars.find(leaves); kept != state.leaf_grammars.end())
         return GrammarOfLeaves { leaves, *kept->second };
     if (fs::path(leaves).extension() != ".leaf") {
-        // Its error message lists the built-in grammars.
+        // If the name is unknown, the error lists the built-in grammars.
         auto const file = TRY(leaf::own_leaf_path(leaves));
         return GrammarOfLeaves { leaves, TRY(leaf::read_leaf_text(file)) };
     }
     auto text = TRY(leaf::read_leaf_text(leaves));
-    // Checked here, so that an error names the line in the file.
+    // Parsed here so that an error names the line in the file.
     TRY(leaf::parse_grammar(text, leaves));
     auto name
         = fmt::format("{}-{:08x}.leaf", word_of(leaf::short_leaf_name(leaves)), fnv1a_32(text));
@@ -220,7 +220,7 @@ std::vector<scene::Edit> leaves_that_follow(scene::Scene const& scene,
         auto const before = scene::find_plant(scene.state, leaf);
         auto const now = *scene::find_plant(*after, leaf);
         if (before && scene.state.plants[*before] == after->plants[now])
-            continue; // The drawing is unchanged.
+            continue; // Nothing was drawn on this leaf.
         auto const text = text_of_drawn(*after, leaf);
         if (!text)
             continue;

@@ -87,7 +87,7 @@ Result<Plant> plant_of_organ(fs::path const& file)
         for (auto const& point : patch.control)
             lowest_mm = std::min(lowest_mm, point.y());
     plant.organs.push_back({ .position_mm = { 0, 0, -lowest_mm },
-                             // The organ's length points upwards.
+                             // Turns the organ so that its length points upwards.
                              .orientation = Quat(Eigen::AngleAxisd(kPi / 2, Vec3::UnitX())) });
     return plant;
 }

@@ -138,7 +138,8 @@ void ReportPart::begin(Timestamp now)
 Timestamp ReportPart::due() const
 {
     if (!read_)
-        return Timestamp::min(); // Reading failed: play() has to report the error.
+        // Due at once, as reading failed and play() has to report the error.
+        return Timestamp::min();
     if (!begin_)
         return device_.tells_readers_by_reports() && next_ ? next_knock_ : Timestamp::max();
     return next_ ? *begin_ + next_->received.time_since_epoch() : Timestamp::max();

@@ -43,7 +43,7 @@ public:
 
 private:
     std::shared_ptr<drivers::Log const> log_;
-    drivers::LogSource source_; // Reads log_.
+    drivers::LogSource source_; // Source of the log's reports for this device.
     Pace pace_;
     std::optional<drivers::RawReport> next_; // The next report, whose time has not come yet.
 };

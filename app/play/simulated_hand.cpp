@@ -16,7 +16,8 @@ namespace tractus::play {
 struct SimulatedHand::Shared {
     std::shared_ptr<drivers::Log const> log;
     std::function<Timestamp()> now;
-    std::optional<Timestamp> begun {}; // Time of the clock at the start.
+    // Clock time at which the recording started; no value before that.
+    std::optional<Timestamp> begun {};
 
     // Time of the clock for a moment of the recording. Only after begin().
     Timestamp real_time(Timestamp recorded) const { return *begun + (recorded - log->begin()); }
@@ -70,7 +71,7 @@ protected:
 private:
     std::shared_ptr<SimulatedHand::Shared> shared_;
     std::size_t device_;
-    std::size_t next_ = 0; // Index into the log's records.
+    std::size_t next_ = 0; // Index of the next record in the log.
 };
 
 // Height source that continues before and after the recording with its first or last readings. It

@@ -32,7 +32,7 @@ public:
     struct Shared; // State shared with the sources.
 
 private:
-    std::shared_ptr<Shared> shared_; // Shared with the sources.
+    std::shared_ptr<Shared> shared_; // State shared with the sources; see Shared.
     std::size_t next_tool_ = 0;
 };
 

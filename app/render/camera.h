@@ -35,7 +35,7 @@ Eigen::Matrix4f projection_matrix(Camera const& camera, double aspect);
 struct ViewAngles {
     // 0: from -y, where the user sits; increasing: walking to the right around the plant.
     double azimuth_rad = 0;
-    double elevation_rad = 0.2; // Above the horizon; below pi/2.
+    double elevation_rad = 0.2; // Angle above the horizon, less than pi/2.
 };
 
 // A perspective camera that centres a plant with some margin and shows the ground beyond it. The

@@ -14,7 +14,7 @@ struct SheetTile {
 };
 
 struct SheetStyle {
-    int columns = 4; // At least 1.
+    int columns = 4; // Number of columns, at least 1.
     int gap_px = 18; // Gap between tiles and around the sheet.
     double caption_size_px = 22;
     double title_size_px = 34;

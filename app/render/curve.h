@@ -9,9 +9,9 @@ namespace tractus::render {
 // A line in space to draw: a stroke, a branch of a skeleton, an indicator, a grid line.
 struct Curve {
     struct Point {
-        Vec3f position_mm = Vec3f::Zero();   // World frame.
-        Vec3f color { 0.15f, 0.15f, 0.17f }; // sRGB, 0 to 1.
-        float width = 2;                     // Diameter, in the curve's unit.
+        Vec3f position_mm = Vec3f::Zero();   // Position in the world frame.
+        Vec3f color { 0.15f, 0.15f, 0.17f }; // Colour in sRGB, 0 to 1.
+        float width = 2;                     // Diameter in the curve's width unit.
     };
 
     // Widths in pixels do not depend on the distance; widths in millimetres shrink with it, like

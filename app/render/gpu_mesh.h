@@ -35,7 +35,7 @@ public:
         GLsizei index_count = 0;
         // Number of leading indices that belong to tubes; of these only outer sides are drawn.
         GLsizei tube_index_count = 0;
-        GLsizei instance_count = 0; // 0: drawn once, without instancing.
+        GLsizei instance_count = 0; // Number of instances; 0: drawn once, without instancing.
         gl::VertexArray vertex_array;
         std::vector<gl::Buffer> buffers;
 

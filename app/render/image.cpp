@@ -55,7 +55,7 @@ namespace {
 // The source pixels that one destination pixel covers along one axis, with weights.
 struct Coverage {
     int first = 0;
-    std::vector<float> weights; // Their sum is 1.
+    std::vector<float> weights; // Weight of each source pixel; their sum is 1.
 };
 
 std::vector<Coverage> coverages(int from, int to)

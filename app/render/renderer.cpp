@@ -47,7 +47,7 @@ struct Renderer::Parts {
         Canvas const& canvas;
         Bounds box {};
         Eigen::Matrix4f T_clip_world = Eigen::Matrix4f::Identity();
-        float pixels_per_mm = 1;           // Scale where clip w is 1.
+        float pixels_per_mm = 1;           // Scale of the picture where clip w is 1.
         Vec2f depth_terms = Vec2f::Zero(); // Elements (2, 2) and (2, 3) of the projection matrix.
     };
 

@@ -11,7 +11,7 @@ namespace tractus::render {
 
 namespace {
 
-constexpr int kLongestSide = 28; // In cells.
+constexpr int kLongestSide = 28; // Length of the grid's longest side in cells.
 // Margin around the plant for the ground's shade, as a share of the longest side.
 constexpr float kMargin = 0.2f;
 
@@ -68,7 +68,8 @@ SkyVisibility::SkyVisibility(mesh::Mesh const& mesh)
     box.add(Vec3((box.min_mm.x() + box.max_mm.x()) / 2, (box.min_mm.y() + box.max_mm.y()) / 2, 0));
     Vec3f extent = (box.max_mm - box.min_mm).cast<float>();
     if (!extent.allFinite())
-        return; // Coordinates from a file may be finite and yet too far apart.
+        // Leaves the grid empty: coordinates from a file may be finite and yet too far apart.
+        return;
     float const margin = std::max(1.0f, extent.maxCoeff() * kMargin);
     corner_mm_ = box.min_mm.cast<float>() - Vec3f(margin, margin, 0);
     extent += Vec3f(2 * margin, 2 * margin, 0);
@@ -109,7 +110,7 @@ void SkyVisibility::deposit(mesh::Mesh const& mesh)
             auto const& b = surface.positions_mm[surface.indices[i + 1]];
             auto const& c = surface.positions_mm[surface.indices[i + 2]];
             add_area((a + b + c) / 3,
-                     // Half, as the other side belongs to the same branch.
+                     // Half of the area, as the other side belongs to the same branch.
                      mesh::triangle_area(a, b, c) / 2);
         }
     for (auto const& organ : mesh.organs) {

@@ -13,7 +13,7 @@ namespace tractus::render {
 // "Über den Lichtfaktor in den Pflanzengesellschaften").
 class SkyVisibility {
 public:
-    SkyVisibility() = default; // Open sky everywhere.
+    SkyVisibility() = default; // Creates open sky everywhere.
     explicit SkyVisibility(mesh::Mesh const& mesh);
 
     // Visibility from 0, dark, to 1, open sky, at a place in the plant frame. The grid has a

@@ -29,7 +29,7 @@ struct StagedPicture {
 struct Sun {
     // Direction towards the sun, of any length. World frame.
     Vec3f direction { -0.62f, -0.28f, 0.73f };
-    float strength = 1; // Factor of its intensity; at least 0.
+    float strength = 1; // Factor of the sun's intensity; at least 0.
 };
 
 // Background, and the ground, which fades into it. Colours are sRGB, 0 to 1.

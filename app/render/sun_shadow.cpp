@@ -12,7 +12,8 @@ namespace tractus::render {
 
 namespace {
 
-constexpr int kGroundLevels = 8; // Coarser levels would be only a few pixels wide.
+// Mipmap levels of the ground map; coarser ones would be only a few pixels wide.
+constexpr int kGroundLevels = 8;
 
 void set_filter(GLenum minifying, GLenum magnifying)
 {

@@ -8,7 +8,7 @@ namespace tractus::render {
 
 // Style of one line of text.
 struct TextStyle {
-    double size_px = 24; // From the highest ascender to the lowest descender.
+    double size_px = 24; // Text size from the highest ascender to the lowest descender.
     Color color { 40, 42, 46, 255 };
 };
 

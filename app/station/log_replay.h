@@ -70,7 +70,7 @@ public:
 private:
     // A line of the log about a tool or another step.
     struct Line {
-        std::size_t position = 0; // See LogTool.
+        std::size_t position = 0; // Position of the line in the log; see LogTool.
         Timestamp time {};
         std::variant<tools::Tool, document::LoggedStep, tools::LeastExtents> what;
     };
@@ -83,7 +83,7 @@ private:
                                                 std::vector<std::string>& left_out);
     void push_lines();
 
-    drivers::Log const* log_; // Not owned.
+    drivers::Log const* log_; // The log that is played; not owned.
     Station station_;
     std::vector<Line> lines_;
     std::vector<std::string> left_out_;

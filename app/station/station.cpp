@@ -172,10 +172,10 @@ void Station::use_pen(Pen& pen, drivers::PenSample const& decoded)
     ++counts_.pen_samples;
     pen_in_range_ = sample.in_range;
     if (!is_height_there_)
-        return; // Without the sensor the height is unknown.
+        return; // Ignores the sample, as without the sensor the height is unknown.
     pen.fuser.set_may_leave_silently(pen.decoder->silence_limit().has_value());
     auto const tip = pen.fuser.push(sample);
-    follow_surface(pen); // Applies height readings up to this sample.
+    follow_surface(pen); // Applies height readings up to this pen sample.
     pen.last_sample = sample;
     if (tip) {
         follow_touch(pen, *tip);
@@ -223,7 +223,8 @@ void Station::press_instead()
 
 void Station::keep_moment(Pen const& pen, drivers::PenSample const& sample, TipSample const& tip)
 {
-    if (moments_.size() == kMostMoments) // Nobody fetches the moments, or not often enough.
+    // Drops the older half if nobody fetches the moments often enough.
+    if (moments_.size() == kMostMoments)
         moments_.erase(moments_.begin(), moments_.begin() + kMostMoments / 2);
     moments_.push_back({ .in_range = sample.in_range,
                          .touching = tip.touching,
@@ -341,7 +342,8 @@ bool Station::pen_rests() const
 
 calib::FuserCounts Station::fuser_counts() const
 {
-    auto sum = pens_.front().fuser.counts(); // All pens have received the same heights.
+    // Starts with the counts of the first pen; all pens have received the same heights.
+    auto sum = pens_.front().fuser.counts();
     for (std::size_t i = 1; i < pens_.size(); ++i) {
         auto const& counts = pens_[i].fuser.counts();
         sum.pens += counts.pens;

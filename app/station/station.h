@@ -27,7 +27,7 @@ namespace tractus::station {
 
 struct StationOptions {
     calib::Rig rig;
-    std::optional<calib::ScriptedHeight> scripted_height; // Replaces the height sensor.
+    std::optional<calib::ScriptedHeight> scripted_height; // Heights that replace the height sensor.
     // False if no sensor measures the height, as with the mouse wheel.
     bool is_height_watched = true;
     tools::ToolKinds tools {}; // Available tools.
@@ -60,9 +60,10 @@ struct PenMoment {
     bool pressing = false; // The touch operates controls and draws nothing.
     bool barrel = false;   // The first barrel button is pressed.
     double pressure = 0;
-    Vec3 position_mm = Vec3::Zero(); // World frame; the last known position when out of range.
+    // Position in the world frame; the last known one when out of range.
+    Vec3 position_mm = Vec3::Zero();
     Timestamp time {};               // Time at which the pen was there; see TipSample.
-    std::optional<Vec2> tilt_rad {}; // No value if the pen reports no tilt.
+    std::optional<Vec2> tilt_rad {}; // Tilt of the pen; no value if the pen reports none.
     std::size_t device = 0;          // Index of the pen's tablet among the devices.
 };
 
@@ -133,7 +134,7 @@ public:
     std::vector<tools::ToolStroke> const& new_strokes() const { return strokes_; }
 
     StationCounts const& counts() const { return counts_; }
-    calib::FuserCounts fuser_counts() const; // Sum over all pens.
+    calib::FuserCounts fuser_counts() const; // Counts of the fusers, summed over all pens.
 
     // Past and present faults of the height sensor; empty if the height is scripted or not watched.
     calib::HeightMonitor const& height_monitor() const { return height_monitor_; }
@@ -184,7 +185,7 @@ private:
         std::optional<Timestamp> touches_since {};
     };
 
-    explicit Station(StationOptions const& options); // Has no devices yet.
+    explicit Station(StationOptions const& options); // Creates a station without devices.
 
     Result<void> add_pens(std::span<drivers::DeviceInfo const> devices,
                           StationOptions const& options);
@@ -218,14 +219,15 @@ private:
     Duration tablet_latency_;
     calib::SampleTimes sample_times_;
     Nib nib_;
-    std::vector<Pen> pens_;                    // In the order of their devices.
-    std::vector<drivers::PenSample> new_pens_; // A member to reuse its memory.
+    std::vector<Pen> pens_;                    // The pens, in the order of their devices.
+    std::vector<drivers::PenSample> new_pens_; // Kept as a member so that its memory is reused.
     std::unique_ptr<drivers::HeightDecoder> height_decoder_;
     std::size_t height_device_ = 0;
-    // Samples of one report; a member to reuse its memory.
+    // Samples of one report; kept as a member so that its memory is reused.
     std::vector<drivers::HeightSample> heights_;
-    ToolChanges tool_changes_;     // Chronological; the first entry applies from the beginning.
-    ToolChanges new_tool_changes_; // Changes not fetched yet.
+    // Tool changes in chronological order; the first one applies from the beginning.
+    ToolChanges tool_changes_;
+    ToolChanges new_tool_changes_; // Tool changes that take_tool_changes() has not returned yet.
     // Kinds used by the pen's other end. forgotten_ has their options before the first entry of
     // tool_changes_.
     std::vector<tools::ToolKind const*> remembered_kinds_;
@@ -236,8 +238,8 @@ private:
     tools::LeastExtents least_extents_;
     tools::ToolKind const* last_dab_ = nullptr;
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
-    std::vector<PenMoment> moments_;         // Moments not fetched yet.
-    std::vector<tools::ToolStroke> strokes_; // Strokes not fetched yet.
+    std::vector<PenMoment> moments_;         // Moments that take_moments() has not returned yet.
+    std::vector<tools::ToolStroke> strokes_; // Strokes that take_strokes() has not returned yet.
     std::optional<TipSample> newest_tip_;
     bool pen_in_range_ = false;
     StationCounts counts_;

@@ -32,13 +32,13 @@ public:
 
     LineServer(LineServer&&) noexcept;
     LineServer& operator=(LineServer&&) noexcept;
-    ~LineServer(); // Removes the socket file.
+    ~LineServer(); // Closes the socket and removes its file.
 
     // What happens to a line if a reader is too slow.
     enum class Importance {
         // It is dropped; a line with the number of dropped lines precedes the next kept one.
         LeaveOut,
-        Keep, // It is queued.
+        Keep, // The line is queued.
     };
 
     // Sends a line to all current readers.

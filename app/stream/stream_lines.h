@@ -34,7 +34,7 @@ std::string step_line(std::size_t number, Timestamp began, Timestamp time, Vec3 
 // The number of tip lines that were dropped because the reader was too slow.
 std::string lost_line(std::size_t tips);
 
-// The last line.
+// The last line of a stream.
 std::string end_line();
 
 } // namespace tractus::stream

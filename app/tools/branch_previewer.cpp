@@ -42,14 +42,15 @@ private:
     std::optional<scene::Scene> readable_;
     scene::SceneShaper shaper_;
     std::vector<Vec3> before_mm_;
-    std::vector<Vec3> after_mm_; // A member to reuse its memory.
+    std::vector<Vec3> after_mm_; // Kept as a member so that its memory is reused.
 };
 
 void BranchPreviewer::lay(std::shared_ptr<scene::Scene const> scene)
 {
     scene_ = std::move(scene);
     readable_.reset();
-    (void)shaper_.set_plant(*scene_); // Each stroke was checked when it was made.
+    // The result can be ignored: each stroke was checked when it was drawn.
+    (void)shaper_.set_plant(*scene_);
     variation::place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), before_mm_);
 }
 

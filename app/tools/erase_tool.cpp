@@ -122,7 +122,8 @@ std::vector<Vec3> way_of(Stroke const& eraser)
     for (auto const& tip : eraser.tips) {
         Vec3 const from_mm = way_mm.empty() ? tip.position_mm : way_mm.back();
         Vec3 const step_mm = tip.position_mm - from_mm;
-        constexpr double kMostSteps = 1000; // Limits what a faulty device can cause.
+        // Limits the number of samples between two tips from a faulty device.
+        constexpr double kMostSteps = 1000;
         int const steps
             = static_cast<int>(std::clamp(std::ceil(step_mm.norm() / kRadius_mm), 1.0, kMostSteps));
         for (int i = 1; i <= steps; ++i)

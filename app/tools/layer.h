@@ -16,7 +16,7 @@ struct LayerStyle {
     enum class Color { Orange, Blue, Green, Purple, Grey } color = Color::Grey;
     enum class Pattern { Solid, Dashed, Dotted } pattern = Pattern::Solid;
     enum class End { Plain, Arrow } end = End::Plain;
-    double width_mm = 1.5; // On the tablet.
+    double width_mm = 1.5; // Line width on the tablet.
 };
 
 // Lines shown with the active plant, on the tablet and with the skeleton: drawn for the plant, or

@@ -22,7 +22,7 @@ public:
     // An unknown tool, for a log made by another program with more tools; its strokes are refused.
     Tool();
 
-    explicit Tool(ToolKind const& kind); // With default options.
+    explicit Tool(ToolKind const& kind); // A tool of this kind with default options.
 
     // `options` must point to the type that belongs to the kind.
     Tool(ToolKind const& kind, std::shared_ptr<void const> options)
@@ -84,7 +84,7 @@ public:
 
 private:
     ToolKind const* kind_;
-    std::shared_ptr<void const> options_; // Shared between copies.
+    std::shared_ptr<void const> options_; // Options of the kind's type; shared between copies.
     scene::SelectionAngle angle_ {};
     bool at_once_ = false;
 };

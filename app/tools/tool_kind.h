@@ -25,7 +25,7 @@ struct ToolKind;
 // What the coordinates of a stroke refer to, and thus the view in which the pen works.
 enum class Surface {
     Space,    // The volume above the desk, seen through the tablet.
-    Paper,    // A plane in that volume.
+    Paper,    // A plane in the volume above the desk.
     Skeleton, // The skeleton's picture, from the view direction in the tool's words.
     Plant,    // The plant's picture.
 };
@@ -35,10 +35,10 @@ struct InkStyle {
     enum class Look {
         Line,
         Arrow,  // A line with an arrow at its end.
-        Eraser, // A faint line.
+        Eraser, // A faint line, for erasers.
     } look
         = Look::Line;
-    double width_mm = 0; // 0: follows the pressure.
+    double width_mm = 0; // Width of the ink; 0: follows the pressure.
 };
 
 // The tool of the pen's other end.
@@ -64,7 +64,7 @@ struct ToolKind {
     // Icon of the group's button, if this is the group's first kind: polylines separated by spaces.
     // Each point is two digits, column and row on a grid from 00 (upper left) to 99.
     char const* icon = "";
-    char key = 0;                         // Shortcut, a capital letter; 0: none.
+    char key = 0;                         // Key that selects the tool, a capital letter; 0: none.
     bool begins_group_of_buttons = false; // Starts a group among the buttons of its tool group.
     bool at_once = false;                 // Needs no stroke: pressing its button is enough.
     Surface surface = Surface::Space;

@@ -45,11 +45,11 @@ struct NumberOption {
     double least;     // Least value; numbers out of range are refused.
     double greatest;
     double step;                 // Step of the minus and plus buttons.
-    char const* label = nullptr; // Text on its button; null: the name.
+    char const* label = nullptr; // Text on the option's button; null: its name.
     enum class Offered {
-        Always,       // It always has a button.
+        Always,       // The option always has a button.
         WithoutGlyph, // It has a button while the kind's gizmo, which also sets it, is hidden.
-        OnGlyph,      // Only the gizmo sets it.
+        OnGlyph,      // The option is set by the gizmo only.
     } offered
         = Offered::Always;
 };

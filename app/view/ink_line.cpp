@@ -75,7 +75,7 @@ InkLine thinned(InkLine const& line)
         i = straight_until(line.points, i);
         thin.points.push_back(line.points[i]);
     }
-    thin.points.shrink_to_fit(); // Saves memory, as the line is kept for hours.
+    thin.points.shrink_to_fit(); // Frees unused memory, as the line is kept for hours.
     return thin;
 }
 

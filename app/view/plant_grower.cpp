@@ -52,7 +52,8 @@ public:
                 = scene.placement.plant_of_world(plant->placement.world_of_plant(Vec3::Zero()));
             mesh::append_mesh(*mesh, other.mesh, moved_mm.cast<float>());
         }
-        if (!stop.stop_requested()) // An aborted run leaves an incomplete list.
+        // After an aborted run the list is incomplete and must not be reused.
+        if (!stop.stop_requested())
             others_ = std::move(still_there);
         else
             others_.clear();
@@ -61,7 +62,8 @@ public:
 
 private:
     struct Other {
-        std::shared_ptr<scene::BuiltPlant const> plant; // Shared with the scenes that contain it.
+        // The plant whose mesh this is; shared with the scenes that contain it.
+        std::shared_ptr<scene::BuiltPlant const> plant;
         mesh::Mesh mesh;
     };
 

@@ -17,8 +17,8 @@ namespace tractus::view {
 
 // A document's plants as the window wants to show them.
 struct WantedPlant {
-    std::shared_ptr<scene::Scene const> scene; // Immutable; shared with the window.
-    scene::SetGrowth growth {};                // Replaces the active plant's own growth.
+    std::shared_ptr<scene::Scene const> scene; // Scene to grow; immutable, shared with the window.
+    scene::SetGrowth growth {};                // Growth of the active plant, in place of its own.
 };
 
 // A request for `count` variations of the active plant, with this seed and the following ones.
@@ -29,7 +29,7 @@ struct WantedVariations {
 
 struct Variation {
     std::uint64_t seed = 0;
-    mesh::Mesh mesh; // Coarse, for small pictures.
+    mesh::Mesh mesh; // Coarse mesh for small pictures.
 };
 
 // Grows plants in the background while the window keeps running (NewestJob). A request is abandoned

@@ -52,7 +52,8 @@ static void add_other(scene::BuiltPlant const& plant, scene::DeskPlacement const
     auto const orders = orders_to_show(*plant.base);
     auto const scale = static_cast<float>(plant.placement.scale / active.scale);
     scene::SceneShaper shaper;
-    static_cast<void>(shaper.set_plant(plant)); // Each stroke was checked when it was drawn.
+    // The result can be ignored: each stroke was checked when it was drawn.
+    static_cast<void>(shaper.set_plant(plant));
     std::vector<Vec3> nodes_mm;
     variation::place_nodes(*plant.base, *plant.rest, shaper.shape(), nodes_mm);
     for (auto const& axis : plant.base->axes) {
@@ -90,7 +91,8 @@ void SkeletonPicture::set_scene(std::shared_ptr<scene::Scene const> scene)
     bool const is_same_plant = scene_ && scene_->base == scene->base;
     scene_ = std::move(scene);
     show_others();
-    static_cast<void>(shaper_.set_plant(*scene_)); // Each stroke was checked when it was drawn.
+    // The result can be ignored: each stroke was checked when it was drawn.
+    static_cast<void>(shaper_.set_plant(*scene_));
     variation::place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), nodes_mm_);
     if (is_same_plant)
         return;
@@ -150,8 +152,8 @@ std::vector<tools::SkeletonLine>
 SkeletonPicture::lines(tools::ShownSkeleton::Touched const& touched,
                        std::span<SegmentId const> next)
 {
-    for (auto const number :
-         scene::shaping_numbers(*scene_)) // Other strokes affect the same branches.
+    // Other strokes are overridden by later ones on the same branches.
+    for (auto const number : scene::shaping_numbers(*scene_))
         mark(scene_->associations[number].what.path, State::Assigned);
     if (!scene_->associations.empty())
         mark_propagated();

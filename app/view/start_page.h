@@ -39,12 +39,12 @@ struct StartStudy {
     };
     struct Slider {
         std::string text {}; // Label, including the current value.
-        double most = 1;     // Values range from 0 to this.
+        double most = 1;     // Greatest value; the least is 0.
         double value = 0;
     };
     Picture large {};
     std::vector<Picture> details {}; // Four pictures beside the large one.
-    std::vector<Picture> others {};  // Six pictures below.
+    std::vector<Picture> others {};  // Six pictures below the large one.
     std::vector<Slider> sliders {};
     std::string accept {}; // Label of the button that accepts the item.
 };
@@ -53,10 +53,10 @@ struct StartPageState {
     std::string title = "What do you want to draw?";
     std::vector<StartCards> groups {};  // Groups of cards; none is empty.
     std::string note {};                // Message shown in place of the title.
-    std::optional<StartStudy> study {}; // Replaces the groups.
-    bool is_beside_drawing = false;     // There is a drawing to go back to: see leave().
+    std::optional<StartStudy> study {}; // Item shown in place of the groups.
+    bool is_beside_drawing = false;     // True if there is a drawing to return to with leave().
     bool is_opening = false; // A card was chosen; further choices are ignored until it has opened.
-    std::uint64_t revision = 0; // Changes with any other member.
+    std::uint64_t revision = 0; // Revision number, changed whenever any other member changes.
 };
 
 // Model of the page that the window shows before there is a drawing. For use on the window's thread

@@ -71,7 +71,7 @@ void StationView::show(station::Station const& station, document::Document const
     else
         take_kept(snapshot);
     if (!is_drawing && std::exchange(is_outcome_proposed_, false))
-        propose({}); // The stroke changed nothing, so its preview is removed.
+        propose({}); // Ends the preview, as the stroke changed nothing.
     show_drawn_glyph();
 }
 
@@ -159,7 +159,7 @@ void StationView::show_ink(station::Station const& station, Inks inks,
 
 void StationView::show_live(station::Station const& station, document::Document const& document)
 {
-    // Nothing to update without new tips.
+    // Counts tips, as without new tips there is nothing to update.
     auto const tips = station.counts().pen_samples + station.counts().tips_in_silence;
     if (std::exchange(shown_tips_, tips) != tips)
         ++state_.live_revision;
@@ -221,7 +221,7 @@ void StationView::set_preview(Preview preview)
 {
     state_.preview_note = std::move(preview.note);
     if (std::exchange(previewed_, preview.lines) == preview.lines)
-        return; // Most pen samples leave the preview unchanged.
+        return; // Returns early, as most pen samples leave the preview unchanged.
     ++state_.preview_revision;
     state_.preview = preview.lines ? *preview.lines : std::vector<tools::SkeletonLine>();
 }
@@ -279,14 +279,16 @@ void StationView::show_strokes(scene::Scene const& scene)
     for (auto const number : scene::shaping_numbers(scene)) {
         auto const& tips = scene.associations[number].what.stroke.tips;
         if (!inked.empty() && inked.back().id() == tips.id())
-            continue; // A stroke that shapes several branches is shown once.
+            // Skips duplicates, so that a stroke that shapes several branches is shown once.
+            continue;
         auto const found = before.find(tips.id());
         if (found != before.end()) {
             lines.push_back(std::move(state_.strokes[found->second]));
         } else if (auto const read = tips.in_memory()) {
             lines.push_back(thinned(ink_line(*read, {}, nib_)));
         } else {
-            state_.status = read.error().message; // Reading is tried again when the strokes change.
+            // The error is shown; reading is tried again when the strokes change.
+            state_.status = read.error().message;
             continue;
         }
         inked.push_back(tips);
@@ -330,7 +332,8 @@ void StationView::list_orphans(scene::Scene const& scene)
 
 void StationView::show_skeleton(tools::ShownSkeleton::Touched const& touched)
 {
-    bool const aims = aims_at_ && !is_proposed_; // A proposed scene may have another active plant.
+    // False for a proposed scene, which may have another active plant.
+    bool const aims = aims_at_ && !is_proposed_;
     auto const next = aims ? aims_at_(*grown_scene_) : std::vector<SegmentId>();
     state_.skeleton = skeleton_.lines(touched, next);
     state_.skeleton_box_mm = skeleton_.box_mm();

@@ -74,13 +74,13 @@ private:
         tools::Tool tool {};
         std::vector<TipSample> ink {};
         std::uint32_t orders = 0; // Only branches of lower orders than this are considered.
-        std::size_t stroke = 0;   // The stroke's number.
+        std::size_t stroke = 0;   // Number of the stroke to preview.
     };
     struct Preview {
         // Null: no preview. Immutable; shared by equal previews.
         std::shared_ptr<std::vector<tools::SkeletonLine> const> lines {};
         std::string note {};
-        std::size_t stroke = 0; // The stroke's number.
+        std::size_t stroke = 0; // Number of the previewed stroke.
     };
     // The previewer of strokes in progress; used on the background thread.
     struct Previewing {
@@ -136,7 +136,7 @@ private:
     std::unique_ptr<PlantGrower> grower_ = std::make_unique<PlantGrower>();
     std::shared_ptr<scene::Scene const> grown_scene_; // Part of a snapshot; shared with the grower.
     std::uint64_t shown_revision_ = 0;                // Revision of the snapshot shown.
-    std::uint64_t shown_drawn_revision_ = 0;          // Revision of its drawn content.
+    std::uint64_t shown_drawn_revision_ = 0;          // Revision of that snapshot's drawn content.
     // Tips of the strokes shown in state_.strokes, in the same order; used as identity only, so
     // they need not be in memory.
     std::vector<SharedVector<TipSample>> inked_;
@@ -147,9 +147,9 @@ private:
     double shown_surface_mm_ = 0; // Surface height at the last change of live_revision.
     // Skeleton on which a selecting pen draws, and the scene it was made from; created on demand.
     std::optional<tools::ShownSkeleton> shown_skeleton_;
-    // Shared with the document, which may move on.
+    // Shared with the document, which may replace it meanwhile.
     std::shared_ptr<scene::Scene const> shown_scene_;
-    // Function of the selected tool, or null.
+    // Function of the selected tool that returns the branch to be shaped next, or null.
     std::vector<SegmentId> (*aims_at_)(scene::Scene const& scene) = nullptr;
     // Touched branches as currently highlighted.
     std::optional<tools::ShownSkeleton::Touched> shown_touched_;

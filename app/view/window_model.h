@@ -54,7 +54,7 @@ struct OrphanView {
 struct RefusedStroke {
     InkLine ink {};
     tools::Surface surface = tools::Surface::Space; // Surface on which it was drawn.
-    std::string why {};                             // Sentence for the user.
+    std::string why {};                             // Sentence for the user that says why.
 };
 
 // A layer's lines for the active plant. World frame.
@@ -171,7 +171,7 @@ struct WindowState {
     std::vector<OrphanView> orphans;
 
     std::uint64_t devices_revision = 0;
-    DevicesView devices; // Empty unless WatchDevices requests it.
+    DevicesView devices; // State of the devices; empty unless WatchDevices requests it.
 
     tools::ToolKinds tools {}; // Tools that can be selected.
     tools::Tool hand;          // The tool that the pen uses now.
@@ -196,7 +196,7 @@ struct WindowState {
     bool hand_is_played = false;
     // True if the user holds a tablet's pen.
     bool has_pen() const { return is_live && !mouse_draws && !hand_is_played; }
-    RecordingView recording; // Only if is_live.
+    RecordingView recording; // State of the recording; meaningful only if is_live.
     // Pictures or exports are being written in the background. The status will report the path or
     // the error.
     bool is_saving = false;
@@ -221,7 +221,7 @@ struct SetPlaying {
     bool playing = true;
 };
 struct SetSpeed {
-    double speed = 1; // 0.25 to 4.
+    double speed = 1; // Playback speed, 0.25 to 4.
 };
 struct Restart { };       // Restarts the recording or the drawing from its start.
 struct NextVariation { }; // Selects the variation with the next seed.
@@ -238,7 +238,7 @@ struct ChangeSeason {
     ChangeGrowth::Slider slider = ChangeGrowth::Slider::Released;
 };
 struct AskForCollection {
-    std::size_t count = 12; // 0 closes the collection.
+    std::size_t count = 12; // Number of variations; 0 closes the collection.
 };
 struct PickVariation {
     std::uint64_t seed = 1; // Seed of the variation that becomes the plant.
@@ -328,7 +328,7 @@ struct MoveMousePen {
     std::vector<MousePen> path; // States since the last such command, the current one last.
 };
 struct MoveSurface {
-    double by_mm = 0; // Positive is up.
+    double by_mm = 0; // Distance in millimetres; positive is up.
 };
 
 // Shows pictures to lay behind the drawing, as WindowModel::start_page().

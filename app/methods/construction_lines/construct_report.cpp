@@ -42,7 +42,7 @@ static Report print_boundaries(Construction const& construction)
     return list;
 }
 
-// Numbers of one stem.
+// Numbers of one stem for the report.
 static Report print_stem(Construction const& construction)
 {
     Report lines = Report::array();

@@ -28,7 +28,8 @@ void visit(tools::OptionVisitor& visitor, LayerOrgansTool& tool)
 
 // The inclination line that bounds the touched layer, and what the layer bears.
 struct TouchedLayer {
-    scene::ItemId line = 0; // 0: all layers, if no line bounds the only one yet.
+    // Line that bounds the layer; 0: all layers, if no line bounds the only one yet.
+    scene::ItemId line = 0;
     lines::Pattern pattern {};
     scene::ItemId organ = 0;
 };

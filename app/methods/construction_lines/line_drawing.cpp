@@ -87,7 +87,7 @@ private:
     // Finds the stem that each stroke belongs to, and which strokes have depth.
     Result<void> find_stems()
     {
-        // The depths of the next strokes are compared with its length.
+        // The last stem; the depths of the next strokes are compared with its length.
         std::vector<Vec3> stem_before;
         nodes_of_stems_ = { file_.sketch.nodes_per_layer };
         for (std::size_t i = 0; i < file_.strokes.size(); ++i) {
@@ -170,7 +170,7 @@ private:
     // author cannot know how many layers they make.
     std::vector<int> nodes_for(LineSketch const& sketch, std::size_t stem)
     {
-        constexpr int kNodes = 8; // Default of the line tool.
+        constexpr int kNodes = 8; // Number of nodes that the line tool uses by default.
         auto const& given = nodes_of_stems_[stem];
         auto const layers = std::max<std::size_t>(2, sketch.inclinations.size()) - 1;
         if (given.empty())

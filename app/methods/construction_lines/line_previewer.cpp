@@ -12,7 +12,7 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr int kMostNodesShown = 60; // In each layer.
+constexpr int kMostNodesShown = 60; // Most nodes of a layer that the preview shows.
 
 tools::SkeletonLine line_through(std::vector<Vec3> const& points_mm, double width_mm,
                                  scene::DeskPlacement const& from, scene::DeskPlacement const& to)

@@ -24,7 +24,7 @@ constexpr std::array kStemKeys { "stem",       "left",         "right",
                                  "boundaries", "inclinations", "nodes_per_layer" };
 constexpr std::array kOtherKeys { "pattern", "divergence", "face",    "sizes",
                                   "organs",  "organ",      "strokes", "stems" };
-constexpr std::size_t kMostStrokes = 100; // Also the limit for stems.
+constexpr std::size_t kMostStrokes = 100; // Limit for the strokes, and for the stems, of a file.
 
 // Reads a boundary; the stem has to be read before. A boundary whose depth differs from the stem's
 // counts as a line in space.
@@ -174,7 +174,7 @@ Result<void> read_stems(json const& file, LineSketchFile& result)
 Result<void> read_first_nodes(json const& file, LineSketch& sketch)
 {
     if (!has_value(file, "nodes_per_layer") && has_value(file, "strokes"))
-        return {}; // Left empty: layers then get the line tool's default.
+        return {}; // The numbers of nodes stay empty; layers then get the line tool's default.
     if (!has_value(file, "nodes_per_layer"))
         return fail(Fault::User,
                     "nodes_per_layer is missing: give the number of nodes of each layer "
@@ -220,7 +220,8 @@ Result<LineSketchFile> read_sketch(json const& file, PictureReader const& pictur
                             .pattern = TRY(read_pattern(file)),
                             .unknown_keys = unknown_keys(file) };
     TRY(read_lines(file, result.sketch));
-    auto nodes = read_first_nodes(file, result.sketch); // Errors in strokes are reported first.
+    // The error is returned only later, as errors in strokes are reported first.
+    auto nodes = read_first_nodes(file, result.sketch);
     TRY(read_strokes(file, result));
     TRY(std::move(nodes));
     TRY(read_stems(file, result));

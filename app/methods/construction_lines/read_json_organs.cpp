@@ -49,7 +49,8 @@ Result<Pattern> read_pattern_word(json const& file)
     constexpr std::string_view kWhatToGive = "give \"distichous\", \"decussate\", \"spiral\", "
                                              "\"alternate\", or \"whorled(N)\" with N from 2 to 24";
     if (!has_value(file, "pattern") && has_value(file, "strokes"))
-        return Pattern { .kind = Pattern::Kind::Distichous }; // The line tool's default.
+        // A file of strokes without a pattern gets the line tool's default.
+        return Pattern { .kind = Pattern::Kind::Distichous };
     if (!has_value(file, "pattern") || !file["pattern"].is_string())
         return fail(Fault::User, fmt::format("pattern is missing: {}", kWhatToGive));
     auto const& word = file["pattern"].get_ref<std::string const&>();

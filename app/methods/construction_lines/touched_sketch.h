@@ -10,7 +10,7 @@ namespace tractus::lines {
 struct ActiveSketch {
     scene::ItemId plant = 0;
     lines::PenSketch sketch;
-    lines::SheetPlacement sheet; // Placement of its sheet on the tablet.
+    lines::SheetPlacement sheet; // Placement of the sketch's sheet on the tablet.
 };
 
 // Fails with a user error if the active plant is not drawn with construction lines.

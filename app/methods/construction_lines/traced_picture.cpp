@@ -16,7 +16,7 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr int kNarrowest = 32; // Width in pixels.
+constexpr int kNarrowest = 32; // Least width of a leaf's picture in pixels.
 
 // Maps the surface of a leaf, seen from above, to the tablet.
 class LeafOnTablet {

@@ -8,7 +8,7 @@
 
 namespace tractus::lines {
 
-constexpr int kLeafPictureLength = 192; // Pixels, from base to tip.
+constexpr int kLeafPictureLength = 192; // Length of a leaf's picture in pixels, from base to tip.
 
 // Cuts the leaf out of the image behind the sheet and returns it as a PNG file in the (s, t)
 // coordinates of the leaf's surface (organ_surface.h): the left and right edges are the leaf's

@@ -12,7 +12,7 @@ namespace tractus::indicators {
 // The motion indicator that passes near the start of a stroke.
 struct TouchedIndicator {
     std::size_t number = 0;         // Index in the scene's indicators.
-    variation::MotionIndicator way; // From the start of the stroke to its end.
+    variation::MotionIndicator way; // Vector from the start of the stroke to its end.
 };
 
 // Fails with a user error if no indicator is near.

@@ -20,13 +20,13 @@ enum class AtlasChannel : std::uint8_t {
     Alpha,
     NormalX, // Normals are in -1 to 1.
     NormalUp,
-    NormalDown, // -NormalUp, as DirectX expects it.
+    NormalDown, // The normal's up component, negated as DirectX expects it.
     NormalZ,
-    Occlusion, // 1: fully lit, nothing occludes.
+    Occlusion, // Ambient occlusion; 1: fully lit.
     Roughness,
-    Smoothness, // 1 - roughness.
+    Smoothness, // Smoothness as 1 - roughness.
     Translucency,
-    Thickness, // 1 - translucency.
+    Thickness, // Thickness as 1 - translucency.
     BackRed,   // Colour times translucency: light that comes through from behind.
     BackGreen,
     BackBlue,

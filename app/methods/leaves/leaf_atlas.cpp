@@ -228,7 +228,8 @@ private:
 
     std::vector<std::string> pack_map(leaf::CellPage page, leaf::PageKind kind) const
     {
-        constexpr int kLeastCell = 4; // Pixels; below that no leaf is visible.
+        // Least side of a cell in pixels; in smaller mipmap levels no leaf is visible.
+        constexpr int kLeastCell = 4;
         bool const has_alpha = kind == leaf::PageKind::Color && page.channels == 4;
         std::vector<double> wanted;
         if (has_alpha && options_.mips == AtlasOptions::Mips::Files)

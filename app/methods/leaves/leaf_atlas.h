@@ -37,7 +37,7 @@ struct AtlasOptions {
     double variation = 1;
     std::optional<int> steps {};
     AtlasDamage damage {};
-    AtlasChannels channels {}; // One of atlas_channels().
+    AtlasChannels channels {}; // Maps for the engine; one of atlas_channels().
     // Whether mipmap levels of each map are written as well, each half as wide as the one before.
     enum class Mips { None, Files } mips = Mips::None;
 };

@@ -17,7 +17,7 @@ render::Image on_paper(leaf::LeafPicture const& picture, render::Color const& pa
     };
     for (std::size_t i = 0; i < picture.color.size(); ++i) {
         auto const& [red, green, blue, alpha] = picture.color[i];
-        // Light comes from the upper left.
+        // Shades the pixel by its normal, with light from the upper left.
         auto const& normal = picture.normal[i];
         double const light = std::clamp(
             1 + 0.45 * (normal[1] - 128) / 127.0 - 0.35 * (normal[0] - 128) / 127.0, 0.7, 1.3);

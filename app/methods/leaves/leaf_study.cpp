@@ -15,8 +15,8 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr int kSide = 384;      // Pixels, for the leaf and its maps.
-constexpr int kOtherSide = 160; // Pixels, for the other leaves.
+constexpr int kSide = 384;      // Side of the pictures of the leaf and its maps, in pixels.
+constexpr int kOtherSide = 160; // Side of the other leaves' pictures, in pixels.
 constexpr int kOthers = 6;
 
 std::uint8_t over(std::uint8_t top, std::uint8_t below, double alpha)

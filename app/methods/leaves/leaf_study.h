@@ -20,8 +20,8 @@ struct LeafLook {
 struct LeafStudy {
     render::Image leaf;
     render::Image relief;       // The leaf's normals, encoded as in glTF.
-    render::Image roughness;    // Brighter: rougher.
-    render::Image translucency; // Brighter: lets more light through.
+    render::Image roughness;    // The leaf's roughness; brighter is rougher.
+    render::Image translucency; // The leaf's translucency; brighter lets more light through.
     render::Image below;        // The leaf's underside.
     std::vector<render::Image> others;
 };

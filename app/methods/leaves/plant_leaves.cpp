@@ -153,7 +153,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMost = 8; // Sheets, of about 2 MB each.
+    static constexpr std::size_t kMost = 8; // Most sheets in the cache, about 2 MB each.
 
     struct Sheet {
         std::string key;
@@ -161,7 +161,7 @@ private:
     };
 
     std::mutex mutex_;
-    std::list<Sheet> sheets_; // Most recently used first.
+    std::list<Sheet> sheets_; // Cached sheets, the most recently used first.
 };
 
 } // namespace
@@ -202,7 +202,8 @@ CutLeaf cut_along_midrib(leaf::Cutout const& cutout, Vec2 const& stem, double bl
 Result<lsystem::LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar,
                                            lsystem::LeafOrder const& order)
 {
-    auto const& maps = atlas_channels().front().maps; // The first entry is glTF's: color, normal.
+    // Maps of glTF, which come first: color and normal.
+    auto const& maps = atlas_channels().front().maps;
     int const columns = columns_for(order.variants);
     auto color = empty_page(maps[0], columns);
     auto normal = empty_page(maps[1], columns);

@@ -74,7 +74,8 @@ Result<GrownTree const*> active_tree(scene::Scene const& scene)
 // True if a stroke begins close enough to the active plant's wood to continue that plant.
 bool begins_on_plant(Stroke const& stroke, double radius_mm, scene::Scene const& scene)
 {
-    constexpr double kNear = 1.5; // As a multiple of the brush's radius.
+    // Greatest distance from the wood, as a multiple of the brush's radius.
+    constexpr double kNear = 1.5;
     Vec3 const at_mm = scene.placement.plant_of_world(stroke.tips.front().position_mm);
     double const near_mm = kNear * radius_mm / scene.placement.scale;
     auto const& nodes = scene.base->node_position_mm;

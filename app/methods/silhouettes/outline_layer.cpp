@@ -14,7 +14,8 @@ namespace {
 
 using Lines = std::vector<std::vector<Vec3f>>;
 
-enum class Lies { OnSheet, InSpace }; // InSpace: z is the distance behind the sheet.
+// Whether a stroke lies on the sheet, or in space with z as the distance behind the sheet.
+enum class Lies { OnSheet, InSpace };
 
 void add(Stroke const& stroke, scene::BuiltPlant const& plant, Lines& lines,
          Lies lies = Lies::OnSheet)
@@ -87,7 +88,7 @@ Lines trunk_of(scene::BuiltPlant const& plant)
     return lines;
 }
 
-// The trunk's branches only, which are quick to compute.
+// The branches of the trunk only, which are quick to compute.
 std::optional<silhouette::BranchingSystem> system_of(scene::BuiltPlant const& plant)
 {
     auto const* const tree = silhouette::outlined_tree(*plant.drawn);

@@ -29,7 +29,7 @@ Stroke short_stroke()
     return stroke;
 }
 
-// Front view, in the gizmo's frame.
+// Projects points of a plant to a front view in the gizmo's frame.
 class FrontView {
 public:
     explicit FrontView(Plant const& plant)
@@ -67,7 +67,8 @@ tools::Glyph draw_model(sketch::ModelRule const& model)
     FrontView const view(plant);
     auto order = axes_in_drawing_order(plant);
     order.resize(std::min(order.size(), kMostLines));
-    std::reverse(order.begin(), order.end()); // The trunk is drawn last, above all others.
+    // Reversed, so that the trunk is drawn last, above all others.
+    std::reverse(order.begin(), order.end());
     for (auto const id : order) {
         tools::Glyph::Line line;
         for (auto const& node_mm : plant.positions(plant.axes[id]))

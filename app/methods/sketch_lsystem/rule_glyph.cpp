@@ -17,7 +17,7 @@ using Color = tools::LayerStyle::Color;
 
 // Length of the parent in the gizmo's frame; part of it lies outside.
 constexpr double kParent = 0.86;
-constexpr double kWidth = 0.13; // Width of the parent.
+constexpr double kWidth = 0.13; // Width of the drawn parent branch.
 constexpr double kDial = 0.24;  // Radius at which handles of twists lie around the parts they turn.
 constexpr double kAside = 0.3;  // Distance of a width's handle from its part at width 1.
 // Tilt of the view: closer points are drawn lower by this share of their distance.
@@ -124,7 +124,7 @@ void add_spread(tools::Glyph& glyph, sketch::Rule const& rule)
     if (rule.laterals == 0)
         return;
     Places const at(rule);
-    constexpr double kOutside = 1.75; // Radius of the arc as a multiple of the dial's.
+    constexpr double kOutside = 1.75; // Radius of an arc as a multiple of the dial's radius.
     auto const most = [](double deviation) { return sketch::kMostDeviations * deviation; };
     double const reach = (1 + most(sketch::kRuleSpread.share)) * (at.lateral_end - kNode).norm();
     auto edge = arc(kNode, reach, at.angle, radians(most(sketch::kRuleSpread.angle_deg)));

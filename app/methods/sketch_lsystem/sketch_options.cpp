@@ -75,8 +75,9 @@ struct RuleCard {
     double length_ratio;
     double lateral_length;
     double shortest_mm;
-    std::optional<double> twist_deg {}; // No value: successive rings alternate.
-    bool goes_on = false;               // True: the laterals repeat the rule.
+    // Twist from ring to ring; no value: successive rings alternate.
+    std::optional<double> twist_deg {};
+    bool goes_on = false; // True: the laterals repeat the rule.
     double width_ratio = SketchTool().width_ratio;
 };
 constexpr std::array<RuleCard, 9> kCards { {
@@ -85,7 +86,7 @@ constexpr std::array<RuleCard, 9> kCards { {
     { 5, 35, 60, 0.75, 0.7, 12 },
     { 2, 26, 45, 0.8, 0.8, 8 },
     { 6, 60, 14, 0.96, 0.7, 6 },
-    { 2, 55, 13, 0.96, 0.7, 3, 0.0 }, // All branches lie in one plane.
+    { 2, 55, 13, 0.96, 0.7, 3, 0.0 }, // A fern: with twist 0 all branches lie in one plane.
     { 1, 55, 20, 0.95, 0.6, 2, 137.5 },
     { 7, 60, 18, 1, 0.3, 4 },
     // Prusinkiewicz and Lindenmayer's compound leaf (Ijiri 2006, figure 2): internodes double in
@@ -306,7 +307,7 @@ SketchTool saying_grown(SketchTool const& tool, sketch::GrowAlongStroke const& g
         if (says_grown(said, grown))
             return said;
     }
-    return said; // The last preset: the active plant's own.
+    return said; // Returns the last preset, which stands for the active plant's own rule.
 }
 
 SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)
@@ -326,7 +327,7 @@ SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)
     return tool;
 }
 
-// Angles already in range are returned bit for bit.
+// Returns angles that are already in range unchanged, to the last bit.
 double as_twist_deg(double angle_deg)
 {
     return std::abs(angle_deg) <= 180 ? angle_deg : std::remainder(angle_deg, 360);

@@ -28,7 +28,8 @@ tools::SkeletonLine line_of(Plant const& plant, Axis const& axis, scene::DeskPla
 // The axis alone, as the preview of a model that is too large.
 Result<scene::BuiltSource> drawn_axis_of(sketch::GrowAlongStroke const& edit)
 {
-    constexpr float kRadius_mm = 8; // Radius of the plant's nodes.
+    // Radius of all nodes in a plant that consists of the axis alone.
+    constexpr float kRadius_mm = 8;
     auto const nodes_mm = TRY(sketch::drawn_nodes_mm(edit));
     Plant plant;
     for (auto const& node_mm : nodes_mm) {
@@ -135,7 +136,7 @@ private:
         return lines;
     }
 
-    // Found once per stroke, as the search goes through all plants.
+    // Finds the place on a branch only once per stroke, as the search goes through all plants.
     Result<std::optional<tools::BranchPlace>> const&
     find_place(SketchTool const& tool, sketch::GrowAlongStroke const& edit,
                std::shared_ptr<scene::Scene const> const& scene)
@@ -161,7 +162,8 @@ private:
     std::optional<Result<std::optional<tools::BranchPlace>>> place_;
     StrokeSurface surface_ = StrokeSurface::Decided;
     Vec3 begin_mm_ = Vec3::Zero();
-    std::shared_ptr<scene::Scene const> scene_; // Shared with the document, which may move on.
+    // Shared with the document, which may replace it meanwhile.
+    std::shared_ptr<scene::Scene const> scene_;
     SketchTool::Place grows_ = SketchTool::Place::Ground;
 };
 

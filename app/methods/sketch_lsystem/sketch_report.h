@@ -15,7 +15,8 @@ namespace tractus::sketch {
 struct ReportedAxis {
     DrawnAxis axis {};
     std::vector<Vec3> nodes_mm {}; // Nodes on the desk as computed by the model's turtle.
-    std::optional<int> depth {};   // No value if a model defines the laterals.
+    // How often laterals may fork; no value if a model defines the laterals.
+    std::optional<int> depth {};
 };
 
 // Report of a stroke grown by a rule or a model, as one line of JSON for other programs:

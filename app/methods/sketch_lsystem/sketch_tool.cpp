@@ -110,10 +110,10 @@ std::vector<Vec3> applications(tools::Tool const& tool, Stroke const& stroke,
         : grown_along(options, stroke, scene);
     auto nodes_mm = grown ? sketch::drawn_nodes_mm(*grown) : tl::unexpected(grown.error());
     if (!nodes_mm)
-        return {}; // The stroke is too short for an internode.
+        return {}; // Returns nothing, as the stroke is too short for an internode.
     std::vector<Vec3> ends_mm(nodes_mm->begin() + 1, nodes_mm->end());
     Vec3 const foot_mm = nodes_mm->front();
-    for (auto& end_mm : ends_mm) // A plant drawn on paper stands on the ground.
+    for (auto& end_mm : ends_mm) // Moves the ends, as a plant drawn on paper stands on the ground.
         end_mm += sketch::stands_at_mm(*grown) - foot_mm;
     return ends_mm;
 }
@@ -187,8 +187,9 @@ Result<sketch::GrowAlongStroke> drawn_again(SketchTool const& tool, Stroke const
 
 void fit_to_branch(sketch::GrowAlongStroke& grown, tools::BranchPlace const& place)
 {
-    constexpr double kThinner = 0.85;  // As a share of the diameter at the branch.
-    constexpr double kThinnest = 0.02; // As a share of the first internode's length.
+    constexpr double kThinner = 0.85; // Thickness of the plant as a share of the branch's diameter.
+    // Least thickness as a share of the first internode's length.
+    constexpr double kThinnest = 0.02;
     auto& rule = grown.rule;
     rule.first_width_mm
         = std::clamp(kThinner * place.diameter_mm, kThinnest * rule.first_length_mm,

@@ -72,7 +72,7 @@ struct SketchTool {
     double lateral_width = 0.55;
     double axis_twist_deg = 0;
     double lateral_twist_deg = 0;
-    double shortest_mm = 0; // 0: the preset's value.
+    double shortest_mm = 0; // Shortest internode; 0: the preset's value.
 };
 
 // Interprets an unfinished or finished stroke of the tool, except for where the plant stands. Fails

@@ -102,7 +102,7 @@ Result<std::vector<scene::Edit>> edits_of(BrushArguments const& arguments)
     if (strokes.empty())
         return fail(Fault::User,
                     fmt::format("{}: there is no stroke in it", arguments.strokes.string()));
-    // The option parser has checked it.
+    // Dereferenced unchecked, as the option parser has checked the range.
     auto const [least_mm, most_mm] = *options::parse_range(arguments.radius);
     auto const years = years_of(strokes, arguments.years);
     std::vector<scene::Edit> edits;

@@ -39,12 +39,12 @@ constexpr std::size_t kMostPlaces = 2000;
 struct SilhouetteArguments {
     std::vector<fs::path> drawings;
     fs::path output;
-    silhouette::TreeForm form; // Its patterns are not set; see `patterns`.
+    silhouette::TreeForm form; // Form from the options; its patterns are not set, see `patterns`.
     // One for each level; the last one applies to deeper levels as well.
     std::vector<std::string> patterns;
     std::optional<int> whorl;          // Branches in each whorl.
     std::string style;                 // File of a plant whose style is measured and used.
-    CLI::App const* command = nullptr; // Tells which options were given.
+    CLI::App const* command = nullptr; // The parsed command, which tells which options were given.
     double height_m = 8;
     std::optional<std::size_t> count; // Number of places; only if an arrangement alone is wanted.
     // Branches that take the style of a branch with parts drawn on it.
@@ -63,7 +63,8 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
     form.has_whole_nodes = true;
     std::vector<silhouette::Pattern> given;
     for (auto const& word : arguments.patterns)
-        given.push_back(*silhouette::pattern_of(word)); // The option's one_of() check has passed.
+        // Dereferenced unchecked, as the option's one_of() check has passed.
+        given.push_back(*silhouette::pattern_of(word));
     for (std::size_t level = 0; level < form.patterns.size() && !given.empty(); ++level)
         form.patterns[level] = given[std::min(level, given.size() - 1)];
     for (auto& pattern : form.patterns)
@@ -332,7 +333,8 @@ void add_options(CLI::App& command, SilhouetteArguments& arguments)
                     "The folder for pictures and glTF, made if it is not there; or the tree alone, "
                     "as the file's ending says: .glb, .obj, .mtg or .png")
         ->type_name("OUTPUT");
-    add_style_options(command, arguments); // Comes first, as the form's numbers override a style.
+    // Comes before the form's options, which override a style.
+    add_style_options(command, arguments);
     add_form_options(command, arguments);
     add_leaf_options(command, arguments);
     command.add_option("--height", arguments.height_m, "Of the whole tree, metres")

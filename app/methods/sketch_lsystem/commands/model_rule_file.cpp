@@ -36,7 +36,7 @@ std::string describe_contract(std::filesystem::path const& model, scene::LoadOpt
 {
     auto edit = io::load_model_edit(model);
     if (!edit)
-        return {}; // The model's general check has reported the error.
+        return {}; // Returns nothing, as the model's general check has reported the error.
     auto const lacks = sketch::lacks_for_stroke(rule_of_model(*std::move(edit)), options);
     if (lacks.empty())
         return "\nCan be grown along a stroke\n";

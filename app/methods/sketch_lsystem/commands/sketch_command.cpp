@@ -44,7 +44,7 @@ namespace fs = std::filesystem;
 struct SketchArguments {
     tools::Methods methods;
     fs::path stroke;
-    fs::path twig; // Replaces `stroke` and `rule`.
+    fs::path twig; // File of a twig; replaces `stroke` and `rule`.
     fs::path rule;
     fs::path folder;
     std::size_t number = 1; // Number of the stroke in its file, counted from 1.
